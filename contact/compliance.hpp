@@ -1,0 +1,59 @@
+// Elasticity as the contact solvers see it: linear maps from tractions on the contact grid to
+// displacement differences (wheel minus rail) on the same grid. What stands behind the map,
+// half-space or finite elements, is not known here.
+#pragma once
+
+#include <memory>
+
+#include "contact/grid.hpp"
+
+namespace rollfem::contact {
+
+/// The whole compliance A: tractions on the wheel (MPa) -> u_wheel - u_rail (mm), all three
+/// components. Symmetric positive definite in the inner product sum over elements (times dx dy).
+class Compliance {
+ public:
+  virtual ~Compliance() = default;
+  virtual const ContactGrid& grid() const = 0;
+  virtual SurfaceField apply(const SurfaceField& traction) const = 0;
+};
+
+/// The normal block A_nn with an approximate inverse for conjugate gradients.
+class NormalOperator {
+ public:
+  virtual ~NormalOperator() = default;
+  virtual const ContactGrid& grid() const = 0;
+  /// u_n = A_nn p_n.
+  virtual Field apply(const Field& pressure) const = 0;
+  /// Symmetric positive definite approximation of A_nn^-1.
+  virtual Field precondition(const Field& residual) const = 0;
+};
+
+/// Order of the one-sided difference along the streamline.
+enum class UpwindOrder {
+  first,   ///< (u_i - u_i+1) / dx: what CONTACT does
+  second,  ///< (3 u_i - 4 u_i+1 + u_i+2) / (2 dx)
+};
+
+/// A tangential operator T that gives slip (steady rolling: T = D A_tt, dimensionless per MPa) or
+/// shift (T = A_tt, mm per MPa) from tangential tractions.
+class TangentialOperator {
+ public:
+  virtual ~TangentialOperator() = default;
+  virtual const ContactGrid& grid() const = 0;
+  virtual TangentialField apply(const TangentialField& traction) const = 0;
+  /// Mean diagonal entry of T, the scale of the projection parameter r = 1 / diagonal.
+  virtual double diagonal() const = 0;
+  /// Approximate inverse of (r T + shift I) as if every element were in adhesion; the solver
+  /// restricts it to the adhesion set.
+  virtual TangentialField precondition(const TangentialField& residual, double r,
+                                       double shift) const = 0;
+};
+
+/// D u: the upwind difference along the streamline (upstream is +x) of a displacement difference
+/// known on the whole grid, approximating -du/dx. Elements without the needed upstream neighbours
+/// take the highest order that fits, the last column takes that of its neighbour.
+TangentialField upwind_difference(const ContactGrid& grid, const TangentialField& displacement,
+                                  UpwindOrder order);
+
+}  // namespace rollfem::contact

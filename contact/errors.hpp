@@ -1,0 +1,24 @@
+// The two ways in which a run fails: the input is wrong (exit status 2) or the solution failed
+// (exit status 1). Everything else is a defect of the program.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace rollfem::contact {
+
+/// The case file or the call is wrong. The text names file, line, key, value, what is allowed and
+/// what to do.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The problem was understood but has no solution or none was reached: no contact, infeasible
+/// force, an iteration that did not converge. The text says which and with what residual.
+class SolveError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace rollfem::contact

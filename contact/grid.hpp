@@ -1,0 +1,59 @@
+// The contact grid: a rectangle of equal rectangular elements in the contact plane (the potential
+// contact area), on which every model has its tractions, and the fields that live on it.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rollfem::contact {
+
+/// One value per contact element, index j * nx + i (x runs fastest).
+using Field = Eigen::VectorXd;
+
+/// Tangential vector per element: tractions in MPa or displacement differences in mm, slip without
+/// a unit.
+struct TangentialField {
+  Field x;
+  Field y;
+};
+
+/// Full vector per element. `n` is the normal component: pressure (MPa, positive in compression)
+/// or normal displacement difference (mm, positive when it opens the gap).
+struct SurfaceField {
+  Field x;
+  Field y;
+  Field n;
+};
+
+/// Potential contact area of nx by ny elements of dx by dy mm. x is the rolling direction
+/// (material enters at large x), y is lateral; `x_first`, `y_first` is the centre of element (0,0).
+struct ContactGrid {
+  int nx = 0;
+  int ny = 0;
+  double dx = 0.0;
+  double dy = 0.0;
+  double x_first = 0.0;
+  double y_first = 0.0;
+
+  int size() const { return nx * ny; }
+  int index(int i, int j) const { return j * nx + i; }
+  double x(int i) const { return x_first + i * dx; }
+  double y(int j) const { return y_first + j * dy; }
+  double element_area() const { return dx * dy; }
+
+  /// Grid of nx by ny elements whose middle is at (x_middle, y_middle).
+  static ContactGrid centred(int nx, int ny, double dx, double dy, double x_middle = 0.0,
+                             double y_middle = 0.0) {
+    return {nx, ny, dx, dy, x_middle - 0.5 * (nx - 1) * dx, y_middle - 0.5 * (ny - 1) * dy};
+  }
+
+  /// `function(x, y)` at every element centre.
+  template <class Function>
+  Field sample(Function&& function) const {
+    Field values(size());
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) values[index(i, j)] = function(x(i), y(j));
+    return values;
+  }
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,77 @@
+// The result record that every model fills and every output reads. Signs: tractions and forces act
+// on the wheel; traction_coefficient = -F_x / F_z so that creep curves rise with xi.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contact/case.hpp"
+#include "contact/grid.hpp"
+
+namespace rollfem::contact {
+
+/// State of a contact element.
+enum class ElementState : unsigned char { exterior = 0, adhesion = 1, slip = 2 };
+
+/// Everything known per contact element at one load point.
+struct ContactFields {
+  SurfaceField traction;       ///< MPa, on the wheel
+  TangentialField slip;        ///< w = s + D u, relative to the rolling speed
+  Field traction_bound;        ///< g = mu p_n, MPa
+  Field gap;                   ///< deformed distance, mm, >= 0
+  SurfaceField displacement;   ///< u_wheel - u_rail, mm; empty when a theory does not give it
+  std::vector<ElementState> state;
+};
+
+/// One load point of one model: the entries of summary.json and the fields behind them.
+struct PointResult {
+  Creepage creepage;
+  double normal_force = 0.0;        ///< N
+  double longitudinal_force = 0.0;  ///< F_x, N, on the wheel
+  double lateral_force = 0.0;       ///< F_y, N, on the wheel
+  double spin_moment = 0.0;         ///< M_z, N mm, about the origin
+  double traction_coefficient = 0.0;
+  double max_pressure = 0.0;    ///< MPa
+  double max_traction = 0.0;    ///< largest |p_t|, MPa
+  double max_traction_x = 0.0;  ///< largest |p_x|, MPa
+  double approach = 0.0;        ///< mm
+  double semi_axis_x = 0.0;     ///< mm, found below the element size
+  double semi_axis_y = 0.0;
+  double contact_length = 0.0;  ///< mm, extent of the patch in x
+  double contact_width = 0.0;   ///< mm, extent of the patch in y
+  double contact_area = 0.0;    ///< mm^2
+  double adhesion_area = 0.0;   ///< mm^2
+  int iterations = 0;           ///< outer iterations (FE solves) or Newton steps
+  double residual = 0.0;        ///< relative residual at which the iteration stopped
+  double seconds = 0.0;
+  bool converged = false;
+  std::map<std::string, double> error_estimate;  ///< quantity -> relative error
+  ContactFields fields;
+};
+
+/// Nodal fields of a body for ParaView: hexahedra with eight corners each.
+struct BodyField {
+  std::string name;                                 ///< "wheel", "rail"
+  std::vector<std::array<double, 3>> points;        ///< mm
+  std::vector<std::array<int, 8>> cells;            ///< VTK_HEXAHEDRON order
+  std::vector<std::array<double, 3>> displacement;  ///< mm, per point
+  std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz, per point
+};
+
+struct ModelResult {
+  std::string name;                       ///< "hertz", "halfspace", "fem"
+  std::map<std::string, double> seconds;  ///< total, setup, normal, tangential, ...
+  long unknowns = 0;
+  int contact_elements = 0;
+  ContactGrid grid;
+  std::vector<PointResult> points;
+  std::vector<BodyField> bodies;   ///< of the last load point; empty but for fem
+  std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
+};
+
+/// Fills forces, maxima, patch size and areas of `point` from its fields.
+void integrate_tractions(const ContactGrid& grid, PointResult& point);
+
+}  // namespace rollfem::contact

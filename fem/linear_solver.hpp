@@ -1,0 +1,59 @@
+// Linear elasticity K u = b on one body, solved many times with the same K. What the solvers need
+// is described here once; factorisation.hpp and multigrid.hpp make them.
+#pragma once
+
+#include <deal.II/base/types.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "contact/case.hpp"
+
+namespace rollfem::fem {
+
+using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+/// Homogeneous displacement conditions by boundary id.
+struct BoundaryConditions {
+  std::set<dealii::types::boundary_id> clamped;
+  /// Symmetry planes: the displacement component that vanishes there (1 for the plane y = 0).
+  std::map<dealii::types::boundary_id, unsigned int> vanishing_component;
+};
+
+/// A discretised body: FE_Q(degree)^3 dofs on a parallel::distributed triangulation.
+/// All references outlive the solver. `constraints` holds hanging nodes and boundary conditions.
+struct ElasticProblem {
+  const dealii::DoFHandler<3>& dofs;
+  const dealii::Mapping<3>& mapping;
+  const dealii::AffineConstraints<double>& constraints;
+  BoundaryConditions boundary;
+  contact::Material material;
+};
+
+/// Hanging nodes and boundary conditions for any level of a body.
+dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<3>& dofs,
+                                                   const dealii::Mapping<3>& mapping,
+                                                   const BoundaryConditions& boundary);
+
+/// Ghosted vector laid out for `dofs` (locally relevant).
+Vector make_vector(const dealii::DoFHandler<3>& dofs);
+
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  /// u = K^-1 b, constraints distributed and ghosts updated on return. `b` need not respect the
+  /// constraints (it is condensed here). Throws contact::SolveError when the residual stays above
+  /// the tolerance the solver was made with.
+  virtual void solve(Vector& u, const Vector& b) const = 0;
+  virtual int last_iterations() const = 0;   ///< 0 for a factorisation
+  virtual double memory_bytes() const = 0;   ///< on this process
+  virtual std::string description() const = 0;
+};
+
+}  // namespace rollfem::fem

@@ -1,0 +1,22 @@
+// The model "fem": wheel and rail segments in 3D finite elements. This header is free of deal.II;
+// the program opens the library at run time through rollfem_fem_entry.
+#pragma once
+
+#include "contact/model.hpp"
+
+namespace rollfem::fem {
+
+/// Runs the case. Every MPI process of the run calls it; the result is complete on process 0.
+contact::ModelResult run_fem(const contact::Case& input, const contact::Progress& progress);
+
+/// What the program gets from the library it opens.
+struct Entry {
+  void (*start)(int& argc, char**& argv);  ///< MPI_Init, once, before any model
+  void (*stop)();                          ///< MPI_Finalize
+  int (*process)();                        ///< rank
+  contact::ModelResult (*run)(const contact::Case&, const contact::Progress&);
+};
+
+}  // namespace rollfem::fem
+
+extern "C" const rollfem::fem::Entry* rollfem_fem_entry();

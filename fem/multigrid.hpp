@@ -1,0 +1,19 @@
+// Conjugate gradients with matrix-free geometric multigrid (global coarsening, Chebyshev
+// smoothing, direct coarse solve): for sizes beyond a factorisation and for several processes.
+#pragma once
+
+#include "fem/linear_solver.hpp"
+
+namespace rollfem::fem {
+
+struct MultigridOptions {
+  double tolerance = 1e-8;  ///< residual relative to the right-hand side
+  int max_iterations = 200;
+  int smoother_degree = 4;
+};
+
+/// Any number of MPI processes; collective.
+std::unique_ptr<LinearSolver> make_multigrid(const ElasticProblem& problem,
+                                             const MultigridOptions& options = {});
+
+}  // namespace rollfem::fem

@@ -1,0 +1,43 @@
+// Hertz's elliptic and line contact in closed form (Johnson 1985, chapter 4), any aspect ratio.
+#pragma once
+
+#include "contact/model.hpp"
+
+namespace rollfem::halfspace {
+
+/// Elliptic contact of h = A x^2 + B y^2.
+struct HertzContact {
+  double semi_axis_x = 0.0;   ///< mm
+  double semi_axis_y = 0.0;   ///< mm
+  double max_pressure = 0.0;  ///< MPa
+  double approach = 0.0;      ///< mm
+  double normal_force = 0.0;  ///< N
+  /// p(x, y), 0 outside the ellipse.
+  double pressure(double x, double y) const;
+};
+
+/// A, B > 0 in 1/mm, E* in MPa. Throws contact::InputError when A or B is not positive (line
+/// contact, for which the approach of two half-spaces is unbounded: use hertz_line).
+HertzContact hertz_from_force(double A, double B, double contact_modulus, double normal_force);
+HertzContact hertz_from_approach(double A, double B, double contact_modulus, double approach);
+
+/// Line contact h = x^2 / (2 R), force per unit length in N/mm.
+struct HertzLine {
+  double half_width = 0.0;    ///< mm
+  double max_pressure = 0.0;  ///< MPa
+};
+HertzLine hertz_line(double radius, double contact_modulus, double force_per_length);
+
+/// Stress below the middle of the patch (x = y = 0) at depth z >= 0 under the pressure alone.
+struct AxisStress {
+  double xx = 0.0;
+  double yy = 0.0;
+  double zz = 0.0;
+};
+AxisStress hertz_axis_stress(const HertzContact& contact, double poisson_ratio, double depth);
+
+/// The model "hertz": patch, pressure and approach; no friction. Tractions are sampled on the
+/// case's contact grid.
+contact::ModelResult run_hertz(const contact::Case& input, const contact::Progress& progress);
+
+}  // namespace rollfem::halfspace

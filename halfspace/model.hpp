@@ -1,0 +1,19 @@
+// The model "halfspace": Kalker's problem on the case's contact grid for every load point.
+#pragma once
+
+#include "contact/model.hpp"
+
+namespace rollfem::halfspace {
+
+/// Potential contact area from the case: Hertz's ellipse plus a margin, with elements by
+/// [contact_grid]. `margin`: elements beyond the ellipse on each side.
+contact::ContactGrid potential_area(const contact::Case& input, int margin = 3);
+
+/// The same with square or given elements of dx by dy.
+contact::ContactGrid potential_area(const contact::Case& input, double dx, double dy, int margin);
+
+/// Solves every load point; enlarges the grid when the patch touches its border; a run at half the
+/// resolution gives the error estimate and the first guess.
+contact::ModelResult run_halfspace(const contact::Case& input, const contact::Progress& progress);
+
+}  // namespace rollfem::halfspace
