@@ -1,0 +1,37 @@
+// Initialises MPI for a test program that is linked with gtest_main, and limits deal.II to one
+// thread. Include it in exactly one source of the program; that is all there is to do.
+// Under mpirun every process runs the same tests; only the first one prints.
+#pragma once
+
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace rollfem::test {
+
+class MpiEnvironment : public ::testing::Environment {
+ public:
+  void SetUp() override {
+    // No arguments of the command line are for MPI.
+    static int argc = 1;
+    static char name[] = "test";
+    static char* arguments[] = {name, nullptr};
+    static char** argv = arguments;
+    mpi_ = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) {
+      auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
+      silenced_.reset(listeners.Release(listeners.default_result_printer()));
+    }
+  }
+  void TearDown() override { mpi_.reset(); }
+
+ private:
+  std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi_;
+  std::unique_ptr<::testing::TestEventListener> silenced_;
+};
+
+[[maybe_unused]] inline ::testing::Environment* const mpi_environment =
+    ::testing::AddGlobalTestEnvironment(new MpiEnvironment);
+
+}  // namespace rollfem::test
