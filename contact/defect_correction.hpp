@@ -11,9 +11,9 @@ namespace rollfem::contact {
 
 /// The solvable stand-in for A: the half-space on the same grid.
 struct Preconditioner {
-  const Compliance& whole;             ///< A_half
-  const NormalOperator& normal;        ///< its normal block
-  const TangentialOperator& rolling;   ///< D A_half,tt
+  const Compliance& whole;            ///< A_half
+  const NormalOperator& normal;       ///< its normal block
+  const TangentialOperator& rolling;  ///< D A_half,tt
   UpwindOrder upwind_order;
 };
 

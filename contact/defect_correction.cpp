@@ -1,0 +1,134 @@
+#include "contact/defect_correction.hpp"
+
+#include "contact/anderson.hpp"
+#include "contact/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// One vector for Anderson's least squares; all entries are displacements in mm.
+Eigen::VectorXd stacked(const SurfaceField& field) {
+  Eigen::VectorXd all(field.x.size() + field.y.size() + field.n.size());
+  all << field.x, field.y, field.n;
+  return all;
+}
+
+SurfaceField unstacked(const Eigen::VectorXd& all) {
+  const Eigen::Index n = all.size() / 3;
+  return {all.segment(0, n), all.segment(n, n), all.segment(2 * n, n)};
+}
+
+SurfaceField difference(const SurfaceField& a, const SurfaceField& b) {
+  return {a.x - b.x, a.y - b.y, a.n - b.n};
+}
+
+double rms_over(const Field& mask, const Field& values) {
+  const double count = mask.sum();
+  return count > 0.0 ? std::sqrt((values.array().square() * mask.array()).sum() / count) : 0.0;
+}
+
+double rms_over(const Field& mask, const TangentialField& values) {
+  return std::hypot(rms_over(mask, values.x), rms_over(mask, values.y));
+}
+
+bool frictionless(const CoupledProblem& problem) {
+  return problem.rigid_slip.x.size() == 0 || problem.friction_coefficient == 0.0;
+}
+
+/// Contact with A_half alone, the defect put in as an extra gap and an extra displacement.
+void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem& problem,
+                          const SurfaceField& defect, double tolerance, CoupledSolution& solution) {
+  NormalProblem normal{problem.undeformed_distance + defect.n, problem.normal_force,
+                       problem.approach};
+  NormalOptions normal_options;
+  normal_options.tolerance = std::min(normal_options.tolerance, 0.1 * tolerance);
+  solution.normal =
+      solve_normal(halfspace.normal, normal, normal_options, solution.normal.pressure);
+  if (frictionless(problem)) return;
+
+  const TangentialField from_defect =
+      upwind_difference(halfspace.whole.grid(), {defect.x, defect.y}, halfspace.upwind_order);
+  TangentialProblem tangential{
+      problem.friction_coefficient * solution.normal.pressure,
+      {problem.rigid_slip.x + from_defect.x, problem.rigid_slip.y + from_defect.y}};
+  TangentialOptions options;
+  options.tolerance = std::min(options.tolerance, 0.1 * tolerance);
+  solution.tangential =
+      solve_tangential(halfspace.rolling, tangential, options, solution.tangential.traction);
+}
+
+SurfaceField tractions(const CoupledSolution& solution) {
+  const Eigen::Index n = solution.normal.pressure.size();
+  if (solution.tangential.traction.x.size() == 0)
+    return {Field::Zero(n), Field::Zero(n), solution.normal.pressure};
+  return {solution.tangential.traction.x, solution.tangential.traction.y, solution.normal.pressure};
+}
+
+/// How far the defect is from its own image, over the contact area: the normal part relative to the
+/// elastic displacement (less its mean, which the approach takes up at given force), the tangential
+/// part as slip relative to the creepage load.
+double defect_residual(const Preconditioner& halfspace, const CoupledProblem& problem,
+                       const CoupledSolution& solution, const SurfaceField& defect,
+                       const SurfaceField& image) {
+  const Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
+  const SurfaceField change = difference(image, defect);
+  Field normal_change = change.n;
+  if (problem.normal_force) {
+    const double mean = change.n.dot(mask) / std::max(1.0, mask.sum());
+    normal_change.array() -= mean;
+  }
+  double residual = rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
+  if (!frictionless(problem)) {
+    const ContactGrid& grid = halfspace.whole.grid();
+    const double slip_change =
+        rms_over(mask, upwind_difference(grid, {change.x, change.y}, halfspace.upwind_order));
+    const TangentialField load =
+        upwind_difference(grid, {image.x, image.y}, halfspace.upwind_order);
+    const double creepage_load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, load));
+    if (creepage_load > 0.0) residual = std::max(residual, slip_change / creepage_load);
+  }
+  return residual;
+}
+
+}  // namespace
+
+CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
+                              const CoupledProblem& problem, const OuterOptions& options,
+                              const SurfaceField& start_defect,
+                              const OuterCallback& each_iteration) {
+  const Eigen::Index n = problem.undeformed_distance.size();
+  SurfaceField defect = start_defect;
+  if (defect.n.size() != n) defect = {Field::Zero(n), Field::Zero(n), Field::Zero(n)};
+
+  Anderson anderson(options.anderson_depth);
+  CoupledSolution solution;
+  double best = std::numeric_limits<double>::infinity();
+  for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
+    solve_preconditioner(halfspace, problem, defect, options.tolerance, solution);
+    const SurfaceField traction = tractions(solution);
+    solution.displacement = compliance.apply(traction);
+    const SurfaceField image = difference(solution.displacement, halfspace.whole.apply(traction));
+    solution.outer_iterations = iteration;
+    solution.residual = defect_residual(halfspace, problem, solution, defect, image);
+    solution.defect = image;
+    if (each_iteration) each_iteration(solution);
+    if (solution.residual <= options.tolerance) return solution;
+
+    // A changed active set can make the history misleading: begin it anew rather than follow it.
+    if (solution.residual > 2.0 * best) anderson.restart();
+    best = std::min(best, solution.residual);
+    defect = unstacked(anderson.next(stacked(defect), stacked(image)));
+  }
+  throw SolveError("the outer contact iteration did not converge: relative residual " +
+                   std::to_string(solution.residual) + " after " +
+                   std::to_string(options.max_iterations) + " iterations, asked for " +
+                   std::to_string(options.tolerance));
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,319 @@
+#include "fem/contact_run.hpp"
+
+#include "contact/defect_correction.hpp"
+#include "contact/errors.hpp"
+#include "contact/geometry.hpp"
+#include "fem/compliance.hpp"
+#include "fem/factorisation.hpp"
+#include "fem/multigrid.hpp"
+#include "halfspace/compliance.hpp"
+#include "halfspace/hertz.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::Case;
+using contact::ContactGrid;
+using contact::PointResult;
+
+/// Measured: a factorisation serves up to this many unknowns a body in time and memory (5 GB).
+constexpr double factorisation_limit = 400e3;
+
+/// Elements of the potential contact area beyond Hertz's ellipse, each side.
+constexpr int margin = 3;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+halfspace::HertzContact hertz_estimate(const Case& input) {
+  const contact::Curvatures curvatures = contact::relative_curvatures(input);
+  const double modulus =
+      contact::combine(input.wheel.material, input.rail.material).contact_modulus;
+  return input.load.normal_force ? halfspace::hertz_from_force(curvatures.A, curvatures.B, modulus,
+                                                               *input.load.normal_force)
+                                 : halfspace::hertz_from_approach(curvatures.A, curvatures.B,
+                                                                  modulus, *input.load.approach);
+}
+
+/// The plane y = 0 is a symmetry plane when nothing drives the material sideways.
+bool symmetric_about_rolling(const Case& input) {
+  return std::all_of(input.rolling.creepages.begin(), input.rolling.creepages.end(),
+                     [](const contact::Creepage& c) { return c.lateral == 0.0 && c.spin == 0.0; });
+}
+
+/// Square elements on the lattice of the FE faces, an even number each way.
+ContactGrid lattice_grid(double a, double b, double cell) {
+  const int half_x = static_cast<int>(std::ceil(a / cell)) + margin;
+  const int half_y = static_cast<int>(std::ceil(b / cell)) + margin;
+  return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell);
+}
+
+BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch,
+                         const ContactGrid& grid, double cell) {
+  const double reach = input.fem.fine_extent.value_or(1.5);
+  BodyOptions options;
+  options.cell_size = cell;
+  options.fine_half_length = std::max(reach * patch.semi_axis_x, 0.5 * grid.nx * grid.dx);
+  options.fine_half_width = std::max(reach * patch.semi_axis_y, 0.5 * grid.ny * grid.dy);
+  options.extent = input.fem.extent.value_or(8.0 * std::max(patch.semi_axis_x, patch.semi_axis_y));
+  options.half = symmetric_about_rolling(input);
+  options.degree = input.fem.degree;
+  return options;
+}
+
+bool use_factorisation(const Case& input, const Body& body, int processes) {
+  switch (input.fem.linear_solver) {
+    case contact::LinearSolver::factorisation:
+      if (processes > 1)
+        throw contact::InputError(
+            "[fem] linear_solver = \"factorisation\" works in one process only; use \"multigrid\" "
+            "or \"automatic\" with mpirun");
+      return true;
+    case contact::LinearSolver::multigrid:
+      return false;
+    case contact::LinearSolver::automatic:
+      break;
+  }
+  return processes == 1 && static_cast<double>(body.unknowns()) <= factorisation_limit;
+}
+
+struct Solvers {
+  std::unique_ptr<LinearSolver> wheel;
+  std::unique_ptr<LinearSolver> rail;
+};
+
+/// Two factorisations side by side, one core each: together quicker than one after the other with
+/// two BLAS threads.
+Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, int processes) {
+  if (use_factorisation(input, wheel, processes) && use_factorisation(input, rail, processes)) {
+    auto other =
+        std::async(std::launch::async, [&rail] { return make_factorisation(rail.problem()); });
+    Solvers solvers;
+    solvers.wheel = make_factorisation(wheel.problem());
+    solvers.rail = other.get();
+    return solvers;
+  }
+  MultigridOptions options;
+  options.tolerance = 1e-10;  // the contact iteration and its repeatability live on small changes
+  return {make_multigrid(wheel.problem(), options), make_multigrid(rail.problem(), options)};
+}
+
+/// What one load point needs and what is kept between points.
+class LevelRun {
+ public:
+  LevelRun(const Case& input, const LevelOptions& options, const contact::Progress& progress)
+      : input_(input),
+        options_(options),
+        progress_(progress),
+        patch_(hertz_estimate(input)),
+        grid_(lattice_grid(patch_.semi_axis_x, patch_.semi_axis_y, options.cell_size)),
+        processes_(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) {}
+
+  contact::ModelResult run();
+
+ private:
+  void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
+  contact::CoupledProblem problem(const contact::Creepage& creepage, bool friction) const;
+  PointResult solve_point(std::size_t k, const FemCompliance& compliance,
+                          const contact::Preconditioner& halfspace);
+  contact::ContactFields fields(const contact::CoupledSolution& solution) const;
+  void refuse_patch_at_border(const contact::NormalSolution& solution) const;
+
+  const Case& input_;
+  const LevelOptions& options_;
+  const contact::Progress& progress_;
+  halfspace::HertzContact patch_;
+  ContactGrid grid_;
+  int processes_;
+  contact::SurfaceField defect_;  ///< of the load point before: a start for the next
+  contact::SurfaceField last_traction_;
+};
+
+void LevelRun::tell(contact::ProgressEvent event, const std::string& stage, bool finished) const {
+  event.model = "fem";
+  event.stage = options_.stage_prefix + stage;
+  event.points = static_cast<int>(input_.rolling.creepages.size());
+  event.finished = finished;
+  contact::report(progress_, event);
+}
+
+contact::CoupledProblem LevelRun::problem(const contact::Creepage& creepage, bool friction) const {
+  const contact::Curvatures curvatures = contact::relative_curvatures(input_);
+  contact::CoupledProblem result;
+  result.undeformed_distance = grid_.sample(
+      [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
+  result.normal_force = input_.load.normal_force;
+  result.approach = input_.load.approach;
+  if (friction) {
+    result.friction_coefficient = input_.friction_coefficient;
+    result.rigid_slip = contact::rigid_slip(input_, creepage, grid_);
+  }
+  return result;
+}
+
+contact::ContactFields LevelRun::fields(const contact::CoupledSolution& solution) const {
+  contact::ContactFields result;
+  result.traction = {solution.tangential.traction.x, solution.tangential.traction.y,
+                     solution.normal.pressure};
+  result.slip = solution.tangential.slip;
+  result.traction_bound = input_.friction_coefficient * solution.normal.pressure;
+  result.gap = solution.normal.gap;
+  result.displacement = solution.displacement;
+  result.state = solution.tangential.state;
+  return result;
+}
+
+void LevelRun::refuse_patch_at_border(const contact::NormalSolution& solution) const {
+  bool touches = false;
+  for (int i = 0; i < grid_.nx; ++i)
+    touches = touches || solution.pressure[grid_.index(i, 0)] > 0.0 ||
+              solution.pressure[grid_.index(i, grid_.ny - 1)] > 0.0;
+  for (int j = 0; j < grid_.ny; ++j)
+    touches = touches || solution.pressure[grid_.index(0, j)] > 0.0 ||
+              solution.pressure[grid_.index(grid_.nx - 1, j)] > 0.0;
+  if (touches)
+    throw contact::SolveError(fmt::format(
+        "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): "
+        "the segments are too compliant for their size; give a larger [fem] extent",
+        grid_.nx * grid_.dx, grid_.ny * grid_.dy));
+}
+
+PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance,
+                                  const contact::Preconditioner& halfspace) {
+  const Stopwatch watch;
+  const contact::Creepage& creepage = input_.rolling.creepages[k];
+  contact::ProgressEvent event;
+  event.point = static_cast<int>(k) + 1;
+  event.creepage = creepage.longitudinal;
+  const auto each_iteration = [&](const contact::CoupledSolution& state) {
+    event.iteration = state.outer_iterations;
+    event.residual = state.residual;
+    event.contact_elements = state.normal.contact_elements;
+    event.adhesion_elements =
+        static_cast<int>(std::count(state.tangential.state.begin(), state.tangential.state.end(),
+                                    contact::ElementState::adhesion));
+    tell(event, "rolling");
+  };
+  const contact::CoupledSolution solution = contact::solve_coupled(
+      compliance, halfspace, problem(creepage, true), {}, defect_, each_iteration);
+  refuse_patch_at_border(solution.normal);
+  defect_ = solution.defect;
+
+  PointResult point;
+  point.creepage = creepage;
+  point.approach = solution.normal.approach;
+  point.iterations = solution.outer_iterations;
+  point.residual = solution.residual;
+  point.converged = true;
+  point.fields = fields(solution);
+  contact::integrate_tractions(grid_, point);
+  last_traction_ = point.fields.traction;
+  point.seconds = watch.seconds();
+  tell(event, "rolling", true);
+  return point;
+}
+
+contact::ModelResult LevelRun::run() {
+  contact::ModelResult result;
+  result.name = "fem";
+  result.grid = grid_;
+
+  const Stopwatch mesh_watch;
+  tell({}, "mesh");
+  const BodyOptions options = body_options(input_, patch_, grid_, options_.cell_size);
+  const Body wheel({true, input_.wheel.rolling_radius, input_.wheel.transverse_radius},
+                   input_.wheel.material, options, MPI_COMM_WORLD);
+  const Body rail({false, contact::infinity, input_.rail.transverse_radius}, input_.rail.material,
+                  options, MPI_COMM_WORLD);
+  result.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
+  contact::ProgressEvent event;
+  event.note = fmt::format("wheel {} + rail {} unknowns", wheel.unknowns(), rail.unknowns());
+  tell(event, "mesh", true);
+  result.seconds["mesh"] = mesh_watch.seconds();
+
+  const Stopwatch solver_watch;
+  tell({}, "linear solvers");
+  const Solvers solvers = make_solvers(input_, wheel, rail, processes_);
+  const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_);
+  event.note = solvers.wheel->description();
+  tell(event, "linear solvers", true);
+  result.seconds["factorisation"] = solver_watch.seconds();
+
+  // The coupling of unlike materials is left to the defect: the preconditioner need not know it.
+  contact::CombinedMaterial material =
+      contact::combine(input_.wheel.material, input_.rail.material);
+  material.difference = 0.0;
+  const halfspace::HalfspaceCompliance half(grid_, material);
+  const contact::UpwindOrder order = input_.rolling.upwind_order;
+  const contact::Preconditioner halfspace{half, half.normal(), half.rolling(order), order};
+
+  const Stopwatch normal_watch;
+  tell({}, "normal");
+  const contact::CoupledSolution frictionless =
+      contact::solve_coupled(compliance, halfspace, problem({}, false));
+  refuse_patch_at_border(frictionless.normal);
+  defect_ = frictionless.defect;
+  event.iteration = frictionless.outer_iterations;
+  event.residual = frictionless.residual;
+  event.contact_elements = frictionless.normal.contact_elements;
+  tell(event, "normal", true);
+  result.contact_elements = frictionless.normal.contact_elements;
+  result.seconds["normal"] = normal_watch.seconds();
+
+  const Stopwatch rolling_watch;
+  for (std::size_t k = 0; k < input_.rolling.creepages.size(); ++k)
+    result.points.push_back(solve_point(k, compliance, halfspace));
+  result.seconds["tangential"] = rolling_watch.seconds();
+
+  if (options_.body_fields) {
+    const Stopwatch stress_watch;
+    tell({}, "stresses");
+    const std::vector<Vector> displacement = compliance.body_displacements(last_traction_);
+    result.bodies = {body_field(wheel, displacement[0], "wheel"),
+                     body_field(rail, displacement[1], "rail")};
+    tell({}, "stresses", true);
+    result.seconds["stresses"] = stress_watch.seconds();
+  }
+  result.notes.push_back(fmt::format(
+      "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the approach "
+      "is "
+      "that of these segments, below the half-space's by the order of patch size over {:.4g} mm",
+      options.extent, options.extent));
+  if (options.half)
+    result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
+  result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
+                                     options.cell_size, options.degree,
+                                     solvers.wheel->description()));
+  return result;
+}
+
+}  // namespace
+
+double default_cell_size(const Case& input) {
+  if (input.fem.cell_size) return *input.fem.cell_size;
+  const halfspace::HertzContact patch = hertz_estimate(input);
+  return std::min(patch.semi_axis_x, patch.semi_axis_y) / 8.0;
+}
+
+contact::ModelResult run_level(const Case& input, const LevelOptions& options,
+                               const contact::Progress& progress) {
+  return LevelRun(input, options, progress).run();
+}
+
+}  // namespace rollfem::fem
