@@ -2,13 +2,13 @@
 // read from TOML by case_reader.hpp. Units: mm, N, MPa, rad.
 #pragma once
 
+#include "contact/compliance.hpp"
+
 #include <array>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "contact/compliance.hpp"
 
 namespace rollfem::contact {
 
@@ -22,8 +22,8 @@ struct Material {
 
 /// Upper body (1): a surface of revolution about the axle.
 struct Wheel {
-  double rolling_radius = 0.0;           ///< mm, radius at the running circle
-  double transverse_radius = infinity;   ///< mm, > 0 convex, < 0 concave, inf flat
+  double rolling_radius = 0.0;          ///< mm, radius at the running circle
+  double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
   Material material;
 };
 

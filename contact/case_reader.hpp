@@ -2,9 +2,9 @@
 // the reference page, all from one declaration of the keys.
 #pragma once
 
-#include <string>
-
 #include "contact/case.hpp"
+
+#include <string>
 
 namespace rollfem::contact {
 

@@ -3,9 +3,9 @@
 // half-space or finite elements, is not known here.
 #pragma once
 
-#include <memory>
-
 #include "contact/grid.hpp"
+
+#include <memory>
 
 namespace rollfem::contact {
 

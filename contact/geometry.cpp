@@ -16,8 +16,8 @@ CombinedMaterial combine(const Material& wheel, const Material& rail) {
   combined.poisson_ratio = combined.shear_modulus * (nu1 / g1 + nu2 / g2) / 2.0;
   combined.difference =
       combined.shear_modulus * ((1.0 - 2.0 * nu1) / g1 - (1.0 - 2.0 * nu2) / g2) / 4.0;
-  combined.contact_modulus = 1.0 / ((1.0 - nu1 * nu1) / wheel.young_modulus +
-                                    (1.0 - nu2 * nu2) / rail.young_modulus);
+  combined.contact_modulus =
+      1.0 / ((1.0 - nu1 * nu1) / wheel.young_modulus + (1.0 - nu2 * nu2) / rail.young_modulus);
   return combined;
 }
 

@@ -1,11 +1,11 @@
 // The one signature all models have, from Hertz to finite elements.
 #pragma once
 
-#include <functional>
-
 #include "contact/case.hpp"
 #include "contact/progress.hpp"
 #include "contact/result.hpp"
+
+#include <functional>
 
 namespace rollfem::contact {
 

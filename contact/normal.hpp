@@ -3,9 +3,9 @@
 // 2014, "The bound-constrained conjugate gradient method for non-negative matrices").
 #pragma once
 
-#include <optional>
-
 #include "contact/compliance.hpp"
+
+#include <optional>
 
 namespace rollfem::contact {
 
@@ -16,7 +16,7 @@ struct NormalProblem {
 };
 
 struct NormalOptions {
-  double tolerance = 1e-8;   ///< on the largest violation of gap = 0, relative to the approach
+  double tolerance = 1e-8;  ///< on the largest violation of gap = 0, relative to the approach
   int max_iterations = 500;
 };
 

@@ -17,8 +17,8 @@ struct ProgressEvent {
   double residual = 0.0;     ///< relative residual of that iteration, 0 when it has none
   int contact_elements = 0;  ///< active set
   int adhesion_elements = 0;
-  bool finished = false;     ///< the stage is over
-  std::string note;          ///< e.g. "2 x 184 512 unknowns"
+  bool finished = false;  ///< the stage is over
+  std::string note;       ///< e.g. "2 x 184 512 unknowns"
 };
 
 /// May be empty: models then run silently.

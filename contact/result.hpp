@@ -2,13 +2,13 @@
 // on the wheel; traction_coefficient = -F_x / F_z so that creep curves rise with xi.
 #pragma once
 
+#include "contact/case.hpp"
+#include "contact/grid.hpp"
+
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
-
-#include "contact/case.hpp"
-#include "contact/grid.hpp"
 
 namespace rollfem::contact {
 
@@ -17,11 +17,11 @@ enum class ElementState : unsigned char { exterior = 0, adhesion = 1, slip = 2 }
 
 /// Everything known per contact element at one load point.
 struct ContactFields {
-  SurfaceField traction;       ///< MPa, on the wheel
-  TangentialField slip;        ///< w = s + D u, relative to the rolling speed
-  Field traction_bound;        ///< g = mu p_n, MPa
-  Field gap;                   ///< deformed distance, mm, >= 0
-  SurfaceField displacement;   ///< u_wheel - u_rail, mm; empty when a theory does not give it
+  SurfaceField traction;      ///< MPa, on the wheel
+  TangentialField slip;       ///< w = s + D u, relative to the rolling speed
+  Field traction_bound;       ///< g = mu p_n, MPa
+  Field gap;                  ///< deformed distance, mm, >= 0
+  SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty when a theory does not give it
   std::vector<ElementState> state;
 };
 

@@ -14,7 +14,7 @@ struct TangentialProblem {
 };
 
 struct TangentialOptions {
-  double tolerance = 1e-6;    ///< relative to the creepage load, never to mu F
+  double tolerance = 1e-6;  ///< relative to the creepage load, never to mu F
   int max_newton_steps = 60;
   double krylov_tolerance = 1e-2;
   int max_krylov_iterations = 400;
@@ -29,8 +29,8 @@ struct TangentialSolution {
   double residual = 0.0;
 };
 
-/// Throws SolveError when Newton's method does not converge. `start`: tractions to begin with, empty
-/// for the projected full-stick solution.
+/// Throws SolveError when Newton's method does not converge. `start`: tractions to begin with,
+/// empty for the projected full-stick solution.
 TangentialSolution solve_tangential(const TangentialOperator& compliance,
                                     const TangentialProblem& problem,
                                     const TangentialOptions& options = {},

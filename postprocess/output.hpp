@@ -25,13 +25,21 @@ struct RunRecord {
   std::vector<contact::ModelResult> models;
 };
 
+/// Throws contact::InputError when write_results could not write to `directory`: a file, a folder
+/// that holds other things than an earlier result, no permission. Leaves nothing behind; call it
+/// before the models run.
+void check_directory(const std::string& directory);
+
 /// Writes everything but figures and report. Files are made in a folder beside `directory` and
 /// moved in when all are complete; on failure (disk full, no permission) nothing is left behind and
-/// contact::InputError says what happened.
+/// contact::InputError says what happened. An earlier result in `directory` is replaced, files that
+/// are not of rollfem's making stay. A number that is not finite throws std::logic_error.
 void write_results(const std::string& directory, const RunRecord& run);
 
 /// Runs the plotting program on a written folder: figures/*.svg and report.html. Returns what it
-/// printed on failure, empty on success; results stay whatever happens here.
+/// printed on failure, empty on success; results stay whatever happens here. `script_directory` is
+/// the Python package rollfem_figures or the folder that holds it. Python is that of the environment
+/// variable ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
 }  // namespace rollfem::postprocess
