@@ -2,20 +2,23 @@
 // patch, degrees of freedom, boundary conditions.
 #pragma once
 
+#include "fem/linear_solver.hpp"
+
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping_q.h>
 
-#include <mpi.h>
-
 #include <memory>
-
-#include "fem/linear_solver.hpp"
+#include <mpi.h>
 
 namespace rollfem::fem {
 
 /// Boundary ids of every body.
-enum BoundaryId : dealii::types::boundary_id { far_boundary = 0, contact_surface = 1, symmetry_plane = 2 };
+enum BoundaryId : dealii::types::boundary_id {
+  far_boundary = 0,
+  contact_surface = 1,
+  symmetry_plane = 2
+};
 
 /// Surface coordinates (s, t) = (arc length along rolling, lateral coordinate y) and depth d below
 /// the surface -> place in space. s points along +x, the contact reference point is (0, 0, 0).
@@ -35,12 +38,14 @@ struct SurfaceShape {
 
 /// What decides the mesh.
 struct BodyOptions {
-  double cell_size = 0.5;        ///< mm, cells in the fine region (s and t), exactly
-  double fine_half_length = 5;   ///< mm, the fine region reaches at least so far in s
-  double fine_half_width = 5;    ///< mm, and so far in t
-  double extent = 60;            ///< mm, half length, half width and depth of the segment
-  bool half = false;             ///< only t >= 0, symmetry plane t = 0
+  double cell_size = 0.5;       ///< mm, cells in the fine region (s and t), exactly
+  double fine_half_length = 5;  ///< mm, the fine region reaches at least so far in s
+  double fine_half_width = 5;   ///< mm, and so far in t
+  double extent = 60;           ///< mm, half length, half width and depth of the segment
+  bool half = false;            ///< only t >= 0, symmetry plane t = 0
   int degree = 2;
+  double fine_depth = 3;  ///< the fine region reaches that many cells below the surface
+  double growth = 0.5;    ///< cells may be cell_size + growth * distance from the fine region
 };
 
 /// Surface cells of the fine region lie on a lattice: lines at s = i h and t = j h with integers

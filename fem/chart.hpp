@@ -1,0 +1,59 @@
+// Chart coordinates (s, t, depth) of a body: the manifold on which every mesh node lies, and the
+// box that a cell occupies there. Internal to fem/.
+#pragma once
+
+#include "fem/body.hpp"
+
+#include <deal.II/grid/manifold.h>
+#include <deal.II/grid/tria_accessor.h>
+
+#include <array>
+#include <memory>
+
+namespace rollfem::fem {
+
+/// Keeps refined nodes on the true surface: new points are means in (s, t, depth).
+class SurfaceManifold : public dealii::ChartManifold<3, 3, 3> {
+ public:
+  explicit SurfaceManifold(const SurfaceShape& shape) : shape_(shape) {}
+  std::unique_ptr<dealii::Manifold<3, 3>> clone() const override;
+  dealii::Point<3> pull_back(const dealii::Point<3>& place) const override;
+  dealii::Point<3> push_forward(const dealii::Point<3>& chart) const override;
+  dealii::DerivativeForm<1, 3, 3> push_forward_gradient(
+      const dealii::Point<3>& chart) const override;
+
+ private:
+  SurfaceShape shape_;
+};
+
+/// Depth at which the profile has dropped below its middle at lateral coordinate t, and its slope:
+/// a circle arc of `transverse_radius`, continued by its tangent beyond 0.7 of that radius, where
+/// nothing touches any more and a steeper surface would only spoil the cells.
+struct ProfileDrop {
+  double value = 0.0;
+  double slope = 0.0;
+};
+ProfileDrop profile_drop(double transverse_radius, double t);
+
+/// Ratio of true surface area to ds dt at lateral coordinate t.
+double surface_jacobian(const SurfaceShape& shape, double t);
+
+/// Extent of a cell in chart coordinates, lower and upper corner.
+struct ChartBox {
+  dealii::Point<3> lower;
+  dealii::Point<3> upper;
+};
+template <class CellOrFace>
+ChartBox chart_box(const SurfaceShape& shape, const CellOrFace& object) {
+  const unsigned int last = object->n_vertices() - 1;
+  const auto a = shape.coordinates(object->vertex(0));
+  const auto b = shape.coordinates(object->vertex(last));
+  ChartBox box;
+  for (unsigned int d = 0; d < 3; ++d) {
+    box.lower[d] = std::min(a[d], b[d]);
+    box.upper[d] = std::max(a[d], b[d]);
+  }
+  return box;
+}
+
+}  // namespace rollfem::fem

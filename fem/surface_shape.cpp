@@ -1,0 +1,115 @@
+// Surfaces of wheel and rail: chart coordinates to places and back, local frames, the manifold.
+#include "fem/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+constexpr double steepest_sine = 0.7;
+
+bool is_revolved(const SurfaceShape& shape) {
+  return shape.is_wheel && std::isfinite(shape.rolling_radius);
+}
+
+}  // namespace
+
+ProfileDrop profile_drop(double transverse_radius, double t) {
+  if (!std::isfinite(transverse_radius)) return {};
+  const double radius = std::abs(transverse_radius);
+  const double sign = transverse_radius > 0 ? 1.0 : -1.0;
+  const double distance = std::min(std::abs(t), steepest_sine * radius);
+  const double root = std::sqrt(1.0 - (distance / radius) * (distance / radius));
+  const double slope = distance / (radius * root);
+  // t^2 / (R + sqrt(R^2 - t^2)) rather than R - sqrt(R^2 - t^2): no cancellation.
+  const double drop =
+      distance * distance / (radius * (1.0 + root)) + slope * (std::abs(t) - distance);
+  return {sign * drop, sign * (t < 0 ? -slope : slope)};
+}
+
+double surface_jacobian(const SurfaceShape& shape, double t) {
+  const auto drop = profile_drop(shape.transverse_radius, t);
+  const double stretch = is_revolved(shape) ? 1.0 - drop.value / shape.rolling_radius : 1.0;
+  return stretch * std::sqrt(1.0 + drop.slope * drop.slope);
+}
+
+dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
+  const double drop = profile_drop(transverse_radius, t).value;
+  if (!is_revolved(*this)) return {s, t, is_wheel ? drop + depth : -drop - depth};
+  const double angle = s / rolling_radius;
+  const double inwards = drop + depth;  // towards the axle at z = rolling_radius
+  const double half_sine = std::sin(0.5 * angle);
+  // 1 - cos = 2 sin^2(angle/2) keeps all digits near the contact point.
+  return {(rolling_radius - inwards) * std::sin(angle), t,
+          2.0 * rolling_radius * half_sine * half_sine + inwards * std::cos(angle)};
+}
+
+dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const {
+  const double t = place[1];
+  const double drop = profile_drop(transverse_radius, t).value;
+  if (!is_revolved(*this)) return {place[0], t, (is_wheel ? place[2] : -place[2]) - drop};
+  const double below_axle = rolling_radius - place[2];
+  const double radius = std::hypot(place[0], below_axle);
+  const double angle = std::atan2(place[0], below_axle);
+  return {rolling_radius * angle, t, rolling_radius - drop - radius};
+}
+
+void SurfaceShape::frame(double s, double t, dealii::Tensor<1, 3>& rolling,
+                         dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
+  const double angle = is_revolved(*this) ? s / rolling_radius : 0.0;
+  // Climb of the surface along t in the direction towards the wheel.
+  const double drop_slope = profile_drop(transverse_radius, t).slope;
+  const double climb = is_wheel ? drop_slope : -drop_slope;
+  const double length = std::sqrt(1.0 + climb * climb);
+  dealii::Tensor<1, 3> up;
+  up[0] = -std::sin(angle);
+  up[2] = std::cos(angle);
+  dealii::Tensor<1, 3> across;
+  across[1] = 1.0;
+  rolling = dealii::Tensor<1, 3>();
+  rolling[0] = std::cos(angle);
+  rolling[2] = std::sin(angle);
+  lateral = (across + climb * up) / length;
+  normal = (up - climb * across) / length;
+}
+
+std::unique_ptr<dealii::Manifold<3, 3>> SurfaceManifold::clone() const {
+  return std::make_unique<SurfaceManifold>(shape_);
+}
+
+dealii::Point<3> SurfaceManifold::pull_back(const dealii::Point<3>& place) const {
+  return shape_.coordinates(place);
+}
+
+dealii::Point<3> SurfaceManifold::push_forward(const dealii::Point<3>& chart) const {
+  return shape_.place(chart[0], chart[1], chart[2]);
+}
+
+dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
+    const dealii::Point<3>& chart) const {
+  const auto drop = profile_drop(shape_.transverse_radius, chart[1]);
+  dealii::DerivativeForm<1, 3, 3> gradient;
+  if (!is_revolved(shape_)) {
+    const double sign = shape_.is_wheel ? 1.0 : -1.0;
+    gradient[0][0] = gradient[1][1] = 1.0;
+    gradient[2][1] = sign * drop.slope;
+    gradient[2][2] = sign;
+    return gradient;
+  }
+  const double angle = chart[0] / shape_.rolling_radius;
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  const double stretch = 1.0 - (drop.value + chart[2]) / shape_.rolling_radius;
+  gradient[0][0] = stretch * cosine;
+  gradient[0][1] = -drop.slope * sine;
+  gradient[0][2] = -sine;
+  gradient[1][1] = 1.0;
+  gradient[2][0] = stretch * sine;
+  gradient[2][1] = drop.slope * cosine;
+  gradient[2][2] = cosine;
+  return gradient;
+}
+
+}  // namespace rollfem::fem
