@@ -14,7 +14,6 @@ const Case& defaults() {
   return input;
 }
 
-/// Length of a UTF-8 free text; all declared texts are ASCII.
 std::string pad(const std::string& text, std::size_t width) {
   return fmt::format("{:<{}}", text, width);
 }

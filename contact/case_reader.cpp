@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::uintmax_t largest_file = 1 << 20;
 constexpr std::size_t longest_list = 1000;
+// Dotted keys nest without a limit in toml++, and a chain of 100 000 overflows the stack.
+constexpr std::size_t longest_line = 10000;
 constexpr std::size_t longest_title = 200;
 
 [[noreturn]] void fail_whole(const std::string& file, const std::string& wrong,
@@ -59,6 +61,11 @@ class Reader {
     if (text_.find('\0') != std::string::npos)
       fail_whole(given_.file, "is a binary file, not a case file",
                  "give a case file in TOML; `rollfem new-case` prints one");
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (lines_[i].size() > longest_line)
+        fail_whole(fmt::format("{}:{}", given_.file, i + 1),
+                   fmt::format("the line is longer than {} characters", longest_line),
+                   "break it into several; lists may go over many lines");
     try {
       return toml::parse(text_, given_.file);
     } catch (const toml::parse_error& error) {

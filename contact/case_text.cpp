@@ -46,11 +46,11 @@ std::string range(const Key& key) {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   std::string text;
   if (bounds.magnitude && bounds.lower == 0.0)
-    text = fmt::format("from {} to {}{}", -bounds.upper, bounds.upper, unit);
+    text = fmt::format("from {:g} to {:g}{}", -bounds.upper, bounds.upper, unit);
   else if (bounds.magnitude)
-    text = fmt::format("of magnitude {} to {}{}", bounds.lower, bounds.upper, unit);
+    text = fmt::format("of magnitude {:g} to {:g}{}", bounds.lower, bounds.upper, unit);
   else
-    text = fmt::format("from {} to {}{}{}", bounds.lower, bounds.upper_open ? "below " : "",
+    text = fmt::format("from {:g} to {}{:g}{}", bounds.lower, bounds.upper_open ? "below " : "",
                        bounds.upper, unit);
   return bounds.infinite ? text + ", or inf" : text;
 }
