@@ -10,6 +10,10 @@ namespace rollfem::fem {
 /// runs out.
 std::unique_ptr<LinearSolver> make_factorisation(const ElasticProblem& problem);
 
+/// Whether `solver` came from make_factorisation: then it may run beside another one on a second
+/// thread (but never twice at the same time itself).
+bool is_factorisation(const LinearSolver& solver);
+
 /// Rough prediction of the factor's memory for that many unknowns in 3D Q2, bytes.
 double predicted_factor_bytes(double unknowns);
 

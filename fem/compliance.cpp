@@ -1,0 +1,90 @@
+#include "fem/compliance.hpp"
+
+#include "fem/factorisation.hpp"
+
+#include <deal.II/base/mpi.h>
+
+#include <future>
+
+namespace rollfem::fem {
+
+namespace {
+
+constexpr double sign_of[2] = {1.0,
+                               -1.0};  // tractions act on the wheel, their reaction on the rail
+
+}  // namespace
+
+struct FemCompliance::Implementation {
+  Implementation(const Part& wheel, const Part& rail, const contact::ContactGrid& the_grid)
+      : grid(the_grid),
+        parts{wheel, rail},
+        coupling{{*wheel.body, the_grid}, {*rail.body, the_grid}} {
+    for (int k = 0; k < 2; ++k) {
+      loads[k] = make_vector(parts[k].body->dofs());
+      displacements[k] = make_vector(parts[k].body->dofs());
+    }
+    const MPI_Comm communicator = wheel.body->dofs().get_communicator();
+    concurrent = dealii::Utilities::MPI::n_mpi_processes(communicator) == 1 &&
+                 is_factorisation(*wheel.solver) && is_factorisation(*rail.solver) &&
+                 wheel.solver != rail.solver;
+  }
+
+  void solve_part(int k, const contact::SurfaceField& traction) {
+    coupling[k].load({sign_of[k] * traction.x, sign_of[k] * traction.y, sign_of[k] * traction.n},
+                     loads[k]);
+    parts[k].solver->solve(displacements[k], loads[k]);
+  }
+
+  void solve(const contact::SurfaceField& traction) {
+    if (concurrent) {
+      auto rail = std::async(std::launch::async, [&] { solve_part(1, traction); });
+      solve_part(0, traction);
+      rail.get();
+    } else {
+      solve_part(0, traction);
+      solve_part(1, traction);
+    }
+  }
+
+  contact::ContactGrid grid;
+  Part parts[2];
+  SurfaceCoupling coupling[2];
+  Vector loads[2];
+  Vector displacements[2];
+  bool concurrent = false;
+  int solves = 0;
+};
+
+FemCompliance::FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid)
+    : implementation_(std::make_unique<Implementation>(wheel, rail, grid)) {}
+
+FemCompliance::~FemCompliance() = default;
+
+const contact::ContactGrid& FemCompliance::grid() const {
+  return implementation_->grid;
+}
+
+contact::SurfaceField FemCompliance::apply(const contact::SurfaceField& traction) const {
+  auto& model = *implementation_;
+  model.solve(traction);
+  ++model.solves;
+  auto difference = model.coupling[0].sample(model.displacements[0]);
+  const auto rail = model.coupling[1].sample(model.displacements[1]);
+  difference.x -= rail.x;
+  difference.y -= rail.y;
+  difference.n -= rail.n;
+  return difference;
+}
+
+std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceField& traction) const {
+  auto& model = *implementation_;
+  model.solve(traction);
+  return {model.displacements[0], model.displacements[1]};
+}
+
+int FemCompliance::solves() const {
+  return implementation_->solves;
+}
+
+}  // namespace rollfem::fem
