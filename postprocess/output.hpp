@@ -2,10 +2,10 @@
 // Layout and meaning of every field: docs/results.md.
 #pragma once
 
+#include "contact/result.hpp"
+
 #include <string>
 #include <vector>
-
-#include "contact/result.hpp"
 
 namespace rollfem::postprocess {
 
@@ -38,8 +38,8 @@ void write_results(const std::string& directory, const RunRecord& run);
 
 /// Runs the plotting program on a written folder: figures/*.svg and report.html. Returns what it
 /// printed on failure, empty on success; results stay whatever happens here. `script_directory` is
-/// the Python package rollfem_figures or the folder that holds it. Python is that of the environment
-/// variable ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
+/// the Python package rollfem_figures or the folder that holds it. Python is that of the
+/// environment variable ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
 }  // namespace rollfem::postprocess

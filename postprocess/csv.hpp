@@ -1,0 +1,24 @@
+// Tables for spreadsheets: the creep curve and the path plots of all models in one file each, the
+// unit of a column in its header.
+#pragma once
+
+#include "postprocess/output.hpp"
+
+#include <string>
+
+namespace rollfem::postprocess {
+
+/// One row per model and load point with all scalars.
+std::string creep_curve_csv(const RunRecord& run);
+
+enum class Path { x, y };
+
+/// Tractions, bound, slip and gap along the middle line of the grid for every model and load point.
+/// The line of path x runs through the elements nearest to y = 0; when two rows are equally near,
+/// their mean is taken (path y alike). What a model does not give is an empty cell.
+std::string path_csv(const RunRecord& run, Path path);
+
+/// The one or two rows (or columns) of elements nearest to 0, for elements at first + k * step.
+std::vector<int> middle_lines(double first, double step, int count);
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,42 @@
+#include "postprocess/output.hpp"
+
+#include "postprocess/csv.hpp"
+#include "postprocess/record_check.hpp"
+#include "postprocess/result_folder.hpp"
+#include "postprocess/results_hdf5.hpp"
+#include "postprocess/summary_json.hpp"
+#include "postprocess/vtu.hpp"
+
+#include <algorithm>
+
+namespace rollfem::postprocess {
+namespace {
+
+void write_fields(ResultFolder& folder, const contact::ModelResult& model) {
+  for (const contact::BodyField& body : model.bodies)
+    folder.write("fields/" + model.name + "_" + body.name + ".vtu", body_vtu(body));
+  if (!model.points.empty() && model.points.back().fields.traction.n.size() > 0)
+    folder.write("fields/" + model.name + "_contact.vtu",
+                 contact_vtu(model.grid, model.points.back()));
+}
+
+}  // namespace
+
+void write_results(const std::string& directory, const RunRecord& run) {
+  check_record(run);
+  ResultFolder folder(directory);
+  folder.write("case.toml", run.input.text);
+  folder.write("summary.json", summary_json(run));
+  folder.write("creep_curve.csv", creep_curve_csv(run));
+  const auto& paths = run.input.output.paths;
+  if (std::count(paths.begin(), paths.end(), "x"))
+    folder.write("path_x.csv", path_csv(run, Path::x));
+  if (std::count(paths.begin(), paths.end(), "y"))
+    folder.write("path_y.csv", path_csv(run, Path::y));
+  if (run.input.output.fields)
+    for (const contact::ModelResult& model : run.models) write_fields(folder, model);
+  folder.write("results.h5", results_hdf5(run));
+  folder.commit();
+}
+
+}  // namespace rollfem::postprocess

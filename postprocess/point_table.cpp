@@ -1,0 +1,73 @@
+#include "postprocess/point_table.hpp"
+
+namespace rollfem::postprocess {
+
+using contact::ContactFields;
+using contact::Field;
+using contact::PointResult;
+
+const std::vector<PointScalar>& point_scalars() {
+  using P = const PointResult&;
+  static const std::vector<PointScalar> scalars{
+      {"longitudinal_creepage", "-", "xi; positive brakes the wheel",
+       [](P p) { return p.creepage.longitudinal; }},
+      {"lateral_creepage", "-", "eta", [](P p) { return p.creepage.lateral; }},
+      {"spin", "rad/mm", "phi", [](P p) { return p.creepage.spin; }},
+      {"normal_force", "N", "F_z, positive in compression", [](P p) { return p.normal_force; }},
+      {"longitudinal_force", "N", "F_x on the wheel; negative for positive xi",
+       [](P p) { return p.longitudinal_force; }},
+      {"lateral_force", "N", "F_y on the wheel; negative for positive eta",
+       [](P p) { return p.lateral_force; }},
+      {"spin_moment", "N mm", "M_z on the wheel about the origin",
+       [](P p) { return p.spin_moment; }},
+      {"traction_coefficient", "-", "-F_x / F_z: rises with xi",
+       [](P p) { return p.traction_coefficient; }},
+      {"max_pressure", "MPa", "largest contact pressure", [](P p) { return p.max_pressure; }},
+      {"max_traction", "MPa", "largest tangential traction |p_t|",
+       [](P p) { return p.max_traction; }},
+      {"max_traction_x", "MPa", "largest |p_x|", [](P p) { return p.max_traction_x; }},
+      {"approach", "mm", "how far the bodies have come together since they touched",
+       [](P p) { return p.approach; }},
+      {"semi_axis_x", "mm", "semi-axis of the patch along rolling",
+       [](P p) { return p.semi_axis_x; }},
+      {"semi_axis_y", "mm", "semi-axis of the patch across", [](P p) { return p.semi_axis_y; }},
+      {"contact_length", "mm", "extent of the patch in x", [](P p) { return p.contact_length; }},
+      {"contact_width", "mm", "extent of the patch in y", [](P p) { return p.contact_width; }},
+      {"contact_area", "mm^2", "area of the patch", [](P p) { return p.contact_area; }},
+      {"adhesion_area", "mm^2", "area that does not slip", [](P p) { return p.adhesion_area; }},
+  };
+  return scalars;
+}
+
+const std::vector<PointField>& point_fields() {
+  using F = const ContactFields&;
+  static const std::vector<PointField> fields{
+      {"pressure", "MPa", "contact pressure p_n", "positive in compression, 0 outside the patch",
+       [](F f) -> const Field& { return f.traction.n; }},
+      {"traction_x", "MPa", "tangential traction p_x along rolling",
+       "acts on the wheel in +x; negative for positive longitudinal creepage",
+       [](F f) -> const Field& { return f.traction.x; }},
+      {"traction_y", "MPa", "tangential traction p_y across rolling", "acts on the wheel in +y",
+       [](F f) -> const Field& { return f.traction.y; }},
+      {"traction_bound", "MPa", "Coulomb's bound g = mu p_n of |p_t|", "never negative",
+       [](F f) -> const Field& { return f.traction_bound; }},
+      {"slip_x", "-", "slip w_x per unit of rolling distance",
+       "wheel surface relative to rail, positive in +x",
+       [](F f) -> const Field& { return f.slip.x; }},
+      {"slip_y", "-", "slip w_y per unit of rolling distance",
+       "wheel surface relative to rail, positive in +y",
+       [](F f) -> const Field& { return f.slip.y; }},
+      {"gap", "mm", "distance of the deformed surfaces", "positive where open, 0 in the patch",
+       [](F f) -> const Field& { return f.gap; }},
+      {"displacement_x", "mm", "tangential displacement difference u_x", "wheel minus rail",
+       [](F f) -> const Field& { return f.displacement.x; }},
+      {"displacement_y", "mm", "tangential displacement difference u_y", "wheel minus rail",
+       [](F f) -> const Field& { return f.displacement.y; }},
+      {"displacement_n", "mm", "normal displacement difference u_n",
+       "wheel minus rail, positive when it opens the gap",
+       [](F f) -> const Field& { return f.displacement.n; }},
+  };
+  return fields;
+}
+
+}  // namespace rollfem::postprocess

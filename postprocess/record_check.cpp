@@ -1,0 +1,98 @@
+#include "postprocess/record_check.hpp"
+
+#include "postprocess/point_table.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace rollfem::postprocess {
+namespace {
+
+void require(bool condition, const std::string& where, const std::string& what) {
+  if (!condition) throw std::logic_error(fmt::format("result record: {} {}", where, what));
+}
+
+void require_finite(double value, const std::string& where) {
+  require(std::isfinite(value), where, fmt::format("is {}, which is not a finite number", value));
+}
+
+void check_model_name(const std::string& name, std::set<std::string>& seen) {
+  const bool is_file_name =
+      !name.empty() &&
+      name.find_first_not_of(
+          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+.") ==
+          std::string::npos &&
+      name.front() != '.';
+  require(is_file_name, fmt::format("model name '{}'", name),
+          "must be a file name of letters, digits and - _ + .");
+  require(seen.insert(name).second, fmt::format("model '{}'", name), "is there twice");
+}
+
+void check_fields(const std::string& where, const contact::ContactGrid& grid,
+                  const contact::ContactFields& fields) {
+  for (const PointField& field : point_fields()) {
+    const contact::Field& values = field.value(fields);
+    const std::string name = fmt::format("{}/{}", where, field.name);
+    require(values.size() == 0 || values.size() == grid.size(), name,
+            fmt::format("has {} values, its grid {}", values.size(), grid.size()));
+    for (Eigen::Index k = 0; k < values.size(); ++k)
+      require_finite(values[k], fmt::format("{}[{}]", name, k));
+  }
+  require(fields.state.empty() || static_cast<int>(fields.state.size()) == grid.size(),
+          where + "/state", fmt::format("has {} values", fields.state.size()));
+}
+
+void check_point(const std::string& where, const contact::ContactGrid& grid,
+                 const contact::PointResult& point) {
+  for (const PointScalar& scalar : point_scalars())
+    require_finite(scalar.value(point), fmt::format("{}/{}", where, scalar.name));
+  require_finite(point.seconds, where + "/seconds");
+  require_finite(point.residual, where + "/residual");
+  for (const auto& [quantity, error] : point.error_estimate)
+    require_finite(error, fmt::format("{}/error_estimate/{}", where, quantity));
+  check_fields(where, grid, point.fields);
+}
+
+template <class Vectors>
+void check_vectors(const std::string& where, const Vectors& vectors, std::size_t count) {
+  require(vectors.empty() || vectors.size() == count, where,
+          fmt::format("has {} entries for {} points", vectors.size(), count));
+  for (std::size_t k = 0; k < vectors.size(); ++k)
+    for (const double value : vectors[k]) require_finite(value, fmt::format("{}[{}]", where, k));
+}
+
+void check_body(const std::string& where, const contact::BodyField& body) {
+  check_vectors(where + "/points", body.points, body.points.size());
+  check_vectors(where + "/displacement", body.displacement, body.points.size());
+  check_vectors(where + "/stress", body.stress, body.points.size());
+  for (const auto& cell : body.cells)
+    for (const int corner : cell)
+      require(corner >= 0 && corner < static_cast<int>(body.points.size()), where + "/cells",
+              fmt::format("name point {} of {}", corner, body.points.size()));
+}
+
+}  // namespace
+
+void check_record(const RunRecord& run) {
+  std::set<std::string> names;
+  for (const contact::ModelResult& model : run.models) {
+    check_model_name(model.name, names);
+    for (const auto& [stage, seconds] : model.seconds)
+      require_finite(seconds, fmt::format("{}/seconds/{}", model.name, stage));
+    for (const double value :
+         {model.grid.dx, model.grid.dy, model.grid.x_first, model.grid.y_first})
+      require_finite(value, model.name + "/grid");
+    for (std::size_t k = 0; k < model.points.size(); ++k)
+      check_point(fmt::format("{}/points[{}]", model.name, k), model.grid, model.points[k]);
+    std::set<std::string> bodies;
+    for (const contact::BodyField& body : model.bodies) {
+      check_model_name(body.name, bodies);
+      check_body(fmt::format("{}/{}", model.name, body.name), body);
+    }
+  }
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,38 @@
+// A result folder that appears whole or not at all: files are made in a folder beside it, flushed
+// to the disk and moved in together. An earlier result stays intact until that moment.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rollfem::postprocess {
+
+class ResultFolder {
+ public:
+  /// Makes DIR.partial-PID. Throws contact::InputError when `directory` is not a place for a
+  /// result: a file, a folder with other things in it, the current folder, not writable.
+  explicit ResultFolder(const std::string& directory);
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+  /// Removes all that was made unless it was committed.
+  ~ResultFolder();
+
+  /// Writes one file, `name` relative to the folder. Throws contact::InputError (disk full, ...).
+  void write(const std::string& name, std::string_view content);
+
+  /// Moves the files in. Files that someone else put into an earlier result stay in the folder.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path partial_;
+  std::filesystem::path topmost_created_;  ///< first missing parent that was made, or empty
+  bool committed_ = false;
+};
+
+/// Writes and flushes one new file. Throws contact::InputError naming file and reason; then nothing
+/// is left of it.
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,160 @@
+#include "postprocess/results_hdf5.hpp"
+
+#include "postprocess/hdf5_objects.hpp"
+#include "postprocess/point_table.hpp"
+
+#include <fmt/core.h>
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::ContactGrid;
+using contact::ModelResult;
+using contact::PointResult;
+using namespace hdf5;
+
+const char* const conventions =
+    "mm, N, MPa, s, rad. x: rolling direction, material enters at large x; y: lateral; z: normal, "
+    "into the wheel. Tractions and forces act on the wheel. Displacement difference and slip: "
+    "wheel "
+    "minus rail. traction_coefficient = -F_x / F_z.";
+
+void describe(hid_t object, const std::string& unit, const std::string& description,
+              const std::string& sign) {
+  write_attribute(object, "unit", unit);
+  write_attribute(object, "description", description);
+  if (!sign.empty()) write_attribute(object, "sign", sign);
+  write_comment(object,
+                fmt::format("{} [{}]{}{}", description, unit, sign.empty() ? "" : "; ", sign));
+}
+
+void write_case(hid_t file, const contact::Case& input) {
+  const Handle group =
+      create_group(file, "case", "What was asked: the whole case file, and its main numbers");
+  write_attribute(group, "title", input.title);
+  write_attribute(group, "file", input.file);
+  write_attribute(group, "friction_coefficient", input.friction_coefficient);
+  if (input.load.normal_force) write_attribute(group, "normal_force", *input.load.normal_force);
+  if (input.load.approach) write_attribute(group, "approach", *input.load.approach);
+  write_attribute(group, "wheel_rolling_radius", input.wheel.rolling_radius);
+  write_attribute(group, "wheel_transverse_radius", input.wheel.transverse_radius);
+  write_attribute(group, "wheel_young_modulus", input.wheel.material.young_modulus);
+  write_attribute(group, "wheel_poisson_ratio", input.wheel.material.poisson_ratio);
+  write_attribute(group, "rail_transverse_radius", input.rail.transverse_radius);
+  write_attribute(group, "rail_young_modulus", input.rail.material.young_modulus);
+  write_attribute(group, "rail_poisson_ratio", input.rail.material.poisson_ratio);
+  const Handle text = write_dataset(group, "text", input.text);
+  write_comment(text, "The case file as it was read (TOML)");
+}
+
+void write_provenance(hid_t file, const Provenance& provenance) {
+  const Handle group = create_group(file, "provenance", "Who made this result, where and when");
+  write_attribute(group, "version", provenance.version);
+  write_attribute(group, "commit", provenance.commit);
+  write_attribute(group, "host", provenance.host);
+  write_attribute(group, "started", provenance.started);
+  write_attribute(group, "command", provenance.command);
+  write_attribute(group, "processes", static_cast<long>(provenance.processes));
+}
+
+/// The attributes of a load point explained, for readers that show no comments.
+void write_documentation(hid_t file) {
+  std::vector<std::string> lines;
+  for (const PointScalar& scalar : point_scalars())
+    lines.push_back(fmt::format("{} [{}]: {}", scalar.name, scalar.unit, scalar.description));
+  lines.emplace_back("iterations [-]: outer iterations (FE solves) or Newton steps");
+  lines.emplace_back("residual [-]: relative residual at which the iteration stopped");
+  lines.emplace_back("seconds [s]: time of this load point");
+  lines.emplace_back("converged [-]: 1 or 0");
+  const Handle dataset = write_dataset(file, "documentation", lines);
+  write_comment(dataset, "Unit and meaning of the attributes of /models/NAME/points/NUMBER");
+}
+
+void write_grid(hid_t model, const ContactGrid& grid) {
+  const Handle group = create_group(
+      model, "grid", "Contact grid: centres of the elements; fields are [ny, nx], x runs fastest");
+  write_attribute(group, "dx", grid.dx);
+  write_attribute(group, "dy", grid.dy);
+  write_attribute(group, "unit", std::string("mm"));
+  std::vector<double> x;
+  std::vector<double> y;
+  for (int i = 0; i < grid.nx; ++i) x.push_back(grid.x(i));
+  for (int j = 0; j < grid.ny; ++j) y.push_back(grid.y(j));
+  describe(write_dataset(group, "x", {x.size()}, x.data()), "mm", "element centres along rolling",
+           "material enters at large x");
+  describe(write_dataset(group, "y", {y.size()}, y.data()), "mm", "element centres across rolling",
+           "");
+}
+
+void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult& point) {
+  const std::vector<hsize_t> shape{static_cast<hsize_t>(grid.ny), static_cast<hsize_t>(grid.nx)};
+  for (const PointField& field : point_fields()) {
+    const contact::Field& values = field.value(point.fields);
+    if (values.size() == 0) continue;
+    describe(write_dataset(group, field.name, shape, values.data()), field.unit, field.description,
+             field.sign);
+  }
+  if (point.fields.state.empty()) return;
+  std::vector<unsigned char> state;
+  for (const contact::ElementState s : point.fields.state)
+    state.push_back(static_cast<unsigned char>(s));
+  describe(write_dataset(group, "state", shape, state.data()), "-",
+           "state of the element: 0 exterior, 1 adhesion, 2 slip", "");
+}
+
+void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
+                 const PointResult& point) {
+  const Handle group = create_group(
+      points, fmt::format("{:04}", number),
+      fmt::format("Creepage xi = {}, eta = {}, spin = {} rad/mm; attributes: see /documentation",
+                  point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin));
+  for (const PointScalar& scalar : point_scalars())
+    write_attribute(group, scalar.name, scalar.value(point));
+  write_attribute(group, "iterations", static_cast<long>(point.iterations));
+  write_attribute(group, "residual", point.residual);
+  write_attribute(group, "seconds", point.seconds);
+  write_attribute(group, "converged", static_cast<long>(point.converged));
+  const Handle errors =
+      create_group(group, "error_estimate", "Attributes: estimated relative error by quantity");
+  for (const auto& [quantity, error] : point.error_estimate)
+    write_attribute(errors, quantity, error);
+  write_point_fields(group, grid, point);
+}
+
+void write_model(hid_t models, const ModelResult& model, long order) {
+  const Handle group = create_group(models, model.name, "Result of the model " + model.name);
+  write_attribute(group, "order", order);
+  write_attribute(group, "unknowns", model.unknowns);
+  write_attribute(group, "contact_elements", static_cast<long>(model.contact_elements));
+  const Handle seconds = create_group(group, "seconds", "Attributes: seconds by stage");
+  for (const auto& [stage, value] : model.seconds) write_attribute(seconds, stage, value);
+  const Handle notes = write_dataset(group, "notes", model.notes);
+  write_comment(notes, "What a reader must know: domain, symmetry, limits");
+  write_grid(group, model.grid);
+  const Handle points = create_group(group, "points", "Load points in the order of the case");
+  for (std::size_t k = 0; k < model.points.size(); ++k)
+    write_point(points, k, model.grid, model.points[k]);
+}
+
+}  // namespace
+
+std::string results_hdf5(const RunRecord& run) {
+  const Handle file = create_file_in_memory();
+  write_comment(file, std::string("rollfem result. ") + conventions);
+  write_attribute(file, "format", std::string("rollfem results"));
+  write_attribute(file, "format_version", static_cast<long>(hdf5_format_version));
+  write_attribute(file, "conventions", std::string(conventions));
+  write_documentation(file);
+  write_case(file, run.input);
+  write_provenance(file, run.provenance);
+  {
+    const Handle models = create_group(file, "models", "One group per model");
+    for (std::size_t k = 0; k < run.models.size(); ++k)
+      write_model(models, run.models[k], static_cast<long>(k));
+  }
+  // Last, so that a reader can tell a whole file from one whose writing was cut short.
+  write_attribute(file, "complete", 1L);
+  return file_image(file);
+}
+
+}  // namespace rollfem::postprocess
