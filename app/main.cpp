@@ -1,1 +1,155 @@
-int main() { return 0; }
+// The command-line program: reads the call, hands over to the command, and turns every failure
+// into one line on stderr and an exit status (0 done, 1 the solution failed, 2 input or call
+// wrong).
+#include "app/processes.hpp"
+#include "app/run.hpp"
+#include "app/version.hpp"
+#include "contact/case_reader.hpp"
+#include "contact/errors.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <thread>
+
+namespace {
+
+using namespace rollfem;
+
+struct Call {
+  app::RunRequest run;
+  std::string check_file;
+  std::string new_case_file;
+  std::string page;
+};
+
+std::string joined(int argc, char** argv) {
+  std::string text;
+  for (int i = 0; i < argc; ++i) text += (i > 0 ? " " : "") + std::string(argv[i]);
+  return text;
+}
+
+/// `run --model hertz CASE`: a list option also takes the case file, which is given back here.
+void settle_run(app::RunRequest& request) {
+  const std::vector<std::string> known = app::known_models();
+  const auto is_known = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  if (request.case_file.empty() && !request.models.empty() && !is_known(request.models.back())) {
+    request.case_file = request.models.back();
+    request.models.pop_back();
+  }
+  if (request.case_file.empty())
+    throw contact::InputError("run: no case file is named; do: rollfem run CASE.toml");
+  std::vector<std::string> once;
+  for (const std::string& name : request.models) {
+    if (!is_known(name))
+      throw contact::InputError(
+          fmt::format("--model {}: there is no such model; allowed: hertz, halfspace, fem; do: "
+                      "name one of them",
+                      name));
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  }
+  request.models = once;
+}
+
+void new_case(const std::string& file) {
+  if (file.empty()) {
+    std::cout << contact::case_template();
+    return;
+  }
+  if (std::filesystem::exists(file))
+    throw contact::InputError(
+        fmt::format("new-case: {} is there already; do: name another file", file));
+  std::ofstream stream(file);
+  stream << contact::case_template();
+  stream.close();
+  if (!stream)
+    throw contact::InputError(
+        fmt::format("new-case: {} cannot be written; do: name another file", file));
+}
+
+void add_commands(CLI::App& program, Call& call) {
+  program.set_version_flag("--version",
+                           fmt::format("rollfem {} ({})", app::version(), app::commit()));
+  program.require_subcommand(1);
+
+  CLI::App* run = program.add_subcommand("run", "compute a case with one or more models");
+  run->add_option("case", call.run.case_file, "case file (.toml)");
+  run->add_option("-m,--model", call.run.models,
+                  "hertz, halfspace or fem; several in a row or with the option repeated; without "
+                  "it the models of the case file")
+      ->delimiter(',');
+  run->add_option("-o,--output", call.run.directory,
+                  "folder for the results; without it results/<name of the case file>");
+  run->add_flag("-q,--quiet", call.run.quiet, "print errors and warnings only");
+  run->callback([&call] {
+    settle_run(call.run);
+    app::run(call.run);
+  });
+
+  CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
+  check->add_option("case", call.check_file, "case file (.toml)")->required();
+  check->callback([&call] { std::cout << contact::describe(contact::read_case(call.check_file)); });
+
+  CLI::App* fresh = program.add_subcommand("new-case", "print a commented case file");
+  fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");
+  fresh->callback([&call] { new_case(call.new_case_file); });
+
+  CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
+  docs->add_option("page", call.page, "case-file")->required()->check(CLI::IsMember({"case-file"}));
+  docs->callback([] { std::cout << contact::case_reference_markdown(); });
+}
+
+int execute(int argc, char** argv) {
+  Call call;
+  call.run.command = joined(argc, argv);
+  call.run.argc = argc;
+  call.run.argv = argv;
+  CLI::App program(
+      "rollfem: steady rolling contact of wheel and rail by finite elements and by "
+      "half-space elements",
+      "rollfem");
+  add_commands(program, call);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);
+    throw contact::InputError(fmt::format("{}; do: rollfem --help", error.what()));
+  }
+  std::cout.flush();
+  if (!std::cout) throw contact::InputError("the output cannot be written (is the disk full?)");
+  return 0;
+}
+
+/// Process 0 speaks; the others let it, and only if it is not about to (it would have ended this
+/// process through mpirun by then) say what happened here.
+int failed(int status, const std::string& what) {
+  const app::Processes here = app::processes();
+  if (!here.first()) std::this_thread::sleep_for(std::chrono::seconds(3));
+  const std::string where = here.first() ? "" : fmt::format("process {}: ", here.rank);
+  std::cerr << fmt::format("rollfem: {}{}\n", where, what);
+  app::leave(status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return execute(argc, argv);
+  } catch (const contact::InputError& error) {
+    return failed(2, error.what());
+  } catch (const contact::SolveError& error) {
+    return failed(1, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(1, "out of memory; do: take fewer or larger elements, or more processes");
+  } catch (const std::exception& error) {
+    return failed(1, fmt::format("internal error: {}", error.what()));
+  }
+}

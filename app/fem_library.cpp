@@ -1,0 +1,70 @@
+#include "app/fem_library.hpp"
+
+#include "app/places.hpp"
+#include "app/processes.hpp"
+#include "contact/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+namespace rollfem::app {
+
+namespace {
+
+#if ROLLFEM_WITH_FEM
+
+/// The processes of a machine share its cores; OpenBLAS reads this when it is loaded.
+void share_cores() {
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned share = std::max(1U, cores / static_cast<unsigned>(processes().count));
+  setenv("OPENBLAS_NUM_THREADS", std::to_string(share).c_str(), 0);
+}
+
+void* open_library() {
+  const std::filesystem::path program = program_directory();
+  std::string problems;
+  for (const auto& folder : {program / ".." / "fem", program / ".." / ROLLFEM_LIBDIR}) {
+    const std::filesystem::path file = folder / ROLLFEM_FEM_LIBRARY;
+    // Global: MPI and PETSc open parts of themselves at run time, which look for these symbols.
+    if (void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL)) return library;
+    problems += fmt::format("\n  {}", dlerror());
+  }
+  throw contact::InputError(
+      "model fem: its library cannot be opened; do: build or install rollfem again" + problems);
+}
+
+#endif
+
+}  // namespace
+
+#if ROLLFEM_WITH_FEM
+
+const fem::Entry& open_fem_library(const std::string&) {
+  share_cores();
+  void* library = open_library();
+  using EntryFunction = const fem::Entry* (*)();
+  const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "rollfem_fem_entry"));
+  if (entry == nullptr)
+    throw contact::InputError(
+        "model fem: its library is of another version; do: build or install rollfem again");
+  return *entry();
+}
+
+#else
+
+const fem::Entry& open_fem_library(const std::string& asked_by) {
+  throw contact::InputError(fmt::format(
+      "{}: model fem is not in this build, which was made without deal.II; allowed: hertz, "
+      "halfspace; do: run with --model hertz --model halfspace, or build with ROLLFEM_FEM=ON",
+      asked_by));
+}
+
+#endif
+
+}  // namespace rollfem::app

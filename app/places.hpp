@@ -1,0 +1,14 @@
+// Where the program finds its own parts, in the build folder and when installed.
+#pragma once
+
+#include <filesystem>
+
+namespace rollfem::app {
+
+/// Folder of the running program.
+std::filesystem::path program_directory();
+
+/// Folder of the plotting program's Python package.
+std::filesystem::path script_directory();
+
+}  // namespace rollfem::app

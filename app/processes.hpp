@@ -1,0 +1,19 @@
+// Which process of a parallel run this is, known without MPI: a run that asks for no finite
+// elements must not load it.
+#pragma once
+
+namespace rollfem::app {
+
+/// Rank and number of processes as mpirun tells them; 0 of 1 without mpirun.
+struct Processes {
+  int rank = 0;
+  int count = 1;
+  bool first() const { return rank == 0; }
+};
+Processes processes();
+
+/// Ends this process of a parallel run after an error without waiting for the others, which may be
+/// inside a collective call; mpirun then ends them. Never returns.
+[[noreturn]] void leave(int status);
+
+}  // namespace rollfem::app

@@ -1,0 +1,76 @@
+#include "app/progress_display.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace rollfem::app {
+
+namespace {
+
+constexpr auto redraw_interval = std::chrono::milliseconds(100);
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  return 80;
+}
+
+}  // namespace
+
+std::string progress_line(const contact::ProgressEvent& event, double seconds) {
+  std::string line = fmt::format("{:<10} {:<12}", event.model, event.stage);
+  if (event.point > 0)
+    line += fmt::format(" {}/{} xi {:<7g}", event.point, event.points, event.creepage);
+  if (event.iteration > 0) line += fmt::format(" it {:<3}", event.iteration);
+  if (event.residual > 0.0) line += fmt::format(" res {:.1e}", event.residual);
+  if (event.contact_elements > 0) line += fmt::format(" contact {}", event.contact_elements);
+  if (event.adhesion_elements > 0) line += fmt::format(" adhesion {}", event.adhesion_elements);
+  line += fmt::format(" {:.1f} s", seconds);
+  if (!event.note.empty()) line += "  " + event.note;
+  return line;
+}
+
+ProgressDisplay::Mode ProgressDisplay::mode_of_stderr() {
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal == nullptr || std::strcmp(terminal, "dumb") == 0;
+  return isatty(STDERR_FILENO) == 1 && !dumb ? Mode::terminal : Mode::plain;
+}
+
+void ProgressDisplay::show(const contact::ProgressEvent& event) {
+  if (mode_ == Mode::silent) return;
+  const auto now = Clock::now();
+  const std::string stage = fmt::format("{}/{}/{}", event.model, event.stage, event.point);
+  if (stage != stage_) {
+    stage_ = stage;
+    stage_begin_ = now;
+    last_drawn_ = {};
+  }
+  if (!event.finished && (mode_ == Mode::plain || now - last_drawn_ < redraw_interval)) return;
+  last_drawn_ = now;
+  std::string line =
+      progress_line(event, std::chrono::duration<double>(now - stage_begin_).count());
+  if (mode_ == Mode::terminal) {
+    // A line that wraps could not be taken back.
+    const std::size_t width = terminal_width();
+    if (line.size() >= width) line.resize(width - 1);
+    line = "\r\033[K" + line;
+  }
+  if (event.finished || mode_ == Mode::plain) line += '\n';
+  line_open_ = mode_ == Mode::terminal && !event.finished;
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fflush(stderr);
+}
+
+void ProgressDisplay::clear() {
+  if (!line_open_) return;
+  std::fputs("\r\033[K", stderr);
+  std::fflush(stderr);
+  line_open_ = false;
+}
+
+}  // namespace rollfem::app

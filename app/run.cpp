@@ -1,0 +1,188 @@
+#include "app/run.hpp"
+
+#include "app/fem_library.hpp"
+#include "app/places.hpp"
+#include "app/processes.hpp"
+#include "app/progress_display.hpp"
+#include "app/run_table.hpp"
+#include "app/version.hpp"
+#include "contact/case_reader.hpp"
+#include "contact/errors.hpp"
+#include "halfspace/hertz.hpp"
+#include "halfspace/model.hpp"
+#include "postprocess/output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <unistd.h>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+    sigprocmask(SIG_BLOCK, &held, &before_);
+  }
+  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// MPI for as long as the models run.
+class FemSession {
+ public:
+  FemSession(const std::string& asked_by, int argc, char** argv)
+      : entry_(open_fem_library(asked_by)) {
+    entry_.start(argc, argv);
+  }
+  ~FemSession() { entry_.stop(); }
+  FemSession(const FemSession&) = delete;
+  FemSession& operator=(const FemSession&) = delete;
+
+  const fem::Entry& entry() const { return entry_; }
+
+ private:
+  const fem::Entry& entry_;
+};
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+fs::path output_directory(const RunRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / fs::path(request.case_file).stem();
+}
+
+/// Finds out before the hours of computing, not after them, that the folder cannot be made.
+void check_output_directory(const fs::path& directory) {
+  std::error_code error;
+  fs::path existing = fs::absolute(directory, error).lexically_normal();
+  if (existing.filename().empty()) existing = existing.parent_path();
+  if (!fs::exists(existing, error)) {
+    while (!fs::exists(existing, error) && existing.has_relative_path())
+      existing = existing.parent_path();
+  }
+  const char* wrong = nullptr;
+  if (!fs::is_directory(existing, error))
+    wrong = "is a file, not a folder";
+  else if (access(existing.c_str(), W_OK | X_OK) != 0)
+    wrong = "is not writable";
+  if (wrong != nullptr)
+    throw contact::InputError(fmt::format("-o {}: {} {}; do: name another folder with -o",
+                                          directory.string(), existing.string(), wrong));
+}
+
+/// Runs one model; an error that does not say so gets the name of the model.
+contact::ModelResult run_model(const std::string& name, const contact::Model& model,
+                               const contact::Case& input, const contact::Progress& progress) {
+  try {
+    return model(input, progress);
+  } catch (const contact::SolveError& error) {
+    throw contact::SolveError(fmt::format("{}: model {}: {}", input.file, name, error.what()));
+  }
+}
+
+void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {
+  const fs::path directory = output_directory(request);
+  {
+    const SignalsHeld held;
+    postprocess::write_results(directory.string(), record);
+  }
+  const std::string problem =
+      postprocess::make_report(directory.string(), script_directory().string());
+  if (!problem.empty())
+    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+  if (request.quiet) return;
+  std::cout << record.input.title << "\n\n" << run_table(record.models);
+  for (const contact::ModelResult& model : record.models)
+    for (const std::string& note : model.notes) std::cout << '\n' << model.name << ": " << note;
+  std::cout << "\n\nresults: " << directory.string() << '\n';
+  if (problem.empty()) std::cout << "report:  " << (directory / "report.html").string() << '\n';
+}
+
+}  // namespace
+
+std::vector<std::string> known_models() {
+  return {"hertz", "halfspace", "fem"};
+}
+
+void run(const RunRequest& request) {
+  const Processes here = processes();
+  postprocess::RunRecord record;
+  record.input = contact::read_case(request.case_file);
+  const bool named = !request.models.empty();
+  if (named) record.input.models = request.models;
+  const auto& names = record.input.models;
+  const bool parallel = std::find(names.begin(), names.end(), "fem") != names.end();
+  if (!here.first() && !parallel) return;
+  if (here.first()) check_output_directory(output_directory(request));
+
+  record.provenance.version = version();
+  record.provenance.commit = commit();
+  record.provenance.host = host_name();
+  record.provenance.started = utc_now();
+  record.provenance.command = request.command;
+  record.provenance.processes = parallel ? here.count : 1;
+
+  std::unique_ptr<FemSession> session;
+  if (parallel)
+    session = std::make_unique<FemSession>(named ? "--model fem" : request.case_file + ": models",
+                                           request.argc, request.argv);
+  ProgressDisplay display(request.quiet || !here.first() ? ProgressDisplay::Mode::silent
+                                                         : ProgressDisplay::mode_of_stderr());
+  const contact::Progress progress = [&](const contact::ProgressEvent& event) {
+    display.show(event);
+  };
+  try {
+    for (const std::string& name : names) {
+      if (name == "fem")
+        record.models.push_back(run_model(name, session->entry().run, record.input, progress));
+      else if (here.first())
+        record.models.push_back(run_model(name,
+                                          name == "hertz"
+                                              ? contact::Model(halfspace::run_hertz)
+                                              : contact::Model(halfspace::run_halfspace),
+                                          record.input, progress));
+    }
+    display.clear();
+    if (here.first()) write_and_tell(request, record);
+  } catch (...) {
+    display.clear();
+    // Finalising MPI would wait for processes that may not have failed: main leaves without it.
+    static_cast<void>(session.release());
+    throw;
+  }
+}
+
+}  // namespace rollfem::app

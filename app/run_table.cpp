@@ -1,0 +1,89 @@
+#include "app/run_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rollfem::app {
+
+namespace {
+
+using contact::ModelResult;
+using contact::PointResult;
+
+/// Hertz and other theories of the normal problem alone have no creep curve.
+bool has_friction(const ModelResult& model) {
+  return std::any_of(model.points.begin(), model.points.end(),
+                     [](const PointResult& point) { return point.max_traction > 0.0; });
+}
+
+bool any_creepage(const std::vector<PointResult>& points, double contact::Creepage::*member) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const PointResult& point) { return point.creepage.*member != 0.0; });
+}
+
+std::string patch_table(const std::vector<ModelResult>& models) {
+  std::string text =
+      fmt::format("{:<12}{:>12}{:>10}{:>10}{:>15}{:>10}{:>10}\n", "model", "p0 in MPa", "a in mm",
+                  "b in mm", "approach in mm", "F_z in N", "seconds");
+  for (const ModelResult& model : models) {
+    if (model.points.empty()) continue;
+    const PointResult& point = model.points.front();
+    const auto seconds = model.seconds.find("total");
+    text +=
+        fmt::format("{:<12}{:>12.3f}{:>10.4f}{:>10.4f}{:>15.7f}{:>10.0f}{:>10.2f}\n", model.name,
+                    point.max_pressure, point.semi_axis_x, point.semi_axis_y, point.approach,
+                    point.normal_force, seconds == model.seconds.end() ? 0.0 : seconds->second);
+  }
+  return text;
+}
+
+/// One row a load point, one column a model.
+template <class Quantity>
+std::string curve_table(const std::vector<const ModelResult*>& models, const std::string& heading,
+                        const Quantity& quantity) {
+  const auto& points = models.front()->points;
+  const bool lateral = any_creepage(points, &contact::Creepage::lateral);
+  const bool spin = any_creepage(points, &contact::Creepage::spin);
+  std::string text = fmt::format("\n{}\n{:<12}", heading, "xi");
+  if (lateral) text += fmt::format("{:<12}", "eta");
+  if (spin) text += fmt::format("{:<12}", "phi");
+  for (const ModelResult* model : models) text += fmt::format("{:>12}", model->name);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const contact::Creepage& creepage = points[k].creepage;
+    text += fmt::format("\n{:<12g}", creepage.longitudinal);
+    if (lateral) text += fmt::format("{:<12g}", creepage.lateral);
+    if (spin) text += fmt::format("{:<12g}", creepage.spin);
+    for (const ModelResult* model : models) {
+      if (k >= model->points.size()) {
+        text += fmt::format("{:>12}", "-");
+        continue;
+      }
+      // Rounding must not print as -0.00000.
+      const double value = quantity(model->points[k]);
+      text += fmt::format("{:>12.5f}", std::abs(value) < 5e-6 ? 0.0 : value);
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string run_table(const std::vector<ModelResult>& models) {
+  std::string text = patch_table(models);
+  std::vector<const ModelResult*> with_friction;
+  for (const ModelResult& model : models)
+    if (has_friction(model)) with_friction.push_back(&model);
+  if (with_friction.empty()) return text;
+  text += curve_table(with_friction, "traction coefficient -F_x/F_z (forces on the wheel)",
+                      [](const PointResult& point) { return point.traction_coefficient; });
+  const auto& points = with_friction.front()->points;
+  if (any_creepage(points, &contact::Creepage::lateral) ||
+      any_creepage(points, &contact::Creepage::spin))
+    text += curve_table(
+        with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
+        [](const PointResult& point) { return -point.lateral_force / point.normal_force; });
+  return text;
+}
+
+}  // namespace rollfem::app
