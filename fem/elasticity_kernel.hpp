@@ -1,0 +1,49 @@
+// The product of element stiffness matrices of linear elasticity with a vector, never forming them:
+// sum factorisation on tensor-product hexahedra, several cells at a time in the lanes of SIMD
+// registers. deal.II's own kernels are as wide as the library was compiled, which in Debian is one
+// lane; this one picks AVX-512, AVX2 or plain code when the program runs. It knows nothing of
+// deal.II.
+#pragma once
+
+#include <cstddef>
+
+namespace rollfem::fem {
+
+/// Cells per batch: what fits 64 bytes.
+template <typename Number>
+constexpr int lanes = 64 / static_cast<int>(sizeof(Number));
+
+/// Cells in batches of lanes<Number>, in structure-of-arrays form. Lanes without a cell have zero
+/// geometry and index 0. Arrays begin at multiples of 64 bytes.
+template <typename Number>
+struct CellBatches {
+  std::size_t count = 0;
+  /// [batch][component][node][lane]: entry of the local vector; nodes lexicographic, x quickest.
+  const unsigned int* indices = nullptr;
+  /// [batch][quadrature point][e][d][lane]: sqrt(weight det J) * d xi_e / d x_d at the Gauss points
+  /// of degree + 1 points a direction, so that products of two of them carry the whole integral.
+  const Number* geometry = nullptr;
+};
+
+/// Lame's constants, MPa.
+template <typename Number>
+struct LameConstants {
+  Number lambda = 0, mu = 0;
+};
+
+template <typename Number>
+struct ElasticityKernel {
+  /// y += sum over cells of K_cell x; x and y are local vectors.
+  void (*add_product)(const CellBatches<Number>& cells, const LameConstants<Number>& material,
+                      const Number* x, Number* y);
+  /// The element matrices of one batch, [row][column][lane], rows and columns numbered
+  /// component * nodes + node.
+  void (*element_matrices)(const CellBatches<Number>& cells, const LameConstants<Number>& material,
+                           std::size_t batch, Number* matrices);
+};
+
+/// Degree 1 or 2, Number float or double; the quickest variant that this processor can run.
+template <typename Number>
+ElasticityKernel<Number> elasticity_kernel(int degree);
+
+}  // namespace rollfem::fem
