@@ -1,0 +1,47 @@
+// Two-dimensional real Fourier transforms of fields on a contact grid, zero-padded so that products
+// of spectra are convolutions on the infinite plane. FFTW plans are made once and kept.
+#pragma once
+
+#include "contact/grid.hpp"
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// The smallest even 2^a 3^b 5^c 7^d that is at least `n`: sizes for which FFTW is fast.
+int good_fft_size(int n);
+
+/// Transforms between a field of nx by ny values and the spectrum of the padded field. The
+/// transform of a real field is kept for the frequencies kx = 0 .. px/2, index kx * py + ky.
+/// forward() and backward() are const but share work space: one thread at a time per object.
+class PaddedFft {
+ public:
+  using Spectrum = std::vector<std::complex<double>>;
+
+  /// Fields of nx by ny, padded to at least `px` by `py` (made good sizes).
+  PaddedFft(int nx, int ny, int px, int py);
+  ~PaddedFft();
+  PaddedFft(const PaddedFft&) = delete;
+  PaddedFft& operator=(const PaddedFft&) = delete;
+
+  int px() const { return px_; }
+  int py() const { return py_; }
+  int frequencies_x() const { return px_ / 2 + 1; }
+  int spectrum_size() const { return frequencies_x() * py_; }
+
+  void forward(const contact::Field& field, Spectrum& spectrum) const;
+  /// The nx by ny window of the inverse transform, normalised; destroys the spectrum.
+  void backward(Spectrum& spectrum, contact::Field& field) const;
+
+ private:
+  struct Plans;
+  int nx_;
+  int ny_;
+  int px_;
+  int py_;
+  std::unique_ptr<Plans> plans_;
+};
+
+}  // namespace rollfem::halfspace
