@@ -1,0 +1,100 @@
+// VTU files decoded by hand (base64, zlib blocks) and, where it is installed, by VTK's own reader.
+#include "postprocess/vtu.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/output_python.hpp"
+#include "unit/output_synthetic_run.hpp"
+#include <cmath>
+#include <cstdio>
+
+namespace rollfem::postprocess {
+namespace {
+
+using tests::python;
+using tests::python_can_import;
+using tests::write_temporary;
+
+/// Prints every array as "name components count sum", decoded with Python's standard library.
+const char* const decode = R"(
+import sys, base64, zlib, struct, xml.etree.ElementTree as E
+code = {'Float64': 'd', 'Int32': 'i', 'Int64': 'q', 'UInt8': 'B'}
+root = E.parse(sys.argv[1]).getroot()
+print(root.find('.//Piece').attrib)
+for a in root.iter('DataArray'):
+    t = a.text.strip()
+    n = struct.unpack('<Q', base64.b64decode(t[:12])[:8])[0]
+    length = (8 * (3 + n) + 2) // 3 * 4
+    head = struct.unpack('<%dQ' % (3 + n), base64.b64decode(t[:length]))
+    data, out = base64.b64decode(t[length:]), b''
+    for size in head[3:]:
+        block = zlib.decompress(data[:size]); data = data[size:]; out += block
+    assert len(out) == (n - (head[2] > 0)) * head[1] + head[2]
+    kind = code[a.get('type')]
+    values = struct.unpack('<%d%s' % (len(out) // struct.calcsize(kind), kind), out)
+    print(a.get('Name'), a.get('NumberOfComponents', '1'), len(values), repr(float(sum(values))))
+)";
+
+const char* const vtk_reading = R"(
+import sys
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader as Reader
+from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
+r = Reader(); r.SetFileName(sys.argv[1]); r.Update(); g = r.GetOutput()
+d = g.GetPointData() if g.GetPointData().GetNumberOfArrays() else g.GetCellData()
+print(g.GetNumberOfPoints(), g.GetNumberOfCells(), g.GetCell(0).GetClassName())
+for k in range(d.GetNumberOfArrays()):
+    a = d.GetArray(k); print(a.GetName(), a.GetNumberOfComponents(), a.GetRange(-1 if a.GetNumberOfComponents() > 1 else 0))
+if g.GetCell(0).GetClassName() == 'vtkHexahedron':
+    q = vtkMeshQuality(); q.SetInputData(g); q.SetHexQualityMeasureToVolume(); q.Update()
+    v = q.GetOutput().GetCellData().GetArray('Quality'); print('volumes', v.GetRange())
+)";
+
+TEST(VonMises, OfUniaxialAndShearStress) {
+  EXPECT_DOUBLE_EQ(von_mises({-100, 0, 0, 0, 0, 0}), 100.0);
+  EXPECT_DOUBLE_EQ(von_mises({5, 5, 5, 0, 0, 0}), 0.0);
+  EXPECT_DOUBLE_EQ(von_mises({0, 0, 0, 0, 10, 0}), 10 * std::sqrt(3.0));
+}
+
+TEST(BodyVtu, DecodesToTheSameNumbers) {
+  if (!python_can_import("zlib")) GTEST_SKIP() << "needs /usr/bin/python3";
+  const std::string printed =
+      python(decode, write_temporary("body.vtu", body_vtu(tests::synthetic_body("rail"))));
+  EXPECT_NE(printed.find("'NumberOfPoints': '12', 'NumberOfCells': '2'"), std::string::npos);
+  EXPECT_NE(printed.find("Points 3 36 0.0\n"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("displacement [mm] 3 36 0.12"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("stress [MPa] 6 72 -852.0\n"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("connectivity 1 16 88.0\n"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("types 1 2 24.0\n"), std::string::npos) << printed;
+}
+
+TEST(ContactVtu, DecodesToTheSameNumbersOverManyBlocks) {
+  if (!python_can_import("zlib")) GTEST_SKIP() << "needs /usr/bin/python3";
+  const contact::ModelResult model = tests::synthetic_model("halfspace", {}, 201, 301, {0.002});
+  const contact::PointResult& point = model.points[0];
+  const std::string printed =
+      python(decode, write_temporary("contact.vtu", contact_vtu(model.grid, point)));
+  double sum = 0.0;
+  const std::size_t at = printed.find("pressure [MPa] 1 60501 ");
+  ASSERT_NE(at, std::string::npos) << printed;
+  ASSERT_EQ(std::sscanf(printed.c_str() + at, "pressure [MPa] 1 60501 %lf", &sum), 1);
+  EXPECT_NEAR(sum * model.grid.element_area(), point.normal_force, 1e-9 * point.normal_force);
+}
+
+TEST(Vtu, IsReadByVtk) {
+  if (!python_can_import("vtkmodules.vtkIOXML, vtkmodules.vtkFiltersVerdict"))
+    GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
+  std::string printed =
+      python(vtk_reading, write_temporary("body.vtu", body_vtu(tests::synthetic_body("rail"))));
+  EXPECT_NE(printed.find("12 2 vtkHexahedron"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("stress [MPa] 6"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("volumes (1.0, 1.0)"), std::string::npos) << printed;
+  const contact::ModelResult model = tests::synthetic_model("halfspace", {}, 21, 31, {0.002});
+  printed =
+      python(vtk_reading, write_temporary("contact.vtu", contact_vtu(model.grid, model.points[0])));
+  EXPECT_NE(printed.find("704 651 vtkQuad"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("state (0 exterior, 1 adhesion, 2 slip) 1 (0.0, 2.0)"), std::string::npos)
+      << printed;
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess
