@@ -35,6 +35,16 @@ std::string joined(int argc, char** argv) {
   return text;
 }
 
+/// CLI11 would only say that a command is missing.
+void check_command(const CLI::App& program, int argc, char** argv) {
+  const std::string allowed = "allowed: run, check, new-case, docs; do: rollfem --help";
+  if (argc < 2) throw contact::InputError("no command is given; " + allowed);
+  const std::string name = argv[1];
+  if (name.empty() || name.front() == '-') return;
+  if (program.get_subcommand_no_throw(name) == nullptr)
+    throw contact::InputError(fmt::format("{}: there is no such command; {}", name, allowed));
+}
+
 /// `run --model hertz CASE`: a list option also takes the case file, which is given back here.
 void settle_run(app::RunRequest& request) {
   const std::vector<std::string> known = app::known_models();
@@ -117,6 +127,7 @@ int execute(int argc, char** argv) {
       "half-space elements",
       "rollfem");
   add_commands(program, call);
+  check_command(program, argc, argv);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -109,7 +109,7 @@ std::string allowed_values(const Key& key) {
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
   std::string nearest;
   // Half of the letters may be wrong, or else the guess would puzzle more than it helps.
-  std::size_t smallest = std::min<std::size_t>(name.size(), 40) / 2 + 1;
+  std::size_t smallest = (std::min<std::size_t>(name.size(), 40) + 1) / 2 + 1;
   if (name.size() > 80) return nearest;
   for (const std::string& candidate : candidates) {
     const bool part = name.size() > 2 && candidate.find(name) != std::string::npos;
