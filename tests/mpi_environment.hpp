@@ -1,14 +1,25 @@
 // Initialises MPI for a test program that is linked with gtest_main, and limits deal.II to one
 // thread. Include it in exactly one source of the program; that is all there is to do.
-// Under mpirun every process runs the same tests; only the first one prints.
+// Under mpirun every process runs the same tests; the others than the first print failures only.
 #pragma once
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <memory>
 
 namespace rollfem::test {
+
+/// What the processes after the first say: only what fails.
+class FailurePrinter : public ::testing::EmptyTestEventListener {
+  void OnTestPartResult(const ::testing::TestPartResult& result) override {
+    if (result.failed())
+      std::printf("process %u: %s:%d: %s\n",
+                  dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD), result.file_name(),
+                  result.line_number(), result.message());
+  }
+};
 
 class MpiEnvironment : public ::testing::Environment {
  public:
@@ -22,6 +33,7 @@ class MpiEnvironment : public ::testing::Environment {
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) {
       auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
       silenced_.reset(listeners.Release(listeners.default_result_printer()));
+      listeners.Append(new FailurePrinter);
     }
   }
   void TearDown() override { mpi_.reset(); }

@@ -1,0 +1,171 @@
+// Multigrid against a direct solver and a closed form; its convergence. The same program runs on
+// one process and under mpirun on two.
+#include "contact/errors.hpp"
+#include "fem/factorisation.hpp"
+#include "fem/multigrid.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fem_elastic_block.hpp"
+#include "mpi_environment.hpp"
+#include <cmath>
+
+namespace rollfem {
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+using test::Block;
+using test::BlockOptions;
+
+Tensor<1, 3> uneven_load(const Point<3>& p) {
+  Tensor<1, 3> f;
+  f[0] = 10 * std::sin(2 * p[1]) + p[2];
+  f[1] = 5 * p[0] - 3;
+  f[2] = -20 * std::cos(p[0] + p[1]);
+  return f;
+}
+
+double all_processes_max(double value) {
+  return dealii::Utilities::MPI::max(value, MPI_COMM_WORLD);
+}
+
+/// Largest difference from the factorisation of the same body on this process alone, relative to
+/// the largest displacement.
+double difference_from_factorisation(const BlockOptions& options, int* iterations = nullptr) {
+  const Block block(options, test::clamped_below());
+  auto u = fem::make_vector(block.dofs());
+  const auto solver = fem::make_multigrid(block.problem(), {1e-11, 100, 4});
+  solver->solve(u, block.body_load(uneven_load));
+  if (iterations != nullptr) *iterations = solver->last_iterations();
+
+  auto alone = options;
+  alone.communicator = MPI_COMM_SELF;
+  const Block reference(alone, test::clamped_below());
+  auto v = fem::make_vector(reference.dofs());
+  fem::make_factorisation(reference.problem())->solve(v, reference.body_load(uneven_load));
+  const auto exact = reference.by_place(v);
+  double difference = 0;
+  for (const auto& [place, value] : block.by_place(u))
+    difference = std::max(difference, std::abs(value - exact.at(place)));
+  return all_processes_max(difference / v.linfty_norm());
+}
+
+TEST(Multigrid, EqualsTheFactorisationWithHangingNodesAndSymmetryPlane) {
+  for (const unsigned int degree : {1U, 2U}) {
+    BlockOptions options;
+    options.degree = degree;
+    options.bend = 0.15;
+    EXPECT_LT(difference_from_factorisation(options), 1e-8) << "degree " << degree;
+  }
+}
+
+TEST(Multigrid, EqualsTheFactorisationOnStretchedCells) {
+  BlockOptions options;
+  options.cells = {4, 3, 3};
+  options.size = {32, 3, 3};  // aspect 8
+  options.local_refinements = 1;
+  int iterations = 0;
+  EXPECT_LT(difference_from_factorisation(options, &iterations), 1e-8);
+  EXPECT_LE(iterations, 60);
+}
+
+TEST(Multigrid, SolvesAnUnrefinedMeshDirectly) {
+  BlockOptions options;
+  options.global_refinements = options.local_refinements = 0;
+  int iterations = 0;
+  EXPECT_LT(difference_from_factorisation(options, &iterations), 1e-8);
+  EXPECT_LE(iterations, 3);
+}
+
+// A bar on rollers under uniform tension: u = (x, -nu y, -nu z) sigma / E, in the space of any
+// degree whatever the shape of the cells.
+TEST(Multigrid, PassesThePatchTestOnSkewCells) {
+  for (const unsigned int degree : {1U, 2U}) {
+    BlockOptions options;
+    options.degree = degree;
+    options.bend = 0.2;
+    const Block block(options, {{}, {{0, 0}, {2, 1}, {4, 2}}});
+    const double sigma = 100, nu = 0.3, e = 210e3;
+    Tensor<1, 3> tension;
+    tension[0] = sigma;
+    auto u = fem::make_vector(block.dofs());
+    fem::make_multigrid(block.problem(), {1e-12, 100, 4})
+        ->solve(u, block.face_load(1, [&](const Point<3>&) { return tension; }));
+    double error = 0;
+    block.for_each_dof([&](const Point<3>& p, unsigned int component, auto dof) {
+      const double exact = sigma / e * p[component] * (component == 0 ? 1 : -nu);
+      error = std::max(error, std::abs(u(dof) - exact));
+    });
+    EXPECT_LT(all_processes_max(error) / (sigma / e * 3), 1e-10) << "degree " << degree;
+  }
+}
+
+TEST(Multigrid, NeedsNoMoreIterationsOnFinerMeshes) {
+  std::vector<int> iterations;
+  for (const int refinements : {1, 2, 3}) {
+    BlockOptions options;
+    options.global_refinements = refinements;
+    const Block block(options, test::clamped_below());
+    const auto solver = fem::make_multigrid(block.problem());
+    auto u = fem::make_vector(block.dofs());
+    solver->solve(u, block.body_load(uneven_load));
+    iterations.push_back(solver->last_iterations());
+    RecordProperty("iterations_" + std::to_string(refinements), iterations.back());
+  }
+  EXPECT_LE(iterations.back(), 10) << "to 1e-8";
+  EXPECT_LE(iterations.back(), iterations.front() + 1);
+}
+
+// Betti: the work of one load on the displacement of another.
+TEST(Multigrid, IsSymmetricToTheTolerance) {
+  const Block block({}, test::clamped_below());
+  const auto solver = fem::make_multigrid(block.problem(), {1e-12, 100, 4});
+  const auto a = block.body_load(uneven_load);
+  Tensor<1, 3> pressure;
+  pressure[2] = -7;
+  const auto b = block.face_load(5, [&](const Point<3>& p) { return p[0] * pressure; });
+  auto u = fem::make_vector(block.dofs()), v = u;
+  solver->solve(u, a);
+  solver->solve(v, b);
+  EXPECT_NEAR(b * u, a * v, 1e-11 * std::abs(a * v));
+}
+
+TEST(Multigrid, IsDeterministicAndGivesZeroForNoLoad) {
+  const Block block({}, test::clamped_below());
+  const auto solver = fem::make_multigrid(block.problem());
+  auto u = fem::make_vector(block.dofs()), v = u, zero = u;
+  const auto load = block.body_load(uneven_load);
+  solver->solve(u, load);
+  const auto exactly = u;
+  solver->solve(v, zero);
+  EXPECT_EQ(v.linfty_norm(), 0);
+  EXPECT_EQ(solver->last_iterations(), 0);
+  solver->solve(u, load);  // what u held does not matter
+  u -= exactly;
+  EXPECT_EQ(u.linfty_norm(), 0);
+}
+
+TEST(Multigrid, SaysWhenItDoesNotConverge) {
+  const Block block({}, test::clamped_below());
+  auto u = fem::make_vector(block.dofs());
+  const auto load = block.body_load(uneven_load);
+  EXPECT_THROW(fem::make_multigrid(block.problem(), {1e-8, 2, 4})->solve(u, load),
+               contact::SolveError);
+  auto broken = load;
+  broken = std::nan("");
+  EXPECT_THROW(fem::make_multigrid(block.problem())->solve(u, broken), contact::SolveError);
+}
+
+TEST(Multigrid, RejectsABodyThatNothingHoldsAndOtherElements) {
+  BlockOptions options;
+  options.local_refinements = 0;
+  const Block loose(options, {});
+  EXPECT_THROW(fem::make_multigrid(loose.problem()), contact::SolveError);
+  options.degree = 3;
+  const Block cubic(options, test::clamped_below());
+  EXPECT_THROW(fem::make_multigrid(cubic.problem()), contact::InputError);
+}
+
+}  // namespace
+}  // namespace rollfem
