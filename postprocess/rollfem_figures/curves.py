@@ -1,0 +1,146 @@
+"""Curves: traction coefficient against creepage, tractions along the middle lines."""
+import math
+
+import numpy as np
+from matplotlib import pyplot as plt
+
+from . import selection, style
+from .outline import extent
+
+
+def relative_error(point, *quantities):
+    """The first estimate among `quantities`, or None."""
+    for quantity in quantities:
+        if quantity in point.errors:
+            return abs(point.errors[quantity])
+    return None
+
+
+def creep_curve(result):
+    """-F_x/F_z of every model with friction, and below the difference to the reference model. None
+    when no model has two load points."""
+    models = [m for m in selection.friction_models(result) if len(m.points) > 1]
+    if not models:
+        return None
+    scalar, factor, axis_label = style.creepage_axis([p for m in models for p in m.points])
+    force = "lateral_force" if scalar == "lateral_creepage" else "longitudinal_force"
+    ratio = r"$-F_y/F_z$" if scalar == "lateral_creepage" else r"$-F_x/F_z$"
+
+    def coefficient(point):
+        return -point[force] / point["normal_force"] if point["normal_force"] else math.nan
+
+    reference = selection.reference_for_forces(result)
+    compare = len(models) > 1 and reference in models
+    figure, axes = plt.subplots(2 if compare else 1, 1, sharex=True, squeeze=False,
+                                figsize=(6.4, 5.2 if compare else 4.0),
+                                gridspec_kw={"height_ratios": [3, 1.2] if compare else [1]})
+    top = axes[0, 0]
+    friction = result.case["friction_coefficient"]
+    top.axhline(friction, color=style.GREY, linewidth=0.8, linestyle=(0, (1, 1.5)))
+    top.annotate(rf"full slip: $\mu$ = {friction:.3g}", (0.995, friction), ha="right", va="bottom",
+                 xycoords=("axes fraction", "data"), color=style.GREY, fontsize=8)
+    for model in models:
+        points = sorted(model.points, key=lambda p: p[scalar])
+        at = np.array([factor * p[scalar] for p in points])
+        values = np.array([coefficient(p) for p in points])
+        errors = [abs(v) * (relative_error(p, "traction_coefficient", force) or 0.0)
+                  for v, p in zip(values, points)]
+        top.errorbar(at, values, yerr=errors if any(errors) else None, capsize=2, elinewidth=0.8,
+                     marker=style.marker(model), markersize=4.5, label=style.label(model),
+                     **style.line(model))
+        if compare and model is not reference:
+            pairs = [(a, v, reference.at(p.creepages)) for a, v, p in zip(at, values, points)]
+            pairs = [(a, 100 * (v - coefficient(r)) / friction) for a, v, r in pairs if r]
+            if pairs:
+                axes[1, 0].plot(*zip(*pairs), marker=style.marker(model), markersize=4.5,
+                                **style.line(model))
+    top.set_ylabel(f"traction coefficient {ratio} [-]")
+    top.margins(y=0.1)
+    top.legend(loc="lower right")
+    if compare:
+        axes[1, 0].axhline(0, **style.line(reference))
+        axes[1, 0].set_ylabel(f"difference to\n{style.label(reference)} [% of $\\mu$]")
+        low, high = axes[1, 0].get_ylim()
+        reach = max(abs(low), abs(high), 1.0)
+        axes[1, 0].set_ylim(-reach, reach)
+    axes[-1, 0].set_xlabel(axis_label)
+    figure.align_ylabels()
+    return figure
+
+
+def _line_of(model, point, name, axis):
+    values = point.fields.get(name)
+    return None if values is None else model.middle(values, axis)
+
+
+def _pressure_panel(panel, models, axis):
+    for model in models:
+        values = _line_of(model, model.points[0], "pressure", axis)
+        if values is not None:
+            at = model.x if axis == "x" else model.y
+            panel.plot(at, values, label=style.label(model), **style.line(model))
+    panel.set_title("contact pressure")
+    panel.set_ylabel(r"$p_n$ [MPa]")
+    panel.set_ylim(bottom=0)
+
+
+def _traction_panel(panel, models, creepages, axis, with_lateral):
+    shown = None
+    for model in models:
+        point = model.at(creepages)
+        if point is None:
+            continue
+        shown = point
+        at = model.x if axis == "x" else model.y
+        bound = _line_of(model, point, "traction_bound", axis)
+        if bound is not None:
+            panel.plot(at, bound, color=style.colour(model), linewidth=0.7, alpha=0.7)
+        traction = _line_of(model, point, "traction_x", axis)
+        if traction is not None:
+            panel.plot(at, -traction, **style.line(model))
+        lateral = _line_of(model, point, "traction_y", axis)
+        if with_lateral and lateral is not None:
+            panel.plot(at, -lateral, **{**style.line(model), "linestyle": ":"})
+    if shown is not None:
+        panel.set_title(style.creepage_text(shown))
+
+
+def path(result, axis):
+    """p_n, and p_x with the traction bound at several creepages, along the middle line of "x" or
+    "y". None when no model has a pressure field."""
+    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    if not models:
+        return None
+    chosen = selection.chosen_creepages(models, 5)
+    with_lateral = any(np.abs(p.fields["traction_y"]).max(initial=0.0) > 0.02 * p["max_traction"]
+                       for m in models for p in m.points
+                       if "traction_y" in p.fields and p["max_traction"] > 0)
+    columns = min(3, 1 + len(chosen))
+    rows = math.ceil((1 + len(chosen)) / columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
+                                squeeze=False, sharex=True)
+    panels = list(axes.flat)
+    _pressure_panel(panels[0], models, axis)
+    for panel, creepages in zip(panels[1:], chosen):
+        _traction_panel(panel, models, creepages, axis, with_lateral)
+    tops = [p.get_ylim() for p in panels[1:1 + len(chosen)]]
+    for panel in panels[1:1 + len(chosen)]:
+        panel.set_ylim(min(t[0] for t in tops), max(t[1] for t in tops))
+    for panel in panels[1:1 + len(chosen)]:
+        panel.set_ylabel(r"$-p_x$, $-p_y$ (dotted) [MPa]" if with_lateral else r"$-p_x$ [MPa]")
+    for panel in panels[1 + len(chosen):]:
+        panel.set_visible(False)
+    half = extent(models)[0 if axis == "x" else 1]
+    panels[0].set_xlim(-half, half)
+    for k, panel in enumerate(panels[:1 + len(chosen)]):
+        panel.label_outer() if columns == 1 else None
+        if k + columns >= 1 + len(chosen):
+            panel.set_xlabel(r"$x$ [mm], rolling $\rightarrow$" if axis == "x" else r"$y$ [mm], lateral")
+            panel.tick_params(labelbottom=True)
+    handles, labels = panels[0].get_legend_handles_labels()
+    if chosen:
+        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
+        labels.append(r"traction bound $\mu\,p_n$")
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
+    figure.legend(handles, labels, loc="upper center", ncol=len(labels))
+    return figure

@@ -1,0 +1,205 @@
+"""Pictures over the patch: outlines with adhesion and slip zones, oblique views of tractions."""
+import numpy as np
+from matplotlib import patches
+from matplotlib import pyplot as plt
+from matplotlib.collections import LineCollection
+from matplotlib.path import Path
+
+from . import selection, style
+from .outline import edge_function, extent, padded
+from .reader import ADHESION
+
+
+def _outline(panel, model, point, **options):
+    """Draws the edge of the patch; returns it as one path in data coordinates, or None."""
+    pressure = point.fields.get("pressure")
+    if pressure is None or not (pressure > 0).any():
+        return None
+    x, y, values = padded(model, edge_function(pressure), -pressure.max() ** 2)
+    contours = panel.contour(x, y, values, levels=[0.0], **options)
+    paths = contours.collections[0].get_paths()
+    return Path.make_compound_path(*paths) if paths else None
+
+
+def _spread(state):
+    """1 in adhesion, 0 in slip; exterior elements take the mean of their loaded neighbours, so that
+    the border between the zones runs straight to the edge of the patch."""
+    inside = state > 0
+    values = np.where(state == ADHESION, 1.0, 0.0)
+    known = inside.astype(float)
+    for _ in range(2):
+        total, weight = np.zeros_like(values), np.zeros_like(values)
+        wide, mask = np.pad(values * known, 1), np.pad(known, 1)
+        for j in range(3):
+            for i in range(3):
+                total += wide[j:j + values.shape[0], i:i + values.shape[1]]
+                weight += mask[j:j + values.shape[0], i:i + values.shape[1]]
+        fresh = (known == 0) & (weight > 0)
+        values = np.where(fresh, total / np.maximum(weight, 1), values)
+        known = np.maximum(known, fresh)
+    return values
+
+
+def _zones(panel, model, point):
+    edge = _outline(panel, model, point, colors="black", linewidths=0.9, linestyles="solid")
+    state = point.fields.get("state")
+    if edge is None or state is None:
+        return
+    clip = patches.PathPatch(edge, facecolor="none", edgecolor="none")
+    panel.add_patch(patches.PathPatch(edge, facecolor=style.SLIP_COLOUR, edgecolor="none", zorder=1))
+    panel.add_patch(clip)
+    if (state == ADHESION).any():
+        x, y, values = padded(model, _spread(state), 0.0)
+        filled = panel.contourf(x, y, values, levels=[0.5, 2.0], colors=[style.ADHESION_COLOUR],
+                                zorder=2)
+        for part in filled.collections:
+            part.set_clip_path(clip)
+
+
+def contact_area(result):
+    """Left the outlines of all models on each other; right adhesion and slip of every model with
+    friction at a few creepages. None when no model has a pressure field."""
+    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    if not models:
+        return None
+    zoned = [m for m in models if m.has_friction and "state" in m.points[0].fields]
+    chosen = selection.chosen_creepages(zoned, 4) if zoned else []
+    half_x, half_y = extent(models)
+    rows, columns = max(1, len(zoned)), 1 + len(chosen)
+    scale = min(1.75 / half_x, 3.4 / half_y) / 2  # inches per mm
+    width = max(2 * half_x * scale, 1.25)
+    height = 2 * half_y * scale
+    figure = plt.figure(figsize=((width + 0.35) * columns + 0.9, (height + 0.55) * rows + 0.75))
+    grid = figure.add_gridspec(rows, columns)
+    left = figure.add_subplot(grid[:, 0])
+    for model in models:
+        ink = style.line(model)
+        _outline(left, model, model.points[0], colors=ink["color"], linewidths=ink["linewidth"],
+                 linestyles=[ink["linestyle"]])
+    left.set_title("all models")
+    panels = [left]
+    for j, model in enumerate(zoned):
+        for i, creepages in enumerate(chosen):
+            panel = figure.add_subplot(grid[j, 1 + i])
+            panels.append(panel)
+            point = model.at(creepages)
+            if point is not None:
+                _zones(panel, model, point)
+                panel.set_title(f"{style.label(model)}\n{style.creepage_text(point)}")
+            if i > 0:
+                panel.tick_params(labelleft=False)
+            if j < rows - 1:
+                panel.tick_params(labelbottom=False)
+            else:
+                panel.set_xlabel(r"$x$ [mm]")
+    for panel in panels:
+        panel.set_aspect("equal")
+        panel.set_xlim(-half_x, half_x)
+        panel.set_ylim(-half_y, half_y)
+    left.set_xlabel(r"$x$ [mm], rolling $\rightarrow$")
+    left.set_ylabel(r"$y$ [mm], lateral")
+    handles = [plt.Line2D([], [], label=style.label(m), **style.line(m)) for m in models]
+    if chosen:
+        handles += [patches.Patch(color=style.ADHESION_COLOUR, label="adhesion"),
+                    patches.Patch(color=style.SLIP_COLOUR, label="slip")]
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.35 / figure.get_figheight()))
+    figure.legend(handles=handles, loc="upper center", ncol=len(handles))
+    return figure
+
+
+class _Oblique:
+    """Cavalier projection: x to the right, y to the back and up, the traction upwards."""
+
+    def __init__(self, half_x, half_y, top):
+        self.half_x, self.half_y, self.top = half_x, half_y, top
+        self.skew = 0.55 * half_x / half_y  # all in units of half_x, whatever the patch's shape
+        self.rise = 0.75 * half_x / half_y
+        self.lift = 1.9 * half_x / top
+
+    def __call__(self, x, y, value=0.0):
+        return x + self.skew * y, self.rise * y + self.lift * value
+
+
+def _strips(panel, view, model, values, state, count=26):
+    """The surface as strips y = constant, drawn from the back to the front."""
+    loaded = np.flatnonzero((np.abs(model.y) <= view.half_y))
+    rows = loaded[::-max(1, round(len(loaded) / count))]
+    columns = np.flatnonzero(np.abs(model.x) <= view.half_x)
+    for depth, j in enumerate(rows):
+        along, up = view(model.x[columns], model.y[j], values[j, columns])
+        base = view(model.x[columns], model.y[j], np.zeros(len(columns)))
+        corners = np.concatenate([np.stack([along, up], 1), np.stack(base, 1)[::-1]])
+        panel.add_patch(patches.Polygon(corners, facecolor="white", edgecolor="none",
+                                        zorder=2 + depth))
+        ends = np.stack([along, up], 1)
+        kinds = state[j, columns] if state is not None else np.zeros(len(columns))
+        both = np.maximum(kinds[:-1], kinds[1:])
+        inks = np.where(both == 1, "#0072B2", np.where(both == 2, "#D55E00", "#aaaaaa"))
+        if state is None:
+            inks = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, "#333333", "#aaaaaa")
+        panel.add_collection(LineCollection(np.stack([ends[:-1], ends[1:]], 1), colors=list(inks),
+                                            linewidths=0.9, zorder=2 + depth))
+
+
+def _ticks(half):
+    step = next(s for s in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100) if half / s <= 2.5 or s == 100)
+    return np.arange(-np.floor(half / step), np.floor(half / step) + 1) * step
+
+
+def _frame(panel, view, title, unit_label):
+    """Axes of the projection: x in front, y on the right, the traction on the left."""
+    ink = {"color": style.GREY, "linewidth": 0.8, "zorder": 1}
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]
+    panel.plot(*zip(*[view(a * view.half_x, b * view.half_y) for a, b in corners]), **ink)
+    text = {"fontsize": 8, "color": "#333333"}
+    small = 0.05 * view.half_x
+    for tick in _ticks(view.half_x):
+        x, y = view(tick, -view.half_y)
+        panel.plot([x, x], [y, y - small], **ink)
+        panel.text(x, y - 1.6 * small, f"{tick:g}", ha="center", va="top", **text)
+    x, y = view(0, -view.half_y)
+    panel.text(x, y - 6.5 * small, r"$x$ [mm], rolling $\rightarrow$", ha="center", va="top", **text)
+    for tick in _ticks(view.half_y):
+        x, y = view(view.half_x, tick)
+        panel.plot([x, x + small], [y, y], **ink)
+        panel.text(x + 1.6 * small, y, f"{tick:g}", ha="left", va="center", **text)
+    x, y = view(view.half_x, 0)
+    panel.text(x + 9 * small, y - 2 * small, r"$y$ [mm]", ha="left", va="top", **text)
+    x, y = view(-view.half_x, view.half_y)
+    x -= 2 * small
+    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000) if view.top / s <= 4)
+    values = np.arange(0, view.top * 1.001, step)
+    panel.plot([x, x], [y, y + view.lift * view.top], **ink)
+    for value in values:
+        height = y + view.lift * value
+        panel.plot([x - small, x], [height, height], **ink)
+        panel.text(x - 1.6 * small, height, f"{value:g}", ha="right", va="center", **text)
+    panel.text(x, y + view.lift * view.top + 3 * small, unit_label, ha="center", va="bottom", **text)
+    panel.set_title(title)
+    panel.set_aspect("equal")
+    panel.axis("off")
+
+
+def oblique(result, model):
+    """p_n and -p_x over the patch at one creepage, strip by strip. None for a model without
+    tangential tractions."""
+    creepages = selection.typical_creepage([model]) if model.has_friction else None
+    point = model.at(creepages) if creepages else None
+    if point is None or not {"pressure", "traction_x"} <= set(point.fields):
+        return None
+    pressure, state = point.fields["pressure"], point.fields.get("state")
+    traction = -point.fields["traction_x"]
+    figure, axes = plt.subplots(1, 2, figsize=(9.2, 4.3))
+    half_x, half_y = extent([model])
+    view = _Oblique(half_x, half_y, float(pressure.max()))
+    _frame(axes[0], view, "contact pressure", r"$p_n$ [MPa]")
+    _strips(axes[0], view, model, pressure, None)
+    view = _Oblique(half_x, half_y, float(max(np.abs(traction).max(), 1e-9)))
+    _frame(axes[1], view, f"tangential traction, {style.creepage_text(point)}", r"$-p_x$ [MPa]")
+    _strips(axes[1], view, model, traction, state)
+    handles = [plt.Line2D([], [], color="#0072B2", label="adhesion"),
+               plt.Line2D([], [], color="#D55E00", label="slip")]
+    figure.legend(handles=handles, loc="lower center", ncol=2)
+    figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
+    figure.tight_layout(rect=(0, 0.03, 1, 1))
+    return figure

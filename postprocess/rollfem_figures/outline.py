@@ -1,0 +1,46 @@
+"""The edge of the patch below the element size."""
+import numpy as np
+
+
+def edge_function(pressure):
+    """A field on the grid whose zero line is the edge of the patch.
+
+    Near the edge p^2 is linear in the distance (Hertz), so p^2 is continued linearly from the two
+    outermost loaded elements to the unloaded ones beside them.
+    """
+    inside = pressure > 0
+    square = np.where(inside, pressure, 0.0) ** 2
+    scale = square.max() if square.size else 0.0
+    sums, counts = np.zeros_like(square), np.zeros_like(square)
+    for axis in (0, 1):
+        for step in (1, -1):
+            near, far = np.roll(square, step, axis), np.roll(square, 2 * step, axis)
+            reaches = np.roll(inside, step, axis) & ~inside
+            border = [slice(None)] * 2
+            border[axis] = slice(0, 1) if step == 1 else slice(-1, None)
+            reaches[tuple(border)] = False  # what np.roll took from the other side
+            continued = np.minimum(2 * near - far, -1e-6 * scale)
+            sums += np.where(reaches, continued, 0.0)
+            counts += reaches
+    outside = np.where(counts > 0, sums / np.maximum(counts, 1), -0.05 * scale)
+    return np.where(inside, square, outside)
+
+
+def padded(model, values, outside):
+    """x, y and values with a ring of elements around, so that outlines close at the border."""
+    x = np.concatenate([[model.x[0] - model.dx], model.x, [model.x[-1] + model.dx]])
+    y = np.concatenate([[model.y[0] - model.dy], model.y, [model.y[-1] + model.dy]])
+    return x, y, np.pad(values, 1, constant_values=outside)
+
+
+def extent(models):
+    """Half-widths (x, y) in mm of a frame around the patches of all models."""
+    half_x = half_y = 0.0
+    for model in models:
+        for point in model.points:
+            pressure = point.fields.get("pressure")
+            if pressure is None or not (pressure > 0).any():
+                continue
+            half_x = max(half_x, np.abs(model.x[(pressure > 0).any(axis=0)]).max() + model.dx)
+            half_y = max(half_y, np.abs(model.y[(pressure > 0).any(axis=1)]).max() + model.dy)
+    return 1.06 * half_x, 1.06 * half_y
