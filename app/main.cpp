@@ -100,6 +100,7 @@ void add_commands(CLI::App& program, Call& call) {
   run->add_option("-o,--output", call.run.directory,
                   "folder for the results; without it results/<name of the case file>");
   run->add_flag("-q,--quiet", call.run.quiet, "print errors and warnings only");
+  run->add_flag("!--no-report", call.run.report, "write results only, no figures and no report");
   run->callback([&call] {
     settle_run(call.run);
     app::run(call.run);

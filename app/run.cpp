@@ -15,8 +15,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <functional>
@@ -88,17 +91,20 @@ fs::path output_directory(const RunRequest& request) {
 void check_output_directory(const fs::path& directory) {
   std::error_code error;
   fs::path existing = fs::absolute(directory, error).lexically_normal();
-  if (existing.filename().empty()) existing = existing.parent_path();
-  if (!fs::exists(existing, error)) {
-    while (!fs::exists(existing, error) && existing.has_relative_path())
-      existing = existing.parent_path();
-  }
-  const char* wrong = nullptr;
-  if (!fs::is_directory(existing, error))
+  while (!fs::exists(existing, error) && existing.has_relative_path())
+    existing = existing.parent_path();
+  std::string wrong;
+  if (!fs::is_directory(existing, error)) {
     wrong = "is a file, not a folder";
-  else if (access(existing.c_str(), W_OK | X_OK) != 0)
-    wrong = "is not writable";
-  if (wrong != nullptr)
+  } else {
+    // Permissions alone do not tell: read-only and special file systems refuse even root.
+    std::string probe = (existing / ".rollfem-XXXXXX").string();
+    if (mkdtemp(probe.data()) == nullptr)
+      wrong = fmt::format("cannot be written to ({})", std::strerror(errno));
+    else
+      rmdir(probe.c_str());
+  }
+  if (!wrong.empty())
     throw contact::InputError(fmt::format("-o {}: {} {}; do: name another folder with -o",
                                           directory.string(), existing.string(), wrong));
 }
@@ -119,8 +125,9 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
     const SignalsHeld held;
     postprocess::write_results(directory.string(), record);
   }
-  const std::string problem =
-      postprocess::make_report(directory.string(), script_directory().string());
+  std::string problem;
+  if (request.report)
+    problem = postprocess::make_report(directory.string(), script_directory().string());
   if (!problem.empty())
     std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
   if (request.quiet) return;
@@ -128,7 +135,8 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   for (const contact::ModelResult& model : record.models)
     for (const std::string& note : model.notes) std::cout << '\n' << model.name << ": " << note;
   std::cout << "\n\nresults: " << directory.string() << '\n';
-  if (problem.empty()) std::cout << "report:  " << (directory / "report.html").string() << '\n';
+  if (request.report && problem.empty())
+    std::cout << "report:  " << (directory / "report.html").string() << '\n';
 }
 
 }  // namespace

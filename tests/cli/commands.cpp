@@ -25,7 +25,7 @@ TEST(Check, AcceptsEveryCommittedCase) {
   int cases = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(ROLLFEM_SOURCE_DIR) / "cases")) {
     if (entry.path().extension() != ".toml") continue;
-    const Outcome outcome = rollfem(folder, {"check", entry.path().string()});
+    const Outcome outcome = call(folder, {"check", entry.path().string()});
     EXPECT_EQ(outcome.status, 0) << entry.path() << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(outcome.out.find("normal_force           50000 N"), std::string::npos);
@@ -43,7 +43,7 @@ TEST(Check, StartsInATenthOfASecond) {
   double best = 1e9;
   for (int i = 0; i < 5; ++i) {
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(rollfem(folder, {"check", file}).status, 0);
+    EXPECT_EQ(call(folder, {"check", file}).status, 0);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     best = std::min(best, taken.count());
   }
@@ -52,23 +52,23 @@ TEST(Check, StartsInATenthOfASecond) {
 
 TEST(NewCase, IsAcceptedByCheck) {
   const Folder folder;
-  const Outcome made = rollfem(folder, {"new-case"});
+  const Outcome made = call(folder, {"new-case"});
   ASSERT_EQ(made.status, 0);
-  const Outcome checked = rollfem(folder, {"check", folder.file("new.toml", made.out)});
+  const Outcome checked = call(folder, {"check", folder.file("new.toml", made.out)});
   EXPECT_EQ(checked.status, 0) << checked.err;
 }
 
 TEST(NewCase, WritesANewFileButNeverOverAnother) {
   const Folder folder;
-  EXPECT_EQ(rollfem(folder, {"new-case", "-o", "new.toml"}).status, 0);
-  EXPECT_EQ(rollfem(folder, {"check", "new.toml"}).status, 0);
-  expect_refused(rollfem(folder, {"new-case", "-o", "new.toml"}), "is there already");
-  expect_refused(rollfem(folder, {"new-case", "-o", "no/such/folder.toml"}), "cannot be written");
+  EXPECT_EQ(call(folder, {"new-case", "-o", "new.toml"}).status, 0);
+  EXPECT_EQ(call(folder, {"check", "new.toml"}).status, 0);
+  expect_refused(call(folder, {"new-case", "-o", "new.toml"}), "is there already");
+  expect_refused(call(folder, {"new-case", "-o", "no/such/folder.toml"}), "cannot be written");
 }
 
 TEST(Docs, CommittedReferenceIsTheGeneratedOne) {
   const Folder folder;
-  const Outcome outcome = rollfem(folder, {"docs", "case-file"});
+  const Outcome outcome = call(folder, {"docs", "case-file"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, contents(fs::path(ROLLFEM_SOURCE_DIR) / "docs" / "case-file.md"))
       << "run: rollfem docs case-file > docs/case-file.md";
@@ -76,30 +76,30 @@ TEST(Docs, CommittedReferenceIsTheGeneratedOne) {
 
 TEST(Call, VersionAndHelpAreAnswered) {
   const Folder folder;
-  const Outcome version = rollfem(folder, {"--version"});
+  const Outcome version = call(folder, {"--version"});
   EXPECT_EQ(version.status, 0);
   EXPECT_EQ(version.out.rfind("rollfem 0.1.0", 0), 0u) << version.out;
-  const Outcome help = rollfem(folder, {"--help"});
+  const Outcome help = call(folder, {"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* command : {"run", "check", "new-case"})
     EXPECT_NE(help.out.find(command), std::string::npos) << help.out;
-  EXPECT_EQ(rollfem(folder, {"run", "--help"}).status, 0);
+  EXPECT_EQ(call(folder, {"run", "--help"}).status, 0);
 }
 
 TEST(Call, WrongCallsAreRefused) {
   const Folder folder;
   const std::string file = folder.file("case.toml", small_case);
-  expect_refused(rollfem(folder, {}), "no command is given");
-  expect_refused(rollfem(folder, {"bogus"}), "bogus: there is no such command");
-  expect_refused(rollfem(folder, {""}), "");
-  expect_refused(rollfem(folder, {"--bogus"}), "do: rollfem --help");
-  expect_refused(rollfem(folder, {"check"}), "case is required");
-  expect_refused(rollfem(folder, {"check", file, "more"}), "more");
-  expect_refused(rollfem(folder, {"run"}), "no case file");
-  expect_refused(rollfem(folder, {"run", file, "--model", "fme"}), "--model fme");
-  expect_refused(rollfem(folder, {"run", file, "--model"}), "--model");
-  expect_refused(rollfem(folder, {"run", file, "--bogus"}), "--bogus");
-  expect_refused(rollfem(folder, {"docs", "novel"}), "novel");
+  expect_refused(call(folder, {}), "no command is given");
+  expect_refused(call(folder, {"bogus"}), "bogus: there is no such command");
+  expect_refused(call(folder, {""}), "");
+  expect_refused(call(folder, {"--bogus"}), "do: rollfem --help");
+  expect_refused(call(folder, {"check"}), "case is required");
+  expect_refused(call(folder, {"check", file, "more"}), "more");
+  expect_refused(call(folder, {"run"}), "no case file");
+  expect_refused(call(folder, {"run", file, "--model", "fme"}), "--model fme");
+  expect_refused(call(folder, {"run", file, "--model"}), "--model");
+  expect_refused(call(folder, {"run", file, "--bogus"}), "--bogus");
+  expect_refused(call(folder, {"docs", "novel"}), "novel");
   EXPECT_TRUE(folder.made().empty());
 }
 
@@ -125,8 +125,8 @@ TEST(HostileFile, IsRefusedByCheckAndRunAlike) {
       {std::string(5000, 'x'), ""},
   };
   for (const auto& [file, part] : files) {
-    expect_refused(rollfem(folder, {"check", file}), part);
-    expect_refused(rollfem(folder, {"run", file}), part);
+    expect_refused(call(folder, {"check", file}), part);
+    expect_refused(call(folder, {"run", file}), part);
   }
   EXPECT_TRUE(folder.made().empty());
 }

@@ -107,8 +107,8 @@ inline Outcome execute(const Folder& folder, std::vector<std::string> command,
 }
 
 /// Runs rollfem.
-inline Outcome rollfem(const Folder& folder, const std::vector<std::string>& arguments,
-                       const std::vector<std::string>& environment = {}, int interrupt_after = 0) {
+inline Outcome call(const Folder& folder, const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& environment = {}, int interrupt_after = 0) {
   std::vector<std::string> command{ROLLFEM_PROGRAM};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return execute(folder, command, environment, interrupt_after);

@@ -26,11 +26,12 @@ bool has_control_characters(const std::string& text) {
 
 TEST(Run, LeavesResultsAndSaysWhere) {
   const Folder folder;
-  const Outcome outcome = rollfem(folder, {"run", folder.file("quick.toml", quick)});
+  const Outcome outcome = call(folder, {"run", folder.file("quick.toml", quick)});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
   const auto made = folder.made();
-  for (const char* name :
-       {"results/quick/summary.json", "results/quick/results.h5", "results/quick/creep_curve.csv"})
+  for (const char* name : {"results/quick/summary.json", "results/quick/results.h5",
+                           "results/quick/creep_curve.csv", "results/quick/report.html"})
     EXPECT_TRUE(has(made, name)) << name;
   EXPECT_NE(outcome.out.find("results: results/quick\n"), std::string::npos) << outcome.out;
   const auto summary =
@@ -50,13 +51,13 @@ TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
   const Folder folder;
   const std::string file = folder.file("quick.toml", quick);
   const std::vector<std::vector<std::string>> calls{
-      {"run", "--model", "hertz", file, "-q"},
-      {"run", file, "-q", "-m", "hertz"},
-      {"run", "-q", "--model=hertz", file},
-      {"run", "-q", "--model", "hertz", "--model", "hertz", file},
+      {"run", "--no-report", "--model", "hertz", file, "-q"},
+      {"run", file, "-q", "--no-report", "-m", "hertz"},
+      {"run", "-q", "--no-report", "--model=hertz", file},
+      {"run", "-q", "--no-report", "--model", "hertz", "--model", "hertz", file},
   };
-  for (const auto& call : calls) {
-    const Outcome outcome = rollfem(folder, call);
+  for (const auto& arguments : calls) {
+    const Outcome outcome = call(folder, arguments);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto summary =
         nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
@@ -67,7 +68,7 @@ TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
 TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
   const Folder folder;
   const Outcome outcome =
-      rollfem(folder, {"run", folder.file("quick.toml", quick)}, {"TERM=xterm"});
+      call(folder, {"run", "--no-report", folder.file("quick.toml", quick)}, {"TERM=xterm"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.err)) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.out)) << outcome.out;
@@ -78,7 +79,7 @@ TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
 TEST(Run, QuietPrintsNothing) {
   const Folder folder;
   const Outcome outcome =
-      rollfem(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick)});
+      call(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick)});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "");
@@ -87,7 +88,7 @@ TEST(Run, QuietPrintsNothing) {
 TEST(Run, WritesToTheNamedFolder) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick);
-  ASSERT_EQ(rollfem(folder, {"run", "-q", "-m", "hertz", "-o", "a/b", file}).status, 0);
+  ASSERT_EQ(call(folder, {"run", "-q", "--no-report", "-m", "hertz", "-o", "a/b", file}).status, 0);
   EXPECT_TRUE(has(folder.made(), "a/b/summary.json"));
 }
 
@@ -95,7 +96,7 @@ TEST(Run, AFolderThatCannotBeMadeIsRefusedBeforeComputing) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick);
   for (const std::string& directory : {file, file + "/below", std::string("/proc/no/such")}) {
-    const Outcome outcome = rollfem(folder, {"run", file, "-o", directory});
+    const Outcome outcome = call(folder, {"run", file, "-o", directory});
     EXPECT_EQ(outcome.status, 2) << directory << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
@@ -106,7 +107,7 @@ TEST(Run, CtrlCLeavesNothing) {
   const Folder folder;
   std::string slow = quick;
   slow.replace(slow.find("elements_across = 10"), 20, "elements_across = 400");
-  const Outcome outcome = rollfem(folder, {"run", folder.file("slow.toml", slow)}, {}, 300);
+  const Outcome outcome = call(folder, {"run", folder.file("slow.toml", slow)}, {}, 300);
   EXPECT_EQ(outcome.status, 128 + SIGINT) << outcome.err;
   EXPECT_TRUE(folder.made().empty());
 }
@@ -115,7 +116,7 @@ TEST(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
   const Folder folder;
   std::string vast = quick;
   vast.replace(vast.find("elements_across = 10"), 20, "cell_size = [1e-5, 1e-5]");
-  const Outcome outcome = rollfem(folder, {"run", folder.file("vast.toml", vast)});
+  const Outcome outcome = call(folder, {"run", folder.file("vast.toml", vast)});
   EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << outcome.err;
   EXPECT_NE(outcome.err.find("rollfem: "), std::string::npos) << outcome.err;
   EXPECT_TRUE(folder.made().empty());
@@ -125,7 +126,7 @@ TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick);
   const Outcome other =
-      rollfem(folder, {"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
+      call(folder, {"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
   EXPECT_EQ(other.status, 0);
   EXPECT_EQ(other.out + other.err, "");
   EXPECT_TRUE(folder.made().empty());
@@ -135,11 +136,11 @@ TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
 TEST(Run, FemInABuildWithoutItIsAnErrorNotSilence) {
   const Folder folder;
   const std::string by_list = folder.file("list.toml", small_case);
-  const Outcome list = rollfem(folder, {"run", by_list});
+  const Outcome list = call(folder, {"run", by_list});
   EXPECT_EQ(list.status, 2);
   EXPECT_NE(list.err.find("list.toml: models: model fem is not in this build"), std::string::npos)
       << list.err;
-  const Outcome option = rollfem(folder, {"run", by_list, "--model", "fem"});
+  const Outcome option = call(folder, {"run", by_list, "--model", "fem"});
   EXPECT_EQ(option.status, 2);
   EXPECT_NE(option.err.find("--model fem: model fem is not in this build"), std::string::npos);
   EXPECT_TRUE(folder.made().empty());
