@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from . import selection, style
-from .outline import extent
+from .outline import extent, loaded_runs
 
 
 def relative_error(point, *quantities):
@@ -37,7 +37,7 @@ def creep_curve(result):
     top = axes[0, 0]
     friction = result.case["friction_coefficient"]
     top.axhline(friction, color=style.GREY, linewidth=0.8, linestyle=(0, (1, 1.5)))
-    top.annotate(rf"full slip: $\mu$ = {friction:.3g}", (0.995, friction), ha="right", va="bottom",
+    top.annotate(rf"full slip: $\mu$ = {friction:.3g}", (0.01, friction), ha="left", va="bottom",
                  xycoords=("axes fraction", "data"), color=style.GREY, fontsize=8)
     for model in models:
         points = sorted(model.points, key=lambda p: p[scalar])
@@ -69,16 +69,25 @@ def creep_curve(result):
 
 
 def _line_of(model, point, name, axis):
-    values = point.fields.get(name)
-    return None if values is None else model.middle(values, axis)
+    """Positions and values of a field on the middle line within the patch, 0 at its edges; None when
+    the model does not give it. Separate patches are separated by NaN."""
+    values, pressure = point.fields.get(name), point.fields.get("pressure")
+    if values is None or pressure is None:
+        return None
+    at = model.x if axis == "x" else model.y
+    positions, out = [], []
+    for low, high, first, last in loaded_runs(at, model.middle(pressure, axis)):
+        positions += [low, *at[first:last], high, math.nan]
+        out += [0.0, *model.middle(values, axis)[first:last], 0.0, math.nan]
+    return np.array(positions), np.array(out)
 
 
 def _pressure_panel(panel, models, axis):
     for model in models:
-        values = _line_of(model, model.points[0], "pressure", axis)
-        if values is not None:
-            at = model.x if axis == "x" else model.y
-            panel.plot(at, values, label=style.label(model), **style.line(model))
+        curve = _line_of(model, model.points[0], "pressure", axis)
+        if curve is not None:
+            panel.plot(*curve, label=style.label(model), zorder=3 if model.name == "hertz" else 2,
+                       **style.line(model))
     panel.set_title("contact pressure")
     panel.set_ylabel(r"$p_n$ [MPa]")
     panel.set_ylim(bottom=0)
@@ -91,16 +100,13 @@ def _traction_panel(panel, models, creepages, axis, with_lateral):
         if point is None:
             continue
         shown = point
-        at = model.x if axis == "x" else model.y
-        bound = _line_of(model, point, "traction_bound", axis)
-        if bound is not None:
-            panel.plot(at, bound, color=style.colour(model), linewidth=0.7, alpha=0.7)
-        traction = _line_of(model, point, "traction_x", axis)
-        if traction is not None:
-            panel.plot(at, -traction, **style.line(model))
-        lateral = _line_of(model, point, "traction_y", axis)
-        if with_lateral and lateral is not None:
-            panel.plot(at, -lateral, **{**style.line(model), "linestyle": ":"})
+        for name, sign, ink in (
+                ("traction_bound", 1, {"color": style.colour(model), "linewidth": 0.7, "alpha": 0.7}),
+                ("traction_x", -1, style.line(model)),
+                ("traction_y", -1, {**style.line(model), "linestyle": ":"})):
+            curve = _line_of(model, point, name, axis)
+            if curve is not None and (with_lateral or name != "traction_y"):
+                panel.plot(curve[0], sign * curve[1], **ink)
     if shown is not None:
         panel.set_title(style.creepage_text(shown))
 

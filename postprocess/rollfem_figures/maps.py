@@ -4,6 +4,7 @@ from matplotlib import patches
 from matplotlib import pyplot as plt
 from matplotlib.collections import LineCollection
 from matplotlib.path import Path
+from matplotlib.ticker import MaxNLocator
 
 from . import selection, style
 from .outline import edge_function, extent, padded
@@ -22,21 +23,20 @@ def _outline(panel, model, point, **options):
 
 
 def _spread(state):
-    """1 in adhesion, 0 in slip; exterior elements take the mean of their loaded neighbours, so that
-    the border between the zones runs straight to the edge of the patch."""
-    inside = state > 0
+    """1 in adhesion, 0 in slip, averaged over neighbours so that the border between the zones runs
+    through the steps of the elements, and continued beyond the edge of the patch."""
     values = np.where(state == ADHESION, 1.0, 0.0)
-    known = inside.astype(float)
+    known = (state > 0).astype(float)
     for _ in range(2):
         total, weight = np.zeros_like(values), np.zeros_like(values)
         wide, mask = np.pad(values * known, 1), np.pad(known, 1)
-        for j in range(3):
-            for i in range(3):
-                total += wide[j:j + values.shape[0], i:i + values.shape[1]]
-                weight += mask[j:j + values.shape[0], i:i + values.shape[1]]
-        fresh = (known == 0) & (weight > 0)
-        values = np.where(fresh, total / np.maximum(weight, 1), values)
-        known = np.maximum(known, fresh)
+        for j, weight_j in enumerate((1, 2, 1)):
+            for i, weight_i in enumerate((1, 2, 1)):
+                part = (slice(j, j + values.shape[0]), slice(i, i + values.shape[1]))
+                total += weight_j * weight_i * wide[part]
+                weight += weight_j * weight_i * mask[part]
+        values = total / np.maximum(weight, 1e-9)
+        known = (weight > 0).astype(float)
     return values
 
 
@@ -71,12 +71,12 @@ def contact_area(result):
     height = 2 * half_y * scale
     figure = plt.figure(figsize=((width + 0.35) * columns + 0.9, (height + 0.55) * rows + 0.75))
     grid = figure.add_gridspec(rows, columns)
-    left = figure.add_subplot(grid[:, 0])
+    left = figure.add_subplot(grid[0, 0])
     for model in models:
         ink = style.line(model)
         _outline(left, model, model.points[0], colors=ink["color"], linewidths=ink["linewidth"],
                  linestyles=[ink["linestyle"]])
-    left.set_title("all models")
+    left.set_title("all models\n")
     panels = [left]
     for j, model in enumerate(zoned):
         for i, creepages in enumerate(chosen):
@@ -94,6 +94,7 @@ def contact_area(result):
                 panel.set_xlabel(r"$x$ [mm]")
     for panel in panels:
         panel.set_aspect("equal")
+        panel.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
         panel.set_xlim(-half_x, half_x)
         panel.set_ylim(-half_y, half_y)
     left.set_xlabel(r"$x$ [mm], rolling $\rightarrow$")
@@ -112,9 +113,9 @@ class _Oblique:
 
     def __init__(self, half_x, half_y, top):
         self.half_x, self.half_y, self.top = half_x, half_y, top
-        self.skew = 0.55 * half_x / half_y  # all in units of half_x, whatever the patch's shape
-        self.rise = 0.75 * half_x / half_y
-        self.lift = 1.9 * half_x / top
+        self.skew = 0.75 * half_x / half_y  # all in units of half_x, whatever the patch's shape
+        self.rise = 0.6 * half_x / half_y
+        self.lift = 1.5 * half_x / top
 
     def __call__(self, x, y, value=0.0):
         return x + self.skew * y, self.rise * y + self.lift * value
@@ -123,7 +124,7 @@ class _Oblique:
 def _strips(panel, view, model, values, state, count=26):
     """The surface as strips y = constant, drawn from the back to the front."""
     loaded = np.flatnonzero((np.abs(model.y) <= view.half_y))
-    rows = loaded[::-max(1, round(len(loaded) / count))]
+    rows = loaded[::-max(1, len(loaded) // count)]
     columns = np.flatnonzero(np.abs(model.x) <= view.half_x)
     for depth, j in enumerate(rows):
         along, up = view(model.x[columns], model.y[j], values[j, columns])
@@ -138,7 +139,8 @@ def _strips(panel, view, model, values, state, count=26):
         if state is None:
             inks = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, "#333333", "#aaaaaa")
         panel.add_collection(LineCollection(np.stack([ends[:-1], ends[1:]], 1), colors=list(inks),
-                                            linewidths=0.9, zorder=2 + depth))
+                                            linewidths=0.9, capstyle="round", snap=False,
+                                            zorder=2 + depth))
 
 
 def _ticks(half):
@@ -164,8 +166,8 @@ def _frame(panel, view, title, unit_label):
         panel.plot([x, x + small], [y, y], **ink)
         panel.text(x + 1.6 * small, y, f"{tick:g}", ha="left", va="center", **text)
     x, y = view(view.half_x, 0)
-    panel.text(x + 9 * small, y - 2 * small, r"$y$ [mm]", ha="left", va="top", **text)
-    x, y = view(-view.half_x, view.half_y)
+    panel.text(x + 9 * small, y, r"$y$ [mm]", ha="left", va="top", **text)
+    x, y = view(-view.half_x, -view.half_y)
     x -= 2 * small
     step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000) if view.top / s <= 4)
     values = np.arange(0, view.top * 1.001, step)
@@ -175,7 +177,11 @@ def _frame(panel, view, title, unit_label):
         panel.plot([x - small, x], [height, height], **ink)
         panel.text(x - 1.6 * small, height, f"{value:g}", ha="right", va="center", **text)
     panel.text(x, y + view.lift * view.top + 3 * small, unit_label, ha="center", va="bottom", **text)
-    panel.set_title(title)
+    left, bottom = view(-view.half_x, -view.half_y)
+    right, back = view(view.half_x, view.half_y)
+    panel.set_xlim(left - 8 * small, right + 10 * small)
+    panel.set_ylim(bottom - 12 * small, max(back, view.lift * view.top) + 6 * small)
+    panel.set_title(title, pad=14)
     panel.set_aspect("equal")
     panel.axis("off")
 
@@ -189,7 +195,7 @@ def oblique(result, model):
         return None
     pressure, state = point.fields["pressure"], point.fields.get("state")
     traction = -point.fields["traction_x"]
-    figure, axes = plt.subplots(1, 2, figsize=(9.2, 4.3))
+    figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.4))
     half_x, half_y = extent([model])
     view = _Oblique(half_x, half_y, float(pressure.max()))
     _frame(axes[0], view, "contact pressure", r"$p_n$ [MPa]")

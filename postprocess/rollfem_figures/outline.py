@@ -26,6 +26,23 @@ def edge_function(pressure):
     return np.where(inside, square, outside)
 
 
+def loaded_runs(at, pressure):
+    """Yields (edge below, edge above, first, last + 1) of every run of loaded elements on a line, the
+    edges from p^2 continued linearly, at most one element beyond."""
+    inside = np.concatenate([[False], pressure > 0, [False]])
+    starts, ends = np.flatnonzero(~inside[:-1] & inside[1:]), np.flatnonzero(inside[:-1] & ~inside[1:])
+    step = at[1] - at[0] if len(at) > 1 else 1.0
+
+    def beyond(outer, inner):
+        fall = inner ** 2 - outer ** 2
+        return step * min(1.0, outer ** 2 / fall) if fall > 0 else 0.5 * step
+
+    for first, last in zip(starts, ends):
+        second = min(first + 1, last - 1)
+        yield (at[first] - beyond(pressure[first], pressure[second]),
+               at[last - 1] + beyond(pressure[last - 1], pressure[max(last - 2, first)]), first, last)
+
+
 def padded(model, values, outside):
     """x, y and values with a ring of elements around, so that outlines close at the border."""
     x = np.concatenate([[model.x[0] - model.dx], model.x, [model.x[-1] + model.dx]])

@@ -45,16 +45,16 @@ def _image(result, name, caption):
 
 def _asked(result):
     case = result.case
-    load = (f"F<sub>z</sub> = {tables.number(case['normal_force'])} N" if "normal_force" in case
-            else f"approach {tables.number(case.get('approach'))} mm")
+    load = (f"F<sub>z</sub> = {tables.plain(case['normal_force'])} N" if "normal_force" in case
+            else f"approach {tables.plain(case['approach'])} mm")
 
     def radius(value):
-        return "flat" if abs(value) == float("inf") else f"{tables.number(value)} mm"
+        return "flat" if abs(value) == float("inf") else f"{tables.plain(value)} mm"
 
-    return (f"<p>Wheel of rolling radius {tables.number(case['wheel_rolling_radius'])} mm "
+    return (f"<p>Wheel of rolling radius {tables.plain(case['wheel_rolling_radius'])} mm "
             f"(transverse {radius(case['wheel_transverse_radius'])}) on a rail of transverse radius "
             f"{radius(case['rail_transverse_radius'])}; {load}, friction coefficient "
-            f"{tables.number(case['friction_coefficient'])}.</p>"
+            f"{tables.plain(case['friction_coefficient'])}.</p>"
             f"<details><summary>case file {escape(result.case_file)}</summary>"
             f"<pre>{escape(result.case_text)}</pre></details>")
 
@@ -66,7 +66,7 @@ def _numbers(result):
     html = ["<h2>Patch and pressure</h2>", tables.patch_table(result),
             f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}. "
             "±: the model's own error estimate.</p>"]
-    failed = [f"{style.label(m)} at ξ = {tables.number(100 * p['longitudinal_creepage'])} %"
+    failed = [f"{style.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
               for m in result.models for p in m.points if not p["converged"]]
     if failed:
         html.insert(0, f"<p class=bad><b>Not converged:</b> {escape('; '.join(failed))}. These numbers "
@@ -74,7 +74,7 @@ def _numbers(result):
     return "".join(html + [f"<p class=say>{s}</p>" for s in tables.disagreements(result)])
 
 
-def _forces(result):
+def _forces(result, creep_curve):
     reference = selection.reference_for_forces(result)
     if reference is None:
         return ""
@@ -84,7 +84,7 @@ def _forces(result):
             tables.creepage_table(result, lambda p: p["traction_coefficient"],
                                   ("traction_coefficient", "longitudinal_force"), friction or None),
             f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}, in "
-            "percent of the friction coefficient.</p>",
+            "percent of the friction coefficient.</p>", creep_curve,
             "<h2>Largest tangential traction |p<sub>x</sub>| [MPa]</h2>",
             tables.creepage_table(result, lambda p: p["max_traction_x"],
                                   ("max_traction_x", "max_traction"), None)]
@@ -112,15 +112,18 @@ def report_html(result, figures):
     meta = f"rollfem {made['version']} ({made['commit']}), {made['started']}, {made['host']}"
     if made["processes"] > 1:
         meta += f", {made['processes']} processes"
+    def images(*starts):
+        return "".join(_image(result, n, c) for n, c in figures if n.startswith(starts))
+
     title = escape(result.title or result.case_file or "rollfem result")
     return "".join([
         "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
         '<meta name=viewport content="width=device-width,initial-scale=1">'
         f"<title>{title}</title><style>{CSS}</style></head><body>",
         f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(made['command'])}</code></p>",
-        _asked(result), _numbers(result), _forces(result),
-        "<h2>Cost</h2>", tables.cost_table(result),
-        "<h2>Figures</h2>" if figures else "", *[_image(result, n, c) for n, c in figures],
+        _asked(result), _numbers(result), images("contact_area"), _forces(result, images("creep_curve")),
+        "<h2>Tractions in the patch</h2>" if images("path", "oblique") else "",
+        images("path", "oblique"), "<h2>Cost</h2>", tables.cost_table(result),
         _notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<h2>Every load point</h2>", _details(result),
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "

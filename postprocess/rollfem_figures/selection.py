@@ -37,6 +37,10 @@ def chosen_creepages(models, count):
     """Up to `count` load points with tractions, spread over the creep curve."""
     loaded = [c for c in all_creepages(models)
               if any((p := m.at(c)) and p["max_traction"] > 0 for m in models)]
+    sticking = [any((p := m.at(c)) and p["adhesion_area"] > 0 for m in models) for c in loaded]
+    if True in sticking:  # of those that slip everywhere the first tells all
+        sliding = [c for c, sticks in zip(loaded, sticking) if not sticks]
+        loaded = [c for c in loaded if c not in sliding[1:]]
     if len(loaded) <= count:
         return loaded
     if count == 1:

@@ -11,10 +11,17 @@ def number(value, digits=5):
         return "–"
     if value == 0:
         return "0"
-    text = f"{value:.{digits}g}"
+    if isinstance(value, int) and abs(value) < 10 ** digits:
+        return str(value)
+    text = f"{value:#.{digits}g}".rstrip(".")
     if "e" in text and 1e-4 <= abs(value) < 1e7:
         text = f"{value:.0f}"
     return text.replace("-", "−")
+
+
+def plain(value):
+    """A number that the user gave, without the digits that it does not need."""
+    return f"{value:.6g}".replace("-", "−")
 
 
 def percent(value):
@@ -91,7 +98,7 @@ def creepage_table(result, value, quantities, scale):
     columns = _creepage_head(models)
     rows = []
     for creepages in selection.all_creepages(models):
-        row = [", ".join(number(creepages[k] * factor, 4) for _, k, factor in columns)]
+        row = [", ".join(plain(creepages[k] * factor) for _, k, factor in columns)]
         for model in models:
             point = model.at(creepages)
             if point is None:
@@ -132,7 +139,7 @@ ALL = [("longitudinal_force", "F<sub>x</sub> [N]"), ("lateral_force", "F<sub>y</
 def points_table(model):
     """Every scalar of every load point."""
     columns = _creepage_head([model])
-    rows = [[", ".join(number(p.creepages[k] * f, 4) for _, k, f in columns)]
+    rows = [[", ".join(plain(p.creepages[k] * f) for _, k, f in columns)]
             + [number(p[name]) for name, _ in ALL] + ["yes" if p["converged"] else "<b>no</b>"]
             for p in model.points]
     return table([", ".join(c[0] for c in columns)] + [h for _, h in ALL] + ["converged"], rows)
@@ -151,7 +158,7 @@ def disagreements(result):
             worst = _worst(model, reference, quantity)
             if worst:
                 gap, allowed, creepages = worst
-                at = f" (at ξ = {number(100 * creepages[0], 4)} %)" if len(model.points) > 1 else ""
+                at = f" (at ξ = {plain(100 * creepages[0])} %)" if len(model.points) > 1 else ""
                 sentences.append(
                     f"The {name} of {escape(style.label(model))} differs from that of "
                     f"{escape(style.label(reference))} by {number(100 * gap, 2)} %{at}, more than the "
