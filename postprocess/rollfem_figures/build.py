@@ -9,7 +9,8 @@ from .report import write_report
 def captions(result):
     """(file name, caption, function that draws it or returns None) of every figure."""
     yield ("creep_curve.svg", "Creep curve: traction coefficient of every model with friction, and "
-           "its difference to the reference model. Bars are error estimates.",
+           "below its difference to the reference model where there are several. Bars: error "
+           "estimates.",
            lambda: curves.creep_curve(result))
     for axis, across in (("x", "y"), ("y", "x")):
         yield (f"path_{axis}.svg",

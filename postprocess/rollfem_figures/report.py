@@ -23,8 +23,8 @@ pre{background:#f5f5f5;padding:.7rem;overflow-x:auto;font-size:.82rem;line-heigh
 summary{cursor:pointer;color:#0072B2}.say{border-left:4px solid #E69F00;padding:.1rem .8rem;margin:.8rem 0}
 .bad{border-left:4px solid #D55E00;padding:.1rem .8rem}
 @media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
-.scroll img{min-width:34rem}}
-@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}table,tr{break-inside:avoid}
+.scroll img{min-width:34rem}}code{overflow-wrap:anywhere}
+@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}.hint{break-before:avoid}table,tr{break-inside:avoid}
 .wide{overflow:visible}summary{display:none}}
 """
 
@@ -79,12 +79,14 @@ def _forces(result, creep_curve):
     if reference is None:
         return ""
     friction = result.case["friction_coefficient"]
-    points = [p for m in selection.friction_models(result) for p in m.points]
+    models = selection.friction_models(result)
+    several = len(models) > 1
+    points = [p for m in models for p in m.points]
     html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
             tables.creepage_table(result, lambda p: p["traction_coefficient"],
                                   ("traction_coefficient", "longitudinal_force"), friction or None),
             f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}, in "
-            "percent of the friction coefficient.</p>", creep_curve,
+            "percent of the friction coefficient.</p>" if several else "", creep_curve,
             "<h2>Largest tangential traction |p<sub>x</sub>| [MPa]</h2>",
             tables.creepage_table(result, lambda p: p["max_traction_x"],
                                   ("max_traction_x", "max_traction"), None)]
