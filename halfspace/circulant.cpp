@@ -25,6 +25,11 @@ int preconditioner_size(int n) {
   return n + n / 4;
 }
 
+/// Place of an offset between -p/2 and p/2 on a periodic line of p.
+Eigen::Index periodic_index(int offset, int p) {
+  return offset < 0 ? offset + p : offset;
+}
+
 struct Kernels {
   Field xx, yy, xy, nn, xn, yn;
 };
@@ -45,8 +50,7 @@ Kernels periodic_kernels(const ContactGrid& grid, const CombinedMaterial& materi
       const bool middle_y = 2 * j == py;
       for (const int sy : {1, -1})
         for (const int sx : {1, -1}) {
-          const Eigen::Index k =
-              static_cast<Eigen::Index>((py + sy * j) % py) * px + (px + sx * i) % px;
+          const Eigen::Index k = periodic_index(sy * j, py) * px + periodic_index(sx * i, px);
           kernels.xx[k] = a.xx;
           kernels.yy[k] = a.yy;
           kernels.nn[k] = a.nn;

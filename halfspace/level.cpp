@@ -19,7 +19,6 @@ using contact::ContactGrid;
 using contact::Creepage;
 using contact::ElementState;
 using contact::Field;
-using contact::NormalSolution;
 using contact::PointResult;
 using contact::TangentialField;
 using contact::TangentialSolution;

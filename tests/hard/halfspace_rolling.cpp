@@ -256,6 +256,36 @@ TEST(HardRolling, ForcesOfOneNewtonAndTenMeganewtonAreSimilar) {
   EXPECT_NEAR(coefficient(1e7) / usual, 1.0, 1e-5);
 }
 
+TEST(HardRolling, TheModelTakesAnyNumberOfElements) {
+  Case input = tests::thesis_case('a');
+  input.rolling.creepages = {{1e-3, 0.0, 0.0}};
+  for (const int across : {1, 2, 3, 4, 5, 7, 19}) {
+    input.contact_grid.elements_across = across;
+    const contact::PointResult point = halfspace::run_halfspace(input, {}).points[0];
+    EXPECT_NEAR(point.normal_force / 50e3, 1.0, 1e-8) << across;
+    const double error = std::abs(point.traction_coefficient / 0.21601 - 1.0);
+    if (across >= 3) {  // one or two elements carry the force and can promise no more
+      EXPECT_LE(error, std::max(0.01, 0.5 / across)) << across;
+      EXPECT_LE(error, point.error_estimate.at("traction_coefficient") + 0.01) << across;
+    }
+  }
+  input.contact_grid.cell_size = {{0.3, 0.8}};
+  const contact::PointResult given = halfspace::run_halfspace(input, {}).points[0];
+  EXPECT_NEAR(given.traction_coefficient, 0.21601, 0.005 * 0.55);
+  EXPECT_NEAR(given.semi_axis_y, 10.87295, 0.1);
+}
+
+TEST(HardRolling, UnlikeMaterialsAreRefusedNotIgnored) {
+  Case input = tests::thesis_case('a');
+  input.wheel.material.young_modulus = 70e3;
+  EXPECT_THROW(halfspace::run_halfspace(input, {}), contact::InputError);
+  // Unlike, but with the same (1 - 2 nu)/G: not coupled, and solved.
+  input.wheel.material = {210e3, 0.5};
+  input.rail.material = {70e3, 0.5};
+  input.contact_grid.elements_across = 10;
+  EXPECT_GT(halfspace::run_halfspace(input, {}).points[0].max_pressure, 0.0);
+}
+
 TEST(HardRolling, FailureIsAnErrorThatSaysHowFarItCame) {
   const Patch patch;
   const HalfspaceCompliance compliance(patch.grid(), patch.material());
