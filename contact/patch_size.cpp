@@ -34,7 +34,7 @@ double edge_beyond(const Line& inward) {
   for (int k = 0; k < count; ++k) {
     const double t = -(k + 1.0);
     basis.row(k) << 1.0, t, t * t;
-    values[k] = inward[static_cast<std::size_t>(k + 1)];
+    values[k] = inward[static_cast<std::size_t>(k) + 1];
   }
   const Eigen::Vector3d c = basis.colPivHouseholderQr().solve(values);
   // First root of c0 + c1 t + c2 t^2 outside the fitted elements: p^2 must fall towards the edge.

@@ -173,7 +173,9 @@ const ContactGrid& HalfspaceCompliance::grid() const {
 
 SurfaceField HalfspaceCompliance::apply(const SurfaceField& traction) const {
   const Implementation& own = *implementation_;
-  auto& [x, y, n] = own.spectra;
+  Spectrum& x = own.spectra[0];
+  Spectrum& y = own.spectra[1];
+  Spectrum& n = own.spectra[2];
   own.fft.forward(traction.x, x);
   own.fft.forward(traction.y, y);
   own.fft.forward(traction.n, n);
