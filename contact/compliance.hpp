@@ -9,6 +9,15 @@
 
 namespace rollfem::contact {
 
+/// What tractions do to two bodies that roll over each other.
+struct Response {
+  SurfaceField displacement;
+  /// Slip along x beyond the upwind difference of displacement.x: on a streamline of radius R a
+  /// displacement u_n towards the centre shortens the material by u_n / R. Empty where streamlines
+  /// are straight.
+  Field curvature_slip;
+};
+
 /// The whole compliance A: tractions on the wheel (MPa) -> u_wheel - u_rail (mm), all three
 /// components. Symmetric positive definite in the inner product sum over elements (times dx dy).
 class Compliance {
@@ -16,6 +25,9 @@ class Compliance {
   virtual ~Compliance() = default;
   virtual const ContactGrid& grid() const = 0;
   virtual SurfaceField apply(const SurfaceField& traction) const = 0;
+
+  /// The displacement and what else it does to the slip of steady rolling.
+  virtual Response respond(const SurfaceField& traction) const { return {apply(traction), {}}; }
 };
 
 /// The normal block A_nn with an approximate inverse for conjugate gradients.

@@ -12,20 +12,40 @@ namespace rollfem::contact {
 
 namespace {
 
-/// One vector for Anderson's least squares; all entries are displacements in mm.
-Eigen::VectorXd stacked(const SurfaceField& field) {
-  Eigen::VectorXd all(field.x.size() + field.y.size() + field.n.size());
-  all << field.x, field.y, field.n;
+/// One vector for Anderson's least squares. The slip of curved streamlines is a strain and weighs
+/// little beside the displacements; it follows them.
+Eigen::VectorXd stacked(const Response& defect) {
+  const SurfaceField& u = defect.displacement;
+  Eigen::VectorXd all(4 * u.n.size());
+  all << u.x, u.y, u.n, defect.curvature_slip;
   return all;
 }
 
-SurfaceField unstacked(const Eigen::VectorXd& all) {
-  const Eigen::Index n = all.size() / 3;
-  return {all.segment(0, n), all.segment(n, n), all.segment(2 * n, n)};
+Response unstacked(const Eigen::VectorXd& all) {
+  const Eigen::Index n = all.size() / 4;
+  return {{all.segment(0, n), all.segment(n, n), all.segment(2 * n, n)}, all.segment(3 * n, n)};
 }
 
-SurfaceField difference(const SurfaceField& a, const SurfaceField& b) {
-  return {a.x - b.x, a.y - b.y, a.n - b.n};
+Response zero_response(Eigen::Index n) {
+  return {{Field::Zero(n), Field::Zero(n), Field::Zero(n)}, Field::Zero(n)};
+}
+
+/// What the preconditioner misses.
+Response defect_of(const Response& response, const SurfaceField& halfspace) {
+  const SurfaceField& u = response.displacement;
+  Response defect{{u.x - halfspace.x, u.y - halfspace.y, u.n - halfspace.n},
+                  response.curvature_slip};
+  if (defect.curvature_slip.size() == 0) defect.curvature_slip = Field::Zero(u.n.size());
+  return defect;
+}
+
+/// Slip that a defect of the compliance adds to the rigid slip.
+TangentialField defect_slip(const Preconditioner& halfspace, const Response& defect) {
+  TangentialField slip =
+      upwind_difference(halfspace.whole.grid(), {defect.displacement.x, defect.displacement.y},
+                        halfspace.upwind_order);
+  slip.x += defect.curvature_slip;
+  return slip;
 }
 
 double rms_over(const Field& mask, const Field& values) {
@@ -43,8 +63,8 @@ bool frictionless(const CoupledProblem& problem) {
 
 /// Contact with A_half alone, the defect put in as an extra gap and an extra displacement.
 void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem& problem,
-                          const SurfaceField& defect, double tolerance, CoupledSolution& solution) {
-  NormalProblem normal{problem.undeformed_distance + defect.n, problem.normal_force,
+                          const Response& defect, double tolerance, CoupledSolution& solution) {
+  NormalProblem normal{problem.undeformed_distance + defect.displacement.n, problem.normal_force,
                        problem.approach};
   NormalOptions normal_options;
   normal_options.tolerance = std::min(normal_options.tolerance, 0.1 * tolerance);
@@ -52,8 +72,7 @@ void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem&
       solve_normal(halfspace.normal, normal, normal_options, solution.normal.pressure);
   if (frictionless(problem)) return;
 
-  const TangentialField from_defect =
-      upwind_difference(halfspace.whole.grid(), {defect.x, defect.y}, halfspace.upwind_order);
+  const TangentialField from_defect = defect_slip(halfspace, defect);
   TangentialProblem tangential{
       problem.friction_coefficient * solution.normal.pressure,
       {problem.rigid_slip.x + from_defect.x, problem.rigid_slip.y + from_defect.y}};
@@ -74,24 +93,21 @@ SurfaceField tractions(const CoupledSolution& solution) {
 /// elastic displacement (less its mean, which the approach takes up at given force), the tangential
 /// part as slip relative to the creepage load.
 double defect_residual(const Preconditioner& halfspace, const CoupledProblem& problem,
-                       const CoupledSolution& solution, const SurfaceField& defect,
-                       const SurfaceField& image) {
+                       const CoupledSolution& solution, const Response& defect) {
   const Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
-  const SurfaceField change = difference(image, defect);
-  Field normal_change = change.n;
+  const Response& image = solution.defect;
+  Field normal_change = image.displacement.n - defect.displacement.n;
   if (problem.normal_force) {
-    const double mean = change.n.dot(mask) / std::max(1.0, mask.sum());
+    const double mean = normal_change.dot(mask) / std::max(1.0, mask.sum());
     normal_change.array() -= mean;
   }
   double residual = rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
   if (!frictionless(problem)) {
-    const ContactGrid& grid = halfspace.whole.grid();
-    const double slip_change =
-        rms_over(mask, upwind_difference(grid, {change.x, change.y}, halfspace.upwind_order));
-    const TangentialField load =
-        upwind_difference(grid, {image.x, image.y}, halfspace.upwind_order);
-    const double creepage_load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, load));
-    if (creepage_load > 0.0) residual = std::max(residual, slip_change / creepage_load);
+    const TangentialField slip = defect_slip(halfspace, image);
+    const TangentialField before = defect_slip(halfspace, defect);
+    const double change = rms_over(mask, TangentialField{slip.x - before.x, slip.y - before.y});
+    const double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
+    if (load > 0.0) residual = std::max(residual, change / load);
   }
   return residual;
 }
@@ -100,11 +116,10 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
 
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
                               const CoupledProblem& problem, const OuterOptions& options,
-                              const SurfaceField& start_defect,
-                              const OuterCallback& each_iteration) {
+                              const Response& start_defect, const OuterCallback& each_iteration) {
   const Eigen::Index n = problem.undeformed_distance.size();
-  SurfaceField defect = start_defect;
-  if (defect.n.size() != n) defect = {Field::Zero(n), Field::Zero(n), Field::Zero(n)};
+  Response defect = start_defect;
+  if (defect.displacement.n.size() != n) defect = zero_response(n);
 
   Anderson anderson(options.anderson_depth);
   CoupledSolution solution;
@@ -112,18 +127,18 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     solve_preconditioner(halfspace, problem, defect, options.tolerance, solution);
     const SurfaceField traction = tractions(solution);
-    solution.displacement = compliance.apply(traction);
-    const SurfaceField image = difference(solution.displacement, halfspace.whole.apply(traction));
+    const Response response = compliance.respond(traction);
+    solution.displacement = response.displacement;
+    solution.defect = defect_of(response, halfspace.whole.apply(traction));
     solution.outer_iterations = iteration;
-    solution.residual = defect_residual(halfspace, problem, solution, defect, image);
-    solution.defect = image;
+    solution.residual = defect_residual(halfspace, problem, solution, defect);
     if (each_iteration) each_iteration(solution);
     if (solution.residual <= options.tolerance) return solution;
 
     // A changed active set can make the history misleading: begin it anew rather than follow it.
     if (solution.residual > 2.0 * best) anderson.restart();
     best = std::min(best, solution.residual);
-    defect = unstacked(anderson.next(stacked(defect), stacked(image)));
+    defect = unstacked(anderson.next(stacked(defect), stacked(solution.defect)));
   }
   throw SolveError("the outer contact iteration did not converge: relative residual " +
                    std::to_string(solution.residual) + " after " +

@@ -18,7 +18,7 @@ struct Preconditioner {
 };
 
 struct OuterOptions {
-  double tolerance = 1e-5;  ///< on the defect's change, relative to approach and creepage load
+  double tolerance = 1e-4;  ///< on the defect's change, relative to approach and creepage load
   int max_iterations = 40;
   int anderson_depth = 3;
 };
@@ -35,7 +35,7 @@ struct CoupledSolution {
   NormalSolution normal;
   TangentialSolution tangential;  ///< fields of size 0 when frictionless
   SurfaceField displacement;      ///< A p at the solution
-  SurfaceField defect;            ///< (A - A_half) p: a start for the next load point
+  Response defect;                ///< (A - A_half) p: a start for the next load point
   int outer_iterations = 0;
   double residual = 0.0;
 };
@@ -45,7 +45,7 @@ using OuterCallback = std::function<void(const CoupledSolution&)>;
 /// Throws SolveError when the outer iteration does not converge.
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
                               const CoupledProblem& problem, const OuterOptions& options = {},
-                              const SurfaceField& start_defect = {},
+                              const Response& start_defect = {},
                               const OuterCallback& each_iteration = {});
 
 }  // namespace rollfem::contact

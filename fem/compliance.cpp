@@ -66,21 +66,26 @@ const contact::ContactGrid& FemCompliance::grid() const {
 }
 
 contact::SurfaceField FemCompliance::apply(const contact::SurfaceField& traction) const {
+  return respond(traction).displacement;
+}
+
+contact::Response FemCompliance::respond(const contact::SurfaceField& traction) const {
   auto& model = *implementation_;
   model.solve(traction);
   ++model.solves;
-  auto difference = model.coupling[0].sample(model.displacements[0]);
+  const auto wheel = model.coupling[0].sample(model.displacements[0]);
   const auto rail = model.coupling[1].sample(model.displacements[1]);
-  difference.x -= rail.x;
-  difference.y -= rail.y;
-  difference.n -= rail.n;
-  return difference;
+  return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n},
+          wheel.n / model.parts[0].body->shape().rolling_radius};
 }
 
 std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceField& traction) const {
   auto& model = *implementation_;
   model.solve(traction);
-  return {model.displacements[0], model.displacements[1]};
+  std::vector<Vector> displacements(model.displacements, model.displacements + 2);
+  // Copying a vector leaves its ghost values behind.
+  for (auto& displacement : displacements) displacement.update_ghost_values();
+  return displacements;
 }
 
 int FemCompliance::solves() const {

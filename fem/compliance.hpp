@@ -3,12 +3,12 @@
 // contact element (B), so that A is symmetric by construction.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "contact/compliance.hpp"
 #include "contact/result.hpp"
 #include "fem/body.hpp"
+
+#include <memory>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -44,6 +44,9 @@ class FemCompliance : public contact::Compliance {
   ~FemCompliance() override;
   const contact::ContactGrid& grid() const override;
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
+  /// With the slip u_n / R that the wheel's displacement towards the axle brings: its streamlines
+  /// are circles, so that a rigid displacement of the wheel must give no slip.
+  contact::Response respond(const contact::SurfaceField& traction) const override;
   /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView.
   std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;
   int solves() const;  ///< apply() calls so far

@@ -141,7 +141,7 @@ class LevelRun {
   halfspace::HertzContact patch_;
   ContactGrid grid_;
   int processes_;
-  contact::SurfaceField defect_;  ///< of the load point before: a start for the next
+  contact::Response defect_;  ///< of the load point before: a start for the next
   contact::SurfaceField last_traction_;
 };
 

@@ -2,6 +2,8 @@
 // is described here once; factorisation.hpp and multigrid.hpp make them.
 #pragma once
 
+#include "contact/case.hpp"
+
 #include <deal.II/base/types.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
@@ -12,8 +14,6 @@
 #include <memory>
 #include <set>
 #include <string>
-
-#include "contact/case.hpp"
 
 namespace rollfem::fem {
 
@@ -51,8 +51,8 @@ class LinearSolver {
   /// constraints (it is condensed here). Throws contact::SolveError when the residual stays above
   /// the tolerance the solver was made with.
   virtual void solve(Vector& u, const Vector& b) const = 0;
-  virtual int last_iterations() const = 0;   ///< 0 for a factorisation
-  virtual double memory_bytes() const = 0;   ///< on this process
+  virtual int last_iterations() const = 0;  ///< 0 for a factorisation
+  virtual double memory_bytes() const = 0;  ///< on this process
   virtual std::string description() const = 0;
 };
 
