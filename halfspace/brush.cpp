@@ -18,20 +18,23 @@ struct Row {
   int j;
 };
 
-/// Tractions between the elements of a strip; they vanish at both edges.
+/// Tractions between the elements of a strip. They vanish at the leading edge, and with a finite
+/// bound at the trailing edge.
 struct StripSample {
   double traction_x, traction_y;
   int nearest;
 };
 
-StripSample sample(const StripTractions& strip, double half_length, double x) {
+StripSample sample(const StripTractions& strip, const BrushStrip& place, double x) {
   const StripElements& elements = strip.elements;
   const double position = (elements.x_first - x) / elements.step;
   const int last = elements.count - 1;
   const int nearest = std::clamp(static_cast<int>(std::lround(position)), 0, last);
   if (position <= 0.0 || position >= last) {
     const int edge = position <= 0.0 ? 0 : last;
-    const double weight = (half_length - std::abs(x)) / (0.5 * elements.step);
+    const bool vanishing = edge == 0 || std::isfinite(place.bound);
+    const double weight =
+        vanishing ? (place.half_length - std::abs(x)) / (0.5 * elements.step) : 1.0;
     return {weight * strip.traction_x[edge], weight * strip.traction_y[edge], nearest};
   }
   const int k = static_cast<int>(position);
@@ -48,7 +51,7 @@ void fill_row(const Row& row, const BrushStrip& strip, const StripTractions& tra
     const double x = row.grid.x(i);
     const int k = row.grid.index(i, row.j);
     if (std::abs(x) >= strip.half_length) continue;
-    const StripSample at = sample(tractions, strip.half_length, x);
+    const StripSample at = sample(tractions, strip, x);
     fields.traction.x[k] = at.traction_x;
     fields.traction.y[k] = at.traction_y;
     fields.slip.x[k] = tractions.slip_x[at.nearest];
@@ -159,15 +162,24 @@ void add_strip(const BrushStrip& strip, const StripTractions& tractions, double 
     totals.max_traction = std::max(totals.max_traction, std::hypot(px, py));
     totals.max_traction_x = std::max(totals.max_traction_x, std::abs(px));
   }
+  totals.contact_area += area * elements.count;
   totals.elements += elements.count;
+}
+
+std::vector<StripPlace> strip_places(double half_width, int count) {
+  const double angle = pi / count;
+  std::vector<StripPlace> places;
+  for (int j = 0; j < count; ++j) {
+    const double t = -0.5 * pi + (j + 0.5) * angle;
+    places.push_back({half_width * std::sin(t), half_width * std::cos(t) * angle});
+  }
+  return places;
 }
 
 BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, double half_width,
                        int count) {
-  const double width = 2.0 * half_width / count;
   BrushTotals totals;
-  for (int j = 0; j < count; ++j) {
-    const double y = -half_width + (j + 0.5) * width;
+  for (const auto& [y, width] : strip_places(half_width, count)) {
     const BrushStrip strip = strip_at(y);
     if (strip.half_length <= 0.0) continue;
     add_strip(strip,
@@ -193,7 +205,8 @@ void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& pro
 
 void set_totals(const BrushTotals& totals, contact::PointResult& point) {
   set_forces(totals.forces, point);
-  point.adhesion_area = totals.adhesion_area;
+  if (totals.contact_area > 0.0)
+    point.adhesion_area = point.contact_area * totals.adhesion_area / totals.contact_area;
   point.max_traction = totals.max_traction;
   point.max_traction_x = totals.max_traction_x;
 }

@@ -55,7 +55,8 @@ struct StripElements {
   int count = 0;
 };
 
-/// `count` equal elements over the length of the strip; tractions of order two.
+/// `count` equal elements over the length of the strip. Adhesion is exact; where the direction of
+/// slip turns the tractions are of first order, as Kalker's algorithm is.
 StripElements chord_elements(const BrushStrip& strip, int count);
 
 /// Tractions on the wheel (MPa) and slip at the elements of a strip.
@@ -89,6 +90,7 @@ struct BrushProblem {
 /// Forces and areas of a patch, summed over strips.
 struct BrushTotals {
   CreepForces forces;
+  double contact_area = 0.0;    ///< mm^2
   double adhesion_area = 0.0;   ///< mm^2
   double max_traction = 0.0;    ///< MPa
   double max_traction_x = 0.0;  ///< MPa
@@ -99,7 +101,17 @@ struct BrushTotals {
 void add_strip(const BrushStrip& strip, const StripTractions& tractions, double width,
                BrushTotals& totals);
 
-/// Sum over `count` strips of equal width between y = -half_width and y = half_width.
+/// A strip of the sum over a patch.
+struct StripPlace {
+  double y = 0.0;
+  double width = 0.0;
+};
+
+/// `count` strips between y = -half_width and half_width, equal in the angle of y = half_width sin
+/// t: forces that fall off like powers of an ellipse's length are summed to order four.
+std::vector<StripPlace> strip_places(double half_width, int count);
+
+/// Sum over `count` strips placed so.
 BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, double half_width,
                        int count);
 
@@ -108,7 +120,8 @@ BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, dou
 void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
                        const StripAt& strip_at, contact::PointResult& point);
 
-/// Forces, areas and largest tractions of a load point from the sum over strips.
+/// Forces, adhesion area (as a share of the point's contact area) and largest tractions of a load
+/// point from the sum over strips.
 void set_totals(const BrushTotals& totals, contact::PointResult& point);
 
 /// Error estimates "longitudinal_force", "lateral_force", "spin_moment" of a load point, by a

@@ -33,14 +33,13 @@ CarterSolution strip_solution(const contact::Case& input, const EllipticPatch& p
 
 BrushTotals sum_carter_strips(const contact::Case& input, const EllipticPatch& patch,
                               const contact::Creepage& creepage, int strips) {
-  const double width = 2.0 * patch.hertz.semi_axis_y / strips;
   BrushTotals totals;
-  for (int j = 0; j < strips; ++j) {
-    const double y = -patch.hertz.semi_axis_y + (j + 0.5) * width;
+  for (const auto& [y, width] : strip_places(patch.hertz.semi_axis_y, strips)) {
     const CarterSolution strip = strip_solution(input, patch, creepage, y);
     totals.forces.longitudinal += width * strip.force();
     totals.forces.spin_moment -= width * y * strip.force();
-    totals.adhesion_area += width * 2.0 * strip.stick_half_width();
+    totals.adhesion_area += 2.0 * width * strip.stick_half_width();
+    totals.contact_area += 2.0 * width * strip_contact(patch, y).half_width;
   }
   return totals;
 }
@@ -113,7 +112,7 @@ double CarterSolution::slip(double x) const {
   if (stick_ > 0.0) return std::copysign(saturation * unit_slip(x), creepage_);
   if (creepage_ == 0.0 || contact_.half_width == 0.0) return 0.0;
   // All slips: the rigid slip less the slope of the displacement under mu p.
-  return creepage_ - std::copysign(saturation * x / contact_.half_width, creepage_);
+  return creepage_ - std::copysign(saturation, creepage_) * x / contact_.half_width;
 }
 
 double carter_creepage(const CarterContact& contact, double force) {
@@ -136,7 +135,7 @@ contact::ModelResult run_carter(const contact::Case& input, const contact::Progr
     set_largest_tractions(point);
     const BrushTotals totals = sum_carter_strips(input, patch, point.creepage, strips);
     set_forces(totals.forces, point);
-    point.adhesion_area = totals.adhesion_area;
+    point.adhesion_area *= totals.adhesion_area / totals.contact_area;
     estimate_error(totals, sum_carter_strips(input, patch, point.creepage, (strips + 1) / 2), 2,
                    point);
   };

@@ -89,10 +89,11 @@ contact::ModelResult run_theory(const contact::Case& input, const contact::Conta
 }
 
 void set_forces(const CreepForces& forces, contact::PointResult& point) {
-  point.longitudinal_force = forces.longitudinal;
-  point.lateral_force = forces.lateral;
-  point.spin_moment = forces.spin_moment;
-  point.traction_coefficient = -forces.longitudinal / point.normal_force;
+  // Adding 0 makes no -0 of a force that vanishes.
+  point.longitudinal_force = forces.longitudinal + 0.0;
+  point.lateral_force = forces.lateral + 0.0;
+  point.spin_moment = forces.spin_moment + 0.0;
+  point.traction_coefficient = 0.0 - forces.longitudinal / point.normal_force;
 }
 
 void set_largest_tractions(contact::PointResult& point) {

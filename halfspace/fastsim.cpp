@@ -50,6 +50,13 @@ BrushTotals sum_grid_strips(const BrushProblem& problem, const HertzContact& ell
   return totals;
 }
 
+/// Measured: 2; 1.5 with the elliptic bound, taken as 1; 1 where spin turns the direction of slip.
+int convergence_order(const FastsimOptions& options, const contact::Creepage& creepage) {
+  const bool second = options.elements == FastsimElements::chord &&
+                      options.bound == BoundShape::parabolic && creepage.spin == 0.0;
+  return second ? 2 : 1;
+}
+
 }  // namespace
 
 BrushTotals fastsim(const contact::Case& input, const EllipticPatch& patch,
@@ -80,8 +87,8 @@ contact::ModelResult run_fastsim(const contact::Case& input, const contact::Prog
     fill_brush_fields(patch.grid, problem, strip_at, point);
     const BrushTotals totals = fastsim(input, patch, point.creepage, options);
     set_totals(totals, point);
-    const int order = options.elements == FastsimElements::grid ? 1 : 2;
-    estimate_error(totals, fastsim(input, patch, point.creepage, half), order, point);
+    estimate_error(totals, fastsim(input, patch, point.creepage, half),
+                   convergence_order(options, point.creepage), point);
     unknowns = 2 * totals.elements;
   };
   contact::ModelResult result =

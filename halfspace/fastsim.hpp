@@ -14,7 +14,8 @@ enum class Flexibilities {
 
 /// Where the elements of the strips lie.
 enum class FastsimElements {
-  chord,  ///< every strip divided into equal elements: order two
+  chord,  ///< every strip divided into equal elements: forces of order 2 for the parabolic bound
+          ///< without spin, 1.5 for the elliptic one, 1 with spin, which turns the slip
   grid,   ///< elements of the bounding box whose centres lie in the ellipse, the first reached by a
           ///< whole step, as in CONTACT: order one
 };

@@ -24,8 +24,7 @@ KalkerCoefficients kalker_coefficients(double semi_axis_x, double semi_axis_y,
                                        double poisson_ratio);
 
 /// The asymptotes alone, for a/b -> 0 when a < b and for b/a -> 0 otherwise: at a ratio of 0.1 they
-/// differ from the table by up to 6 % (C11, C22, C23) and 12 % (C33). No Poisson's ratio below 0 or
-/// above 0.5.
+/// differ from the table by up to 5 % (C11), 3 % (C22), 6 % (C23) and 12 % (C33).
 KalkerCoefficients kalker_asymptotes(double semi_axis_x, double semi_axis_y, double poisson_ratio);
 
 /// Tangential forces on the wheel.

@@ -53,6 +53,25 @@ contact::Field strip_pressure(const StripContact& contact, const contact::Contac
   return pressure;
 }
 
+/// The squares of the half lengths are taken as linear between the strips and up to the edges.
+double contact_area(const StripContact& contact) {
+  double area = 0.0;
+  const auto add = [&area](double width, double a, double b) {
+    if (a + b > 0.0) area += 4.0 / 3.0 * width * (a * a + a * b + b * b) / (a + b);
+  };
+  for (const StripPatch& patch : contact.normal.patches) {
+    double y = patch.y_lower;
+    double length = 0.0;
+    for (int j = patch.first; j <= patch.last; ++j) {
+      add(contact.profile.y(j) - y, length, contact.normal.half_length[j]);
+      y = contact.profile.y(j);
+      length = contact.normal.half_length[j];
+    }
+    add(patch.y_upper - y, length, 0.0);
+  }
+  return area;
+}
+
 contact::PointResult normal_part(const StripContact& contact, const contact::ContactGrid& grid) {
   const StripNormalSolution& normal = contact.normal;
   contact::PointResult point;
@@ -68,7 +87,7 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
   point.contact_length = 2.0 * point.semi_axis_x;
   point.contact_width = normal.patches.back().y_upper - normal.patches.front().y_lower;
   point.semi_axis_y = 0.5 * point.contact_width;
-  for (const double a : normal.half_length) point.contact_area += 2.0 * a * contact.profile.width;
+  point.contact_area = contact_area(contact);
   point.adhesion_area = point.contact_area;
   return point;
 }
@@ -146,7 +165,8 @@ contact::ModelResult run_strip(const contact::Case& input, const contact::Progre
     fill_fields(fine, grid, options.strip_elements, point);
     const BrushTotals totals = strip_totals(fine, point.creepage, options.strip_elements);
     set_totals(totals, point);
-    estimate_error(totals, strip_totals(coarse, point.creepage, options.strip_elements / 2), 2,
+    const int order = point.creepage.spin == 0.0 ? 2 : 1;
+    estimate_error(totals, strip_totals(coarse, point.creepage, options.strip_elements / 2), order,
                    point);
     unknowns = 2 * totals.elements;
   };
