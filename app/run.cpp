@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -34,21 +35,28 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there.
+volatile std::sig_atomic_t held_signal = 0;
+
+/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there. By
+/// handlers, not by a mask: the threads of BLAS and MPI would take a signal that is masked here.
 class SignalsHeld {
  public:
   SignalsHeld() {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
-    sigprocmask(SIG_BLOCK, &held, &before_);
+    struct sigaction hold {};
+    hold.sa_handler = [](int signal) { held_signal = signal; };
+    hold.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &hold, &before_[i]);
   }
-  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  ~SignalsHeld() {
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    if (held_signal != 0) static_cast<void>(std::raise(held_signal));
+  }
   SignalsHeld(const SignalsHeld&) = delete;
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
  private:
-  sigset_t before_{};
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, 3> before_{};
 };
 
 /// MPI for as long as the models run.

@@ -169,8 +169,9 @@ void mirror(contact::BodyField& field) {
 contact::BodyField body_field(const Body& body, const Vector& displacement,
                               const std::string& name) {
   const MPI_Comm communicator = body.dofs().get_communicator();
-  const auto processes =
-      dealii::Utilities::MPI::gather(communicator, collect(body, displacement), 0);
+  Vector ghosted(displacement);  // copies come without ghost values: whoever copied it, fetch them
+  ghosted.update_ghost_values();
+  const auto processes = dealii::Utilities::MPI::gather(communicator, collect(body, ghosted), 0);
   contact::BodyField field;
   field.name = name;
   if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0) return field;

@@ -20,13 +20,20 @@ using contact::PointResult;
 
 namespace {
 
-/// Orders of the discretisation, measured (tests/verification/halfspace_normal.cpp,
-/// halfspace_rolling.cpp): two for pressure and approach; forces of steady rolling and the patch
-/// size converge between first and second order and not evenly.
-constexpr double smooth_order = 2.0;
-constexpr double rolling_order = 1.0;
+/// How a quantity converges, measured (tests/verification/halfspace_normal.cpp and
+/// halfspace_rolling.cpp) with n elements across.
+struct Convergence {
+  double order;
+  double floor;  ///< coefficient of the smallest error believed: two grids may agree by chance
+  double floor_power;
+};
+constexpr Convergence smooth{2.0, 0.1, 2.0};      ///< pressure, approach
+constexpr Convergence patch_size{1.0, 0.5, 2.0};  ///< not evenly, between 1 and 2
+/// Forces of partial slip: up to 0.13/n of mu F_z, from the elements along the edge, in a sequence
+/// too uneven to trust the change alone.
+constexpr Convergence partial_slip{1.0, 0.15, 1.0};
 /// Estimates are made larger by this factor, as is usual for two grids (Roache 1994).
-constexpr double safety = 1.25;
+constexpr double safety = 1.5;
 
 /// Below this many elements across, a coarser level helps nobody.
 constexpr int fewest_elements_across = 10;
@@ -72,37 +79,41 @@ void check(const Case& input) {
 }
 
 /// Discretisation error of the finer of two values, relative to it or to `scale` where that is
-/// larger (a quantity that vanishes has no relative error). `floor`: no estimate is better, for the
-/// two values may agree by chance.
-double two_level_error(double fine, double coarse, double scale, double order, double floor) {
+/// larger (a quantity that vanishes has no relative error).
+double two_level_error(double fine, double coarse, double scale, const Convergence& convergence,
+                       int across) {
   const double reference = std::max(std::abs(fine), scale);
-  if (reference == 0.0) return 0.0;
-  const double change = std::abs(fine - coarse) / (std::pow(2.0, order) - 1.0);
+  if (reference == 0.0 || (fine == 0.0 && coarse == 0.0)) return 0.0;
+  const double change = std::abs(fine - coarse) / (std::pow(2.0, convergence.order) - 1.0);
+  const double floor = convergence.floor /
+                       std::pow(static_cast<double>(std::max(across, 1)), convergence.floor_power);
   return std::max(safety * change / reference, floor);
 }
 
 void estimate_errors(PointResult& fine, const PointResult& coarse, double friction, int across) {
-  const double element = 1.0 / std::max(across, 1);
   const auto set = [&](const char* name, double PointResult::*quantity, double scale,
-                       double order) {
-    const double floor = (order == smooth_order ? 0.1 : 0.5) * element * element;
+                       const Convergence& convergence) {
     fine.error_estimate[name] =
-        two_level_error(fine.*quantity, coarse.*quantity, scale, order, floor);
+        two_level_error(fine.*quantity, coarse.*quantity, scale, convergence, across);
   };
-  const double sliding = friction * fine.normal_force;
-  set("max_pressure", &PointResult::max_pressure, 0.0, smooth_order);
-  set("normal_force", &PointResult::normal_force, 0.0, smooth_order);
-  set("approach", &PointResult::approach, 0.0, smooth_order);
-  set("semi_axis_x", &PointResult::semi_axis_x, 0.0, rolling_order);
-  set("semi_axis_y", &PointResult::semi_axis_y, 0.0, rolling_order);
-  set("contact_area", &PointResult::contact_area, 0.0, rolling_order);
-  set("longitudinal_force", &PointResult::longitudinal_force, 0.01 * sliding, rolling_order);
-  set("lateral_force", &PointResult::lateral_force, 0.01 * sliding, rolling_order);
-  set("spin_moment", &PointResult::spin_moment,
-      0.01 * sliding * std::sqrt(fine.semi_axis_x * fine.semi_axis_y), rolling_order);
-  set("traction_coefficient", &PointResult::traction_coefficient, 0.01 * friction, rolling_order);
-  set("max_traction_x", &PointResult::max_traction_x, 0.01 * friction * fine.max_pressure,
-      rolling_order);
+  // Without an adhesion area tractions are the bound, as smooth as the pressure.
+  const Convergence& rolling =
+      fine.adhesion_area == 0.0 && coarse.adhesion_area == 0.0 ? smooth : partial_slip;
+  const double sliding = 0.01 * friction * fine.normal_force;
+  const double traction = 0.01 * friction * fine.max_pressure;
+  using Point = PointResult;
+  set("max_pressure", &Point::max_pressure, 0.0, smooth);
+  set("normal_force", &Point::normal_force, 0.0, smooth);
+  set("approach", &Point::approach, 0.0, smooth);
+  set("semi_axis_x", &Point::semi_axis_x, 0.0, patch_size);
+  set("semi_axis_y", &Point::semi_axis_y, 0.0, patch_size);
+  set("contact_area", &Point::contact_area, 0.0, patch_size);
+  set("longitudinal_force", &Point::longitudinal_force, sliding, rolling);
+  set("lateral_force", &Point::lateral_force, sliding, rolling);
+  set("spin_moment", &Point::spin_moment, sliding * std::sqrt(fine.semi_axis_x * fine.semi_axis_y),
+      rolling);
+  set("traction_coefficient", &Point::traction_coefficient, 0.01 * friction, rolling);
+  set("max_traction_x", &Point::max_traction_x, traction, rolling);
 }
 
 void add_notes(const Case& input, ModelResult& result) {
@@ -112,9 +123,10 @@ void add_notes(const Case& input, ModelResult& result) {
       result.grid.dx, result.grid.dy,
       input.rolling.upwind_order == contact::UpwindOrder::first ? "first" : "second"));
   result.notes.push_back(
-      "error estimates: 1.25 times the change between this grid and one of twice the cells, "
-      "divided "
-      "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1)");
+      "error estimates: 1.5 times the change between this grid and one of twice the cells, divided "
+      "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "
+      "forces "
+      "of partial slip at least 0.15 over the number of elements across");
 }
 
 }  // namespace

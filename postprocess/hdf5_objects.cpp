@@ -103,6 +103,7 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hs
 
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines) {
   std::vector<const char*> texts;
+  texts.reserve(lines.size());
   for (const std::string& line : lines) texts.push_back(line.c_str());
   const Handle type = string_type();
   return write_numbers(parent, name, {texts.size()}, type, texts.data());

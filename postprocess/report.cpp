@@ -14,8 +14,6 @@
 #include <unistd.h>
 #include <vector>
 
-extern char** environ;
-
 namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
@@ -28,7 +26,7 @@ std::string find_python() {
 
 /// The folder that must be on PYTHONPATH, given the package or the folder that holds it.
 fs::path package_parent(const fs::path& scripts) {
-  const fs::path path = fs::absolute(scripts);
+  fs::path path = fs::absolute(scripts);
   if (fs::exists(path / "rollfem_figures" / "__main__.py")) return path;
   const fs::path package = path.has_filename() ? path : path.parent_path();
   if (package.filename() == "rollfem_figures" && fs::exists(package / "__main__.py"))
@@ -52,6 +50,7 @@ std::vector<std::string> environment_with(const std::vector<std::string>& change
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> out;
+  out.reserve(texts.size() + 1);
   for (std::string& text : texts) out.push_back(text.data());
   out.push_back(nullptr);
   return out;
@@ -89,7 +88,7 @@ std::string run(std::vector<std::string> call, std::vector<std::string> environm
         "another Python in ROLLFEM_PYTHON",
         call[0], std::strerror(error));
   }
-  const std::string printed = read_to_end(ends[0]);
+  std::string printed = read_to_end(ends[0]);
   ::close(ends[0]);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;

@@ -78,6 +78,8 @@ void write_grid(hid_t model, const ContactGrid& grid) {
   write_attribute(group, "unit", std::string("mm"));
   std::vector<double> x;
   std::vector<double> y;
+  x.reserve(static_cast<std::size_t>(grid.nx));
+  y.reserve(static_cast<std::size_t>(grid.ny));
   for (int i = 0; i < grid.nx; ++i) x.push_back(grid.x(i));
   for (int j = 0; j < grid.ny; ++j) y.push_back(grid.y(j));
   describe(write_dataset(group, "x", {x.size()}, x.data()), "mm", "element centres along rolling",

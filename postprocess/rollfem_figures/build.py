@@ -9,12 +9,13 @@ from .report import write_report
 def captions(result):
     """(file name, caption, function that draws it or returns None) of every figure."""
     yield ("creep_curve.svg", "Creep curve: traction coefficient of every model with friction, and "
-           "its difference to the reference model. Bars are error estimates.",
+           "below its difference to the reference model where there are several. Bars: error "
+           "estimates.",
            lambda: curves.creep_curve(result))
     for axis, across in (("x", "y"), ("y", "x")):
         yield (f"path_{axis}.svg",
                f"Along the middle line {across} = 0: contact pressure, and tangential traction under "
-               "its bound μ p_n (thin). Where the two coincide the surfaces slip.",
+               "its bound μ pₙ (thin). Where the two coincide the surfaces slip.",
                lambda axis=axis: curves.path(result, axis))
     yield ("contact_area.svg", "Contact area of every model, and its zones of adhesion and slip. "
            "Material enters on the right.", lambda: maps.contact_area(result))

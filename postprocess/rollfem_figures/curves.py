@@ -55,6 +55,9 @@ def creep_curve(result):
                 axes[1, 0].plot(*zip(*pairs), marker=style.marker(model), markersize=4.5,
                                 **style.line(model))
     top.set_ylabel(f"traction coefficient {ratio} [-]")
+    shared = style.creepage_texts(selection.all_creepages(models))[1]
+    if shared:
+        top.set_title(shared)
     top.margins(y=0.1)
     top.legend(loc="lower right")
     if compare:
@@ -94,12 +97,10 @@ def _pressure_panel(panel, models, axis):
 
 
 def _traction_panel(panel, models, creepages, axis, with_lateral):
-    shown = None
     for model in models:
         point = model.at(creepages)
-        if point is None:
+        if point is None or not model.has_friction:
             continue
-        shown = point
         for name, sign, ink in (
                 ("traction_bound", 1, {"color": style.colour(model), "linewidth": 0.7, "alpha": 0.7}),
                 ("traction_x", -1, style.line(model)),
@@ -107,8 +108,13 @@ def _traction_panel(panel, models, creepages, axis, with_lateral):
             curve = _line_of(model, point, name, axis)
             if curve is not None and (with_lateral or name != "traction_y"):
                 panel.plot(curve[0], sign * curve[1], **ink)
-    if shown is not None:
-        panel.set_title(style.creepage_text(shown))
+
+
+def _has_lateral(model, point, axis):
+    """Whether p_y is worth a curve on this line."""
+    curve = _line_of(model, point, "traction_y", axis)
+    return (curve is not None and curve[1].size > 0 and point["max_traction"] > 0
+            and np.nanmax(np.abs(curve[1])) > 0.02 * point["max_traction"])
 
 
 def path(result, axis):
@@ -118,9 +124,8 @@ def path(result, axis):
     if not models:
         return None
     chosen = selection.chosen_creepages(models, 5)
-    with_lateral = any(np.abs(p.fields["traction_y"]).max(initial=0.0) > 0.02 * p["max_traction"]
-                       for m in models for p in m.points
-                       if "traction_y" in p.fields and p["max_traction"] > 0)
+    with_lateral = any(_has_lateral(m, p, axis) for m in models for p in m.points)
+    texts, shared = style.creepage_texts(chosen)
     columns = min(3, 1 + len(chosen))
     rows = math.ceil((1 + len(chosen)) / columns)
     figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
@@ -129,6 +134,7 @@ def path(result, axis):
     _pressure_panel(panels[0], models, axis)
     for panel, creepages in zip(panels[1:], chosen):
         _traction_panel(panel, models, creepages, axis, with_lateral)
+        panel.set_title(texts[creepages])
     tops = [p.get_ylim() for p in panels[1:1 + len(chosen)]]
     for panel in panels[1:1 + len(chosen)]:
         panel.set_ylim(min(t[0] for t in tops), max(t[1] for t in tops))
@@ -147,6 +153,9 @@ def path(result, axis):
     if chosen:
         handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
         labels.append(r"traction bound $\mu\,p_n$")
+    if shared:
+        handles.append(plt.Line2D([], [], linestyle="none"))
+        labels.append(shared)
     figure.tight_layout(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
     figure.legend(handles, labels, loc="upper center", ncol=len(labels))
     return figure

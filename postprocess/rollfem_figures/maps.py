@@ -64,12 +64,16 @@ def contact_area(result):
         return None
     zoned = [m for m in models if m.has_friction and "state" in m.points[0].fields]
     chosen = selection.chosen_creepages(zoned, 4) if zoned else []
+    texts, shared = style.creepage_texts(chosen)
     half_x, half_y = extent(models)
-    rows, columns = max(1, len(zoned)), 1 + len(chosen)
-    scale = min(1.75 / half_x, 3.4 / half_y) / 2  # inches per mm
-    width = max(2 * half_x * scale, 1.25)
-    height = 2 * half_y * scale
-    figure = plt.figure(figsize=((width + 0.35) * columns + 0.9, (height + 0.55) * rows + 0.75))
+    # Tall patches: a row for each model; wide ones: a row for each creepage.
+    tall = half_x <= 1.3 * half_y
+    rows, columns = (len(zoned), len(chosen)) if tall else (len(chosen), len(zoned))
+    rows, columns = max(1, rows), 1 + columns
+    scale = min(1.75 / half_x, 3.4 / half_y) / 2 if tall else min(2.9 / half_x, 2.2 / half_y) / 2
+    width, height = max(2 * half_x * scale, 1.25), 2 * half_y * scale  # inches
+    figure = plt.figure(figsize=((width + 0.35) * columns + 0.9,
+                                 (height + (0.55 if tall else 0.8)) * rows + 0.75))
     grid = figure.add_gridspec(rows, columns)
     left = figure.add_subplot(grid[0, 0])
     for model in models:
@@ -80,17 +84,15 @@ def contact_area(result):
     panels = [left]
     for j, model in enumerate(zoned):
         for i, creepages in enumerate(chosen):
-            panel = figure.add_subplot(grid[j, 1 + i])
+            row, column = (j, i) if tall else (i, j)
+            panel = figure.add_subplot(grid[row, 1 + column])
             panels.append(panel)
             point = model.at(creepages)
             if point is not None:
                 _zones(panel, model, point)
-                panel.set_title(f"{style.label(model)}\n{style.creepage_text(point)}")
-            if i > 0:
-                panel.tick_params(labelleft=False)
-            if j < rows - 1:
-                panel.tick_params(labelbottom=False)
-            else:
+                panel.set_title(f"{style.label(model)}\n{texts[creepages]}")
+            panel.tick_params(labelleft=column == 0, labelbottom=row == rows - 1)
+            if row == rows - 1:
                 panel.set_xlabel(r"$x$ [mm]")
     for panel in panels:
         panel.set_aspect("equal")
@@ -103,6 +105,8 @@ def contact_area(result):
     if chosen:
         handles += [patches.Patch(color=style.ADHESION_COLOUR, label="adhesion"),
                     patches.Patch(color=style.SLIP_COLOUR, label="slip")]
+    if shared:
+        handles.append(plt.Line2D([], [], linestyle="none", label=shared))
     figure.tight_layout(rect=(0, 0, 1, 1 - 0.35 / figure.get_figheight()))
     figure.legend(handles=handles, loc="upper center", ncol=len(handles))
     return figure
@@ -111,11 +115,14 @@ def contact_area(result):
 class _Oblique:
     """Cavalier projection: x to the right, y to the back and up, the traction upwards."""
 
-    def __init__(self, half_x, half_y, top):
-        self.half_x, self.half_y, self.top = half_x, half_y, top
+    def __init__(self, half_x, half_y, values):
+        self.half_x, self.half_y = half_x, half_y
+        self.low, self.top = min(0.0, float(values.min())), max(0.0, float(values.max()))
+        if self.top - self.low < 1e-9:
+            self.top = self.low + 1e-9
         self.skew = 0.75 * half_x / half_y  # all in units of half_x, whatever the patch's shape
         self.rise = 0.6 * half_x / half_y
-        self.lift = 1.5 * half_x / top
+        self.lift = 1.5 * half_x / (self.top - self.low)
 
     def __call__(self, x, y, value=0.0):
         return x + self.skew * y, self.rise * y + self.lift * value
@@ -153,34 +160,35 @@ def _frame(panel, view, title, unit_label):
     ink = {"color": style.GREY, "linewidth": 0.8, "zorder": 1}
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]
     panel.plot(*zip(*[view(a * view.half_x, b * view.half_y) for a, b in corners]), **ink)
-    text = {"fontsize": 8, "color": "#333333"}
+    text = {"fontsize": 8, "color": "#333333", "zorder": 1000}
     small = 0.05 * view.half_x
     for tick in _ticks(view.half_x):
         x, y = view(tick, -view.half_y)
         panel.plot([x, x], [y, y - small], **ink)
-        panel.text(x, y - 1.6 * small, f"{tick:g}", ha="center", va="top", **text)
+        panel.text(x, y - 1.6 * small, f"{tick:g}".replace("-", "−"), ha="center", va="top", **text)
     x, y = view(0, -view.half_y)
     panel.text(x, y - 6.5 * small, r"$x$ [mm], rolling $\rightarrow$", ha="center", va="top", **text)
     for tick in _ticks(view.half_y):
         x, y = view(view.half_x, tick)
         panel.plot([x, x + small], [y, y], **ink)
-        panel.text(x + 1.6 * small, y, f"{tick:g}", ha="left", va="center", **text)
+        panel.text(x + 1.6 * small, y, f"{tick:g}".replace("-", "−"), ha="left", va="center", **text)
     x, y = view(view.half_x, 0)
     panel.text(x + 9 * small, y, r"$y$ [mm]", ha="left", va="top", **text)
     x, y = view(-view.half_x, -view.half_y)
     x -= 2 * small
-    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000) if view.top / s <= 4)
-    values = np.arange(0, view.top * 1.001, step)
-    panel.plot([x, x], [y, y + view.lift * view.top], **ink)
+    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000) 
+                if (view.top - view.low) / s <= 5)
+    values = np.arange(np.ceil(view.low / step), np.floor(view.top / step) + 1) * step
+    panel.plot([x, x], [y + view.lift * view.low, y + view.lift * view.top], **ink)
     for value in values:
         height = y + view.lift * value
         panel.plot([x - small, x], [height, height], **ink)
-        panel.text(x - 1.6 * small, height, f"{value:g}", ha="right", va="center", **text)
+        panel.text(x - 1.6 * small, height, f"{value:g}".replace("-", "−"), ha="right", va="center", **text)
     panel.text(x, y + view.lift * view.top + 3 * small, unit_label, ha="center", va="bottom", **text)
     left, bottom = view(-view.half_x, -view.half_y)
     right, back = view(view.half_x, view.half_y)
     panel.set_xlim(left - 8 * small, right + 10 * small)
-    panel.set_ylim(bottom - 12 * small, max(back, view.lift * view.top) + 6 * small)
+    panel.set_ylim(bottom - 12 * small + 0.6 * view.lift * view.low, max(back, view.lift * view.top) + 6 * small)
     panel.set_title(title, pad=14)
     panel.set_aspect("equal")
     panel.axis("off")
@@ -195,13 +203,14 @@ def oblique(result, model):
         return None
     pressure, state = point.fields["pressure"], point.fields.get("state")
     traction = -point.fields["traction_x"]
+    text = style.creepage_texts([creepages])[0][creepages]
     figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.4))
     half_x, half_y = extent([model])
-    view = _Oblique(half_x, half_y, float(pressure.max()))
+    view = _Oblique(half_x, half_y, pressure)
     _frame(axes[0], view, "contact pressure", r"$p_n$ [MPa]")
     _strips(axes[0], view, model, pressure, None)
-    view = _Oblique(half_x, half_y, float(max(np.abs(traction).max(), 1e-9)))
-    _frame(axes[1], view, f"tangential traction, {style.creepage_text(point)}", r"$-p_x$ [MPa]")
+    view = _Oblique(half_x, half_y, traction)
+    _frame(axes[1], view, f"tangential traction, {text}", r"$-p_x$ [MPa]")
     _strips(axes[1], view, model, traction, state)
     handles = [plt.Line2D([], [], color="#0072B2", label="adhesion"),
                plt.Line2D([], [], color="#D55E00", label="slip")]

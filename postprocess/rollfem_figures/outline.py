@@ -8,22 +8,27 @@ def edge_function(pressure):
     Near the edge p^2 is linear in the distance (Hertz), so p^2 is continued linearly from the two
     outermost loaded elements to the unloaded ones beside them.
     """
-    inside = pressure > 0
-    square = np.where(inside, pressure, 0.0) ** 2
-    scale = square.max() if square.size else 0.0
-    sums, counts = np.zeros_like(square), np.zeros_like(square)
+    known = pressure > 0
+    values = np.where(known, pressure, 0.0) ** 2
+    scale = values.max() if values.size else 0.0
+    for _ in range(2):  # the second ring gives the corners between a row and a column
+        values, known = _continued(values, known, -1e-6 * scale)
+    return np.where(known, values, -0.05 * scale)
+
+
+def _continued(values, known, largest):
+    """`values` with one more ring of elements around the known ones, at most `largest` there."""
+    sums, counts = np.zeros_like(values), np.zeros_like(values)
     for axis in (0, 1):
         for step in (1, -1):
-            near, far = np.roll(square, step, axis), np.roll(square, 2 * step, axis)
-            reaches = np.roll(inside, step, axis) & ~inside
+            near, far = np.roll(values, step, axis), np.roll(values, 2 * step, axis)
+            reaches = np.roll(known, step, axis) & ~known
             border = [slice(None)] * 2
             border[axis] = slice(0, 1) if step == 1 else slice(-1, None)
             reaches[tuple(border)] = False  # what np.roll took from the other side
-            continued = np.minimum(2 * near - far, -1e-6 * scale)
-            sums += np.where(reaches, continued, 0.0)
+            sums += np.where(reaches, np.minimum(2 * near - far, largest), 0.0)
             counts += reaches
-    outside = np.where(counts > 0, sums / np.maximum(counts, 1), -0.05 * scale)
-    return np.where(inside, square, outside)
+    return np.where(known, values, sums / np.maximum(counts, 1)), known | (counts > 0)
 
 
 def loaded_runs(at, pressure):

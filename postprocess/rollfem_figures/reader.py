@@ -152,7 +152,7 @@ def read_result(path):
     directory = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
     file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
     if not os.path.exists(file):
-        raise ResultError(f"there is no {file}; run `rollfem run CASE -o {directory}` first")
+        raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
     try:
         return _read_file(file, directory)
     except (OSError, KeyError) as error:

@@ -23,9 +23,9 @@ pre{background:#f5f5f5;padding:.7rem;overflow-x:auto;font-size:.82rem;line-heigh
 summary{cursor:pointer;color:#0072B2}.say{border-left:4px solid #E69F00;padding:.1rem .8rem;margin:.8rem 0}
 .bad{border-left:4px solid #D55E00;padding:.1rem .8rem}
 @media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
-.scroll img{min-width:34rem}}
-@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}table,tr{break-inside:avoid}
-.wide{overflow:visible}summary{display:none}}
+.scroll img{min-width:34rem}tbody th{white-space:normal;min-width:5.5rem}}code{overflow-wrap:anywhere}
+@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}.hint{break-before:avoid}table,tr{break-inside:avoid}
+.wide{overflow:visible}summary,.screen{display:none}}
 """
 
 CONVENTIONS = """x is the rolling direction, and material enters the patch at large x (on the right of
@@ -38,7 +38,8 @@ coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises wit
 def _image(result, name, caption):
     with open(os.path.join(result.directory, "figures", name), "rb") as file:
         data = base64.b64encode(file.read()).decode("ascii")
-    return (f'<figure><div class=scroll><img alt="{escape(caption)}" '
+    kind = "fits" if name == "creep_curve.svg" else "scroll"  # what a phone shows whole
+    return (f'<figure><div class={kind}><img alt="{escape(caption)}" '
             f'src="data:image/svg+xml;base64,{data}"></div><figcaption>{escape(caption)}</figcaption>'
             "</figure>")
 
@@ -79,12 +80,14 @@ def _forces(result, creep_curve):
     if reference is None:
         return ""
     friction = result.case["friction_coefficient"]
-    points = [p for m in selection.friction_models(result) for p in m.points]
+    models = selection.friction_models(result)
+    several = len(models) > 1
+    points = [p for m in models for p in m.points]
     html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
             tables.creepage_table(result, lambda p: p["traction_coefficient"],
                                   ("traction_coefficient", "longitudinal_force"), friction or None),
             f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}, in "
-            "percent of the friction coefficient.</p>", creep_curve,
+            "percent of the friction coefficient.</p>" if several else "", creep_curve,
             "<h2>Largest tangential traction |p<sub>x</sub>| [MPa]</h2>",
             tables.creepage_table(result, lambda p: p["max_traction_x"],
                                   ("max_traction_x", "max_traction"), None)]
@@ -125,9 +128,9 @@ def report_html(result, figures):
         "<h2>Tractions in the patch</h2>" if images("path", "oblique") else "",
         images("path", "oblique"), "<h2>Cost</h2>", tables.cost_table(result),
         _notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
-        "<h2>Every load point</h2>", _details(result),
+        "<div class=screen><h2>Every load point</h2>", _details(result),
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
-        "path_x.csv, path_y.csv, fields/ (for ParaView), figures/.</p></body></html>\n"])
+        "path_x.csv, path_y.csv, fields/ (for ParaView), figures/.</p></div></body></html>\n"])
 
 
 def write_report(result, figures):

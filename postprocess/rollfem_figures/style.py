@@ -81,14 +81,17 @@ def creepage_axis(points):
     return choices[0]
 
 
-def creepage_text(point):
-    """What a panel shows, e.g. "ξ = 0.2 %"."""
-    xi, eta, spin = point.creepages
-    parts = []
-    if xi or not (eta or spin):
-        parts.append(rf"$\xi$ = {100 * xi:.4g} %")
-    if eta:
-        parts.append(rf"$\eta$ = {100 * eta:.4g} %")
-    if spin:
-        parts.append(rf"$\varphi$ = {spin:.4g} rad/mm")
-    return ", ".join(parts)
+def creepage_texts(creepages):
+    """What distinguishes the load points, e.g. "ξ = 0.2 %", for each of a list of (xi, eta, spin); and
+    what they share, e.g. "η = 0.1 %", empty when it is nothing."""
+    forms = [(r"$\xi$ = {:.4g} %", 100), (r"$\eta$ = {:.4g} %", 100), (r"$\varphi$ = {:.4g} rad/mm", 1)]
+    varies = [len({c[k] for c in creepages}) > 1 for k in range(3)]
+    if not any(varies):  # one point: say what is not zero
+        varies = [any(c[k] for c in creepages) for k in range(3)]
+        varies[0] = varies[0] or not any(varies)
+
+    def text(values, wanted):
+        return ", ".join(forms[k][0].format(forms[k][1] * values[k]) for k in range(3) if wanted(k))
+
+    shared = text(creepages[0], lambda k: not varies[k] and creepages[0][k]) if creepages else ""
+    return {c: text(c, lambda k: varies[k]) for c in creepages}, shared

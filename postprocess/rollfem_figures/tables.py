@@ -1,4 +1,5 @@
 """The tables of the report as HTML, from a result."""
+import math
 from html import escape
 
 from . import selection, style
@@ -14,6 +15,8 @@ def number(value, digits=5):
     if isinstance(value, int) and abs(value) < 10 ** digits:
         return str(value)
     text = f"{value:#.{digits}g}".rstrip(".")
+    if "e" in text and 1e-9 < abs(value) < 1e-3:
+        text = f"{value:.{digits - 1 - math.floor(math.log10(abs(value)))}f}"
     if "e" in text and 1e-4 <= abs(value) < 1e7:
         text = f"{value:.0f}"
     return text.replace("-", "−")

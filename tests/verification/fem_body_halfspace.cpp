@@ -1,0 +1,104 @@
+// A large flat body under a small loaded rectangle is a half-space: displacement differences
+// against the closed forms of Love and Cerruti behind halfspace::HalfspaceCompliance.
+#include "contact/geometry.hpp"
+#include "fem/compliance.hpp"
+#include "fem/factorisation.hpp"
+#include "halfspace/compliance.hpp"
+
+#include "fem_test_support.hpp"
+#include <cmath>
+
+using namespace rollfem;
+using namespace rollfem::test;
+
+namespace {
+
+constexpr contact::Material steel{210e3, 0.3};
+constexpr contact::Material soft{70e3, 0.25};
+
+class FlatBodies : public ::testing::Test {
+ protected:
+  FlatBodies() {
+    fem::BodyOptions options;
+    options.cell_size = 1.0;
+    options.fine_half_length = options.fine_half_width = 5.0;
+    options.extent = 60.0;
+    wheel = std::make_unique<fem::Body>(wheel_shape(contact::infinity, contact::infinity), steel,
+                                        options, MPI_COMM_SELF);
+    rail = std::make_unique<fem::Body>(rail_shape(contact::infinity), soft, options, MPI_COMM_SELF);
+    wheel_solver = fem::make_factorisation(wheel->problem());
+    rail_solver = fem::make_factorisation(rail->problem());
+    compliance = std::make_unique<fem::FemCompliance>(
+        fem::FemCompliance::Part{wheel.get(), wheel_solver.get()},
+        fem::FemCompliance::Part{rail.get(), rail_solver.get()}, grid);
+    halfspace = std::make_unique<halfspace::HalfspaceCompliance>(
+        contact::ContactGrid::centred(parts * grid.nx, parts * grid.ny, grid.dx / parts,
+                                      grid.dy / parts),
+        contact::combine(steel, soft));
+  }
+
+  /// A parabolic traction (1 - x^2/a^2 - y^2/b^2 where positive).
+  contact::Field bump() const {
+    return grid.sample(
+        [](double x, double y) { return std::max(0.0, 1 - x * x / 16 - y * y / 16); });
+  }
+  /// The same piecewise constant tractions on the half-space. It gives displacement at element
+  /// centres, finite elements give means: so every element is divided into parts x parts.
+  contact::SurfaceField halfspace_mean(const contact::SurfaceField& load) const {
+    const auto& fine = halfspace->grid();
+    const auto divide = [&](const contact::Field& field) {
+      contact::Field values(fine.size());
+      for (int j = 0; j < fine.ny; ++j)
+        for (int i = 0; i < fine.nx; ++i)
+          values[fine.index(i, j)] = field[grid.index(i / parts, j / parts)];
+      return values;
+    };
+    const auto mean = [&](const contact::Field& field) {
+      contact::Field values = zero();
+      for (int j = 0; j < fine.ny; ++j)
+        for (int i = 0; i < fine.nx; ++i)
+          values[grid.index(i / parts, j / parts)] += field[fine.index(i, j)] / (parts * parts);
+      return values;
+    };
+    const auto u = halfspace->apply({divide(load.x), divide(load.y), divide(load.n)});
+    return {mean(u.x), mean(u.y), mean(u.n)};
+  }
+  contact::Field zero() const { return contact::Field::Zero(grid.size()); }
+
+  static constexpr int parts = 9;
+  contact::ContactGrid grid = contact::ContactGrid::centred(10, 10, 1.0, 1.0);
+  std::unique_ptr<fem::Body> wheel, rail;
+  std::unique_ptr<fem::LinearSolver> wheel_solver, rail_solver;
+  std::unique_ptr<fem::FemCompliance> compliance;
+  std::unique_ptr<halfspace::HalfspaceCompliance> halfspace;
+};
+
+/// `fe` against `exact` for one component: relative to `scale`, a constant aside.
+void expect_close(const contact::Field& fe, const contact::Field& exact, double scale,
+                  double tolerance) {
+  const contact::Field difference = fe - exact;
+  const double spread = (difference.array() - difference.mean()).abs().maxCoeff();
+  EXPECT_LT(spread, tolerance * scale);
+}
+
+TEST_F(FlatBodies, DisplacementMatchesTheHalfSpaceUpToTheFarBoundary) {
+  const contact::SurfaceField loads[3] = {
+      {bump(), zero(), zero()}, {zero(), bump(), zero()}, {zero(), zero(), bump()}};
+  for (int k = 0; k < 3; ++k) {
+    const auto fe = compliance->apply(loads[k]);
+    const auto exact = halfspace_mean(loads[k]);
+    const contact::Field* loaded[3] = {&exact.x, &exact.y, &exact.n};
+    const contact::Field* loaded_fe[3] = {&fe.x, &fe.y, &fe.n};
+    const double scale = loaded[k]->maxCoeff();
+    // All nine blocks: also the coupling of x and y, and of unlike materials, with their signs.
+    expect_close(fe.x, exact.x, scale, 0.002);
+    expect_close(fe.y, exact.y, scale, 0.002);
+    expect_close(fe.n, exact.n, scale, 0.002);
+    // Clamped 60 mm away: stiffer by some a/L = 4/60, never softer.
+    const double shift = (*loaded_fe[k] - *loaded[k]).mean() / scale;
+    EXPECT_LT(shift, 0.0);
+    EXPECT_GT(shift, -0.08);
+  }
+}
+
+}  // namespace
