@@ -214,15 +214,17 @@ void set_totals(const BrushTotals& totals, contact::PointResult& point) {
 void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int order,
                     contact::PointResult& point) {
   const double divisor = (1 << order) - 1;
-  const auto estimate = [&](const char* name, double CreepForces::*member) {
+  const double force = std::hypot(totals.forces.longitudinal, totals.forces.lateral);
+  const auto estimate = [&](const char* name, double CreepForces::*member, double scale) {
     const double value = totals.forces.*member;
-    if (value == 0.0) return;
+    // What vanishes by symmetry is rounding, of which no relative error can be told.
+    if (std::abs(value) <= 1e-10 * scale) return;
     point.error_estimate[name] =
         std::abs(value - coarse.forces.*member) / (divisor * std::abs(value));
   };
-  estimate("longitudinal_force", &CreepForces::longitudinal);
-  estimate("lateral_force", &CreepForces::lateral);
-  estimate("spin_moment", &CreepForces::spin_moment);
+  estimate("longitudinal_force", &CreepForces::longitudinal, force);
+  estimate("lateral_force", &CreepForces::lateral, force);
+  estimate("spin_moment", &CreepForces::spin_moment, force * std::sqrt(totals.contact_area));
 }
 
 }  // namespace rollfem::halfspace

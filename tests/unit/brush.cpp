@@ -169,6 +169,27 @@ TEST(Fastsim, ErrorEstimateCoversTheErrorOfResolution) {
     }
 }
 
+TEST(Fastsim, HoldsFromNarrowToWidePatchesAndFromLittleToMuchFriction) {
+  for (const double rail_radius : {0.5, 3e5})
+    for (const double friction : {1e-4, 500.0})
+      for (const double force : {1.0, 1e7}) {
+        contact::Case input = scene(rail_radius);
+        input.friction_coefficient = friction;
+        input.load.normal_force = force;
+        const EllipticPatch patch = elliptic_patch(input);
+        const HertzContact& hertz = patch.hertz;
+        EXPECT_GT(std::abs(std::log(hertz.semi_axis_x / hertz.semi_axis_y)), std::log(50.0));
+        const contact::Creepage small{1e-12, 2e-12, 0};
+        const CreepForces linear = linear_creep_forces(hertz.semi_axis_x, hertz.semi_axis_y,
+                                                       patch.material.shear_modulus, 0.3, small);
+        const CreepForces sum = fastsim(input, patch, small).forces;
+        EXPECT_NEAR(sum.longitudinal / linear.longitudinal, 1.0, 1e-3);
+        EXPECT_NEAR(sum.lateral / linear.lateral, 1.0, 1e-3);
+        const CreepForces large = fastsim(input, patch, {1e6, 0, 0}).forces;
+        EXPECT_NEAR(-large.longitudinal / (friction * force), 1.0, 1e-4);
+      }
+}
+
 TEST(Fastsim, WithoutFrictionHasNoForce) {
   contact::Case input = scene();
   input.friction_coefficient = 0.0;

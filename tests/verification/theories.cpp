@@ -113,13 +113,13 @@ TEST(TheoriesOfCaseA, StripModelHasTheSeedStudysPatchButHertzsPressure) {
 }
 
 TEST(LinearTheory, HasTheInitialSlopeOfTheHalfspaceSolution) {
-  // The table is good to 1 % and the half-space converges slowly at the trailing edge: 2 %.
+  // The table is good to about 1 %; the solver and the table come from different hands.
   for (const double rail_radius : {2000.0, 500.0, 100.0}) {
     contact::Case input = thesis_case(rail_radius, {1e-6});
     input.contact_grid.elements_across = 40;
     const double linear = run_linear(input, {}).points[0].traction_coefficient;
     const double halfspace = run_halfspace(input, {}).points[0].traction_coefficient;
-    EXPECT_NEAR(halfspace / linear, 1.0, 0.02) << rail_radius;
+    EXPECT_NEAR(halfspace / linear, 1.0, 0.01) << rail_radius;
   }
 }
 
