@@ -25,8 +25,27 @@ using contact::Case;
 using contact::ContactGrid;
 using contact::PointResult;
 
-/// Measured: a factorisation serves up to this many unknowns a body in time and memory (5 GB).
-constexpr double factorisation_limit = 400e3;
+/// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/verification.md): a
+/// factorisation and one solve with it, one solve by multigrid. Only their ratio matters.
+double factorisation_seconds(double n) {
+  return 8.0 * std::pow(n / 105e3, 2.0);
+}
+double factor_solve_seconds(double n) {
+  return 0.1 * std::pow(n / 105e3, 4.0 / 3.0);
+}
+double multigrid_solve_seconds(double n) {
+  return 0.45 * n / 105e3;
+}
+
+/// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
+constexpr double largest_factor = 5e9;
+
+/// Finest cells reach this many semi-axes: more gains nothing (docs/verification.md).
+constexpr double default_reach = 1.1;
+
+/// FE solves per load point and for the normal problem alone, as observed.
+constexpr double solves_per_point = 6.0;
+constexpr double solves_for_normal = 4.0;
 
 /// Elements of the potential contact area beyond Hertz's ellipse, each side.
 constexpr int margin = 3;
@@ -66,7 +85,7 @@ ContactGrid lattice_grid(double a, double b, double cell) {
 
 BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch,
                          const ContactGrid& grid, double cell) {
-  const double reach = input.fem.fine_extent.value_or(1.5);
+  const double reach = input.fem.fine_extent.value_or(default_reach);
   BodyOptions options;
   options.cell_size = cell;
   options.fine_half_length = std::max(reach * patch.semi_axis_x, 0.5 * grid.nx * grid.dx);
@@ -77,20 +96,27 @@ BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch
   return options;
 }
 
+/// The solver that is expected to be quicker for this number of solves and fits into memory.
 bool use_factorisation(const Case& input, const Body& body, int processes) {
   switch (input.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
       if (processes > 1)
         throw contact::InputError(
-            "[fem] linear_solver = \"factorisation\" works in one process only; use \"multigrid\" "
-            "or \"automatic\" with mpirun");
+            input.file +
+            ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
+            "mpirun: \"multigrid\" or \"automatic\"; do: change it or run without mpirun");
       return true;
     case contact::LinearSolver::multigrid:
       return false;
     case contact::LinearSolver::automatic:
       break;
   }
-  return processes == 1 && static_cast<double>(body.unknowns()) <= factorisation_limit;
+  const double n = static_cast<double>(body.unknowns());
+  const double solves =
+      solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
+  return processes == 1 && predicted_factor_bytes(n) < largest_factor &&
+         factorisation_seconds(n) + solves * factor_solve_seconds(n) <
+             solves * multigrid_solve_seconds(n);
 }
 
 struct Solvers {
