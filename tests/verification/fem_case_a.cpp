@@ -106,6 +106,7 @@ TEST(FemCaseA, ErrorEstimatesCoverTheTrueErrorsAndAreOfTheirSize) {
     EXPECT_LT(estimate, 0.1) << name;
   };
   check("max_pressure", point.max_pressure, exact_p0);
+  check("approach", point.approach, 0.0473108);
   check("semi_axis_x", point.semi_axis_x, exact_a);
   check("semi_axis_y", point.semi_axis_y, exact_b);
 }
