@@ -41,7 +41,8 @@ void check_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2) throw contact::InputError("no command is given; " + allowed);
   const std::string name = argv[1];
   if (name.empty() || name.front() == '-') return;
-  if (program.get_subcommand_no_throw(name) == nullptr)
+  const auto is_named = [&](const CLI::App* command) { return command->check_name(name); };
+  if (program.get_subcommands(is_named).empty())
     throw contact::InputError(fmt::format("{}: there is no such command; {}", name, allowed));
 }
 
@@ -99,6 +100,7 @@ void add_commands(CLI::App& program, Call& call) {
   run->add_option("-o,--output", call.run.directory,
                   "folder for the results; without it results/<name of the case file>");
   run->add_flag("-q,--quiet", call.run.quiet, "print errors and warnings only");
+  run->add_flag("!--no-report", call.run.report, "write results only, no figures and no report");
   run->callback([&call] {
     settle_run(call.run);
     app::run(call.run);

@@ -13,6 +13,8 @@ namespace rollfem::app {
 namespace {
 
 constexpr auto redraw_interval = std::chrono::milliseconds(100);
+// In a log, a stage of many slow load points is also heard of in between.
+constexpr auto longest_silence = std::chrono::seconds(10);
 
 std::size_t terminal_width() {
   winsize size{};
@@ -23,7 +25,7 @@ std::size_t terminal_width() {
 }  // namespace
 
 std::string progress_line(const contact::ProgressEvent& event, double seconds) {
-  std::string line = fmt::format("{:<10} {:<12}", event.model, event.stage);
+  std::string line = fmt::format("{:<10} {:<18}", event.model, event.stage);
   if (event.point > 0)
     line += fmt::format(" {}/{} xi {:<7g}", event.point, event.points, event.creepage);
   if (event.iteration > 0) line += fmt::format(" it {:<3}", event.iteration);
@@ -44,14 +46,19 @@ ProgressDisplay::Mode ProgressDisplay::mode_of_stderr() {
 void ProgressDisplay::show(const contact::ProgressEvent& event) {
   if (mode_ == Mode::silent) return;
   const auto now = Clock::now();
-  const std::string stage = fmt::format("{}/{}/{}", event.model, event.stage, event.point);
+  const std::string stage = event.model + '/' + event.stage;
   if (stage != stage_) {
     stage_ = stage;
     stage_begin_ = now;
-    last_drawn_ = {};
+    last_shown_ = mode_ == Mode::plain ? now : Clock::time_point();
   }
-  if (!event.finished && (mode_ == Mode::plain || now - last_drawn_ < redraw_interval)) return;
-  last_drawn_ = now;
+  // The load points of a stage share its line.
+  const bool complete = event.finished && event.point == event.points;
+  const auto since = now - last_shown_;
+  if (!complete &&
+      (mode_ == Mode::plain ? !event.finished || since < longest_silence : since < redraw_interval))
+    return;
+  last_shown_ = now;
   std::string line =
       progress_line(event, std::chrono::duration<double>(now - stage_begin_).count());
   if (mode_ == Mode::terminal) {
@@ -60,8 +67,8 @@ void ProgressDisplay::show(const contact::ProgressEvent& event) {
     if (line.size() >= width) line.resize(width - 1);
     line = "\r\033[K" + line;
   }
-  if (event.finished || mode_ == Mode::plain) line += '\n';
-  line_open_ = mode_ == Mode::terminal && !event.finished;
+  if (complete || mode_ == Mode::plain) line += '\n';
+  line_open_ = mode_ == Mode::terminal && !complete;
   std::fwrite(line.data(), 1, line.size(), stderr);
   std::fflush(stderr);
 }

@@ -1,5 +1,5 @@
 // Progress of a run on stderr: in a terminal one line that is written over, elsewhere one plain
-// line for every finished stage.
+// line for every finished stage (and for slow load points within it).
 #pragma once
 
 #include "contact/progress.hpp"
@@ -29,9 +29,9 @@ class ProgressDisplay {
   using Clock = std::chrono::steady_clock;
 
   Mode mode_;
-  std::string stage_;  ///< model, stage and point that the clock runs for
+  std::string stage_;  ///< model and stage that the clock runs for
   Clock::time_point stage_begin_ = Clock::now();
-  Clock::time_point last_drawn_;
+  Clock::time_point last_shown_;
   bool line_open_ = false;
 };
 

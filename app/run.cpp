@@ -15,8 +15,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <functional>
@@ -31,21 +35,28 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there.
+volatile std::sig_atomic_t held_signal = 0;
+
+/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there. By
+/// handlers, not by a mask: the threads of BLAS and MPI would take a signal that is masked here.
 class SignalsHeld {
  public:
   SignalsHeld() {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
-    sigprocmask(SIG_BLOCK, &held, &before_);
+    struct sigaction hold {};
+    hold.sa_handler = [](int signal) { held_signal = signal; };
+    hold.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &hold, &before_[i]);
   }
-  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  ~SignalsHeld() {
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    if (held_signal != 0) static_cast<void>(std::raise(held_signal));
+  }
   SignalsHeld(const SignalsHeld&) = delete;
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
  private:
-  sigset_t before_{};
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, 3> before_{};
 };
 
 /// MPI for as long as the models run.
@@ -88,17 +99,20 @@ fs::path output_directory(const RunRequest& request) {
 void check_output_directory(const fs::path& directory) {
   std::error_code error;
   fs::path existing = fs::absolute(directory, error).lexically_normal();
-  if (existing.filename().empty()) existing = existing.parent_path();
-  if (!fs::exists(existing, error)) {
-    while (!fs::exists(existing, error) && existing.has_relative_path())
-      existing = existing.parent_path();
-  }
-  const char* wrong = nullptr;
-  if (!fs::is_directory(existing, error))
+  while (!fs::exists(existing, error) && existing.has_relative_path())
+    existing = existing.parent_path();
+  std::string wrong;
+  if (!fs::is_directory(existing, error)) {
     wrong = "is a file, not a folder";
-  else if (access(existing.c_str(), W_OK | X_OK) != 0)
-    wrong = "is not writable";
-  if (wrong != nullptr)
+  } else {
+    // Permissions alone do not tell: read-only and special file systems refuse even root.
+    std::string probe = (existing / ".rollfem-XXXXXX").string();
+    if (mkdtemp(probe.data()) == nullptr)
+      wrong = fmt::format("cannot be written to ({})", std::strerror(errno));
+    else
+      rmdir(probe.c_str());
+  }
+  if (!wrong.empty())
     throw contact::InputError(fmt::format("-o {}: {} {}; do: name another folder with -o",
                                           directory.string(), existing.string(), wrong));
 }
@@ -119,8 +133,9 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
     const SignalsHeld held;
     postprocess::write_results(directory.string(), record);
   }
-  const std::string problem =
-      postprocess::make_report(directory.string(), script_directory().string());
+  std::string problem;
+  if (request.report)
+    problem = postprocess::make_report(directory.string(), script_directory().string());
   if (!problem.empty())
     std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
   if (request.quiet) return;
@@ -128,7 +143,8 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   for (const contact::ModelResult& model : record.models)
     for (const std::string& note : model.notes) std::cout << '\n' << model.name << ": " << note;
   std::cout << "\n\nresults: " << directory.string() << '\n';
-  if (problem.empty()) std::cout << "report:  " << (directory / "report.html").string() << '\n';
+  if (request.report && problem.empty())
+    std::cout << "report:  " << (directory / "report.html").string() << '\n';
 }
 
 }  // namespace

@@ -70,27 +70,6 @@ std::string template_key(const Key& key) {
   return text;
 }
 
-std::string kind_name(KeyKind kind) {
-  switch (kind) {
-    case KeyKind::text:
-    case KeyKind::word:
-      return "text";
-    case KeyKind::words:
-      return "list of texts";
-    case KeyKind::number:
-      return "number";
-    case KeyKind::integer:
-      return "whole number";
-    case KeyKind::boolean:
-      return "true or false";
-    case KeyKind::pair:
-      return "list of two numbers";
-    case KeyKind::numbers:
-      return "number or list";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string describe(const Case& input) {
@@ -132,13 +111,12 @@ std::string case_reference_markdown() {
     text += section.name.empty()
                 ? "\n## Before the first section\n\n"
                 : fmt::format("\n## [{}]\n\n{}.\n\n", section.name, section.sentence);
-    text += "| key | symbol | type | unit | allowed | default | meaning |\n";
-    text += "|---|---|---|---|---|---|---|\n";
+    text += "| key | symbol | unit | allowed | default | meaning |\n";
+    text += "|---|---|---|---|---|---|\n";
     for (const Key& key : case_keys())
       if (key.section == section.name)
-        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", key.name, key.symbol,
-                            kind_name(key.kind), key.unit, allowed_values(key), default_text(key),
-                            key.sentence);
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
+                            allowed_values(key), default_text(key), key.sentence);
   }
   return text;
 }

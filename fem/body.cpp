@@ -106,7 +106,7 @@ void make_coarse_mesh(const SurfaceShape& shape, const BodyOptions& options, Tri
   const double first = options.cell_size * std::exp2(coarse_level(options));
   const auto along = outward_steps(first, options.fine_half_length, options.extent);
   const auto across = outward_steps(first, options.fine_half_width, options.extent);
-  const auto down = outward_steps(first, 0.0, options.extent);
+  const auto down = outward_steps(first, options.fine_depth * options.cell_size, options.extent);
   const std::vector<std::vector<double>> steps{both_ways(along),
                                                options.half ? across : both_ways(across),
                                                shape.is_wheel ? down : reversed(down)};

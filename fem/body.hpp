@@ -44,8 +44,8 @@ struct BodyOptions {
   double extent = 60;           ///< mm, half length, half width and depth of the segment
   bool half = false;            ///< only t >= 0, symmetry plane t = 0
   int degree = 2;
-  double fine_depth = 3;  ///< the fine region reaches that many cells below the surface
-  double growth = 0.5;    ///< cells may be cell_size + growth * distance from the fine region
+  double fine_depth = 2;  ///< the fine region reaches that many cells below the surface
+  double growth = 1;      ///< cells may be cell_size + growth * distance from the fine region
 };
 
 /// Surface cells of the fine region lie on a lattice: lines at s = i h and t = j h with integers

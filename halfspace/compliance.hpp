@@ -2,10 +2,10 @@
 // Normal, tangential and steady-rolling blocks for the contact solvers, and the whole map.
 #pragma once
 
-#include <memory>
-
 #include "contact/compliance.hpp"
 #include "contact/geometry.hpp"
+
+#include <memory>
 
 namespace rollfem::halfspace {
 

@@ -21,6 +21,14 @@ struct HertzContact {
 HertzContact hertz_from_force(double A, double B, double contact_modulus, double normal_force);
 HertzContact hertz_from_approach(double A, double B, double contact_modulus, double approach);
 
+/// Hertz's contact for the radii, materials and load of a case. Throws contact::InputError when the
+/// radii do not make an elliptic contact.
+HertzContact hertz_of_case(const contact::Case& input);
+
+/// u_wheel - u_rail in mm, normal component, at any point of the surface: inside the patch
+/// approach - h, outside the closed form with the confocal ellipse.
+double hertz_displacement(const HertzContact& contact, double contact_modulus, double x, double y);
+
 /// Line contact h = x^2 / (2 R), force per unit length in N/mm.
 struct HertzLine {
   double half_width = 0.0;    ///< mm

@@ -1,0 +1,21 @@
+// Size of the contact patch below the element size, from the pressure: at the edge of a smooth
+// contact p^2 falls linearly to zero.
+#pragma once
+
+#include "contact/grid.hpp"
+
+namespace rollfem::contact {
+
+struct PatchSize {
+  double length = 0.0;  ///< mm, extent in x
+  double width = 0.0;   ///< mm, extent in y
+  double area = 0.0;    ///< mm^2
+};
+
+/// The edge along every row and column of elements is the root of a parabola through p^2 of the
+/// outer interior elements (the edge element itself, partly covered, is left out). Where there are
+/// too few of them, or the pressure does not fall to an edge (a punch), the element's border
+/// counts.
+PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
+
+}  // namespace rollfem::contact

@@ -1,0 +1,52 @@
+#include "contact/result.hpp"
+
+#include "contact/patch_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// An empty component counts as zero: frictionless results carry no tangential tractions.
+Field filled(const Field& field, Eigen::Index size) {
+  return field.size() == size ? field : Field(Field::Zero(size));
+}
+
+}  // namespace
+
+void integrate_tractions(const ContactGrid& grid, PointResult& point) {
+  const Field& pressure = point.fields.traction.n;
+  const Field px = filled(point.fields.traction.x, pressure.size());
+  const Field py = filled(point.fields.traction.y, pressure.size());
+  const double area = grid.element_area();
+  const Field x = grid.sample([](double at, double) { return at; });
+  const Field y = grid.sample([](double, double at) { return at; });
+  point.normal_force = area * pressure.sum();
+  point.longitudinal_force = area * px.sum();
+  point.lateral_force = area * py.sum();
+  point.spin_moment = area * (x.dot(py) - y.dot(px));
+  // 0.0 - keeps a force of zero from giving a coefficient of minus zero.
+  point.traction_coefficient =
+      point.normal_force > 0.0 ? 0.0 - point.longitudinal_force / point.normal_force : 0.0;
+  point.max_pressure = pressure.maxCoeff();
+  point.max_traction = std::sqrt((px.array().square() + py.array().square()).maxCoeff());
+  point.max_traction_x = px.cwiseAbs().maxCoeff();
+
+  const PatchSize patch = patch_size(grid, pressure);
+  point.contact_length = patch.length;
+  point.contact_width = patch.width;
+  point.semi_axis_x = 0.5 * patch.length;
+  point.semi_axis_y = 0.5 * patch.width;
+  point.contact_area = patch.area;
+  const auto count = [&](ElementState state) {
+    return static_cast<double>(
+        std::count(point.fields.state.begin(), point.fields.state.end(), state));
+  };
+  const double adhesion = count(ElementState::adhesion);
+  const double contact = adhesion + count(ElementState::slip);
+  point.adhesion_area = contact > 0.0 ? patch.area * adhesion / contact : 0.0;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,32 @@
+// One resolution of the model "halfspace": the normal problem once, then every load point. Levels
+// start from each other: the next coarser one gives the first guess and the error estimate.
+#pragma once
+
+#include "contact/defect_correction.hpp"
+#include "contact/model.hpp"
+#include "halfspace/compliance.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// What a finer level needs of a coarser one besides its results: p_t / g, between -1 and 1.
+struct LevelResult {
+  contact::ContactGrid grid;
+  contact::NormalSolution normal;
+  std::vector<contact::TangentialField> relative_traction;  ///< per load point; may be empty
+  std::vector<contact::PointResult> points;
+  double setup_seconds = 0.0;
+  double normal_seconds = 0.0;
+  double tangential_seconds = 0.0;
+};
+
+/// Solves all load points with cells of dx by dy. `coarser` may be null. `stage_prefix` stands
+/// before the stage names of the progress events.
+LevelResult solve_level(const contact::Case& input, double dx, double dy,
+                        const LevelResult* coarser, const std::string& stage_prefix,
+                        const contact::Progress& progress);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,163 @@
+#include "halfspace/model.hpp"
+
+#include "contact/errors.hpp"
+#include "contact/geometry.hpp"
+#include "halfspace/hertz.hpp"
+#include "halfspace/level.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace rollfem::halfspace {
+
+using contact::Case;
+using contact::ModelResult;
+using contact::PointResult;
+
+namespace {
+
+/// How a quantity converges, measured (tests/verification/halfspace_normal.cpp and
+/// halfspace_rolling.cpp) with n elements across.
+struct Convergence {
+  double order;
+  double floor;  ///< coefficient of the smallest error believed: two grids may agree by chance
+  double floor_power;
+};
+constexpr Convergence smooth{2.0, 0.1, 2.0};      ///< pressure, approach
+constexpr Convergence patch_size{1.0, 0.5, 2.0};  ///< not evenly, between 1 and 2
+/// Forces of partial slip: up to 0.13/n of mu F_z, from the elements along the edge, in a sequence
+/// too uneven to trust the change alone.
+constexpr Convergence partial_slip{1.0, 0.15, 1.0};
+/// Estimates are made larger by this factor, as is usual for two grids (Roache 1994).
+constexpr double safety = 1.5;
+
+/// Below this many elements across, a coarser level helps nobody.
+constexpr int fewest_elements_across = 10;
+
+struct Cell {
+  double dx;
+  double dy;
+  int across;  ///< elements along the smaller side of the patch
+};
+
+Cell finest_cell(const Case& input) {
+  const HertzContact hertz = hertz_of_case(input);
+  const double length = 2.0 * hertz.semi_axis_x;
+  const double width = 2.0 * hertz.semi_axis_y;
+  if (input.contact_grid.cell_size) {
+    const auto& [dx, dy] = *input.contact_grid.cell_size;
+    return {dx, dy, static_cast<int>(std::min(length / dx, width / dy))};
+  }
+  const int across = input.contact_grid.elements_across;
+  return {length / across, width / across, across};
+}
+
+/// The finest level last. There are always two, for the error estimate.
+std::vector<Cell> cells_of_levels(const Case& input) {
+  std::vector<Cell> cells{finest_cell(input)};
+  while (cells.size() < 2 || cells.back().across / 2 >= fewest_elements_across) {
+    const Cell& fine = cells.back();
+    cells.push_back({2.0 * fine.dx, 2.0 * fine.dy, fine.across / 2});
+  }
+  std::reverse(cells.begin(), cells.end());
+  return cells;
+}
+
+void check(const Case& input) {
+  const contact::CombinedMaterial material =
+      contact::combine(input.wheel.material, input.rail.material);
+  if (std::abs(material.difference) > 1e-12)
+    throw contact::InputError(fmt::format(
+        "{}: model halfspace: wheel and rail are of unlike materials (K = {:.4g}): normal and "
+        "tangential problem are coupled, which this model does not do yet; allowed: equal "
+        "young_modulus and poisson_ratio; do: run with --model fem",
+        input.file, material.difference));
+}
+
+/// Discretisation error of the finer of two values, relative to it or to `scale` where that is
+/// larger (a quantity that vanishes has no relative error).
+double two_level_error(double fine, double coarse, double scale, const Convergence& convergence,
+                       int across) {
+  const double reference = std::max(std::abs(fine), scale);
+  if (reference == 0.0 || (fine == 0.0 && coarse == 0.0)) return 0.0;
+  const double change = std::abs(fine - coarse) / (std::pow(2.0, convergence.order) - 1.0);
+  const double floor = convergence.floor /
+                       std::pow(static_cast<double>(std::max(across, 1)), convergence.floor_power);
+  return std::max(safety * change / reference, floor);
+}
+
+void estimate_errors(PointResult& fine, const PointResult& coarse, double friction, int across) {
+  const auto set = [&](const char* name, double PointResult::*quantity, double scale,
+                       const Convergence& convergence) {
+    fine.error_estimate[name] =
+        two_level_error(fine.*quantity, coarse.*quantity, scale, convergence, across);
+  };
+  // Without an adhesion area tractions are the bound, as smooth as the pressure.
+  const Convergence& rolling =
+      fine.adhesion_area == 0.0 && coarse.adhesion_area == 0.0 ? smooth : partial_slip;
+  const double sliding = 0.01 * friction * fine.normal_force;
+  const double traction = 0.01 * friction * fine.max_pressure;
+  using Point = PointResult;
+  set("max_pressure", &Point::max_pressure, 0.0, smooth);
+  set("normal_force", &Point::normal_force, 0.0, smooth);
+  set("approach", &Point::approach, 0.0, smooth);
+  set("semi_axis_x", &Point::semi_axis_x, 0.0, patch_size);
+  set("semi_axis_y", &Point::semi_axis_y, 0.0, patch_size);
+  set("contact_area", &Point::contact_area, 0.0, patch_size);
+  set("longitudinal_force", &Point::longitudinal_force, sliding, rolling);
+  set("lateral_force", &Point::lateral_force, sliding, rolling);
+  set("spin_moment", &Point::spin_moment, sliding * std::sqrt(fine.semi_axis_x * fine.semi_axis_y),
+      rolling);
+  set("traction_coefficient", &Point::traction_coefficient, 0.01 * friction, rolling);
+  set("max_traction_x", &Point::max_traction_x, traction, rolling);
+}
+
+void add_notes(const Case& input, ModelResult& result) {
+  result.notes.push_back(fmt::format(
+      "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm with constant tractions; "
+      "{}-order upwind difference along rolling",
+      result.grid.dx, result.grid.dy,
+      input.rolling.upwind_order == contact::UpwindOrder::first ? "first" : "second"));
+  result.notes.push_back(
+      "error estimates: 1.25 times the change between this grid and one of twice the cells, "
+      "divided "
+      "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1)");
+}
+
+}  // namespace
+
+ModelResult run_halfspace(const Case& input, const contact::Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  check(input);
+  std::optional<LevelResult> coarse;
+  std::optional<LevelResult> fine;
+  const std::vector<Cell> cells = cells_of_levels(input);
+  ModelResult result;
+  result.name = "halfspace";
+  for (const Cell& cell : cells) {
+    coarse = std::move(fine);
+    const bool last = &cell == &cells.back();
+    const std::string prefix = last ? "" : fmt::format("{} across: ", cell.across);
+    fine = solve_level(input, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress);
+    result.seconds["setup"] += fine->setup_seconds;
+    result.seconds["normal"] += fine->normal_seconds;
+    result.seconds["tangential"] += fine->tangential_seconds;
+  }
+  for (std::size_t k = 0; k < fine->points.size(); ++k)
+    estimate_errors(fine->points[k], coarse->points[k], input.friction_coefficient,
+                    cells.back().across);
+  result.grid = fine->grid;
+  result.contact_elements = fine->normal.contact_elements;
+  result.unknowns = 3L * fine->normal.contact_elements;
+  result.points = std::move(fine->points);
+  add_notes(input, result);
+  result.seconds["total"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace rollfem::halfspace

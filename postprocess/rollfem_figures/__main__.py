@@ -1,0 +1,24 @@
+"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html."""
+import argparse
+import sys
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
+    parser.add_argument("directory", help="a result folder of rollfem")
+    parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
+    options = parser.parse_args()
+    try:
+        from .build import build
+        from .reader import ResultError
+    except ImportError as error:
+        sys.exit(f"figures need matplotlib, numpy and h5py: {error}\n"
+                 "apt install python3-matplotlib python3-h5py")
+    try:
+        build(options.directory, options.png)
+    except (ResultError, OSError) as error:
+        sys.exit(str(error))
+
+
+if __name__ == "__main__":
+    main()

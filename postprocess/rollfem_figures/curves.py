@@ -1,0 +1,161 @@
+"""Curves: traction coefficient against creepage, tractions along the middle lines."""
+import math
+
+import numpy as np
+from matplotlib import pyplot as plt
+
+from . import selection, style
+from .outline import extent, loaded_runs
+
+
+def relative_error(point, *quantities):
+    """The first estimate among `quantities`, or None."""
+    for quantity in quantities:
+        if quantity in point.errors:
+            return abs(point.errors[quantity])
+    return None
+
+
+def creep_curve(result):
+    """-F_x/F_z of every model with friction, and below the difference to the reference model. None
+    when no model has two load points."""
+    models = [m for m in selection.friction_models(result) if len(m.points) > 1]
+    if not models:
+        return None
+    scalar, factor, axis_label = style.creepage_axis([p for m in models for p in m.points])
+    force = "lateral_force" if scalar == "lateral_creepage" else "longitudinal_force"
+    ratio = r"$-F_y/F_z$" if scalar == "lateral_creepage" else r"$-F_x/F_z$"
+
+    def coefficient(point):
+        return -point[force] / point["normal_force"] if point["normal_force"] else math.nan
+
+    reference = selection.reference_for_forces(result)
+    compare = len(models) > 1 and reference in models
+    figure, axes = plt.subplots(2 if compare else 1, 1, sharex=True, squeeze=False,
+                                figsize=(6.4, 5.2 if compare else 4.0),
+                                gridspec_kw={"height_ratios": [3, 1.2] if compare else [1]})
+    top = axes[0, 0]
+    friction = result.case["friction_coefficient"]
+    top.axhline(friction, color=style.GREY, linewidth=0.8, linestyle=(0, (1, 1.5)))
+    top.annotate(rf"full slip: $\mu$ = {friction:.3g}", (0.01, friction), ha="left", va="bottom",
+                 xycoords=("axes fraction", "data"), color=style.GREY, fontsize=8)
+    for model in models:
+        points = sorted(model.points, key=lambda p: p[scalar])
+        at = np.array([factor * p[scalar] for p in points])
+        values = np.array([coefficient(p) for p in points])
+        errors = [abs(v) * (relative_error(p, "traction_coefficient", force) or 0.0)
+                  for v, p in zip(values, points)]
+        top.errorbar(at, values, yerr=errors if any(errors) else None, capsize=2, elinewidth=0.8,
+                     marker=style.marker(model), markersize=4.5, label=style.label(model),
+                     **style.line(model))
+        if compare and model is not reference:
+            pairs = [(a, v, reference.at(p.creepages)) for a, v, p in zip(at, values, points)]
+            pairs = [(a, 100 * (v - coefficient(r)) / friction) for a, v, r in pairs if r]
+            if pairs:
+                axes[1, 0].plot(*zip(*pairs), marker=style.marker(model), markersize=4.5,
+                                **style.line(model))
+    top.set_ylabel(f"traction coefficient {ratio} [-]")
+    shared = style.creepage_texts(selection.all_creepages(models))[1]
+    if shared:
+        top.set_title(shared)
+    top.margins(y=0.1)
+    top.legend(loc="lower right")
+    if compare:
+        axes[1, 0].axhline(0, **style.line(reference))
+        axes[1, 0].set_ylabel(f"difference to\n{style.label(reference)} [% of $\\mu$]")
+        low, high = axes[1, 0].get_ylim()
+        reach = max(abs(low), abs(high), 1.0)
+        axes[1, 0].set_ylim(-reach, reach)
+    axes[-1, 0].set_xlabel(axis_label)
+    figure.align_ylabels()
+    return figure
+
+
+def _line_of(model, point, name, axis):
+    """Positions and values of a field on the middle line within the patch, 0 at its edges; None when
+    the model does not give it. Separate patches are separated by NaN."""
+    values, pressure = point.fields.get(name), point.fields.get("pressure")
+    if values is None or pressure is None:
+        return None
+    at = model.x if axis == "x" else model.y
+    positions, out = [], []
+    for low, high, first, last in loaded_runs(at, model.middle(pressure, axis)):
+        positions += [low, *at[first:last], high, math.nan]
+        out += [0.0, *model.middle(values, axis)[first:last], 0.0, math.nan]
+    return np.array(positions), np.array(out)
+
+
+def _pressure_panel(panel, models, axis):
+    for model in models:
+        curve = _line_of(model, model.points[0], "pressure", axis)
+        if curve is not None:
+            panel.plot(*curve, label=style.label(model), zorder=3 if model.name == "hertz" else 2,
+                       **style.line(model))
+    panel.set_title("contact pressure")
+    panel.set_ylabel(r"$p_n$ [MPa]")
+    panel.set_ylim(bottom=0)
+
+
+def _traction_panel(panel, models, creepages, axis, with_lateral):
+    for model in models:
+        point = model.at(creepages)
+        if point is None or not model.has_friction:
+            continue
+        for name, sign, ink in (
+                ("traction_bound", 1, {"color": style.colour(model), "linewidth": 0.7, "alpha": 0.7}),
+                ("traction_x", -1, style.line(model)),
+                ("traction_y", -1, {**style.line(model), "linestyle": ":"})):
+            curve = _line_of(model, point, name, axis)
+            if curve is not None and (with_lateral or name != "traction_y"):
+                panel.plot(curve[0], sign * curve[1], **ink)
+
+
+def _has_lateral(model, point, axis):
+    """Whether p_y is worth a curve on this line."""
+    curve = _line_of(model, point, "traction_y", axis)
+    return (curve is not None and curve[1].size > 0 and point["max_traction"] > 0
+            and np.nanmax(np.abs(curve[1])) > 0.02 * point["max_traction"])
+
+
+def path(result, axis):
+    """p_n, and p_x with the traction bound at several creepages, along the middle line of "x" or
+    "y". None when no model has a pressure field."""
+    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    if not models:
+        return None
+    chosen = selection.chosen_creepages(models, 5)
+    with_lateral = any(_has_lateral(m, p, axis) for m in models for p in m.points)
+    texts, shared = style.creepage_texts(chosen)
+    columns = min(3, 1 + len(chosen))
+    rows = math.ceil((1 + len(chosen)) / columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
+                                squeeze=False, sharex=True)
+    panels = list(axes.flat)
+    _pressure_panel(panels[0], models, axis)
+    for panel, creepages in zip(panels[1:], chosen):
+        _traction_panel(panel, models, creepages, axis, with_lateral)
+        panel.set_title(texts[creepages])
+    tops = [p.get_ylim() for p in panels[1:1 + len(chosen)]]
+    for panel in panels[1:1 + len(chosen)]:
+        panel.set_ylim(min(t[0] for t in tops), max(t[1] for t in tops))
+    for panel in panels[1:1 + len(chosen)]:
+        panel.set_ylabel(r"$-p_x$, $-p_y$ (dotted) [MPa]" if with_lateral else r"$-p_x$ [MPa]")
+    for panel in panels[1 + len(chosen):]:
+        panel.set_visible(False)
+    half = extent(models)[0 if axis == "x" else 1]
+    panels[0].set_xlim(-half, half)
+    for k, panel in enumerate(panels[:1 + len(chosen)]):
+        panel.label_outer() if columns == 1 else None
+        if k + columns >= 1 + len(chosen):
+            panel.set_xlabel(r"$x$ [mm], rolling $\rightarrow$" if axis == "x" else r"$y$ [mm], lateral")
+            panel.tick_params(labelbottom=True)
+    handles, labels = panels[0].get_legend_handles_labels()
+    if chosen:
+        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
+        labels.append(r"traction bound $\mu\,p_n$")
+    if shared:
+        handles.append(plt.Line2D([], [], linestyle="none"))
+        labels.append(shared)
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
+    figure.legend(handles, labels, loc="upper center", ncol=len(labels))
+    return figure

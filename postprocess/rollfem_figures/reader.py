@@ -1,0 +1,159 @@
+"""results.h5 as numpy arrays.
+
+Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx]; x is the rolling direction,
+material enters the patch at large x. Tractions and forces act on the wheel.
+"""
+import os
+from dataclasses import dataclass, field
+
+import h5py
+import numpy as np
+
+FORMAT_VERSION = 1
+EXTERIOR, ADHESION, SLIP = 0, 1, 2
+
+
+class ResultError(Exception):
+    """The folder or file is not a complete rollfem result."""
+
+
+@dataclass
+class Point:
+    """One load point of one model.
+
+    `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in
+    summary.json. `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y,
+    gap (mm), state (0 exterior, 1 adhesion, 2 slip), ...; what the model does not give is missing.
+    `errors`: estimated relative error by quantity.
+    """
+
+    scalars: dict
+    fields: dict
+    errors: dict = field(default_factory=dict)
+
+    def __getitem__(self, name):
+        return self.scalars[name]
+
+    @property
+    def creepages(self):
+        """(xi, eta, spin)."""
+        return tuple(self[n] for n in ("longitudinal_creepage", "lateral_creepage", "spin"))
+
+
+@dataclass
+class Model:
+    """All load points of one model on its contact grid; `x`, `y` are element centres in mm."""
+
+    name: str
+    seconds: dict
+    unknowns: int
+    contact_elements: int
+    notes: list
+    x: np.ndarray
+    y: np.ndarray
+    dx: float
+    dy: float
+    points: list
+
+    @property
+    def has_friction(self):
+        """Whether the model answers a question about friction at all."""
+        return any(p["max_traction"] > 0 or any(p.creepages) for p in self.points)
+
+    def at(self, creepages):
+        """The point at (xi, eta, spin), or None."""
+        for point in self.points:
+            if np.allclose(point.creepages, creepages, rtol=1e-9, atol=1e-15):
+                return point
+        return None
+
+    def nearest(self, longitudinal_creepage):
+        """The point whose xi is nearest."""
+        return min(self.points, key=lambda p: abs(p["longitudinal_creepage"] - longitudinal_creepage))
+
+    def middle(self, values, axis):
+        """`values` [ny, nx] along the middle line: axis "x" for the line y = 0, "y" for x = 0.
+
+        The row or column nearest to 0; the mean of two when they are equally near.
+        """
+        across = self.y if axis == "x" else self.x
+        distance = np.abs(across)
+        lines = np.flatnonzero(distance < distance.min() + 1e-6 * (self.dy if axis == "x" else self.dx))
+        return values[lines, :].mean(axis=0) if axis == "x" else values[:, lines].mean(axis=1)
+
+
+@dataclass
+class Result:
+    """A whole run."""
+
+    directory: str
+    title: str
+    case_file: str
+    case_text: str
+    case: dict
+    provenance: dict
+    models: list
+
+    def model(self, name):
+        """The model of that name; KeyError when it is not part of the result."""
+        for model in self.models:
+            if model.name == name:
+                return model
+        raise KeyError(name)
+
+
+def _plain(value):
+    """An HDF5 attribute as a Python value."""
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "replace")
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _attributes(item):
+    return {name: _plain(value) for name, value in item.attrs.items()}
+
+
+def _texts(dataset):
+    return [_plain(line) for line in dataset[()]] if dataset.shape != (0,) else []
+
+
+def _read_point(group):
+    fields = {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}
+    return Point(_attributes(group), fields, _attributes(group["error_estimate"]))
+
+
+def _read_model(name, group):
+    grid = group["grid"]
+    points = [_read_point(group["points"][key]) for key in sorted(group["points"])]
+    return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
+                 _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
+                 grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
+                 points)
+
+
+def _read_file(path, directory):
+    with h5py.File(path, "r") as file:
+        if _plain(file.attrs.get("format", "")) != "rollfem results":
+            raise ResultError(f"{path} is not a result of rollfem")
+        version = _plain(file.attrs.get("format_version", 0))
+        if version != FORMAT_VERSION:
+            raise ResultError(f"{path} has format version {version}, this program reads {FORMAT_VERSION}")
+        if _plain(file.attrs.get("complete", 0)) != 1:
+            raise ResultError(f"{path} is incomplete: its writing was cut short; run the case again")
+        groups = sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))
+        case = _attributes(file["case"])
+        return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
+                      case, _attributes(file["provenance"]),
+                      [_read_model(name, group) for name, group in groups])
+
+
+def read_result(path):
+    """Reads a result folder, or its results.h5. Raises ResultError when it is not a whole one."""
+    directory = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
+    file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
+    if not os.path.exists(file):
+        raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
+    try:
+        return _read_file(file, directory)
+    except (OSError, KeyError) as error:
+        raise ResultError(f"{file} cannot be read as a result of rollfem: {error}") from error

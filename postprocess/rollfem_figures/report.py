@@ -1,0 +1,145 @@
+"""report.html: one file with everything in it, for the screen, the phone and the printer."""
+import base64
+import os
+from html import escape
+
+from . import selection, style, tables
+
+CSS = """
+:root{color-scheme:light}
+body{font:16px/1.5 system-ui,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;color:#1a1a1a;background:#fff;
+margin:0 auto;max-width:62rem;padding:1rem}
+h1{font-size:1.6rem;line-height:1.2;margin:.6rem 0}h2{font-size:1.15rem;margin:2rem 0 .4rem;
+border-bottom:2px solid #0072B2;padding-bottom:.15rem}
+p,li{max-width:48rem}.meta,figcaption,.d,.e,.hint{color:#555;font-size:.85rem}
+.wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem;
+margin:.4rem 0}th,td{padding:.25rem .8rem;border-bottom:1px solid #ddd;text-align:right;
+vertical-align:top;white-space:nowrap}thead th{border-bottom:2px solid #888;vertical-align:bottom}
+tbody th{font-weight:normal;text-align:left}thead th:first-child{text-align:left}
+table.left td:nth-child(3),table.left th:nth-child(3){text-align:left;white-space:normal;min-width:11rem}
+td .e{white-space:nowrap}figure{margin:1.2rem 0;break-inside:avoid}
+figure img{max-width:100%;height:auto;display:block}.scroll{overflow-x:auto}
+pre{background:#f5f5f5;padding:.7rem;overflow-x:auto;font-size:.82rem;line-height:1.35}
+summary{cursor:pointer;color:#0072B2}.say{border-left:4px solid #E69F00;padding:.1rem .8rem;margin:.8rem 0}
+.bad{border-left:4px solid #D55E00;padding:.1rem .8rem}
+@media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
+.scroll img{min-width:34rem}}code{overflow-wrap:anywhere}
+@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}.hint{break-before:avoid}table,tr{break-inside:avoid}
+.wide{overflow:visible}summary{display:none}}
+"""
+
+CONVENTIONS = """x is the rolling direction, and material enters the patch at large x (on the right of
+the figures); y is lateral; z points into the wheel. Tractions and forces are those acting on the wheel.
+A positive longitudinal creepage ξ brakes the wheel and gives a negative F<sub>x</sub>; the traction
+coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises with ξ, and the figures draw
+−p<sub>x</sub> for the same reason. Slip is that of the wheel's surface relative to the rail."""
+
+
+def _image(result, name, caption):
+    with open(os.path.join(result.directory, "figures", name), "rb") as file:
+        data = base64.b64encode(file.read()).decode("ascii")
+    return (f'<figure><div class=scroll><img alt="{escape(caption)}" '
+            f'src="data:image/svg+xml;base64,{data}"></div><figcaption>{escape(caption)}</figcaption>'
+            "</figure>")
+
+
+def _asked(result):
+    case = result.case
+    load = (f"F<sub>z</sub> = {tables.plain(case['normal_force'])} N" if "normal_force" in case
+            else f"approach {tables.plain(case['approach'])} mm")
+
+    def radius(value):
+        return "flat" if abs(value) == float("inf") else f"{tables.plain(value)} mm"
+
+    return (f"<p>Wheel of rolling radius {tables.plain(case['wheel_rolling_radius'])} mm "
+            f"(transverse {radius(case['wheel_transverse_radius'])}) on a rail of transverse radius "
+            f"{radius(case['rail_transverse_radius'])}; {load}, friction coefficient "
+            f"{tables.plain(case['friction_coefficient'])}.</p>"
+            f"<details><summary>case file {escape(result.case_file)}</summary>"
+            f"<pre>{escape(result.case_text)}</pre></details>")
+
+
+def _numbers(result):
+    reference = selection.reference_for_patch(result)
+    if reference is None:
+        return "<p>No model was run.</p>"
+    html = ["<h2>Patch and pressure</h2>", tables.patch_table(result),
+            f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}. "
+            "±: the model's own error estimate.</p>"]
+    failed = [f"{style.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
+              for m in result.models for p in m.points if not p["converged"]]
+    if failed:
+        html.insert(0, f"<p class=bad><b>Not converged:</b> {escape('; '.join(failed))}. These numbers "
+                    "cannot be trusted.</p>")
+    return "".join(html + [f"<p class=say>{s}</p>" for s in tables.disagreements(result)])
+
+
+def _forces(result, creep_curve):
+    reference = selection.reference_for_forces(result)
+    if reference is None:
+        return ""
+    friction = result.case["friction_coefficient"]
+    models = selection.friction_models(result)
+    several = len(models) > 1
+    points = [p for m in models for p in m.points]
+    html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
+            tables.creepage_table(result, lambda p: p["traction_coefficient"],
+                                  ("traction_coefficient", "longitudinal_force"), friction or None),
+            f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}, in "
+            "percent of the friction coefficient.</p>" if several else "", creep_curve,
+            "<h2>Largest tangential traction |p<sub>x</sub>| [MPa]</h2>",
+            tables.creepage_table(result, lambda p: p["max_traction_x"],
+                                  ("max_traction_x", "max_traction"), None)]
+    largest = max(abs(p["normal_force"]) for p in points)
+    if any(abs(p["lateral_force"]) > 1e-4 * largest for p in points):
+        html += ["<h2>Lateral force F<sub>y</sub> [N]</h2>",
+                 tables.creepage_table(result, lambda p: p["lateral_force"], ("lateral_force",), None)]
+    return "".join(html)
+
+
+def _notes(result):
+    rows = [f"<li><b>{escape(style.label(m))}</b>: {escape(note)}</li>"
+            for m in result.models for note in m.notes]
+    return "<h2>What to know about the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
+
+
+def _details(result):
+    return "".join(f"<details><summary>all numbers of {escape(style.label(m))}</summary>"
+                   f"{tables.points_table(m)}</details>" for m in result.models if m.points)
+
+
+def report_html(result, figures):
+    """The page as text; `figures` are (file name in figures/, caption)."""
+    made = result.provenance
+    meta = f"rollfem {made['version']} ({made['commit']}), {made['started']}, {made['host']}"
+    if made["processes"] > 1:
+        meta += f", {made['processes']} processes"
+    def images(*starts):
+        return "".join(_image(result, n, c) for n, c in figures if n.startswith(starts))
+
+    title = escape(result.title or result.case_file or "rollfem result")
+    return "".join([
+        "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
+        '<meta name=viewport content="width=device-width,initial-scale=1">'
+        f"<title>{title}</title><style>{CSS}</style></head><body>",
+        f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(made['command'])}</code></p>",
+        _asked(result), _numbers(result), images("contact_area"), _forces(result, images("creep_curve")),
+        "<h2>Tractions in the patch</h2>" if images("path", "oblique") else "",
+        images("path", "oblique"), "<h2>Cost</h2>", tables.cost_table(result),
+        _notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
+        "<h2>Every load point</h2>", _details(result),
+        "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
+        "path_x.csv, path_y.csv, fields/ (for ParaView), figures/.</p></body></html>\n"])
+
+
+def write_report(result, figures):
+    """Writes report.html whole or not at all."""
+    path = os.path.join(result.directory, "report.html")
+    part = f"{path}.part-{os.getpid()}"
+    try:
+        with open(part, "w", encoding="utf-8") as file:
+            file.write(report_html(result, figures))
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)

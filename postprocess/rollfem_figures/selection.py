@@ -1,0 +1,62 @@
+"""Which load points to draw when there are more than fit, and which model the others are compared
+with."""
+
+
+def friction_models(result):
+    return [m for m in result.models if m.has_friction]
+
+
+def reference_for_patch(result):
+    """Hertz where there is one: it is exact for what it describes."""
+    return _first_of(result.models, ("hertz", "halfspace"))
+
+
+def reference_for_forces(result):
+    return _first_of(friction_models(result), ("halfspace", "fem"))
+
+
+def _first_of(models, names):
+    for name in names:
+        for model in models:
+            if model.name == name:
+                return model
+    return models[0] if models else None
+
+
+def all_creepages(models):
+    """Every (xi, eta, spin) of the models, in the order of the first that has it."""
+    seen = []
+    for model in models:
+        for point in model.points:
+            if point.creepages not in seen:
+                seen.append(point.creepages)
+    return seen
+
+
+def chosen_creepages(models, count):
+    """Up to `count` load points with tractions, spread over the creep curve."""
+    loaded = [c for c in all_creepages(models)
+              if any((p := m.at(c)) and p["max_traction"] > 0 for m in models)]
+    sticking = [any((p := m.at(c)) and p["adhesion_area"] > 0 for m in models) for c in loaded]
+    if True in sticking:  # of those that slip everywhere the first tells all
+        sliding = [c for c, sticks in zip(loaded, sticking) if not sticks]
+        loaded = [c for c in loaded if c not in sliding[1:]]
+    if len(loaded) <= count:
+        return loaded
+    if count == 1:
+        return [loaded[len(loaded) // 2]]
+    step = (len(loaded) - 1) / (count - 1)
+    return [loaded[round(k * step)] for k in range(count)]
+
+
+def typical_creepage(models):
+    """One load point at which adhesion and slip are both there, else the middle one."""
+    loaded = chosen_creepages(models, 10 ** 6)
+    if not loaded:
+        return None
+
+    def imbalance(creepages):
+        points = [p for m in models if (p := m.at(creepages)) and p["contact_area"] > 0]
+        return min((abs(p["adhesion_area"] / p["contact_area"] - 0.5) for p in points), default=1.0)
+
+    return min(loaded, key=imbalance)

@@ -1,0 +1,97 @@
+"""One look for all figures: colours that colour-blind readers can tell apart (Okabe and Ito), a
+marker and a dash for each model, vector output with text as outlines so that it looks the same
+everywhere."""
+import os
+
+import matplotlib
+from matplotlib import pyplot as plt
+
+# name: (label, colour, dash, marker)
+MODELS = {
+    "hertz": ("Hertz", "#000000", (0, (5, 2)), "x"),
+    "halfspace": ("half-space", "#0072B2", "-", "o"),
+    "fem": ("FEM", "#D55E00", (0, (6, 1.5)), "s"),
+    "hybrid": ("hybrid", "#009E73", (0, (4, 1, 1, 1)), "^"),
+    "fastsim": ("FASTSIM", "#CC79A7", (0, (3, 1)), "v"),
+    "strip": ("strip", "#E69F00", (0, (2, 1)), "D"),
+    "carter": ("Carter", "#56B4E9", (0, (1, 1)), "P"),
+    "vermeulen-johnson": ("Vermeulen-Johnson", "#777777", (0, (1, 2)), "*"),
+    "linear": ("linear theory", "#999999", (0, (5, 5)), "+"),
+}
+ADHESION_COLOUR, SLIP_COLOUR = "#56B4E9", "#E69F00"
+GREY = "#666666"
+
+
+def label(model):
+    return MODELS.get(model.name, (model.name,))[0]
+
+
+def colour(model):
+    return MODELS.get(model.name, (None, "#009E73"))[1]
+
+
+def line(model):
+    """Keyword arguments of a curve of this model."""
+    _, ink, dash, _ = MODELS.get(model.name, (None, "#009E73", "-", "o"))
+    return {"color": ink, "linestyle": dash, "linewidth": 1.5}
+
+
+def marker(model):
+    return MODELS.get(model.name, (None, None, None, "o"))[3]
+
+
+def use():
+    """Sets matplotlib up. Call before drawing."""
+    matplotlib.use("Agg")
+    matplotlib.rcParams.update({
+        "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9, "legend.fontsize": 8.5,
+        "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans",
+        "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.7,
+        "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.6, "axes.axisbelow": True,
+        "xtick.major.width": 0.7, "ytick.major.width": 0.7, "legend.frameon": False,
+        "svg.fonttype": "path", "svg.hashsalt": "rollfem", "figure.dpi": 100,
+    })
+
+
+def save(figure, path, png_folder=None):
+    """Writes the SVG whole or not at all; `png_folder` gets a bitmap too, for a quick look."""
+    part = f"{path}.part-{os.getpid()}"
+    try:
+        figure.savefig(part, format="svg", metadata={"Date": None, "Creator": None},
+                       bbox_inches="tight", pad_inches=0.05)
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)
+    if png_folder:
+        name = os.path.splitext(os.path.basename(path))[0] + ".png"
+        figure.savefig(os.path.join(png_folder, name), dpi=110, bbox_inches="tight")
+    plt.close(figure)
+
+
+def creepage_axis(points):
+    """What varies along the creep curve: (scalar, factor, axis label)."""
+    choices = [("longitudinal_creepage", 100.0, r"longitudinal creepage $\xi$ [%]"),
+               ("lateral_creepage", 100.0, r"lateral creepage $\eta$ [%]"),
+               ("spin", 1.0, r"spin $\varphi$ [rad/mm]")]
+    for choice in choices:
+        values = [p[choice[0]] for p in points]
+        if values and max(values) > min(values):
+            return choice
+    return choices[0]
+
+
+def creepage_texts(creepages):
+    """What distinguishes the load points, e.g. "ξ = 0.2 %", for each of a list of (xi, eta, spin); and
+    what they share, e.g. "η = 0.1 %", empty when it is nothing."""
+    forms = [(r"$\xi$ = {:.4g} %", 100), (r"$\eta$ = {:.4g} %", 100), (r"$\varphi$ = {:.4g} rad/mm", 1)]
+    varies = [len({c[k] for c in creepages}) > 1 for k in range(3)]
+    if not any(varies):  # one point: say what is not zero
+        varies = [any(c[k] for c in creepages) for k in range(3)]
+        varies[0] = varies[0] or not any(varies)
+
+    def text(values, wanted):
+        return ", ".join(forms[k][0].format(forms[k][1] * values[k]) for k in range(3) if wanted(k))
+
+    shared = text(creepages[0], lambda k: not varies[k] and creepages[0][k]) if creepages else ""
+    return {c: text(c, lambda k: varies[k]) for c in creepages}, shared

@@ -1,0 +1,184 @@
+"""The tables of the report as HTML, from a result."""
+import math
+from html import escape
+
+from . import selection, style
+from .curves import relative_error
+
+
+def number(value, digits=5):
+    """A number for reading: `digits` significant ones, no exponent where it can be helped."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    if isinstance(value, int) and abs(value) < 10 ** digits:
+        return str(value)
+    text = f"{value:#.{digits}g}".rstrip(".")
+    if "e" in text and 1e-9 < abs(value) < 1e-3:
+        text = f"{value:.{digits - 1 - math.floor(math.log10(abs(value)))}f}"
+    if "e" in text and 1e-4 <= abs(value) < 1e7:
+        text = f"{value:.0f}"
+    return text.replace("-", "−")
+
+
+def plain(value):
+    """A number that the user gave, without the digits that it does not need."""
+    return f"{value:.6g}".replace("-", "−")
+
+
+def percent(value):
+    if value is None:
+        return ""
+    text = f"{value:+.2f}"
+    return ("0.00" if float(text) == 0 else text).replace("-", "−") + " %"
+
+
+def cell(value, error=None, difference=None, digits=5):
+    """value ± error, and the difference to the reference under it."""
+    html = f"<b>{number(value, digits)}</b>"
+    if error and value:
+        html += f"&nbsp;<span class=e>±&nbsp;{number(abs(value) * error, 2)}</span>"
+    if difference is not None:
+        html += f"<br><span class=d>{percent(difference)}</span>"
+    return html
+
+
+def table(head, rows, kind=""):
+    """HTML table; the first cell of a row is its heading."""
+    html = [f'<div class=wide><table class="{kind}"><thead><tr>']
+    html += [f"<th>{h}</th>" for h in head]
+    html.append("</tr></thead><tbody>")
+    for row in rows:
+        html.append("<tr><th>" + row[0] + "</th>" + "".join(f"<td>{c}</td>" for c in row[1:]) + "</tr>")
+    html.append("</tbody></table></div>")
+    return "".join(html)
+
+
+def _difference(value, reference, scale=None):
+    scale = reference if scale is None else scale
+    return 100 * (value - reference) / abs(scale) if scale else None
+
+
+PATCH = [("max_pressure", "largest pressure p<sub>0</sub> [MPa]"),
+         ("semi_axis_x", "semi-axis along x [mm]"), ("semi_axis_y", "semi-axis along y [mm]"),
+         ("contact_area", "contact area [mm²]"), ("approach", "approach [mm]"),
+         ("normal_force", "normal force F<sub>z</sub> [N]")]
+
+
+def patch_table(result):
+    """Patch, pressure and approach of the first load point of every model."""
+    models = [m for m in result.models if m.points]
+    reference = selection.reference_for_patch(result)
+    rows = []
+    for quantity, heading in PATCH:
+        row = [heading]
+        for model in models:
+            point = model.points[0]
+            against = None
+            if model is not reference and reference and reference.points:
+                against = _difference(point[quantity], reference.points[0][quantity])
+            row.append(cell(point[quantity], relative_error(point, quantity), against, 6))
+        rows.append(row)
+    return table(["first load point"] + [escape(style.label(m)) for m in models], rows)
+
+
+def _creepage_head(models):
+    points = [p for m in models for p in m.points]
+    columns = [("ξ [%]", 0, 100)]
+    if any(p.creepages[1] for p in points):
+        columns.append(("η [%]", 1, 100))
+    if any(p.creepages[2] for p in points):
+        columns.append(("φ [rad/mm]", 2, 1))
+    return columns
+
+
+def creepage_table(result, value, quantities, scale):
+    """`value(point)` of every model with friction at every creepage. Differences to the reference
+    are in percent of `scale`, or of the reference where it is None."""
+    models = selection.friction_models(result)
+    reference = selection.reference_for_forces(result)
+    columns = _creepage_head(models)
+    rows = []
+    for creepages in selection.all_creepages(models):
+        row = [", ".join(plain(creepages[k] * factor) for _, k, factor in columns)]
+        for model in models:
+            point = model.at(creepages)
+            if point is None:
+                row.append("–")
+                continue
+            base = reference.at(creepages)
+            against = None
+            if model is not reference and base is not None:
+                against = _difference(value(point), value(base), scale)
+            row.append(cell(value(point), relative_error(point, *quantities), against))
+        rows.append(row)
+    head = [", ".join(c[0] for c in columns)] + [escape(style.label(m)) for m in models]
+    return table(head, rows)
+
+
+def cost_table(result):
+    rows = []
+    for model in result.models:
+        other = {k: v for k, v in model.seconds.items() if k != "total"}
+        parts = ", ".join(f"{escape(k)} {number(v, 3)}" for k, v in
+                          sorted(other.items(), key=lambda item: -item[1]))
+        rows.append([escape(style.label(model)), f"<b>{number(model.seconds.get('total'), 3)}</b>",
+                     parts or "–", f"{model.unknowns:,}".replace(",", " "),
+                     f"{model.contact_elements:,}".replace(",", " "), str(len(model.points))])
+    return table(["model", "seconds", "of which", "unknowns", "contact elements", "load points"], rows,
+                 "left")
+
+
+ALL = [("longitudinal_force", "F<sub>x</sub> [N]"), ("lateral_force", "F<sub>y</sub> [N]"),
+       ("spin_moment", "M<sub>z</sub> [N mm]"), ("normal_force", "F<sub>z</sub> [N]"),
+       ("max_pressure", "p<sub>0</sub> [MPa]"), ("max_traction", "max |p<sub>t</sub>| [MPa]"),
+       ("approach", "approach [mm]"), ("contact_length", "length [mm]"),
+       ("contact_width", "width [mm]"), ("contact_area", "area [mm²]"),
+       ("adhesion_area", "adhesion [mm²]"), ("iterations", "iterations"),
+       ("residual", "residual"), ("seconds", "seconds")]
+
+
+def points_table(model):
+    """Every scalar of every load point."""
+    columns = _creepage_head([model])
+    rows = [[", ".join(plain(p.creepages[k] * f) for _, k, f in columns)]
+            + [number(p[name]) for name, _ in ALL] + ["yes" if p["converged"] else "<b>no</b>"]
+            for p in model.points]
+    return table([", ".join(c[0] for c in columns)] + [h for _, h in ALL] + ["converged"], rows)
+
+
+def disagreements(result):
+    """Sentences on where two models differ by more than their error estimates together."""
+    sentences = []
+    for quantity, name, reference, models in (
+            ("max_pressure", "largest pressure", selection.reference_for_patch(result), result.models),
+            ("longitudinal_force", "longitudinal force", selection.reference_for_forces(result),
+             selection.friction_models(result))):
+        for model in models:
+            if reference is None or model is reference:
+                continue
+            worst = _worst(model, reference, quantity)
+            if worst:
+                gap, allowed, creepages = worst
+                at = f" (at ξ = {plain(100 * creepages[0])} %)" if len(model.points) > 1 else ""
+                sentences.append(
+                    f"The {name} of {escape(style.label(model))} differs from that of "
+                    f"{escape(style.label(reference))} by {number(100 * gap, 2)} %{at}, more than the "
+                    f"{number(100 * allowed, 2)} % that their error estimates allow together.")
+    return sentences
+
+
+def _worst(model, reference, quantity):
+    """(difference, allowed, creepages) where the difference exceeds the estimates most, or None.
+    Without an estimate of the model there is nothing to hold it against."""
+    worst = None
+    for point in model.points:
+        base = reference.at(point.creepages)
+        if base is None or not base[quantity] or quantity not in point.errors:
+            continue
+        gap = abs(point[quantity] / base[quantity] - 1)
+        allowed = abs(point.errors[quantity]) + abs(base.errors.get(quantity, 0.0))
+        if gap > allowed and (worst is None or gap - allowed > worst[0] - worst[1]):
+            worst = (gap, allowed, point.creepages)
+    return worst

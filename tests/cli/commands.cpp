@@ -1,0 +1,142 @@
+// check, new-case, docs, --version, wrong calls and hostile files: exit status and message.
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+#include "unit/case_examples.hpp"
+#include <sys/stat.h>
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+/// One line on stderr that starts with the program's name, nothing on stdout, exit status 2.
+void expect_refused(const Outcome& outcome, const std::string& part) {
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("rollfem: ", 0), 0u) << outcome.err;
+  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("do: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(Check, AcceptsEveryCommittedCase) {
+  const Folder folder;
+  int cases = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(ROLLFEM_SOURCE_DIR) / "cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = call(folder, {"check", entry.path().string()});
+    EXPECT_EQ(outcome.status, 0) << entry.path() << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("normal_force           50000 N"), std::string::npos);
+    ++cases;
+  }
+  EXPECT_GE(cases, 6);
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(Check, StartsInATenthOfASecond) {
+  // The finite-element libraries alone take longer to load. The best of five: the machine is
+  // shared.
+  const Folder folder;
+  const std::string file = folder.file("case.toml", small_case);
+  double best = 1e9;
+  for (int i = 0; i < 5; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(call(folder, {"check", file}).status, 0);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    best = std::min(best, taken.count());
+  }
+  EXPECT_LT(best, 0.1);
+}
+
+TEST(NewCase, IsAcceptedByCheck) {
+  const Folder folder;
+  const Outcome made = call(folder, {"new-case"});
+  ASSERT_EQ(made.status, 0);
+  const Outcome checked = call(folder, {"check", folder.file("new.toml", made.out)});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+}
+
+TEST(NewCase, WritesANewFileButNeverOverAnother) {
+  const Folder folder;
+  EXPECT_EQ(call(folder, {"new-case", "-o", "new.toml"}).status, 0);
+  EXPECT_EQ(call(folder, {"check", "new.toml"}).status, 0);
+  expect_refused(call(folder, {"new-case", "-o", "new.toml"}), "is there already");
+  expect_refused(call(folder, {"new-case", "-o", "no/such/folder.toml"}), "cannot be written");
+}
+
+TEST(Docs, CommittedReferenceIsTheGeneratedOne) {
+  const Folder folder;
+  const Outcome outcome = call(folder, {"docs", "case-file"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, contents(fs::path(ROLLFEM_SOURCE_DIR) / "docs" / "case-file.md"))
+      << "run: rollfem docs case-file > docs/case-file.md";
+}
+
+TEST(Call, VersionAndHelpAreAnswered) {
+  const Folder folder;
+  const Outcome version = call(folder, {"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.out.rfind("rollfem 0.1.0", 0), 0u) << version.out;
+  const Outcome help = call(folder, {"--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* command : {"run", "check", "new-case"})
+    EXPECT_NE(help.out.find(command), std::string::npos) << help.out;
+  EXPECT_EQ(call(folder, {"run", "--help"}).status, 0);
+}
+
+TEST(Call, WrongCallsAreRefused) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", small_case);
+  expect_refused(call(folder, {}), "no command is given");
+  expect_refused(call(folder, {"bogus"}), "bogus: there is no such command");
+  expect_refused(call(folder, {""}), "");
+  expect_refused(call(folder, {"--bogus"}), "do: rollfem --help");
+  expect_refused(call(folder, {"check"}), "case is required");
+  expect_refused(call(folder, {"check", file, "more"}), "more");
+  expect_refused(call(folder, {"run"}), "no case file");
+  expect_refused(call(folder, {"run", file, "--model", "fme"}), "--model fme");
+  expect_refused(call(folder, {"run", file, "--model"}), "--model");
+  expect_refused(call(folder, {"run", file, "--bogus"}), "--bogus");
+  expect_refused(call(folder, {"docs", "novel"}), "novel");
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(HostileFile, IsRefusedByCheckAndRunAlike) {
+  const Folder folder;
+  std::string binary(4096, '\0');
+  for (std::size_t i = 0; i < binary.size(); ++i) binary[i] = static_cast<char>(i * 7919 >> 3);
+  fs::create_directory(folder.output("folder.toml"));
+  mkfifo(folder.output("pipe.toml").c_str(), 0600);
+  std::string deep;
+  for (int i = 0; i < 4000; ++i) deep += "a.";
+  const std::vector<std::pair<std::string, std::string>> files{
+      {folder.file("binary.toml", binary), "binary"},
+      {folder.file("empty.toml", ""), "is empty"},
+      {folder.file("nan.toml", with("50e3", "nan")), "load.normal_force = nan"},
+      {folder.file("huge.toml", with("50e3", "1e400")), "1e400"},
+      {folder.file("deep.toml", "[" + deep + "a]\n" + deep + "b = 1\n"), "is not a key"},
+      {folder.output("folder.toml").string(), "is a folder"},
+      {folder.output("pipe.toml").string(), "is not a regular file"},
+      {"/dev/zero", "is not a regular file"},
+      {"missing.toml", "missing.toml: there is no such file"},
+      {"", ""},
+      {std::string(5000, 'x'), ""},
+  };
+  for (const auto& [file, part] : files) {
+    expect_refused(call(folder, {"check", file}), part);
+    expect_refused(call(folder, {"run", file}), part);
+  }
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(Output, ThatCannotBeWrittenIsAnError) {
+  const Folder folder;
+  const std::string command = std::string(ROLLFEM_PROGRAM) + " new-case > /dev/full";
+  const Outcome outcome = execute(folder, {"sh", "-c", command});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos) << outcome.err;
+}
+
+}  // namespace

@@ -1,0 +1,150 @@
+// The command run: what it leaves and says on success, on failure and on Ctrl-C.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+#include "unit/case_examples.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+const std::string quick = "models = [\"hertz\", \"halfspace\"]\n" + small_case +
+                          "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
+                          "[contact_grid]\nelements_across = 10\n";
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool has_control_characters(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f;
+  });
+}
+
+TEST(Run, LeavesResultsAndSaysWhere) {
+  const Folder folder;
+  const Outcome outcome = call(folder, {"run", folder.file("quick.toml", quick)});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+  const auto made = folder.made();
+  for (const char* name : {"results/quick/summary.json", "results/quick/results.h5",
+                           "results/quick/creep_curve.csv", "results/quick/report.html"})
+    EXPECT_TRUE(has(made, name)) << name;
+  EXPECT_NE(outcome.out.find("results: results/quick\n"), std::string::npos) << outcome.out;
+  const auto summary =
+      nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
+  ASSERT_EQ(summary.at("models").size(), 2u);
+  EXPECT_EQ(summary.at("models")[0].at("name"), "hertz");
+  EXPECT_EQ(summary.at("models")[1].at("name"), "halfspace");
+  EXPECT_EQ(summary.at("models")[1].at("points").size(), 2u);
+  // The printed table and the file are the same numbers.
+  const double p0 = summary.at("models")[0].at("points")[0].at("max_pressure");
+  char text[32];
+  std::snprintf(text, sizeof text, "%12.3f", p0);
+  EXPECT_NE(outcome.out.find(text), std::string::npos) << text << outcome.out;
+}
+
+TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
+  const Folder folder;
+  const std::string file = folder.file("quick.toml", quick);
+  const std::vector<std::vector<std::string>> calls{
+      {"run", "--no-report", "--model", "hertz", file, "-q"},
+      {"run", file, "-q", "--no-report", "-m", "hertz"},
+      {"run", "-q", "--no-report", "--model=hertz", file},
+      {"run", "-q", "--no-report", "--model", "hertz", "--model", "hertz", file},
+  };
+  for (const auto& arguments : calls) {
+    const Outcome outcome = call(folder, arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto summary =
+        nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
+    EXPECT_EQ(summary.at("models").size(), 1u);
+  }
+}
+
+TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
+  const Folder folder;
+  const Outcome outcome =
+      call(folder, {"run", "--no-report", folder.file("quick.toml", quick)}, {"TERM=xterm"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_FALSE(has_control_characters(outcome.err)) << outcome.err;
+  EXPECT_FALSE(has_control_characters(outcome.out)) << outcome.out;
+  EXPECT_NE(outcome.err.find("halfspace"), std::string::npos) << outcome.err;
+  EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 20) << outcome.err;
+}
+
+TEST(Run, QuietPrintsNothing) {
+  const Folder folder;
+  const Outcome outcome =
+      call(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick)});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(Run, WritesToTheNamedFolder) {
+  const Folder folder;
+  const std::string file = folder.file("q.toml", quick);
+  ASSERT_EQ(call(folder, {"run", "-q", "--no-report", "-m", "hertz", "-o", "a/b", file}).status, 0);
+  EXPECT_TRUE(has(folder.made(), "a/b/summary.json"));
+}
+
+TEST(Run, AFolderThatCannotBeMadeIsRefusedBeforeComputing) {
+  const Folder folder;
+  const std::string file = folder.file("q.toml", quick);
+  for (const std::string& directory : {file, file + "/below", std::string("/proc/no/such")}) {
+    const Outcome outcome = call(folder, {"run", file, "-o", directory});
+    EXPECT_EQ(outcome.status, 2) << directory << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(Run, CtrlCLeavesNothing) {
+  const Folder folder;
+  std::string slow = quick;
+  slow.replace(slow.find("elements_across = 10"), 20, "elements_across = 400");
+  const Outcome outcome = call(folder, {"run", folder.file("slow.toml", slow)}, {}, 300);
+  EXPECT_EQ(outcome.status, 128 + SIGINT) << outcome.err;
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
+  const Folder folder;
+  std::string vast = quick;
+  vast.replace(vast.find("elements_across = 10"), 20, "cell_size = [1e-5, 1e-5]");
+  const Outcome outcome = call(folder, {"run", folder.file("vast.toml", vast)});
+  EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << outcome.err;
+  EXPECT_NE(outcome.err.find("rollfem: "), std::string::npos) << outcome.err;
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
+  const Folder folder;
+  const std::string file = folder.file("q.toml", quick);
+  const Outcome other =
+      call(folder, {"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
+  EXPECT_EQ(other.status, 0);
+  EXPECT_EQ(other.out + other.err, "");
+  EXPECT_TRUE(folder.made().empty());
+}
+
+#if !ROLLFEM_WITH_FEM
+TEST(Run, FemInABuildWithoutItIsAnErrorNotSilence) {
+  const Folder folder;
+  const std::string by_list = folder.file("list.toml", small_case);
+  const Outcome list = call(folder, {"run", by_list});
+  EXPECT_EQ(list.status, 2);
+  EXPECT_NE(list.err.find("list.toml: models: model fem is not in this build"), std::string::npos)
+      << list.err;
+  const Outcome option = call(folder, {"run", by_list, "--model", "fem"});
+  EXPECT_EQ(option.status, 2);
+  EXPECT_NE(option.err.find("--model fem: model fem is not in this build"), std::string::npos);
+  EXPECT_TRUE(folder.made().empty());
+}
+#endif
+
+}  // namespace

@@ -1,0 +1,26 @@
+# Installs the build into an empty folder, moves it (an installed tree must not care), builds the
+# consumer against it and runs both the consumer and the installed program.
+function(step)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
+file(RENAME ${WORK}/first ${WORK}/prefix)
+step(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -DCMAKE_PREFIX_PATH=${WORK}/prefix
+  -DCMAKE_CXX_COMPILER=${COMPILER})
+step(${CMAKE_COMMAND} --build ${WORK}/consumer)
+set(case ${WORK}/prefix/${DATADIR}/rollfem/cases/thesis_a.toml)
+step(${WORK}/consumer/consumer ${case})
+message(STATUS "consumer: ${output}")
+step(${WORK}/prefix/${BINDIR}/rollfem check ${case})
+step(${WORK}/prefix/${BINDIR}/rollfem run ${case} --quiet --model hertz -o ${WORK}/results)
+if(NOT EXISTS ${WORK}/results/report.html)
+  message(FATAL_ERROR "the installed program drew no report:\n${output}")
+endif()

@@ -1,0 +1,7 @@
+#!/bin/sh
+# Checks the C++ files against .clang-format. Status 77 (skipped) without clang-format.
+# Call: format.sh SOURCE_DIR
+cd "$1" || exit 1
+command -v clang-format >/dev/null || { echo 'clang-format is not installed: skipped'; exit 77; }
+find contact halfspace meshes fem postprocess app tests benchmarks -name '*.[ch]pp' -print0 |
+  xargs -0 clang-format --dry-run -Werror

@@ -1,0 +1,83 @@
+// The thesis's cases a, b, c and benchmark 9 (reference/benchmarks.md) as values, for tests of the
+// half-space that do not read case files.
+#pragma once
+
+#include "contact/case.hpp"
+#include "contact/geometry.hpp"
+#include "contact/tangential.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace rollfem::tests {
+
+/// Wheel of 405 mm on a rail of 2000, 500 or 100 mm, 50 kN, mu 0.55, like materials.
+inline contact::Case thesis_case(char name) {
+  contact::Case input;
+  input.title = std::string("case ") + name;
+  input.file = "test.toml";
+  input.load.normal_force = 50e3;
+  input.friction_coefficient = 0.55;
+  input.wheel.rolling_radius = 405.0;
+  input.rail.transverse_radius = name == 'a' ? 2000.0 : name == 'b' ? 500.0 : 100.0;
+  return input;
+}
+
+inline contact::CombinedMaterial steel() {
+  return contact::combine(contact::Material{}, contact::Material{});
+}
+
+/// Given Hertz pressure on a circle of 6 mm with combined creepage and spin.
+struct Benchmark9 {
+  double radius = 6.0;
+  double force = 82000.0;
+  double friction = 0.3;
+  contact::Creepage creepage{-1e-3, 5e-4, 1e-4};
+
+  static contact::CombinedMaterial material() {
+    contact::CombinedMaterial combined;
+    combined.shear_modulus = 82000.0;
+    combined.poisson_ratio = 0.28;
+    combined.contact_modulus = 82000.0 / 0.72;
+    return combined;
+  }
+
+  contact::ContactGrid grid(int across, int margin = 3) const {
+    const double cell = 2.0 * radius / across;
+    return contact::ContactGrid::centred(across + 2 * margin, across + 2 * margin, cell, cell);
+  }
+
+  contact::TangentialProblem problem(const contact::ContactGrid& on) const {
+    const double p0 = 1.5 * force / (M_PI * radius * radius);
+    contact::TangentialProblem given;
+    given.traction_bound = on.sample([&](double x, double y) {
+      const double rest = 1.0 - (x * x + y * y) / (radius * radius);
+      return rest > 0.0 ? friction * p0 * std::sqrt(rest) : 0.0;
+    });
+    given.rigid_slip.x =
+        on.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; });
+    given.rigid_slip.y =
+        on.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
+    return given;
+  }
+};
+
+struct Forces {
+  double x = 0.0;
+  double y = 0.0;
+  double moment = 0.0;
+};
+
+inline Forces forces(const contact::ContactGrid& grid, const contact::TangentialField& traction) {
+  Forces sum;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      sum.x += grid.element_area() * traction.x[k];
+      sum.y += grid.element_area() * traction.y[k];
+      sum.moment += grid.element_area() * (grid.x(i) * traction.y[k] - grid.y(j) * traction.x[k]);
+    }
+  return sum;
+}
+
+}  // namespace rollfem::tests

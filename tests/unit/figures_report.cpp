@@ -1,0 +1,144 @@
+// Figures and report are made from a written result by Debian's Python, whatever the result holds.
+// Skipped with a message where matplotlib or h5py is not installed.
+#include "postprocess/output.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/output_python.hpp"
+#include "unit/output_synthetic_run.hpp"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+const std::string scripts = std::string(ROLLFEM_SOURCE_DIR) + "/postprocess";
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class FiguresTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!tests::python_can_import("matplotlib, h5py, numpy"))
+      GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
+    std::string name = (fs::path(::testing::TempDir()) / "rollfem_figures_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    base_ = name;
+  }
+  void TearDown() override { fs::remove_all(base_); }
+
+  /// Writes the run and draws it; returns the folder.
+  fs::path draw(const RunRecord& run) {
+    const fs::path folder = base_ / "result with spaces";
+    write_results(folder.string(), run);
+    EXPECT_EQ(make_report(folder.string(), scripts), "");
+    return folder;
+  }
+
+  fs::path base_;
+};
+
+TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
+  const fs::path folder = draw(tests::synthetic_run());
+  for (const char* name : {"creep_curve", "path_x", "path_y", "contact_area",
+                           "oblique_px_halfspace", "oblique_px_fem"}) {
+    const fs::path figure = folder / "figures" / (std::string(name) + ".svg");
+    ASSERT_TRUE(fs::exists(figure)) << name;
+    EXPECT_NE(read(figure).find("</svg>"), std::string::npos) << name;
+    EXPECT_LT(fs::file_size(figure), 1500000U) << name;
+  }
+  // A frictionless model has no tangential tractions to draw.
+  EXPECT_FALSE(fs::exists(folder / "figures/oblique_px_hertz.svg"));
+
+  const std::string report = read(folder / "report.html");
+  for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url("})
+    EXPECT_EQ(report.find(link), std::string::npos) << link;
+  std::size_t images = 0;
+  for (std::size_t at = report.find("data:image/svg"); at != std::string::npos;
+       at = report.find("data:image/svg", at + 1))
+    ++images;
+  EXPECT_EQ(images, 6U);
+  for (const char* text :
+       {"thesis case a: conforming plane", "578.7", "0.51136", "half-space", "FEM", "446 000",
+        "symmetry plane y = 0 used", "normal_force = 50e3", "not converged"})
+    EXPECT_EQ(report.find(text) != std::string::npos, std::string(text) != "not converged") << text;
+}
+
+TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
+  RunRecord run = tests::synthetic_run();
+  run.models.resize(1);
+  const fs::path folder = draw(run);
+  EXPECT_TRUE(fs::exists(folder / "figures/path_x.svg"));
+  EXPECT_FALSE(fs::exists(folder / "figures/creep_curve.svg"));
+  EXPECT_EQ(read(folder / "report.html").find("Traction coefficient"), std::string::npos);
+}
+
+TEST_F(FiguresTest, OnePointWithoutFieldsBreaksNothing) {
+  RunRecord run = tests::synthetic_run();
+  run.models = {run.models[1]};
+  run.models[0].points.resize(2);
+  for (contact::PointResult& point : run.models[0].points) point.fields = {};
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+  run.models[0].points.resize(1);
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+  run.models[0].points.clear();
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+  run.models.clear();
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+}
+
+TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
+  RunRecord run = tests::synthetic_run();
+  run.models = {run.models[1]};
+  run.models[0].name = "some-new-model";
+  run.input.title = "<b>markup</b> & \"quotes\"";
+  double eta = 0.0;
+  for (contact::PointResult& point : run.models[0].points) {
+    std::swap(point.fields.traction.x, point.fields.traction.y);
+    std::swap(point.longitudinal_force, point.lateral_force);
+    point.creepage = {0.0, eta, 1e-4};
+    eta += 0.0005;
+  }
+  const fs::path folder = draw(run);
+  EXPECT_TRUE(fs::exists(folder / "figures/creep_curve.svg"));
+  const std::string report = read(folder / "report.html");
+  EXPECT_NE(report.find("Lateral force"), std::string::npos);
+  EXPECT_EQ(report.find("<b>markup"), std::string::npos);
+}
+
+TEST_F(FiguresTest, AModelThatDidNotConvergeIsNamed) {
+  RunRecord run = tests::synthetic_run();
+  run.models[1].points[3].converged = false;
+  EXPECT_NE(read(draw(run) / "report.html").find("half-space at ξ = 0.2 %"), std::string::npos);
+}
+
+TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
+  const fs::path folder = draw(tests::synthetic_run());
+  fs::resize_file(folder / "results.h5", fs::file_size(folder / "results.h5") / 2);
+  const std::string message = make_report(folder.string(), scripts);
+  EXPECT_NE(message.find("cannot be read as a result"), std::string::npos) << message;
+  EXPECT_EQ(message.find("Traceback"), std::string::npos) << message;
+  fs::remove(folder / "results.h5");
+  EXPECT_NE(make_report(folder.string(), scripts).find("there is no"), std::string::npos);
+}
+
+TEST(MakeReport, SaysWhatIsMissing) {
+  EXPECT_NE(make_report("/nowhere", "/nowhere").find("no Python package"), std::string::npos);
+  ::setenv("ROLLFEM_PYTHON", "/nowhere/python3", 1);
+  EXPECT_NE(make_report("/nowhere", scripts).find("cannot run /nowhere/python3"),
+            std::string::npos);
+  ::unsetenv("ROLLFEM_PYTHON");
+  EXPECT_NE(make_report("/nowhere", scripts + "/rollfem_figures"), "");
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess

@@ -1,0 +1,178 @@
+// The normal solver on the half-space against Hertz, a punch, CONTACT and invariants.
+#include "contact/errors.hpp"
+#include "contact/normal.hpp"
+#include "contact/patch_size.hpp"
+#include "halfspace/compliance.hpp"
+#include "halfspace/hertz.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
+#include <cmath>
+
+namespace rollfem {
+namespace {
+
+using contact::ContactGrid;
+using contact::Field;
+using contact::NormalProblem;
+using contact::NormalSolution;
+using halfspace::HalfspaceCompliance;
+using halfspace::HertzContact;
+
+struct Solved {
+  ContactGrid grid;
+  NormalProblem problem;
+  NormalSolution solution;
+};
+
+/// The case's quadratic surfaces with n elements across both axes of Hertz's ellipse.
+Solved solve_case(const contact::Case& input, int n, const contact::NormalOptions& options = {}) {
+  const HertzContact hertz = halfspace::hertz_of_case(input);
+  const contact::Curvatures curvatures = contact::relative_curvatures(input);
+  Solved run;
+  run.grid =
+      ContactGrid::centred(n + 6, n + 6, 2.0 * hertz.semi_axis_x / n, 2.0 * hertz.semi_axis_y / n);
+  run.problem.undeformed_distance = run.grid.sample(
+      [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
+  run.problem.normal_force = input.load.normal_force;
+  const HalfspaceCompliance compliance(run.grid,
+                                       contact::combine(input.wheel.material, input.rail.material));
+  run.solution = contact::solve_normal(compliance.normal(), run.problem, options);
+  return run;
+}
+
+TEST(HalfspaceNormal, MaxPressureConvergesToHertzWithOrderTwoAsInContact) {
+  // contact_normal.csv: CONTACT's errors in p0 and its contact elements at 20, 40, 80 across.
+  const double contact_errors[3][3] = {{-2.137e-3, -5.595e-4, -1.360e-4},
+                                       {-2.063e-3, -5.528e-4, -1.347e-4},
+                                       {-2.119e-3, -5.579e-4, -1.357e-4}};
+  const int contact_elements[3][3] = {{324, 1276, 5052}, {316, 1272, 5048}, {320, 1276, 5052}};
+  for (int c = 0; c < 3; ++c) {
+    const contact::Case input = tests::thesis_case("abc"[c]);
+    const HertzContact hertz = halfspace::hertz_of_case(input);
+    double previous = 0.0;
+    for (int level = 0; level < 3; ++level) {
+      const Solved run = solve_case(input, 20 << level);
+      const double error = run.solution.pressure.maxCoeff() / hertz.max_pressure - 1.0;
+      EXPECT_NEAR(error, contact_errors[c][level], 2e-6) << "case "
+                                                         << "abc"[c];
+      // CONTACT drops elements whose pressure is at rounding level: a few may differ.
+      EXPECT_NEAR(run.solution.contact_elements, contact_elements[c][level], 4);
+      if (level > 0) {
+        EXPECT_GT(std::log2(previous / error), 1.85);
+      }
+      if (level == 1) {
+        EXPECT_LT(std::abs(error), 1e-3);
+      }
+      previous = error;
+    }
+  }
+}
+
+TEST(HalfspaceNormal, ApproachConvergesToHertz) {
+  const contact::Case input = tests::thesis_case('a');
+  const double exact = halfspace::hertz_of_case(input).approach;
+  EXPECT_NEAR(solve_case(input, 40).solution.approach / exact - 1.0, -1.424e-4, 2e-6);
+  EXPECT_NEAR(solve_case(input, 80).solution.approach / exact - 1.0, -3.184e-5, 1e-6);
+}
+
+TEST(HalfspaceNormal, PatchSizeIsFoundBelowTheElementSize) {
+  for (const char name : {'a', 'b', 'c'}) {
+    const contact::Case input = tests::thesis_case(name);
+    const HertzContact hertz = halfspace::hertz_of_case(input);
+    for (const auto& [n, tolerance] : {std::pair{16, 0.01}, {40, 0.0025}, {80, 0.001}}) {
+      const Solved run = solve_case(input, n);
+      const contact::PatchSize size = contact::patch_size(run.grid, run.solution.pressure);
+      EXPECT_NEAR(0.5 * size.length / hertz.semi_axis_x, 1.0, tolerance) << name << n;
+      EXPECT_NEAR(0.5 * size.width / hertz.semi_axis_y, 1.0, tolerance) << name << n;
+      EXPECT_NEAR(size.area / (M_PI * hertz.semi_axis_x * hertz.semi_axis_y), 1.0, 2 * tolerance);
+    }
+  }
+}
+
+TEST(HalfspaceNormal, IterationsStayFewOnFineGrids) {
+  const contact::Case input = tests::thesis_case('a');
+  contact::NormalOptions engineering;
+  engineering.tolerance = 1e-5;
+  EXPECT_LE(solve_case(input, 20, engineering).solution.iterations, 9);
+  EXPECT_LE(solve_case(input, 160, engineering).solution.iterations, 12);
+  EXPECT_LE(solve_case(input, 160).solution.iterations, 20);
+}
+
+TEST(HalfspaceNormal, GivenForceAndGivenApproachAreTheSameProblem) {
+  Solved run = solve_case(tests::thesis_case('b'), 30);
+  const HalfspaceCompliance compliance(run.grid, tests::steel());
+  run.problem.normal_force.reset();
+  run.problem.approach = run.solution.approach;
+  const NormalSolution other = contact::solve_normal(compliance.normal(), run.problem);
+  EXPECT_NEAR(other.normal_force / run.solution.normal_force, 1.0, 1e-7);
+  EXPECT_LT((other.pressure - run.solution.pressure).cwiseAbs().maxCoeff(),
+            1e-5 * run.solution.pressure.maxCoeff());
+  EXPECT_EQ(other.contact_elements, run.solution.contact_elements);
+}
+
+TEST(HalfspaceNormal, HoldsEquilibriumAndComplementarityAtEveryElement) {
+  const Solved run = solve_case(tests::thesis_case('c'), 25);
+  const NormalSolution& s = run.solution;
+  EXPECT_NEAR(s.pressure.sum() * run.grid.element_area(), 50e3, 1e-8 * 50e3);
+  EXPECT_EQ(s.normal_force, s.pressure.sum() * run.grid.element_area());
+  const HalfspaceCompliance compliance(run.grid, tests::steel());
+  const Field gap = run.problem.undeformed_distance + compliance.normal().apply(s.pressure) -
+                    Field::Constant(run.grid.size(), s.approach);
+  for (int k = 0; k < run.grid.size(); ++k) {
+    EXPECT_GE(s.pressure[k], 0.0);
+    EXPECT_GE(gap[k], -1e-8 * s.approach);
+    if (s.pressure[k] > 0.0) {
+      EXPECT_NEAR(gap[k], 0.0, 1e-8 * s.approach);
+    }
+    EXPECT_EQ(s.pressure[k] * s.gap[k], 0.0);
+  }
+}
+
+TEST(HalfspaceNormal, ScalesWithUnitsAndHasTheSymmetryOfThePatch) {
+  const contact::Case input = tests::thesis_case('a');
+  const Solved run = solve_case(input, 21);
+  contact::Case scaled = input;  // lengths times 1000, moduli times 1e-6: metres from kilometres
+  scaled.wheel.rolling_radius *= 1e3;
+  scaled.rail.transverse_radius *= 1e3;
+  scaled.wheel.material.young_modulus *= 1e-6;
+  scaled.rail.material.young_modulus *= 1e-6;
+  const Solved other = solve_case(scaled, 21);
+  const double peak = run.solution.pressure.maxCoeff();
+  EXPECT_LT((other.solution.pressure * 1e6 - run.solution.pressure).cwiseAbs().maxCoeff(),
+            1e-7 * peak);
+  EXPECT_NEAR(other.solution.approach / run.solution.approach, 1e3, 1e-4);
+  for (int j = 0; j < run.grid.ny; ++j)
+    for (int i = 0; i < run.grid.nx; ++i) {
+      const double p = run.solution.pressure[run.grid.index(i, j)];
+      EXPECT_NEAR(p, run.solution.pressure[run.grid.index(run.grid.nx - 1 - i, j)], 1e-6 * peak);
+      EXPECT_NEAR(p, run.solution.pressure[run.grid.index(i, run.grid.ny - 1 - j)], 1e-6 * peak);
+    }
+}
+
+/// Flat circular punch: p = P/(2 pi a sqrt(a^2 - r^2)), approach = P/(2 a E*).
+TEST(HalfspaceNormal, FlatCircularPunchIsBoussinesqs) {
+  const double a = 1.0;
+  const double modulus = tests::steel().shear_modulus / (1.0 - tests::steel().poisson_ratio);
+  for (const int n : {20, 40, 80}) {
+    const ContactGrid grid = ContactGrid::centred(n + 4, n + 4, 2.0 * a / n, 2.0 * a / n);
+    const HalfspaceCompliance compliance(grid, tests::steel());
+    NormalProblem problem;
+    problem.undeformed_distance =
+        grid.sample([&](double x, double y) { return std::hypot(x, y) <= a ? 0.0 : 1.0; });
+    problem.approach = 1e-3;
+    const NormalSolution s = contact::solve_normal(compliance.normal(), problem);
+    const double error = s.normal_force / (2.0 * a * modulus * 1e-3) - 1.0;
+    // First order, and not evenly: the rim is a staircase and the pressure singular there.
+    EXPECT_LT(std::abs(error), 0.8 / n) << n;
+    if (n == 80) {
+      EXPECT_LT(std::abs(error), 0.01);
+      const double middle = s.pressure[grid.index(grid.nx / 2, grid.ny / 2)];
+      EXPECT_NEAR(middle / (s.normal_force / (2.0 * M_PI * a * a)), 1.0, 0.01);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rollfem

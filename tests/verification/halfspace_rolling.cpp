@@ -1,0 +1,301 @@
+// Steady rolling on the half-space against CONTACT, converged values and invariants.
+#include "contact/tangential.hpp"
+#include "halfspace/compliance.hpp"
+#include "halfspace/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem {
+namespace {
+
+using contact::Case;
+using contact::ContactGrid;
+using contact::ElementState;
+using contact::Field;
+using contact::ModelResult;
+using contact::TangentialProblem;
+using contact::TangentialSolution;
+using contact::UpwindOrder;
+using halfspace::HalfspaceCompliance;
+using tests::Benchmark9;
+
+TangentialSolution solve_benchmark_9(int across, UpwindOrder order) {
+  const Benchmark9 benchmark;
+  const ContactGrid grid = benchmark.grid(across);
+  const HalfspaceCompliance compliance(grid, Benchmark9::material());
+  return contact::solve_tangential(compliance.rolling(order), benchmark.problem(grid));
+}
+
+tests::Forces forces_of_benchmark_9(int across, UpwindOrder order) {
+  return tests::forces(Benchmark9().grid(across), solve_benchmark_9(across, order).traction);
+}
+
+TEST(SteadyRolling, SecondOrderReachesTheConvergedForcesAt20Across) {
+  // Converged values of benchmark 9, reference/benchmarks.md: 10 240 +- 5 N, 1150 +- 10 N mm.
+  const tests::Forces f = forces_of_benchmark_9(20, UpwindOrder::second);
+  EXPECT_NEAR(f.x, 10240.0, 0.005 * 10240.0);  // negative creepage drives: F_x on the wheel > 0
+  EXPECT_NEAR(f.y, -7057.0, 0.01 * 7057.0);
+  EXPECT_NEAR(f.moment, -1150.0, 0.06 * 1150.0);
+}
+
+TEST(SteadyRolling, FirstOrderGivesTheValuesOfTheDesignAndOfContact) {
+  const double fx[] = {10867.0, 10554.0, 10409.0};
+  const double moment[] = {-3078.0, -2120.0, -1687.0};
+  for (int level = 0; level < 3; ++level) {
+    const tests::Forces f = forces_of_benchmark_9(10 << level, UpwindOrder::first);
+    EXPECT_NEAR(f.x / fx[level], 1.0, 0.005);
+    EXPECT_NEAR(f.moment / moment[level], 1.0, 0.005);
+  }
+  // CONTACT itself at 80 across, its own first-order operator: 10 320, -7126, -1364.
+  const tests::Forces f = forces_of_benchmark_9(80, UpwindOrder::first);
+  EXPECT_NEAR(f.x / 10320.0, 1.0, 0.005);
+  EXPECT_NEAR(f.y / -7126.0, 1.0, 0.005);
+  EXPECT_NEAR(f.moment / -1364.0, 1.0, 0.025);
+}
+
+TEST(SteadyRolling, BothOrdersConvergeToTheSameForces) {
+  const tests::Forces first_40 = forces_of_benchmark_9(40, UpwindOrder::first);
+  const tests::Forces first_80 = forces_of_benchmark_9(80, UpwindOrder::first);
+  const tests::Forces second = forces_of_benchmark_9(80, UpwindOrder::second);
+  // First order by Richardson with order 1.
+  EXPECT_NEAR((2.0 * first_80.x - first_40.x) / second.x, 1.0, 0.003);
+  EXPECT_LT(std::abs(first_80.x - second.x), 0.6 * std::abs(first_40.x - second.x));
+}
+
+TEST(SteadyRolling, NewtonTakesFewStepsAndEndsFast) {
+  for (const int across : {10, 20, 40, 80}) {
+    const TangentialSolution s = solve_benchmark_9(across, UpwindOrder::second);
+    EXPECT_LE(s.newton_steps, 9) << across;
+    EXPECT_LE(s.krylov_iterations, 200) << across;
+    EXPECT_LE(s.residual, 1e-6);
+  }
+  // One step more than needed for 1e-6 must gain at least three digits: superlinear.
+  const Benchmark9 benchmark;
+  const ContactGrid grid = benchmark.grid(40);
+  const HalfspaceCompliance compliance(grid, Benchmark9::material());
+  contact::TangentialOptions tight;
+  tight.tolerance = 1e-6;
+  const TangentialSolution s = contact::solve_tangential(compliance.rolling(UpwindOrder::second),
+                                                         benchmark.problem(grid), tight);
+  tight.tolerance = 1e-11;
+  const TangentialSolution sharp = contact::solve_tangential(
+      compliance.rolling(UpwindOrder::second), benchmark.problem(grid), tight);
+  EXPECT_LE(sharp.newton_steps, s.newton_steps + 2);
+}
+
+TEST(SteadyRolling, HoldsCoulombsLawAtEveryElement) {
+  const Benchmark9 benchmark;
+  const ContactGrid grid = benchmark.grid(30);
+  const TangentialProblem problem = benchmark.problem(grid);
+  const TangentialSolution s = solve_benchmark_9(30, UpwindOrder::second);
+  const double rigid = std::hypot(1e-3, 5e-4);
+  int adhesion = 0;
+  for (int k = 0; k < grid.size(); ++k) {
+    const double g = problem.traction_bound[k];
+    const double p = std::hypot(s.traction.x[k], s.traction.y[k]);
+    const double w = std::hypot(s.slip.x[k], s.slip.y[k]);
+    EXPECT_LE(p, g * (1.0 + 1e-12));
+    if (s.state[static_cast<std::size_t>(k)] == ElementState::exterior) {
+      EXPECT_EQ(g, 0.0);
+      EXPECT_EQ(p, 0.0);
+    } else if (s.state[static_cast<std::size_t>(k)] == ElementState::adhesion) {
+      ++adhesion;
+      EXPECT_LE(w, 1e-5 * rigid);
+    } else {
+      EXPECT_NEAR(p / g, 1.0, 1e-5);
+      // Traction against slip: p w = -g |w|.
+      const double work = s.traction.x[k] * s.slip.x[k] + s.traction.y[k] * s.slip.y[k];
+      EXPECT_NEAR(work, -g * w, 1e-5 * g * rigid);
+    }
+  }
+  EXPECT_GT(adhesion, 100);
+}
+
+/// Tractions with the creepages (xi, eta, phi) on benchmark 9's patch.
+TangentialSolution with_creepage(const contact::Creepage& creepage, int across) {
+  Benchmark9 benchmark;
+  benchmark.creepage = creepage;
+  const ContactGrid grid = benchmark.grid(across);
+  const HalfspaceCompliance compliance(grid, Benchmark9::material());
+  return contact::solve_tangential(compliance.rolling(UpwindOrder::second),
+                                   benchmark.problem(grid));
+}
+
+TEST(SteadyRolling, BrakingGivesANegativeForceOnTheWheel) {
+  const ContactGrid grid = Benchmark9().grid(16);
+  EXPECT_LT(tests::forces(grid, with_creepage({1e-3, 0.0, 0.0}, 16).traction).x, 0.0);
+  EXPECT_LT(tests::forces(grid, with_creepage({0.0, 1e-3, 0.0}, 16).traction).y, 0.0);
+  const tests::Forces spin = tests::forces(grid, with_creepage({0.0, 0.0, 1e-4}, 16).traction);
+  // Kalker: F_y = -G c^3 C23 phi, M_z = -G c^4 C33 phi.
+  EXPECT_LT(spin.y, 0.0);
+  EXPECT_LT(spin.moment, 0.0);
+}
+
+TEST(SteadyRolling, ReversedCreepageReversesTractions) {
+  const TangentialSolution s = with_creepage({-1e-3, 5e-4, 1e-4}, 20);
+  const TangentialSolution r = with_creepage({1e-3, -5e-4, -1e-4}, 20);
+  const double scale = s.traction.x.cwiseAbs().maxCoeff();
+  EXPECT_LT((s.traction.x + r.traction.x).cwiseAbs().maxCoeff(), 1e-4 * scale);
+  EXPECT_LT((s.traction.y + r.traction.y).cwiseAbs().maxCoeff(), 1e-4 * scale);
+}
+
+TEST(SteadyRolling, MirroredSceneGivesMirroredTractions) {
+  // y -> -y: xi stays, eta and phi change sign; p_x(x, -y), -p_y(x, -y).
+  const TangentialSolution s = with_creepage({-1e-3, 5e-4, 1e-4}, 20);
+  const TangentialSolution m = with_creepage({-1e-3, -5e-4, -1e-4}, 20);
+  const ContactGrid grid = Benchmark9().grid(20);
+  const double scale = s.traction.x.cwiseAbs().maxCoeff();
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      const int l = grid.index(i, grid.ny - 1 - j);
+      EXPECT_NEAR(s.traction.x[k], m.traction.x[l], 1e-4 * scale);
+      EXPECT_NEAR(s.traction.y[k], -m.traction.y[l], 1e-4 * scale);
+    }
+}
+
+TEST(SteadyRolling, SmallCreepageGivesKalkersCoefficients) {
+  // Circle, nu = 0.25: C11 4.12, C22 3.67, C23 1.47, C33 1.19 (kalker_coefficients.csv, good to
+  // about 1 %, C33 to 3 %); C23 = -C32 by reciprocity.
+  const double G = 82000.0;
+  const double c = 4.0;
+  contact::CombinedMaterial material = Benchmark9::material();
+  material.poisson_ratio = 0.25;
+  const int n = 40;
+  const ContactGrid grid = ContactGrid::centred(n + 6, n + 6, 2 * c / n, 2 * c / n);
+  const HalfspaceCompliance compliance(grid, material);
+  const auto run = [&](double xi, double eta, double phi) {
+    TangentialProblem problem;
+    problem.traction_bound =
+        grid.sample([&](double x, double y) { return x * x + y * y < c * c ? 1e9 : 0.0; });
+    problem.rigid_slip.x = grid.sample([&](double, double y) { return xi - phi * y; });
+    problem.rigid_slip.y = grid.sample([&](double x, double) { return eta + phi * x; });
+    return tests::forces(
+        grid, contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem).traction);
+  };
+  const double e = 1e-5;
+  const double c11 = -run(e, 0, 0).x / (G * c * c * e);
+  const tests::Forces lateral = run(0, e, 0);
+  const tests::Forces spin = run(0, 0, e / c);
+  const double c22 = -lateral.y / (G * c * c * e);
+  const double c32 = -lateral.moment / (G * c * c * c * e);
+  const double c23 = -spin.y / (G * c * c * c * e / c);
+  const double c33 = -spin.moment / (G * c * c * c * c * e / c);
+  EXPECT_NEAR(c11 / 4.12, 1.0, 0.02);
+  EXPECT_NEAR(c22 / 3.67, 1.0, 0.02);
+  EXPECT_NEAR(c23 / 1.47, 1.0, 0.02);
+  EXPECT_NEAR(c33 / 1.19, 1.0, 0.05);
+  EXPECT_NEAR(-c32 / c23, 1.0, 0.02);
+}
+
+TEST(SteadyRolling, FullSlipIsElementary) {
+  const TangentialSolution s = with_creepage({0.05, 0.0, 0.0}, 20);
+  const ContactGrid grid = Benchmark9().grid(20);
+  const Field bound = Benchmark9().problem(grid).traction_bound;
+  EXPECT_NEAR(tests::forces(grid, s.traction).x, -bound.sum() * grid.element_area(), 1.0);
+  EXPECT_EQ(std::count(s.state.begin(), s.state.end(), ElementState::adhesion), 0);
+}
+
+/// Creep curve of a thesis case by the model; {xi, Fx/Fz}.
+ModelResult creep_curve(char name, int across, const std::vector<double>& xi) {
+  Case input = tests::thesis_case(name);
+  input.contact_grid.elements_across = across;
+  input.rolling.creepages.clear();
+  for (const double value : xi) input.rolling.creepages.push_back({value, 0.0, 0.0});
+  return halfspace::run_halfspace(input, {});
+}
+
+TEST(CreepCurve, OfCaseAIsWithinHalfAPercentOfTheLargest) {
+  const std::vector<double> xi{0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006};
+  const double exact[] = {0.0, 0.11562, 0.21601, 0.37267, 0.4746, 0.53029, 0.54952};
+  const ModelResult result = creep_curve('a', 40, xi);
+  ASSERT_EQ(result.points.size(), xi.size());
+  for (std::size_t k = 0; k < xi.size(); ++k) {
+    const contact::PointResult& point = result.points[k];
+    EXPECT_NEAR(point.traction_coefficient, exact[k], 0.005 * 0.54952) << xi[k];
+    EXPECT_NEAR(point.max_pressure, 578.967, 0.001 * 578.967);
+    EXPECT_NEAR(point.semi_axis_x, 3.79236, 0.005 * 3.79236);
+    EXPECT_NEAR(point.semi_axis_y, 10.87295, 0.005 * 10.87295);
+    EXPECT_NEAR(point.normal_force, 50e3, 1e-8 * 50e3);
+    EXPECT_TRUE(point.converged);
+  }
+  EXPECT_GE(result.points[3].max_traction_x, 306.0);
+  EXPECT_LE(result.points[3].max_traction_x, 309.0);
+}
+
+TEST(CreepCurve, ErrorEstimatesCoverTheErrors) {
+  const std::vector<double> xi{0.0005, 0.001, 0.002, 0.003, 0.004};
+  const double exact[] = {0.11562, 0.21601, 0.37267, 0.4746, 0.53029};
+  for (const int across : {20, 40}) {
+    const ModelResult result = creep_curve('a', across, xi);
+    for (std::size_t k = 0; k < xi.size(); ++k) {
+      const contact::PointResult& point = result.points[k];
+      const auto covers = [&](const char* name, double value, double truth, double slack) {
+        const double estimate = point.error_estimate.at(name);
+        EXPECT_LE(std::abs(value - truth), estimate * std::abs(truth) + slack)
+            << name << " at " << xi[k] << ", " << across;
+        EXPECT_LT(estimate, 0.05) << name;
+      };
+      covers("max_pressure", point.max_pressure, 578.9674, 0.0);
+      covers("approach", point.approach, 0.04731083, 0.0);
+      covers("semi_axis_x", point.semi_axis_x, 3.792363, 0.0);
+      covers("semi_axis_y", point.semi_axis_y, 10.872949, 0.0);
+      covers("traction_coefficient", point.traction_coefficient, exact[k], 5e-4);
+    }
+  }
+}
+
+/// contact_tangential.csv, case c: CONTACT's Fx/Fz at 40, 80 and 160 elements across.
+struct ContactRow {
+  double xi, at_40, at_80, at_160, max_px_80;
+};
+constexpr ContactRow case_c[] = {{0.001, 0.13514831, 0.13354435, 0.13300248, 500.03487},
+                                 {0.002, 0.24755009, 0.24488792, 0.24396890, 673.20600},
+                                 {0.004, 0.41046727, 0.40748153, 0.40612354, 832.21751}};
+
+TEST(CreepCurve, OfCaseCWithFirstOrderIsContactsOnTheSameGrid) {
+  Case input = tests::thesis_case('c');
+  input.rolling.upwind_order = UpwindOrder::first;
+  input.rolling.creepages.clear();
+  for (const ContactRow& row : case_c) input.rolling.creepages.push_back({row.xi, 0.0, 0.0});
+  for (const int across : {40, 80}) {
+    input.contact_grid.elements_across = across;
+    const ModelResult result = halfspace::run_halfspace(input, {});
+    for (std::size_t k = 0; k < std::size(case_c); ++k)
+      EXPECT_NEAR(result.points[k].traction_coefficient,
+                  across == 40 ? case_c[k].at_40 : case_c[k].at_80, 2e-4)
+          << case_c[k].xi << ", " << across;
+  }
+}
+
+TEST(CreepCurve, OfCaseCReachesAt80AcrossWhatContactExtrapolatesTo) {
+  const ModelResult result = creep_curve('c', 80, {0.001, 0.002, 0.004});
+  for (std::size_t k = 0; k < std::size(case_c); ++k) {
+    const ContactRow& row = case_c[k];
+    const double extrapolated = 2.0 * row.at_160 - row.at_80;  // CONTACT is first order
+    EXPECT_NEAR(result.points[k].traction_coefficient, extrapolated, 0.002 * 0.55) << row.xi;
+    EXPECT_NEAR(result.points[k].max_traction_x / row.max_px_80, 1.0, 0.005);
+  }
+}
+
+TEST(CreepCurve, FrictionlessOrZeroCreepageGivesNoTractionAtOnce) {
+  Case input = tests::thesis_case('b');
+  input.contact_grid.elements_across = 12;
+  input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
+  const ModelResult still = halfspace::run_halfspace(input, {});
+  EXPECT_EQ(still.points[0].max_traction, 0.0);
+  EXPECT_EQ(still.points[0].iterations, 0);
+  EXPECT_GT(still.points[1].max_traction, 0.0);
+  EXPECT_NEAR(still.points[0].adhesion_area, still.points[0].contact_area, 1e-12);
+  input.friction_coefficient = 0.0;
+  const ModelResult frictionless = halfspace::run_halfspace(input, {});
+  EXPECT_EQ(frictionless.points[1].max_traction, 0.0);
+  EXPECT_EQ(frictionless.points[1].adhesion_area, 0.0);
+}
+
+}  // namespace
+}  // namespace rollfem
