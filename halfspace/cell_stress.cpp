@@ -16,12 +16,21 @@ constexpr double pi = 3.14159265358979323846;
 /// From how many times the longer side on the point sources are summed by Gauss's rule.
 constexpr double far_distance = 20.0;
 
+/// A point this near to the line of an edge (in units of the longer side) lies on it: coordinates
+/// of points and elements are sums, so that rounding must not decide on which side.
+constexpr double on_the_edge = 1e-11;
+
+double snapped(double offset) {
+  return std::abs(offset) < on_the_edge ? 0.0 : offset;
+}
+
 /// asinh(along/across) up to terms of `across` alone, which the caller's differences cancel; on the
 /// edge itself its finite part.
 double edge_logarithm(double along, double r, double across) {
   const double length = std::abs(along) + r;
   if (length == 0.0) return 0.0;
-  return std::copysign(std::log(across > 0.0 ? length / across : length), along);
+  const double logarithm = std::log(across > 0.0 ? length / across : length);
+  return along < 0.0 ? -logarithm : logarithm;
 }
 
 double ratio_or_zero(double numerator, double denominator) {
@@ -30,7 +39,9 @@ double ratio_or_zero(double numerator, double denominator) {
 
 }  // namespace
 
-Potentials corner_potentials(double X, double Y, double z) {
+Potentials corner_potentials(double X_given, double Y_given, double z) {
+  const double X = snapped(X_given);
+  const double Y = snapped(Y_given);
   const double X2 = X * X;
   const double Y2 = Y * Y;
   const double z2 = z * z;

@@ -61,12 +61,12 @@ struct LocalLoad {
   double z = 0.0;
 };
 
-/// Mixed antiderivative in X and Y at a corner (X, Y from the corner to the field point, lengths in
-/// units of the caller, z >= 0). Terms that depend on X or on Y alone are dropped: they cancel in
+/// Mixed antiderivative in X and Y at a corner; X, Y from the corner to the field point and z >= 0
+/// in units of the longer side. Terms that depend on X or on Y alone are dropped: they cancel in
 /// the difference over the four corners. Where the stress is infinite, that is on the surface at a
-/// loaded edge (xx, yy of a tangential traction along the normal of the edge) or at a corner (xy of
-/// the pressure), the finite part is returned: jumps of a piecewise constant traction make the
-/// infinity, a continuous traction has none.
+/// loaded edge (xx, yy, xy of tangential tractions) or at a corner (xy of the pressure), the finite
+/// part is returned: jumps of a piecewise constant traction make the infinity, a continuous
+/// traction has none. On the edge the tractions are the mean of both sides.
 Potentials corner_potentials(double X, double Y, double z);
 
 /// Potentials of a unit point source at offset (X, Y), r > 0.
