@@ -13,7 +13,10 @@ namespace {
 
 using VectorType = ChebyshevSmoother::VectorType;
 
-constexpr double range = 15;  ///< ratio of largest to smallest damped eigenvalue
+/// Ratio of largest to smallest damped eigenvalue for one degree of the polynomial. Isotropic cells
+/// need less; with the cells of aspect 3 that graded meshes have, wider ranges save a third of the
+/// iterations (measured: degree 4 to 8, ratios 15 to 100; flat from 8 to 20 times the degree).
+constexpr double range_per_degree = 10;
 
 /// A start vector with all frequencies that does not depend on the number of processes: a hash of
 /// the global number, in [-1, 1].
@@ -87,7 +90,7 @@ void ChebyshevSmoother::step(VectorType& x, const VectorType& b) const {
 
 // Three-term recurrence, Saad, Iterative methods for sparse linear systems, algorithm 12.1.
 void ChebyshevSmoother::iterate(VectorType& x, const VectorType& b, bool from_zero) const {
-  const double smallest = largest_ / range;
+  const double smallest = largest_ / (range_per_degree * degree_);
   const double theta = (largest_ + smallest) / 2, delta = (largest_ - smallest) / 2;
   const std::size_t size = x.locally_owned_size();
   const float *inverse = inverse_diagonal_.begin(), *right = b.begin(), *product = product_.begin();

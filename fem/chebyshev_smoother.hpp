@@ -6,8 +6,8 @@
 namespace rollfem::fem {
 
 /// Damps the part of the error whose eigenvalues of D^-1 K lie in the upper part
-/// [largest / range, largest] of the spectrum. A polynomial in D^-1 K, so that a V-cycle with it
-/// before and after is symmetric.
+/// [largest / (10 degree), largest] of the spectrum. A polynomial in D^-1 K, so that a V-cycle with
+/// it before and after is symmetric.
 class ChebyshevSmoother {
  public:
   using VectorType = ElasticityOperator<float>::VectorType;

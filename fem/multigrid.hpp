@@ -9,7 +9,7 @@ namespace rollfem::fem {
 struct MultigridOptions {
   double tolerance = 1e-8;  ///< residual relative to the right-hand side
   int max_iterations = 200;
-  int smoother_degree = 4;
+  int smoother_degree = 6;  ///< matrix products before, and again after, the coarse correction
 };
 
 /// Any number of MPI processes; collective.

@@ -123,9 +123,10 @@ void add_notes(const Case& input, ModelResult& result) {
       result.grid.dx, result.grid.dy,
       input.rolling.upwind_order == contact::UpwindOrder::first ? "first" : "second"));
   result.notes.push_back(
-      "error estimates: 1.25 times the change between this grid and one of twice the cells, "
-      "divided "
-      "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1)");
+      "error estimates: 1.5 times the change between this grid and one of twice the cells, divided "
+      "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "
+      "forces "
+      "of partial slip at least 0.15 over the number of elements across");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ double all_processes_max(double value) {
 double difference_from_factorisation(const BlockOptions& options, int* iterations = nullptr) {
   const Block block(options, test::clamped_below());
   auto u = fem::make_vector(block.dofs());
-  const auto solver = fem::make_multigrid(block.problem(), {1e-11, 100, 4});
+  const auto solver = fem::make_multigrid(block.problem(), {1e-11, 100});
   solver->solve(u, block.body_load(uneven_load));
   if (iterations != nullptr) *iterations = solver->last_iterations();
 
@@ -67,7 +67,8 @@ TEST(Multigrid, EqualsTheFactorisationOnStretchedCells) {
   options.local_refinements = 1;
   int iterations = 0;
   EXPECT_LT(difference_from_factorisation(options, &iterations), 1e-8);
-  EXPECT_LE(iterations, 60);
+  EXPECT_LE(iterations, 60) << "to 1e-11";
+  RecordProperty("iterations", iterations);
 }
 
 TEST(Multigrid, SolvesAnUnrefinedMeshDirectly) {
@@ -90,7 +91,7 @@ TEST(Multigrid, PassesThePatchTestOnSkewCells) {
     Tensor<1, 3> tension;
     tension[0] = sigma;
     auto u = fem::make_vector(block.dofs());
-    fem::make_multigrid(block.problem(), {1e-12, 100, 4})
+    fem::make_multigrid(block.problem(), {1e-12, 100})
         ->solve(u, block.face_load(1, [&](const Point<3>&) { return tension; }));
     double error = 0;
     block.for_each_dof([&](const Point<3>& p, unsigned int component, auto dof) {
@@ -113,14 +114,14 @@ TEST(Multigrid, NeedsNoMoreIterationsOnFinerMeshes) {
     iterations.push_back(solver->last_iterations());
     RecordProperty("iterations_" + std::to_string(refinements), iterations.back());
   }
-  EXPECT_LE(iterations.back(), 10) << "to 1e-8";
+  EXPECT_LE(iterations.back(), 8) << "to 1e-8; 7, 7, 7 were measured";
   EXPECT_LE(iterations.back(), iterations.front() + 1);
 }
 
 // Betti: the work of one load on the displacement of another.
 TEST(Multigrid, IsSymmetricToTheTolerance) {
   const Block block({}, test::clamped_below());
-  const auto solver = fem::make_multigrid(block.problem(), {1e-12, 100, 4});
+  const auto solver = fem::make_multigrid(block.problem(), {1e-12, 100});
   const auto a = block.body_load(uneven_load);
   Tensor<1, 3> pressure;
   pressure[2] = -7;
@@ -150,7 +151,7 @@ TEST(Multigrid, SaysWhenItDoesNotConverge) {
   const Block block({}, test::clamped_below());
   auto u = fem::make_vector(block.dofs());
   const auto load = block.body_load(uneven_load);
-  EXPECT_THROW(fem::make_multigrid(block.problem(), {1e-8, 2, 4})->solve(u, load),
+  EXPECT_THROW(fem::make_multigrid(block.problem(), {1e-8, 2})->solve(u, load),
                contact::SolveError);
   auto broken = load;
   broken = std::nan("");

@@ -1,0 +1,280 @@
+// Steady rolling where half-space codes use to fail: each case has a right answer.
+#include "contact/errors.hpp"
+#include "contact/tangential.hpp"
+#include "halfspace/compliance.hpp"
+#include "halfspace/hertz.hpp"
+#include "halfspace/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace rollfem {
+namespace {
+
+using contact::Case;
+using contact::ContactGrid;
+using contact::ElementState;
+using contact::Field;
+using contact::TangentialField;
+using contact::TangentialProblem;
+using contact::TangentialSolution;
+using contact::UpwindOrder;
+using halfspace::HalfspaceCompliance;
+using halfspace::HertzContact;
+using tests::Benchmark9;
+
+/// Forces under Hertz's pressure with semi-axes a, b and n elements across both.
+struct Patch {
+  double a = 6.0;
+  double b = 6.0;
+  int nx = 24;
+  int ny = 24;
+  double p0 = 1.5 * 82000.0 / (M_PI * 36.0);
+  double friction = 0.3;
+  double nu = 0.28;
+  double G = 82000.0;
+
+  double normal_force() const { return 2.0 / 3.0 * M_PI * a * b * p0; }
+  ContactGrid grid() const { return ContactGrid::centred(nx + 6, ny + 6, 2 * a / nx, 2 * b / ny); }
+  contact::CombinedMaterial material() const {
+    contact::CombinedMaterial combined;
+    combined.shear_modulus = G;
+    combined.poisson_ratio = nu;
+    combined.contact_modulus = G / (1.0 - nu);
+    return combined;
+  }
+  TangentialProblem problem(const contact::Creepage& creepage) const {
+    TangentialProblem given;
+    given.traction_bound = grid().sample([&](double x, double y) {
+      const double rest = 1.0 - x * x / (a * a) - y * y / (b * b);
+      return rest > 0.0 ? friction * p0 * std::sqrt(rest) : 0.0;
+    });
+    given.rigid_slip.x =
+        grid().sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; });
+    given.rigid_slip.y =
+        grid().sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
+    return given;
+  }
+  TangentialSolution solve(const contact::Creepage& creepage) const {
+    const HalfspaceCompliance compliance(grid(), material());
+    return contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem(creepage));
+  }
+  tests::Forces forces(const contact::Creepage& creepage) const {
+    return tests::forces(grid(), solve(creepage).traction);
+  }
+  /// mu F_z as the elements have it.
+  double sliding_force() const { return problem({}).traction_bound.sum() * grid().element_area(); }
+};
+
+TEST(HardRolling, LowFrictionSlidesAndHighFrictionAdheres) {
+  Patch low;
+  low.friction = 1e-4;
+  EXPECT_NEAR(low.forces({1e-3, 0, 0}).x / -low.sliding_force(), 1.0, 1e-4);
+  // Nearly no creepage either: Carter-like partial slip, similar to mu 0.3 at 3000 times the
+  // creepage, for only xi / mu counts.
+  Patch usual;
+  const double ratio = usual.forces({1e-3, 0, 0}).x / usual.sliding_force();
+  EXPECT_NEAR(low.forces({1e-3 * 1e-4 / 0.3, 0, 0}).x / low.sliding_force() / ratio, 1.0, 1e-4);
+  Patch high;
+  high.friction = 500.0;
+  const double force = high.forces({1e-3, 0, 0}).x;
+  EXPECT_NEAR(-force / (high.G * high.a * high.b * 1e-3) / 4.20, 1.0, 0.03);  // C11 at nu 0.28
+  EXPECT_NEAR(high.forces({2e-3, 0, 0}).x / force, 2.0, 1e-3);
+}
+
+TEST(HardRolling, TinyCreepageIsLinearAndHugeCreepageSlides) {
+  const Patch patch;
+  const double tiny = patch.forces({1e-9, 0, 0}).x / 1e-9;
+  EXPECT_NEAR(patch.forces({1e-7, 0, 0}).x / 1e-7 / tiny, 1.0, 0.002);
+  EXPECT_NEAR(-tiny / (patch.G * patch.a * patch.b) / 4.20, 1.0, 0.03);
+  for (const contact::Creepage& c :
+       {contact::Creepage{0.5, 0, 0}, {-0.5, 0, 0}, {0.3, 0.4, 0}, {0.0, 0.5, 0.0}}) {
+    const tests::Forces f = patch.forces(c);
+    const double size = std::hypot(c.longitudinal, c.lateral);
+    EXPECT_NEAR(f.x, -patch.sliding_force() * c.longitudinal / size, 1e-3 * patch.sliding_force());
+    EXPECT_NEAR(f.y, -patch.sliding_force() * c.lateral / size, 1e-3 * patch.sliding_force());
+  }
+}
+
+TEST(HardRolling, PureSpinFromLinearToFullSlip) {
+  const Patch patch;
+  const double c = patch.a;
+  // Kalker, circle, nu = 0.28 between the tabulated 1.47 (0.25) and 1.63 (0.5).
+  const tests::Forces small = patch.forces({0, 0, 1e-6});
+  EXPECT_NEAR(-small.y / (patch.G * c * c * c * 1e-6) / 1.49, 1.0, 0.05);
+  double moment = 0.0;
+  for (double spin = 1e-6; spin < 20.0; spin *= 10.0) {
+    const tests::Forces f = patch.forces({0, 0, spin});
+    EXPECT_LE(f.y, 0.0) << spin;
+    EXPECT_NEAR(f.x, 0.0, 1e-3 * patch.sliding_force()) << spin;
+    EXPECT_GT(-f.moment, moment) << spin;
+    moment = -f.moment;
+  }
+  // Sliding about the middle: M_z = mu integral of p r = 3 pi/16 mu F a.
+  EXPECT_NEAR(moment / (3.0 * M_PI / 16.0 * patch.sliding_force() * c), 1.0, 0.01);
+}
+
+TEST(HardRolling, NarrowPatchesFollowCarterStripByStrip) {
+  // a/b = 0.02: plane strain in every strip along rolling, Carter (benchmarks.md, 2).
+  Patch patch;
+  patch.a = 1.0;
+  patch.b = 50.0;
+  patch.nx = 40;
+  patch.ny = 40;
+  const double modulus = patch.material().contact_modulus;
+  const double radius = modulus * patch.a / (2.0 * patch.p0);
+  for (const double slipping : {0.2, 0.5, 0.8}) {  // (a - a')/a in the middle
+    const double xi = patch.friction * slipping * patch.a / radius;
+    double strips = 0.0;
+    double whole = 0.0;
+    for (int j = 0; j < 2000; ++j) {
+      const double half = std::sqrt(1.0 - std::pow((j + 0.5) / 2000, 2.0));
+      const double stick = std::max(0.0, 1.0 - slipping / half);
+      strips += half * half * (1.0 - stick * stick);
+      whole += half * half;
+    }
+    EXPECT_NEAR(-patch.forces({xi, 0, 0}).x / patch.sliding_force(), strips / whole, 0.02)
+        << slipping;
+  }
+}
+
+TEST(HardRolling, LongPatchesHaveKalkersAsymptote) {
+  // a/b = 50: C11 = 2 pi / ((L - 2 nu) g) (1 + (3 - ln 4)/(L - 2 nu)), L = ln(16/g^2).
+  Patch patch;
+  patch.a = 50.0;
+  patch.b = 1.0;
+  patch.nx = 80;
+  patch.ny = 20;
+  patch.friction = 1e3;
+  const double g = 1.0 / 50.0;
+  const double l = std::log(16.0 / (g * g)) - 2.0 * patch.nu;
+  const double c11 = 2.0 * M_PI / (l * g) * (1.0 + (3.0 - std::log(4.0)) / l);
+  EXPECT_NEAR(-patch.forces({1e-5, 0, 0}).x / (patch.G * 50.0 * 1e-5) / c11, 1.0, 0.06);
+  // And slides as a whole at large creepage.
+  patch.friction = 0.3;
+  EXPECT_NEAR(patch.forces({0.5, 0, 0}).x / -patch.sliding_force(), 1.0, 1e-3);
+}
+
+TEST(HardRolling, PoissonRatiosAtBothEndsGiveKalkersTable) {
+  // kalker_coefficients.csv, circle: C11, C22 at nu = 0 and 0.5.
+  for (const auto& [nu, c11, c22] : {std::tuple{0.0, 3.40, 3.40}, {0.4999, 5.20, 3.98}}) {
+    Patch patch;
+    patch.nu = nu;
+    patch.nx = patch.ny = 40;
+    patch.friction = 1e4;
+    const double unit = -patch.G * patch.a * patch.b * 1e-4;
+    EXPECT_NEAR(patch.forces({1e-4, 0, 0}).x / unit / c11, 1.0, 0.02) << nu;
+    EXPECT_NEAR(patch.forces({0, 1e-4, 0}).y / unit / c22, 1.0, 0.02) << nu;
+  }
+}
+
+TEST(HardRolling, FewElementsAndStretchedCells) {
+  const Patch fine{6.0, 6.0, 48, 48};
+  const contact::Creepage creepage{1e-3, -5e-4, 1e-5};
+  const tests::Forces right = fine.forces(creepage);
+  Patch coarse;
+  coarse.nx = coarse.ny = 4;
+  EXPECT_NEAR(coarse.forces(creepage).x / right.x, 1.0, 0.1);
+  Patch stretched;
+  stretched.nx = 12;
+  stretched.ny = 96;
+  EXPECT_NEAR(stretched.forces(creepage).x / right.x, 1.0, 0.03);
+  std::swap(stretched.nx, stretched.ny);
+  EXPECT_NEAR(stretched.forces(creepage).x / right.x, 1.0, 0.03);
+}
+
+TEST(HardRolling, AnyStartGivesTheSameTractions) {
+  const Patch patch;
+  const contact::Creepage creepage{-1e-3, 5e-4, 1e-4};
+  const TangentialSolution right = patch.solve(creepage);
+  const HalfspaceCompliance compliance(patch.grid(), patch.material());
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal(0.0, 1e6);
+  TangentialField noise{Field::Zero(patch.grid().size()), Field::Zero(patch.grid().size())};
+  for (double& value : noise.x) value = normal(engine);
+  for (double& value : noise.y) value = normal(engine);
+  const TangentialField reversed{-right.traction.x, -right.traction.y};
+  const double scale = right.traction.x.cwiseAbs().maxCoeff();
+  for (const TangentialField& start : {noise, reversed, right.traction, TangentialField{}}) {
+    const TangentialSolution other = contact::solve_tangential(
+        compliance.rolling(UpwindOrder::second), patch.problem(creepage), {}, start);
+    EXPECT_LT((other.traction.x - right.traction.x).cwiseAbs().maxCoeff(), 1e-4 * scale);
+    EXPECT_LT((other.traction.y - right.traction.y).cwiseAbs().maxCoeff(), 1e-4 * scale);
+  }
+}
+
+TEST(HardRolling, EveryCreepageOnAFineGridConverges) {
+  Patch patch;
+  patch.nx = patch.ny = 80;
+  for (const contact::Creepage& c : {contact::Creepage{2e-3, 0, 0},
+                                     {0, 2e-3, 0},
+                                     {0, 0, 3e-4},
+                                     {1e-3, 1e-3, 3e-4},
+                                     {-2e-3, 3e-3, -1e-3}}) {
+    const TangentialSolution s = patch.solve(c);
+    EXPECT_LE(s.residual, 1e-6);
+    EXPECT_LE(s.newton_steps, 20);
+  }
+}
+
+TEST(HardRolling, ShiftOfCattaneoAndMindlin) {
+  // Benchmark 3 with nu = 0, where the closed form is exact but for p_y: c/a = (1 - Q/mu P)^(1/3).
+  Patch patch;
+  patch.nu = 0.0;
+  patch.nx = patch.ny = 48;
+  const double theta = 0.5;
+  const double sliding = patch.friction * patch.normal_force();
+  // Both bodies alike: (2 - nu)/G of each is 2/G; shift = 3 mu P/(16 a) (4/G) (1 - theta^2).
+  const double shift = 3.0 * sliding / (16.0 * patch.a) * 4.0 / patch.G * (1.0 - theta * theta);
+  const HalfspaceCompliance compliance(patch.grid(), patch.material());
+  TangentialProblem problem = patch.problem({});
+  problem.rigid_slip.x.setConstant(shift);
+  const TangentialSolution s = contact::solve_tangential(compliance.shift(), problem);
+  const tests::Forces f = tests::forces(patch.grid(), s.traction);
+  EXPECT_NEAR(-f.x / sliding, 1.0 - theta * theta * theta, 0.004);
+  const double adhesion =
+      static_cast<double>(std::count(s.state.begin(), s.state.end(), ElementState::adhesion)) *
+      patch.grid().element_area();
+  EXPECT_NEAR(std::sqrt(adhesion / M_PI) / patch.a, theta, 0.02);
+}
+
+TEST(HardRolling, ForcesOfOneNewtonAndTenMeganewtonAreSimilar) {
+  // Lengths go as F^(1/3): the same traction coefficient at creepages in that proportion.
+  const auto coefficient = [](double force) {
+    Case input = tests::thesis_case('b');
+    input.contact_grid.elements_across = 16;
+    input.load.normal_force = force;
+    input.rolling.creepages = {{1e-3 * std::cbrt(force / 50e3), 0.0, 0.0}};
+    return halfspace::run_halfspace(input, {}).points[0].traction_coefficient;
+  };
+  const double usual = coefficient(50e3);
+  EXPECT_NEAR(coefficient(1.0) / usual, 1.0, 1e-5);
+  EXPECT_NEAR(coefficient(1e7) / usual, 1.0, 1e-5);
+}
+
+TEST(HardRolling, FailureIsAnErrorThatSaysHowFarItCame) {
+  const Patch patch;
+  const HalfspaceCompliance compliance(patch.grid(), patch.material());
+  contact::TangentialOptions options;
+  options.max_newton_steps = 1;
+  try {
+    contact::solve_tangential(compliance.rolling(UpwindOrder::second),
+                              patch.problem({1e-3, 0, 1e-4}), options);
+    FAIL() << "one step cannot be enough";
+  } catch (const contact::SolveError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("did not converge"), std::string::npos);
+    EXPECT_NE(text.find("1 Newton"), std::string::npos) << text;
+  }
+  TangentialProblem wrong = patch.problem({1e-3, 0, 0});
+  wrong.traction_bound[5] = -1.0;
+  EXPECT_THROW(contact::solve_tangential(compliance.rolling(UpwindOrder::second), wrong),
+               contact::SolveError);
+}
+
+}  // namespace
+}  // namespace rollfem
