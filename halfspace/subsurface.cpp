@@ -69,13 +69,13 @@ bool same_spacing(const contact::ContactGrid& grid, const contact::ContactGrid& 
   return same(grid.dx, points.dx, points.nx) && same(grid.dy, points.dy, points.ny);
 }
 
-/// Costs counted in corner functions: the convolution needs one per offset, and about as much again
-/// ten times over for its transforms.
+/// Costs counted in corner functions: the direct sum needs one per point and element, a layer of
+/// the convolution one per offset, and its transforms some four times as much again (measured).
 bool fft_is_cheaper(const LocalProblem& problem, const contact::ContactGrid& points,
                     long loaded_elements) {
   const double offsets = static_cast<double>(problem.grid.nx + points.nx) *
                          static_cast<double>(problem.grid.ny + points.ny);
-  return 10.0 * offsets < static_cast<double>(points.size()) * static_cast<double>(loaded_elements);
+  return 5.0 * offsets < static_cast<double>(points.size()) * static_cast<double>(loaded_elements);
 }
 
 SubsurfaceLayer empty_layer(const contact::ContactGrid& points, double depth) {

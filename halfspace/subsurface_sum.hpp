@@ -23,7 +23,9 @@ struct LocalProblem {
 /// Sums over the loaded elements of one problem at any point.
 class DirectSum {
  public:
+  /// Keeps a reference to the problem.
   explicit DirectSum(const LocalProblem& problem);
+  explicit DirectSum(LocalProblem&&) = delete;
   LocalState at(double x, double y, double z) const;
   /// Elements in the smallest rectangle that holds all loads.
   long elements() const;
@@ -41,7 +43,9 @@ class DirectSum {
 /// the loads and the plans are kept.
 class LayerConvolution {
  public:
+  /// Keeps a reference to the problem.
   LayerConvolution(const LocalProblem& problem, const contact::ContactGrid& points);
+  LayerConvolution(LocalProblem&&, const contact::ContactGrid&) = delete;
   /// One field per component.
   std::array<contact::Field, component_count> at(double z) const;
 

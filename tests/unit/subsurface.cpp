@@ -88,7 +88,6 @@ TEST(Subsurface, FourierSumEqualsDirectSum) {
     for (const contact::ContactGrid& lattice : lattices) {
       const std::vector<double> depths{0.0, 0.13, 1.7, 25.0};
       const auto direct = halfspace::subsurface_box(body, lattice, depths, Summation::direct);
-      if (lattice.dy != body.grid.dy && lattice.ny > 1) continue;
       const auto fft = halfspace::subsurface_box(body, lattice, depths, Summation::fft);
       for (std::size_t d = 0; d < depths.size(); ++d) {
         EXPECT_EQ(fft[d].depth, depths[d]);
