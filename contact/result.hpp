@@ -27,7 +27,12 @@ struct ContactFields {
 
 /// One load point of one model: the entries of summary.json and the fields behind them.
 struct PointResult {
-  Creepage creepage;
+  Creepage creepage;  ///< as prescribed, or as found for a prescribed force
+  int step = 0;       ///< 1, 2, ... in a history (problems shift and transient), else 0
+  double longitudinal_shift = 0.0;  ///< mm, of the wheel over the rail since the beginning
+  double lateral_shift = 0.0;       ///< mm, since the beginning
+  double spin_shift = 0.0;          ///< rad, since the beginning
+  double distance = 0.0;            ///< mm rolled since the beginning
   double normal_force = 0.0;        ///< N
   double longitudinal_force = 0.0;  ///< F_x, N, on the wheel
   double lateral_force = 0.0;       ///< F_y, N, on the wheel

@@ -53,10 +53,7 @@ ContactGrid enlarged(const ContactGrid& grid) {
 }
 
 contact::NormalProblem normal_problem(const Case& input, const ContactGrid& grid) {
-  const contact::Curvatures curvatures = contact::relative_curvatures(input);
-  return {grid.sample(
-              [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); }),
-          input.load.normal_force, input.load.approach};
+  return {contact::undeformed_distance(input, grid), input.load.normal_force, input.load.approach};
 }
 
 class Level {
