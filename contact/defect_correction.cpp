@@ -129,6 +129,33 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   return residual;
 }
 
+/// Shorter steps once the iteration only goes round: pressure, bound and traction at a slipping edge
+/// chase each other when mu times the coupling is large.
+class Damping {
+ public:
+  double factor() const { return factor_; }
+
+  /// True when the step has just been shortened.
+  bool after(double residual) {
+    if (residual < 0.7 * best_) {
+      best_ = residual;
+      in_vain_ = 0;
+      return false;
+    }
+    if (++in_vain_ < patience || factor_ <= least) return false;
+    in_vain_ = 0;
+    factor_ *= 0.5;
+    return true;
+  }
+
+ private:
+  static constexpr int patience = 8;
+  static constexpr double least = 0.1;
+  double best_ = std::numeric_limits<double>::infinity();
+  double factor_ = 1.0;
+  int in_vain_ = 0;
+};
+
 }  // namespace
 
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
@@ -140,6 +167,7 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   if (defect.displacement.n.size() != n) defect = zero_response(n);
 
   Anderson anderson(options.anderson_depth);
+  Damping damping;
   CoupledSolution solution;
   solution.normal.pressure = start_traction.n;
   solution.tangential.traction = {start_traction.x, start_traction.y};
@@ -157,8 +185,11 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
 
     // A changed active set can make the history misleading: begin it anew rather than follow it.
     if (solution.residual > 2.0 * best) anderson.restart();
+    if (damping.after(solution.residual)) anderson.restart();
     best = std::min(best, solution.residual);
-    defect = unstacked(anderson.next(stacked(defect), stacked(solution.defect)));
+    const Eigen::VectorXd iterate = stacked(defect);
+    const Eigen::VectorXd step = stacked(solution.defect) - iterate;
+    defect = unstacked(anderson.next(iterate, iterate + damping.factor() * step));
   }
   throw SolveError("the outer contact iteration did not converge: relative residual " +
                    std::to_string(solution.residual) + " after " +
