@@ -115,7 +115,7 @@ struct DistanceOptions {
 struct GivenPressure {
   double semi_axis_x = 0.0;   ///< a, mm
   double semi_axis_y = 0.0;   ///< b, mm
-  double max_pressure = 0.0;  ///< p0, MPa; from the normal force when that is given
+  double max_pressure = 0.0;  ///< p0, MPa; the reader finds it from Load::normal_force if need be
 };
 
 struct GridOptions {
