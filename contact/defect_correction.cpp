@@ -129,8 +129,8 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   return residual;
 }
 
-/// Shorter steps once the iteration only goes round: pressure, bound and traction at a slipping edge
-/// chase each other when mu times the coupling is large.
+/// Shorter steps once the iteration only goes round: pressure, bound and traction at a slipping
+/// edge chase each other when mu times the coupling is large.
 class Damping {
  public:
   double factor() const { return factor_; }

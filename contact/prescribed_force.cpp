@@ -39,10 +39,10 @@ class Counted {
 
   const TransmittedForce& operator()(const Vector2d& creepage) {
     if (evaluations_ == most_)
-      fail(wanted_, fmt::format("the search for its creepage did not converge in {} solutions; "
-                                "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}",
-                                most_, last_.force.x(), last_.force.y(), creepage_.x(),
-                                creepage_.y()));
+      fail(wanted_,
+           fmt::format("the search for its creepage did not converge in {} solutions; "
+                       "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}",
+                       most_, last_.force.x(), last_.force.y(), creepage_.x(), creepage_.y()));
     ++evaluations_;
     creepage_ = creepage;
     last_ = law_(creepage);

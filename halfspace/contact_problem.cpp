@@ -38,12 +38,16 @@ const contact::NormalSolution& ContactProblem::press(const NormalLoad& load, con
     pressed_.normal_force = pressed_.pressure.sum() * grid().element_area();
     pressed_.contact_elements = static_cast<int>((pressed_.pressure.array() > 0.0).count());
   } else {
-    pressed_ =
-        contact::solve_normal(uncoupled_.normal(),
-                              {scene_.undeformed_distance, load.force, load.approach}, {}, start);
+    pressed_ = contact::solve_normal(
+        uncoupled_.normal(), {scene_.undeformed_distance, load.force, load.approach}, {}, start);
   }
   pressed_load_ = load;
   return pressed_;
+}
+
+const contact::NormalSolution& ContactProblem::press(const NormalLoad& load) {
+  const Field none;
+  return press(load, none);
 }
 
 ContactState ContactProblem::solve(const NormalLoad& load, const TangentialField& rigid_slip,
@@ -62,10 +66,9 @@ ContactState ContactProblem::solve_uncoupled(const NormalLoad& load,
   state.normal = press(load, start ? start->normal.pressure : Field());
   contact::TangentialOptions options;
   options.tolerance = accuracy.tangential;
-  state.tangential =
-      contact::solve_tangential(tangential_operator(motion),
-                                {scene_.friction * state.normal.pressure, rigid_slip}, options,
-                                start ? start->tangential.traction : TangentialField());
+  state.tangential = contact::solve_tangential(
+      tangential_operator(motion), {scene_.friction * state.normal.pressure, rigid_slip}, options,
+      start ? start->tangential.traction : TangentialField());
   state.displacement = whole_.apply(state.traction());
   state.iterations = state.tangential.newton_steps;
   state.residual = std::max(state.normal.residual, state.tangential.residual);

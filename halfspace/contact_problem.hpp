@@ -51,7 +51,8 @@ class ContactProblem {
   bool coupled() const { return &whole_ != &uncoupled_; }
 
   /// The normal problem without friction, kept for the last load. `start`: a pressure or empty.
-  const contact::NormalSolution& press(const NormalLoad& load, const contact::Field& start = {});
+  const contact::NormalSolution& press(const NormalLoad& load, const contact::Field& start);
+  const contact::NormalSolution& press(const NormalLoad& load);
 
   /// Normal and tangential problem. `rigid_slip`: of steady rolling (no unit), or for
   /// Motion::shift what contact::History gives (mm). `start` (may be null): a state nearby. Throws
