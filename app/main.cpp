@@ -35,6 +35,12 @@ std::string joined(int argc, char** argv) {
   return text;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 /// CLI11 would only say that a command is missing.
 void check_command(const CLI::App& program, int argc, char** argv) {
   const std::string allowed = "allowed: run, check, new-case, docs; do: rollfem --help";
@@ -62,9 +68,8 @@ void settle_run(app::RunRequest& request) {
   for (const std::string& name : request.models) {
     if (!is_known(name))
       throw contact::InputError(
-          fmt::format("--model {}: there is no such model; allowed: hertz, halfspace, fem; do: "
-                      "name one of them",
-                      name));
+          fmt::format("--model {}: there is no such model; allowed: {}; do: name one of them", name,
+                      listed(known)));
     if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
   }
   request.models = once;
@@ -93,9 +98,11 @@ void add_commands(CLI::App& program, Call& call) {
 
   CLI::App* run = program.add_subcommand("run", "compute a case with one or more models");
   run->add_option("case", call.run.case_file, "case file (.toml)");
-  run->add_option("-m,--model", call.run.models,
-                  "hertz, halfspace or fem; several in a row or with the option repeated; without "
-                  "it the models of the case file")
+  run->add_option(
+         "-m,--model", call.run.models,
+         listed(app::known_models()) +
+             "; several in a row or with the option repeated; without it the models of the "
+             "case file")
       ->delimiter(',');
   run->add_option("-o,--output", call.run.directory,
                   "folder for the results; without it results/<name of the case file>");

@@ -6,10 +6,10 @@
 #include "app/progress_display.hpp"
 #include "app/run_table.hpp"
 #include "app/version.hpp"
+#include "contact/abilities.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
-#include "halfspace/hertz.hpp"
-#include "halfspace/model.hpp"
+#include "halfspace/registry.hpp"
 #include "postprocess/output.hpp"
 
 #include <fmt/format.h>
@@ -95,26 +95,17 @@ fs::path output_directory(const RunRequest& request) {
   return fs::path("results") / fs::path(request.case_file).stem();
 }
 
-/// Finds out before the hours of computing, not after them, that the folder cannot be made.
-void check_output_directory(const fs::path& directory) {
-  std::error_code error;
-  fs::path existing = fs::absolute(directory, error).lexically_normal();
-  while (!fs::exists(existing, error) && existing.has_relative_path())
-    existing = existing.parent_path();
-  std::string wrong;
-  if (!fs::is_directory(existing, error)) {
-    wrong = "is a file, not a folder";
-  } else {
-    // Permissions alone do not tell: read-only and special file systems refuse even root.
-    std::string probe = (existing / ".rollfem-XXXXXX").string();
-    if (mkdtemp(probe.data()) == nullptr)
-      wrong = fmt::format("cannot be written to ({})", std::strerror(errno));
-    else
-      rmdir(probe.c_str());
-  }
-  if (!wrong.empty())
-    throw contact::InputError(fmt::format("-o {}: {} {}; do: name another folder with -o",
-                                          directory.string(), existing.string(), wrong));
+/// What would only come out after the hours of computing: a folder that cannot be made, a model
+/// that cannot take the case.
+void check_before(const RunRequest& request, const contact::Case& input) {
+  postprocess::check_directory(output_directory(request).string());
+  for (const std::string& name : input.models) contact::check_able(input, name);
+  const bool halfspace =
+      std::find(input.models.begin(), input.models.end(), "halfspace") != input.models.end();
+  if (!input.subsurface.empty() && !halfspace && !request.quiet)
+    std::cerr << fmt::format(
+        "warning: {}: [[subsurface]] is computed by the model halfspace, which is not run\n",
+        input.file);
 }
 
 /// Runs one model; an error that does not say so gets the name of the model.
@@ -150,7 +141,9 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
 }  // namespace
 
 std::vector<std::string> known_models() {
-  return {"hertz", "halfspace", "fem"};
+  std::vector<std::string> names = halfspace::model_names();
+  names.emplace_back("fem");
+  return names;
 }
 
 void run(const RunRequest& request) {
@@ -162,7 +155,7 @@ void run(const RunRequest& request) {
   const auto& names = record.input.models;
   const bool parallel = std::find(names.begin(), names.end(), "fem") != names.end();
   if (!here.first() && !parallel) return;
-  if (here.first()) check_output_directory(output_directory(request));
+  if (here.first()) check_before(request, record.input);
 
   record.provenance.version = version();
   record.provenance.commit = commit();
@@ -185,11 +178,12 @@ void run(const RunRequest& request) {
       if (name == "fem")
         record.models.push_back(run_model(name, session->entry().run, record.input, progress));
       else if (here.first())
-        record.models.push_back(run_model(name,
-                                          name == "hertz"
-                                              ? contact::Model(halfspace::run_hertz)
-                                              : contact::Model(halfspace::run_halfspace),
-                                          record.input, progress));
+        record.models.push_back(run_model(
+            name,
+            [&name](const contact::Case& input, const contact::Progress& report) {
+              return halfspace::run_model(name, input, report);
+            },
+            record.input, progress));
     }
     display.clear();
     if (here.first()) write_and_tell(request, record);

@@ -16,7 +16,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Linear-elastic isotropic material.
 struct Material {
-  double young_modulus = 210e3;  ///< MPa
+  double young_modulus = 210e3;  ///< MPa, inf: rigid (at most one of the two bodies)
   double poisson_ratio = 0.3;
 };
 
@@ -33,7 +33,9 @@ struct Rail {
   Material material;
 };
 
-/// Exactly one of the two is given.
+/// Exactly one of the two is given. Where the load comes from elsewhere (a history, a given
+/// pressure) the reader puts the largest normal force or approach of that here, which is what grids
+/// are sized by.
 struct Load {
   std::optional<double> normal_force;  ///< N
   std::optional<double> approach;      ///< mm
@@ -43,6 +45,28 @@ struct Load {
 enum class ExtraSlip {
   none,
   rolling_radius,  ///< s_x = -z(y)/R: the wheel's radius differs across a curved patch
+  file,            ///< s_x, s_y on a lattice of points, Rolling::extra_slip_values
+};
+
+/// Values on a regular lattice of points, as read from a file of lines `x, y, value ...`; evaluated
+/// by contact/lattice.hpp.
+struct Lattice {
+  std::string file;  ///< as given in the case file
+  int nx = 0;
+  int ny = 0;
+  double x_first = 0.0;                     ///< mm
+  double y_first = 0.0;                     ///< mm
+  double dx = 0.0;                          ///< mm
+  double dy = 0.0;                          ///< mm
+  std::vector<std::vector<double>> values;  ///< per column of the file; index j * nx + i
+};
+
+/// What is asked of friction.
+enum class Problem {
+  steady,        ///< steady rolling, every load point on its own
+  shift,         ///< bodies pressed and pushed without rolling (Cattaneo); load points are steps
+  transient,     ///< rolling in steps from the state before; load points are steps
+  frictionless,  ///< the normal problem alone, tangential tractions 0
 };
 
 /// One load point of a creep curve.
@@ -52,15 +76,89 @@ struct Creepage {
   double spin = 0.0;          ///< phi, rad/mm
 };
 
+/// Tangential force on the wheel (N) given in place of the creepage (shift) of that direction,
+/// which then is unknown and 0 in `Creepage` (`HistoryStep`).
+struct PrescribedForce {
+  std::optional<double> longitudinal;  ///< F_x, negative when braking (xi > 0)
+  std::optional<double> lateral;       ///< F_y
+  bool any() const { return longitudinal.has_value() || lateral.has_value(); }
+};
+
 struct Rolling {
-  std::vector<Creepage> creepages{Creepage{}};  ///< lists in the file are broadcast to one length
+  Problem problem = Problem::steady;
+  /// Lists in the file are broadcast to one length: that of the load points (steps of a history).
+  std::vector<Creepage> creepages{Creepage{}};
+  std::vector<PrescribedForce> forces;  ///< as long as `creepages`, or empty: none prescribed
   UpwindOrder upwind_order = UpwindOrder::second;
   ExtraSlip extra_slip = ExtraSlip::none;
+  std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
+};
+
+/// What is special to one step of the problems `shift` and `transient`. Shifts are rigid
+/// displacements of the wheel relative to the rail during this step, not since the beginning.
+struct HistoryStep {
+  std::optional<double> normal_force;  ///< N; neither: that of the whole case
+  std::optional<double> approach;      ///< mm
+  double longitudinal_shift = 0.0;     ///< mm, problem shift
+  double lateral_shift = 0.0;          ///< mm, problem shift
+  double spin_shift = 0.0;             ///< rad, rotation about the normal, problem shift
+  double step_length = 0.0;            ///< mm rolled in this step, problem transient
+};
+
+/// Undeformed distance in place of that of the radii; at most one of the two.
+struct DistanceOptions {
+  std::optional<std::array<double, 2>> quadratic;  ///< A, B in 1/mm: h = A x^2 + B y^2
+  std::optional<Lattice> values;                   ///< h in mm on a lattice of points
+};
+
+/// Hertzian pressure p0 sqrt(1 - (x/a)^2 - (y/b)^2) prescribed in place of the normal problem.
+struct GivenPressure {
+  double semi_axis_x = 0.0;   ///< a, mm
+  double semi_axis_y = 0.0;   ///< b, mm
+  double max_pressure = 0.0;  ///< p0, MPa; the reader finds it from Load::normal_force if need be
 };
 
 struct GridOptions {
   int elements_across = 40;                        ///< along the smaller extent of the patch
   std::optional<std::array<double, 2>> cell_size;  ///< dx, dy in mm; overrides elements_across
+  std::optional<std::array<double, 2>> extent;     ///< mm, of the whole potential contact area
+  std::array<double, 2> middle{0.0, 0.0};          ///< mm, of the potential contact area
+};
+
+/// Traction bound of the model fastsim.
+enum class BoundForm { parabolic, elliptic };
+/// Flexibilities of the model fastsim: one for each creepage, or their weighted mean.
+enum class FlexibilityCount { three, one };
+/// Elements of the strips of the model fastsim: equal parts of the chord, or those of a grid.
+enum class StripElementPlace { chord, grid };
+
+struct FastsimCase {
+  BoundForm bound = BoundForm::parabolic;
+  FlexibilityCount flexibilities = FlexibilityCount::three;
+  StripElementPlace elements = StripElementPlace::chord;
+  int strips = 100;
+  int strip_elements = 100;
+};
+
+struct StripCase {
+  int strips = 100;
+  int strip_elements = 100;
+};
+
+struct CarterCase {
+  int strips = 200;
+};
+
+/// Points below the surface at which the half-space model gives stress and displacement: a point
+/// (1 by 1), a line (n by 1) or a plane (n by m) of them, the parallelogram `from`, `to`, `across`.
+struct SubsurfaceRequest {
+  enum class Kind { point, line, plane };
+  Kind kind = Kind::point;
+  bool wheel = true;                ///< else the rail
+  std::array<double, 3> from{};     ///< mm, global frame: z >= 0 in the wheel, <= 0 in the rail
+  std::array<double, 3> to{};       ///< other end of the line; end of the first side
+  std::array<double, 3> across{};   ///< end of the second side, that begins at `from`
+  std::array<int, 2> points{1, 1};  ///< along the first and the second side
 };
 
 enum class LinearSolver { automatic, factorisation, multigrid };
@@ -88,7 +186,15 @@ struct Case {
   Wheel wheel;
   Rail rail;
   Rolling rolling;
+  std::vector<HistoryStep>
+      history;  ///< as long as rolling.creepages for shift and transient, else empty
+  DistanceOptions undeformed_distance;
+  std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;
+  FastsimCase fastsim;
+  StripCase strip;
+  CarterCase carter;
+  std::vector<SubsurfaceRequest> subsurface;
   FemOptions fem;
   OutputOptions output;
 };

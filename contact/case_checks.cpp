@@ -12,9 +12,6 @@
 
 namespace rollfem::contact {
 
-namespace {
-
-/// Problem at a given value; the caller adds what is wrong.
 CaseProblem problem_at(const std::string& path, const GivenValue& given) {
   CaseProblem problem;
   problem.line = given.line;
@@ -29,9 +26,37 @@ unsigned section_line(const GivenCase& given, const std::string& section) {
   return found == given.section_lines.end() ? 0 : found->second;
 }
 
+namespace {
+
+bool replaces_radii(const GivenCase& given) {
+  for (const auto& [key, value] : given.values)
+    if (key->section == "undeformed_distance" || key->section == "given_pressure") return true;
+  return false;
+}
+
+void check_entries(const GivenCase& given) {
+  for (const GivenEntry& entry : given.entries)
+    for (const Key& key : case_keys()) {
+      if (key.section != entry.section || !key.required || entry.values.count(&key) > 0) continue;
+      CaseProblem problem;
+      problem.line = entry.line;
+      problem.column = 1;
+      problem.key = key.path();
+      problem.wrong = "is missing";
+      problem.allowed = allowed_values(key);
+      problem.action =
+          fmt::format("add `{} = {}` under [[{}]]", key.name, key.example, key.section);
+      fail(given.file, problem);
+    }
+}
+
 void check_required(const GivenCase& given) {
+  const bool radii_replaced = replaces_radii(given);
   for (const Key& key : case_keys()) {
     if (!key.required || given.values.count(&key) > 0) continue;
+    if (key.section.find('.') != std::string::npos) continue;  // repeated: check_entries
+    const bool is_radius = key.section == "wheel" || key.section == "rail";
+    if (radii_replaced && is_radius) continue;
     CaseProblem problem;
     problem.line = section_line(given, key.section);
     problem.column = problem.line > 0 ? 1 : 0;
@@ -43,27 +68,53 @@ void check_required(const GivenCase& given) {
   }
 }
 
+/// The keys that can say how hard the bodies are pressed together: exactly one of them does.
 void check_load(const GivenCase& given) {
-  const GivenValue* force = given.find("load", "normal_force");
-  const GivenValue* approach = given.find("load", "approach");
-  if (force != nullptr && approach != nullptr) {
-    CaseProblem problem = problem_at("load.approach", *approach);
-    problem.wrong =
-        fmt::format("contradicts load.normal_force = {} of line {}", force->text, force->line);
-    problem.allowed = "exactly one of normal_force and approach";
+  const bool pressure = given.find("given_pressure", "semi_axis_x") != nullptr ||
+                        given.find("given_pressure", "semi_axis_y") != nullptr ||
+                        given.find("given_pressure", "max_pressure") != nullptr;
+  std::vector<const char*> sources{"load.normal_force", "load.approach"};
+  if (pressure)
+    sources = {"load.normal_force", "given_pressure.max_pressure"};
+  else if (given.find("history", "normal_force") != nullptr ||
+           given.find("history", "approach") != nullptr)
+    sources = {"history.normal_force", "history.approach"};
+  const GivenValue* first = nullptr;
+  std::string first_path;
+  for (const char* path : {"load.normal_force", "load.approach", "given_pressure.max_pressure",
+                           "history.normal_force", "history.approach"}) {
+    const std::string text = path;
+    const GivenValue* value =
+        given.find(text.substr(0, text.find('.')), text.substr(text.find('.') + 1));
+    if (value == nullptr) continue;
+    const bool possible = std::find(sources.begin(), sources.end(), text) != sources.end();
+    if (possible && first == nullptr) {
+      first = value;
+      first_path = text;
+      continue;
+    }
+    const bool plain = sources[0] == std::string("load.normal_force") && !pressure;
+    CaseProblem problem = problem_at(text, *value);
+    problem.wrong = first != nullptr ? fmt::format("contradicts {} = {} of line {}", first_path,
+                                                   first->text, first->line)
+                                     : fmt::format("does not go together with [{}]",
+                                                   pressure ? "given_pressure" : "history");
+    problem.allowed = plain ? "exactly one of normal_force and approach"
+                            : fmt::format("exactly one of {} and {}", sources[0], sources[1]);
     problem.action = "remove one of the two";
     fail(given.file, problem);
   }
-  if (force == nullptr && approach == nullptr) {
-    CaseProblem problem;
-    problem.line = section_line(given, "load");
-    problem.column = problem.line > 0 ? 1 : 0;
-    problem.key = "load.normal_force";
-    problem.wrong = "is missing, and load.approach too";
-    problem.allowed = "exactly one of normal_force and approach";
-    problem.action = "add `normal_force = 50e3` under [load]";
-    fail(given.file, problem);
-  }
+  if (first != nullptr) return;
+  CaseProblem problem;
+  problem.line = section_line(given, "load");
+  problem.column = problem.line > 0 ? 1 : 0;
+  problem.key = "load.normal_force";
+  problem.wrong = pressure ? "is missing, and given_pressure.max_pressure too"
+                           : "is missing, and load.approach too";
+  problem.allowed = pressure ? "exactly one of load.normal_force and given_pressure.max_pressure"
+                             : "exactly one of normal_force and approach";
+  problem.action = "add `normal_force = 50e3` under [load]";
+  fail(given.file, problem);
 }
 
 void check_grid(const GivenCase& given) {
@@ -78,24 +129,29 @@ void check_grid(const GivenCase& given) {
   fail(given.file, problem);
 }
 
-void check_creepage_lengths(const GivenCase& given) {
-  std::string first_name;
+void check_list_lengths(const GivenCase& given) {
+  std::string first_path;
   const GivenValue* first = nullptr;
-  for (const char* name : {"longitudinal_creepage", "lateral_creepage", "spin"}) {
-    const GivenValue* value = given.find("rolling", name);
-    if (value == nullptr) continue;
-    const std::size_t length = std::get<std::vector<double>>(value->value).size();
-    if (length == 1) continue;
+  std::size_t expected = 0;
+  for (const Key& key : case_keys()) {
+    const auto found = given.values.find(&key);
+    if (found == given.values.end()) continue;
+    const GivenValue& value = found->second;
+    const bool steps = key.path() == "history.steps";
+    if (key.kind != KeyKind::numbers && !steps) continue;
+    const std::size_t length = steps ? static_cast<std::size_t>(std::get<double>(value.value))
+                                     : std::get<std::vector<double>>(value.value).size();
+    if (length == 1 && !steps) continue;
     if (first == nullptr) {
-      first = value;
-      first_name = name;
+      first = &value;
+      first_path = key.path();
+      expected = length;
       continue;
     }
-    const std::size_t expected = std::get<std::vector<double>>(first->value).size();
     if (length == expected) continue;
-    CaseProblem problem = problem_at(std::string("rolling.") + name, *value);
-    problem.wrong = fmt::format("has {} entries, but rolling.{} of line {} has {}", length,
-                                first_name, first->line, expected);
+    CaseProblem problem = problem_at(key.path(), value);
+    problem.wrong = fmt::format("has {} entries, but {} of line {} has {}", length, first_path,
+                                first->line, expected);
     problem.allowed = "lists of one common length, or a single number for all load points";
     problem.action = "make the lists equally long";
     fail(given.file, problem);
@@ -105,6 +161,7 @@ void check_creepage_lengths(const GivenCase& given) {
 void check_approach(const GivenCase& given, const Case& input) {
   const GivenValue* approach = given.find("load", "approach");
   if (approach == nullptr) return;
+  if (replaces_radii(given)) return;
   const double smallest =
       std::min({input.wheel.rolling_radius, std::abs(input.wheel.transverse_radius),
                 std::abs(input.rail.transverse_radius)});
@@ -140,11 +197,13 @@ void check_together(const GivenCase& given) {
   check_load(given);
   check_required(given);
   check_grid(given);
-  check_creepage_lengths(given);
+  check_entries(given);
+  check_list_lengths(given);
 }
 
 void check_geometry(const GivenCase& given, const Case& input) {
   check_approach(given, input);
+  if (replaces_radii(given)) return;
   const double wheel = input.wheel.transverse_radius;
   const double rail = input.rail.transverse_radius;
   // Not only B > 0: radii that cancel to rounding would pass that and overflow later.

@@ -16,10 +16,18 @@ struct GivenValue {
   unsigned column = 0;
 };
 
+/// One section of which there may be several.
+struct GivenEntry {
+  std::string section;
+  unsigned line = 0;
+  std::map<const Key*, GivenValue> values;
+};
+
 /// The whole file after each key passed its own check.
 struct GivenCase {
   std::string file;
   std::map<const Key*, GivenValue> values;
+  std::vector<GivenEntry> entries;                ///< of repeated sections, in order
   std::map<std::string, unsigned> section_lines;  ///< where each section begins
 
   const GivenValue* find(const std::string& section, const std::string& name) const;
@@ -41,6 +49,24 @@ struct CaseProblem {
 
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
+
+/// What the case asks for and what it gives must fit: problem, forces, history, given pressure,
+/// distance and slip from files. Throws InputError.
+void check_problem(const GivenCase& given);
+
+/// Fills in what follows from what was given: the load of a history or a given pressure, radii that
+/// are not needed (inf), the length of the history.
+void complete(const GivenCase& given, Case& input);
+
+/// Values that must fit each other: forces below the friction limit, at most one rigid body, points
+/// below the surface in their body. Throws InputError.
+void check_values(const GivenCase& given, const Case& input);
+
+/// Problem at a given value; the caller adds what is wrong.
+CaseProblem problem_at(const std::string& path, const GivenValue& given);
+
+/// Line on which a section begins, 0 when it is not there.
+unsigned section_line(const GivenCase& given, const std::string& section);
 
 /// Geometry that has no concentrated contact. Throws InputError.
 void check_geometry(const GivenCase& given, const Case& input);

@@ -23,7 +23,9 @@ std::string describe_key(const Key& key, const Case& input) {
   const std::string text = toml_text(value);
   if (text.empty()) {
     // Of two alternatives only the given one is worth a line.
-    const bool alternative = key.section == "load" || key.section == "contact_grid";
+    const bool alternative = key.section == "load" || key.section == "contact_grid" ||
+                             key.section == "history" || key.section == "undeformed_distance" ||
+                             key.section == "given_pressure" || key.section == "rolling";
     return alternative ? "" : fmt::format("  {} {}\n", pad(key.name, 22), key.when_absent);
   }
   const bool is_default = !key.required && value == key.get(defaults());
@@ -31,6 +33,36 @@ std::string describe_key(const Key& key, const Case& input) {
   if (!key.unit.empty()) line += " " + key.unit;
   if (is_default) line += "  (default)";
   return line + "\n";
+}
+
+/// A section of which there may be several: each with its own values.
+std::string describe_entries(const Section& section, const Case& input) {
+  std::string text;
+  Case one = input;
+  for (const SubsurfaceRequest& request : input.subsurface) {
+    one.subsurface = {request};
+    std::string keys;
+    bool here = false;
+    for (const Key& key : case_keys()) {
+      if (key.section != section.name) continue;
+      const std::string value = toml_text(key.get(one));
+      here = here || !value.empty();
+      keys += fmt::format("  {} {}{}\n", pad(key.name, 22), value,
+                          key.unit.empty() ? "" : " " + key.unit);
+    }
+    if (here) text += fmt::format("[[{}]]\n{}", section.name, keys);
+  }
+  return text;
+}
+
+/// Sections that say nothing when nothing is given in them.
+bool is_silent(const Section& section, const Case& input) {
+  if (section.name != "history" && section.name != "undeformed_distance" &&
+      section.name != "given_pressure")
+    return false;
+  for (const Key& key : case_keys())
+    if (key.section == section.name && !toml_text(key.get(input)).empty()) return false;
+  return true;
 }
 
 std::string describe_derived(const Case& input) {
@@ -41,8 +73,12 @@ std::string describe_derived(const Case& input) {
     text += fmt::format("  {} {}\n", pad(name, 22),
                         fmt::format("{:.6g}{}  ({})", value, unit, meaning));
   };
-  line("A", curvatures.A, " 1/mm", "undeformed distance h = A x^2 + B y^2");
-  line("B", curvatures.B, " 1/mm", "from the transverse radii of wheel and rail");
+  if (!input.given_pressure && !input.undeformed_distance.values) {
+    line("A", curvatures.A, " 1/mm", "undeformed distance h = A x^2 + B y^2");
+    line("B", curvatures.B, " 1/mm",
+         input.undeformed_distance.quadratic ? "as given"
+                                             : "from the transverse radii of wheel and rail");
+  }
   line("E*", material.contact_modulus, " MPa", "contact modulus of both bodies");
   line("G", material.shear_modulus, " MPa", "combined shear modulus");
   line("nu", material.poisson_ratio, "", "combined Poisson's ratio");
@@ -59,14 +95,14 @@ std::string default_text(const Key& key) {
 }
 
 /// One key of the template: its sentence, what is allowed, and the line itself.
-std::string template_key(const Key& key) {
+std::string template_key(const Key& key, bool commented_out) {
   const std::string value = key.example.empty() ? toml_text(key.get(defaults())) : key.example;
   std::string text = fmt::format("# {}\n# {}", key.sentence, allowed_values(key));
   text += key.required ? "; required.\n" : fmt::format("; default: {}.\n", default_text(key));
   if (value.empty())
     text += fmt::format("# {} = {}\n", key.name, key.kind == KeyKind::pair ? "[0.2, 0.2]" : "...");
   else
-    text += fmt::format("{} = {}\n", key.name, value);
+    text += fmt::format("{}{} = {}\n", commented_out ? "# " : "", key.name, value);
   return text;
 }
 
@@ -76,6 +112,11 @@ std::string describe(const Case& input) {
   std::string text = fmt::format("{}\n", input.title);
   if (!input.file.empty()) text += fmt::format("  {} {}\n", pad("file", 22), input.file);
   for (const Section& section : case_sections()) {
+    if (section.repeated) {
+      text += describe_entries(section, input);
+      continue;
+    }
+    if (is_silent(section, input)) continue;
     if (!section.name.empty()) text += fmt::format("[{}]\n", section.name);
     for (const Key& key : case_keys())
       if (key.section == section.name && key.name != "title") text += describe_key(key, input);
@@ -89,10 +130,13 @@ std::string case_template() {
       "# direction, y lateral, z normal. `rollfem check FILE` says what was understood,\n"
       "# `rollfem run FILE` computes it. Reference of all keys: docs/case-file.md\n";
   for (const Section& section : case_sections()) {
-    text +=
-        section.name.empty() ? "\n" : fmt::format("\n# {}\n[{}]\n", section.sentence, section.name);
+    if (section.repeated)
+      text += fmt::format("\n# {}\n# [[{}]]\n", section.sentence, section.name);
+    else
+      text += section.name.empty() ? "\n"
+                                   : fmt::format("\n# {}\n[{}]\n", section.sentence, section.name);
     for (const Key& key : case_keys())
-      if (key.section == section.name) text += template_key(key);
+      if (key.section == section.name) text += template_key(key, section.repeated);
   }
   return text;
 }
@@ -110,7 +154,8 @@ std::string case_reference_markdown() {
   for (const Section& section : case_sections()) {
     text += section.name.empty()
                 ? "\n## Before the first section\n\n"
-                : fmt::format("\n## [{}]\n\n{}.\n\n", section.name, section.sentence);
+                : fmt::format(section.repeated ? "\n## [[{}]]\n\n{}.\n\n" : "\n## [{}]\n\n{}.\n\n",
+                              section.name, section.sentence);
     text += "| key | symbol | unit | allowed | default | meaning |\n";
     text += "|---|---|---|---|---|---|\n";
     for (const Key& key : case_keys())

@@ -1,4 +1,4 @@
-#include "contact/case_keys.hpp"
+#include "contact/case_key_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,51 +7,24 @@ namespace rollfem::contact {
 
 namespace {
 
-using Words = std::vector<std::string>;
-using Numbers = std::vector<double>;
-
-// Radii, forces and moduli have bounds far outside of anything built, which only keep the
-// arithmetic away from overflow and underflow.
-constexpr double smallest = 1e-6;
-constexpr double largest = 1e9;
-const Bounds positive{smallest, largest};
-const Bounds curved_or_flat{smallest, largest, false, true, true};
-const Bounds at_most_one{0.0, 1.0, false, true};
-
-KeyValue optional_number(const std::optional<double>& value) {
-  return value ? KeyValue(*value) : KeyValue();
-}
+const Words upwind_words{"first", "second"};
+const Words extra_slip_words{"none", "rolling-radius", "file"};
+const Words solver_words{"automatic", "factorisation", "multigrid"};
+const Words model_words{"hertz",   "linear", "vermeulen-johnson", "carter",
+                        "fastsim", "strip",  "halfspace",         "fem"};
+const Words default_models{"hertz", "halfspace", "fem"};
 
 /// The list of one creepage component; a single number when all load points share it.
 KeyValue component(const Case& input, double Creepage::*member) {
-  Numbers values;
-  for (const Creepage& creepage : input.rolling.creepages) values.push_back(creepage.*member);
-  const bool same = std::all_of(values.begin(), values.end(),
-                                [&](double value) { return value == values.front(); });
-  if (same && !values.empty()) values.resize(1);
-  return values;
+  return shortened(input.rolling.creepages,
+                   [member](const Creepage& creepage) { return creepage.*member; });
 }
 
-/// Broadcasts: one number serves all load points. Lengths were checked before (case_checks.cpp).
 void set_component(Case& input, double Creepage::*member, const KeyValue& value) {
-  const auto& numbers = std::get<Numbers>(value);
-  auto& creepages = input.rolling.creepages;
-  if (creepages.size() == 1) creepages.resize(numbers.size(), creepages.front());
-  for (std::size_t i = 0; i < creepages.size(); ++i)
-    creepages[i].*member = numbers.size() == 1 ? numbers.front() : numbers.at(i);
+  set_per_load_point(input, value, [member](Case& c, std::size_t k, double number) {
+    c.rolling.creepages[k].*member = number;
+  });
 }
-
-/// Position of an enumerator in the list of words that names it.
-template <class Enumeration>
-Enumeration enumerator(const KeyValue& value, const Words& words) {
-  const auto found = std::find(words.begin(), words.end(), std::get<std::string>(value));
-  return static_cast<Enumeration>(found - words.begin());
-}
-
-const Words upwind_words{"first", "second"};
-const Words extra_slip_words{"none", "rolling-radius"};
-const Words solver_words{"automatic", "factorisation", "multigrid"};
-const Words model_words{"hertz", "halfspace", "fem"};
 
 std::vector<Key> general_keys() {
   return {
@@ -138,12 +111,12 @@ void add_material(std::vector<Key>& keys, const std::string& section, Body Case:
                   KeyKind::number,
                   "E",
                   "MPa",
-                  positive,
+                  {smallest, largest, false, false, true},
                   {},
                   false,
                   "",
                   "",
-                  "Young's modulus; the default is steel.",
+                  "Young's modulus; the default is steel; inf is a rigid body (not both).",
                   [body](const Case& c) -> KeyValue { return (c.*body).material.young_modulus; },
                   [body](Case& c, const KeyValue& v) {
                     (c.*body).material.young_modulus = std::get<double>(v);
@@ -270,13 +243,19 @@ std::vector<Key> rolling_keys() {
        "",
        "",
        "Rigid slip from the shape of the surface: `rolling-radius` adds s_x = -z(y)/R, because "
-       "across a curved patch the wheel rolls on different radii (z: drop of the rail surface).",
+       "across a curved patch the wheel rolls on different radii (z: drop of the rail surface); "
+       "`file` takes it from extra_slip_file.",
        [](const Case& c) -> KeyValue {
          return extra_slip_words.at(static_cast<std::size_t>(c.rolling.extra_slip));
        },
        [](Case& c, const KeyValue& v) {
          c.rolling.extra_slip = enumerator<ExtraSlip>(v, extra_slip_words);
        }},
+      file_key(
+          "rolling", "extra_slip_file", "none, unless extra_slip is `file`",
+          "Lines `x, y, s_x, s_y` (mm and slip over the rolling speed) on a regular lattice; the "
+          "path is relative to the case file.",
+          [](Case& c) -> std::optional<Lattice>& { return c.rolling.extra_slip_values; }),
   };
 }
 
@@ -318,6 +297,44 @@ std::vector<Key> grid_keys() {
        [](Case& c, const KeyValue& v) {
          const auto& size = std::get<Numbers>(v);
          c.contact_grid.cell_size = {size.at(0), size.at(1)};
+       }},
+      {"contact_grid",
+       "extent",
+       KeyKind::pair,
+       "",
+       "mm",
+       positive,
+       {},
+       false,
+       "from the size of the patch",
+       "",
+       "Extent of the whole potential contact area, [along x, along y], where Hertz's ellipse does "
+       "not tell (several patches).",
+       [](const Case& c) -> KeyValue {
+         if (!c.contact_grid.extent) return {};
+         return Numbers(c.contact_grid.extent->begin(), c.contact_grid.extent->end());
+       },
+       [](Case& c, const KeyValue& v) {
+         const auto& size = std::get<Numbers>(v);
+         c.contact_grid.extent = {size.at(0), size.at(1)};
+       }},
+      {"contact_grid",
+       "middle",
+       KeyKind::pair,
+       "",
+       "mm",
+       {0.0, 1e6, false, true},
+       {},
+       false,
+       "",
+       "",
+       "Middle of the potential contact area, [x, y].",
+       [](const Case& c) -> KeyValue {
+         return Numbers(c.contact_grid.middle.begin(), c.contact_grid.middle.end());
+       },
+       [](Case& c, const KeyValue& v) {
+         const auto& at = std::get<Numbers>(v);
+         c.contact_grid.middle = {at.at(0), at.at(1)};
        }},
   };
 }
@@ -444,10 +461,23 @@ const std::vector<Section>& case_sections() {
       {"friction", "Friction between wheel and rail"},
       {"wheel", "Upper body (1): a surface of revolution about the axle"},
       {"rail", "Lower body (2): a straight extruded rail"},
-      {"rolling", "Steady rolling along x; lists of creepages have one length, numbers serve all"},
+      {"rolling",
+       "Rolling along x; lists have one length, that of the load points; numbers serve all"},
+      {"history",
+       "Steps of the problems `shift` and `transient`, one entry of each list a step; a shift is "
+       "what "
+       "happens in its step, not since the beginning"},
+      {"undeformed_distance", "Distance of the undeformed bodies, in place of that of the radii"},
+      {"given_pressure", "Hertz's pressure on a given ellipse in place of the normal problem"},
       {"contact_grid", "Elements of the contact area of the half-space model"},
+      {"fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse"},
+      {"strip", "Model `strip`: strips along rolling, each after Hertz, with brushes"},
+      {"carter", "Model `carter`: strips along rolling, each a line contact"},
       {"fem", "Finite-element model"},
       {"output", "What is written beside summary.json and results.h5"},
+      {"subsurface.point", "A point below the surface (half-space model); may be repeated", true},
+      {"subsurface.line", "A line of points below the surface; may be repeated", true},
+      {"subsurface.plane", "A plane of points below the surface; may be repeated", true},
   };
   return sections;
 }
@@ -455,8 +485,9 @@ const std::vector<Section>& case_sections() {
 const std::vector<Key>& case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
-    for (auto* part : {&general_keys, &load_keys, &body_keys, &rolling_keys, &grid_keys, &fem_keys,
-                       &output_keys})
+    for (auto* part :
+         {&general_keys, &load_keys, &body_keys, &rolling_keys, &problem_keys, &history_keys,
+          &surface_keys, &grid_keys, &theory_keys, &fem_keys, &output_keys, &subsurface_keys})
       for (Key& key : (*part)()) all.push_back(std::move(key));
     return all;
   }();
@@ -471,7 +502,7 @@ const Key* find_key(const std::string& section, const std::string& name) {
 
 Case default_case() {
   Case input;
-  input.models = model_words;
+  input.models = default_models;
   return input;
 }
 

@@ -19,6 +19,7 @@ enum class KeyKind {
   integer,  ///< a whole number within `bounds`
   boolean,
   pair,     ///< a list of two numbers, each within `bounds`
+  triple,   ///< a list of three numbers, each within `bounds`
   numbers,  ///< a number or a list of numbers, each within `bounds`
 };
 
@@ -59,7 +60,12 @@ struct Key {
 struct Section {
   std::string name;
   std::string sentence;
+  /// Written [[name]], any number of times; the keys' get and set work on the last one.
+  bool repeated = false;
 };
+
+/// Adds an empty entry of a repeated section, which the setters of its keys then fill.
+void begin_entry(Case& input, const std::string& section);
 
 /// Sections and keys in the order of the reference page.
 const std::vector<Section>& case_sections();

@@ -3,10 +3,12 @@
 #include "contact/case_checks.hpp"
 #include "contact/case_text.hpp"
 #include "contact/errors.hpp"
+#include "contact/lattice.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -50,6 +52,8 @@ class Reader {
         read_key("", key, name.source(), node);
       else if (is_section(key))
         read_section(key, node);
+      else if (has_repeated_sections(key))
+        read_repeated_sections(key, name.source(), node);
       else
         fail_unknown("", key, name.source());
     }
@@ -83,6 +87,60 @@ class Reader {
     for (const Section& section : case_sections())
       if (!section.name.empty() && section.name == name) return true;
     return false;
+  }
+
+  /// Whether sections "name.x" of which there may be several are declared.
+  static bool has_repeated_sections(const std::string& name) {
+    for (const Section& section : case_sections())
+      if (section.repeated && section.name.rfind(name + ".", 0) == 0) return true;
+    return false;
+  }
+
+  /// `parent` holds lists of sections, written [[parent.child]].
+  void read_repeated_sections(const std::string& parent, const toml::source_region& parent_source,
+                              const toml::node& node) {
+    std::vector<std::string> names;
+    for (const Section& section : case_sections())
+      if (section.repeated) names.push_back(section.name.substr(section.name.find('.') + 1));
+    const toml::table* table = node.as_table();
+    if (table == nullptr) fail_unrepeated(parent, parent_source, names);
+    for (const auto& [name, child] : *table) {
+      const std::string section = parent + "." + std::string(name.str());
+      if (!is_section(section)) fail_unrepeated(section, name.source(), names);
+      const toml::array* entries = child.as_array();
+      if (entries == nullptr || entries->empty() || !entries->is_array_of_tables())
+        fail_unrepeated(section, name.source(), names);
+      for (const toml::node& entry : *entries) read_entry(section, entry);
+    }
+    // toml++ sorts by name; entries are wanted in the order of the file.
+    std::stable_sort(given_.entries.begin(), given_.entries.end(),
+                     [](const GivenEntry& a, const GivenEntry& b) { return a.line < b.line; });
+  }
+
+  void read_entry(const std::string& section, const toml::node& node) {
+    if (given_.entries.size() >= longest_list)
+      fail_whole(given_.file,
+                 fmt::format("has more than {} sections [[{}]]", longest_list, section),
+                 "give planes or lines of points instead");
+    GivenEntry entry;
+    entry.section = section;
+    entry.line = node.source().begin.line;
+    std::swap(entry.values, given_.values);
+    for (const auto& [name, child] : *node.as_table())
+      read_key(section, std::string(name.str()), name.source(), child);
+    std::swap(entry.values, given_.values);
+    given_.entries.push_back(std::move(entry));
+  }
+
+  [[noreturn]] void fail_unrepeated(const std::string& section, const toml::source_region& source,
+                                    const std::vector<std::string>& names) const {
+    CaseProblem problem = at(source);
+    problem.key = section;
+    problem.wrong = "is not a list of sections that is known";
+    problem.allowed = "[[subsurface.NAME]] with NAME one of " + joined(names);
+    problem.action =
+        "write for instance [[subsurface.line]] on a line of its own and its keys below";
+    fail(given_.file, problem);
   }
 
   void read_section(const std::string& section, const toml::node& node) {
@@ -146,7 +204,8 @@ class Reader {
 
   static std::string section_that_has(const std::string& name) {
     for (const Key& key : case_keys())
-      if (key.name == name && !key.section.empty()) return key.section;
+      if (key.name == name && !key.section.empty() && key.section.find('.') == std::string::npos)
+        return key.section;
     return "";
   }
 
@@ -169,6 +228,7 @@ class Reader {
     const std::string value =
         key.example.empty() ? toml_text(key.get(default_case())) : key.example;
     if (!value.empty()) return fmt::format("`{} = {}`", key.name, value);
+    if (key.kind == KeyKind::text) return fmt::format("`{} = \"points.csv\"`", key.name);
     return fmt::format("`{} = {}`", key.name, key.kind == KeyKind::pair ? "[0.2, 0.2]" : "2.0");
   }
 
@@ -190,6 +250,7 @@ class Reader {
           fail_value(key, given, kind_is(node) + " is neither true nor false");
         return node.value_or(false);
       case KeyKind::pair:
+      case KeyKind::triple:
       case KeyKind::numbers:
         return numbers_of(key, node, given);
     }
@@ -245,12 +306,17 @@ class Reader {
   std::vector<double> numbers_of(const Key& key, const toml::node& node,
                                  const GivenValue& given) const {
     const toml::array* array = node.as_array();
-    if (array == nullptr && key.kind == KeyKind::pair)
-      fail_value(key, given, kind_is(node) + " is no list of two numbers");
+    const std::size_t expected = key.kind == KeyKind::pair     ? 2
+                                 : key.kind == KeyKind::triple ? 3
+                                                               : 0;
+    if (array == nullptr && expected > 0)
+      fail_value(key, given,
+                 fmt::format("{} is no list of {} numbers", kind_is(node),
+                             expected == 2 ? "two" : "three"));
     if (array == nullptr) return {number_of(key, node, given)};
     if (array->empty()) fail_value(key, given, "is an empty list");
-    if (key.kind == KeyKind::pair && array->size() != 2)
-      fail_value(key, given, fmt::format("has {} entries, not 2", array->size()));
+    if (expected > 0 && array->size() != expected)
+      fail_value(key, given, fmt::format("has {} entries, not {}", array->size(), expected));
     if (array->size() > longest_list)
       fail_value(key, given, fmt::format("has more than {} entries", longest_list));
     std::vector<double> numbers;
@@ -324,6 +390,27 @@ class Reader {
 
 }  // namespace
 
+namespace {
+
+void set_values(Case& input, const std::map<const Key*, GivenValue>& values) {
+  for (const Key& key : case_keys()) {
+    const auto found = values.find(&key);
+    if (found != values.end()) key.set(input, found->second.value);
+  }
+}
+
+/// Reads the files that the case names; their paths are relative to the case file.
+void read_files(const GivenCase& given, Case& input) {
+  const std::filesystem::path folder = std::filesystem::path(given.file).parent_path();
+  const auto fill = [&](std::optional<Lattice>& values, int columns) {
+    if (values) values = read_lattice((folder / values->file).string(), values->file, columns);
+  };
+  fill(input.undeformed_distance.values, 1);
+  fill(input.rolling.extra_slip_values, 2);
+}
+
+}  // namespace
+
 Case parse_case(const std::string& text, const std::string& name) {
   if (text.size() > largest_file)
     fail_whole(name, "is larger than 1 MB, so it is no case file", "give a case file in TOML");
@@ -331,15 +418,20 @@ Case parse_case(const std::string& text, const std::string& name) {
     fail_whole(name, "is empty", "fill it in; `rollfem new-case` prints a template");
   const GivenCase given = Reader(text, name).read();
   check_together(given);
+  check_problem(given);
   Case input = default_case();
-  for (const Key& key : case_keys()) {
-    const auto found = given.values.find(&key);
-    if (found != given.values.end()) key.set(input, found->second.value);
+  set_values(input, given.values);
+  for (const GivenEntry& entry : given.entries) {
+    begin_entry(input, entry.section);
+    set_values(input, entry.values);
   }
   input.file = name;
   input.text = text;
   if (input.title.empty()) input.title = std::filesystem::path(name).stem().string();
+  complete(given, input);
   check_geometry(given, input);
+  check_values(given, input);
+  read_files(given, input);
   return input;
 }
 

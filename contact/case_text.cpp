@@ -100,6 +100,8 @@ std::string allowed_values(const Key& key) {
       return "true or false";
     case KeyKind::pair:
       return "a list of two numbers " + range(key);
+    case KeyKind::triple:
+      return "a list of three numbers " + range(key);
     case KeyKind::numbers:
       return "a number or a list of numbers " + range(key);
   }

@@ -62,6 +62,16 @@ class TangentialOperator {
                                        double shift) const = 0;
 };
 
+/// A compliance whose blocks the contact solvers can solve with: half-space and half-plane.
+class SolvableCompliance : public Compliance {
+ public:
+  virtual const NormalOperator& normal() const = 0;
+  /// T = A_tt: shift problems.
+  virtual const TangentialOperator& shift() const = 0;
+  /// T = D A_tt: steady rolling.
+  virtual const TangentialOperator& rolling(UpwindOrder order) const = 0;
+};
+
 /// D u: the upwind difference along the streamline (upstream is +x) of a displacement difference
 /// known on the whole grid, approximating -du/dx. Elements without the needed upstream neighbours
 /// take the highest order that fits, the last column takes that of its neighbour.

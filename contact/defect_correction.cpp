@@ -39,8 +39,9 @@ Response defect_of(const Response& response, const SurfaceField& halfspace) {
   return defect;
 }
 
-/// Slip that a defect of the compliance adds to the rigid slip.
+/// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip.
 TangentialField defect_slip(const Preconditioner& halfspace, const Response& defect) {
+  if (halfspace.motion == Motion::shift) return {defect.displacement.x, defect.displacement.y};
   TangentialField slip =
       upwind_difference(halfspace.whole.grid(), {defect.displacement.x, defect.displacement.y},
                         halfspace.upwind_order);
@@ -61,15 +62,29 @@ bool frictionless(const CoupledProblem& problem) {
   return problem.rigid_slip.x.size() == 0 || problem.friction_coefficient == 0.0;
 }
 
+/// A given pressure as the solution of a normal problem nobody asks about: no gap, no approach.
+NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
+  NormalSolution given;
+  given.pressure = pressure;
+  given.gap = Field::Zero(pressure.size());
+  given.normal_force = pressure.sum() * grid.element_area();
+  given.contact_elements = static_cast<int>((pressure.array() > 0.0).count());
+  return given;
+}
+
 /// Contact with A_half alone, the defect put in as an extra gap and an extra displacement.
 void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem& problem,
                           const Response& defect, double tolerance, CoupledSolution& solution) {
-  NormalProblem normal{problem.undeformed_distance + defect.displacement.n, problem.normal_force,
-                       problem.approach};
-  NormalOptions normal_options;
-  normal_options.tolerance = std::min(normal_options.tolerance, 0.1 * tolerance);
-  solution.normal =
-      solve_normal(halfspace.normal, normal, normal_options, solution.normal.pressure);
+  if (problem.given_pressure.size() != 0) {
+    solution.normal = given_normal(halfspace.whole.grid(), problem.given_pressure);
+  } else {
+    NormalProblem normal{problem.undeformed_distance + defect.displacement.n, problem.normal_force,
+                         problem.approach};
+    NormalOptions normal_options;
+    normal_options.tolerance = std::min(normal_options.tolerance, 0.1 * tolerance);
+    solution.normal =
+        solve_normal(halfspace.normal, normal, normal_options, solution.normal.pressure);
+  }
   if (frictionless(problem)) return;
 
   const TangentialField from_defect = defect_slip(halfspace, defect);
@@ -101,7 +116,9 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
     const double mean = normal_change.dot(mask) / std::max(1.0, mask.sum());
     normal_change.array() -= mean;
   }
-  double residual = rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
+  double residual = problem.given_pressure.size() != 0
+                        ? 0.0
+                        : rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
   if (!frictionless(problem)) {
     const TangentialField slip = defect_slip(halfspace, image);
     const TangentialField before = defect_slip(halfspace, defect);
@@ -112,17 +129,48 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   return residual;
 }
 
+/// Shorter steps once the iteration only goes round: pressure, bound and traction at a slipping
+/// edge chase each other when mu times the coupling is large.
+class Damping {
+ public:
+  double factor() const { return factor_; }
+
+  /// True when the step has just been shortened.
+  bool after(double residual) {
+    if (residual < 0.7 * best_) {
+      best_ = residual;
+      in_vain_ = 0;
+      return false;
+    }
+    if (++in_vain_ < patience || factor_ <= least) return false;
+    in_vain_ = 0;
+    factor_ *= 0.5;
+    return true;
+  }
+
+ private:
+  static constexpr int patience = 8;
+  static constexpr double least = 0.1;
+  double best_ = std::numeric_limits<double>::infinity();
+  double factor_ = 1.0;
+  int in_vain_ = 0;
+};
+
 }  // namespace
 
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
                               const CoupledProblem& problem, const OuterOptions& options,
-                              const Response& start_defect, const OuterCallback& each_iteration) {
-  const Eigen::Index n = problem.undeformed_distance.size();
+                              const Response& start_defect, const OuterCallback& each_iteration,
+                              const SurfaceField& start_traction) {
+  const Eigen::Index n = halfspace.whole.grid().size();
   Response defect = start_defect;
   if (defect.displacement.n.size() != n) defect = zero_response(n);
 
   Anderson anderson(options.anderson_depth);
+  Damping damping;
   CoupledSolution solution;
+  solution.normal.pressure = start_traction.n;
+  solution.tangential.traction = {start_traction.x, start_traction.y};
   double best = std::numeric_limits<double>::infinity();
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     solve_preconditioner(halfspace, problem, defect, options.tolerance, solution);
@@ -137,8 +185,11 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
 
     // A changed active set can make the history misleading: begin it anew rather than follow it.
     if (solution.residual > 2.0 * best) anderson.restart();
+    if (damping.after(solution.residual)) anderson.restart();
     best = std::min(best, solution.residual);
-    defect = unstacked(anderson.next(stacked(defect), stacked(solution.defect)));
+    const Eigen::VectorXd iterate = stacked(defect);
+    const Eigen::VectorXd step = stacked(solution.defect) - iterate;
+    defect = unstacked(anderson.next(iterate, iterate + damping.factor() * step));
   }
   throw SolveError("the outer contact iteration did not converge: relative residual " +
                    std::to_string(solution.residual) + " after " +

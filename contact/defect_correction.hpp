@@ -9,12 +9,19 @@
 
 namespace rollfem::contact {
 
+/// What the tangential operator gives: slip of steady rolling or relative displacement.
+enum class Motion {
+  rolling,  ///< slip w = s + D u, without a unit
+  shift,    ///< slip w = s + u in mm: a step of a shift or of transient rolling
+};
+
 /// The solvable stand-in for A: the half-space on the same grid.
 struct Preconditioner {
   const Compliance& whole;            ///< A_half
   const NormalOperator& normal;       ///< its normal block
-  const TangentialOperator& rolling;  ///< D A_half,tt
+  const TangentialOperator& rolling;  ///< D A_half,tt; A_half,tt for Motion::shift
   UpwindOrder upwind_order;
+  Motion motion = Motion::rolling;
 };
 
 struct OuterOptions {
@@ -29,6 +36,7 @@ struct CoupledProblem {
   std::optional<double> approach;
   double friction_coefficient = 0.0;
   TangentialField rigid_slip;  ///< empty: frictionless
+  Field given_pressure;        ///< MPa, replaces the normal problem; empty: none
 };
 
 struct CoupledSolution {
@@ -42,10 +50,12 @@ struct CoupledSolution {
 
 using OuterCallback = std::function<void(const CoupledSolution&)>;
 
-/// Throws SolveError when the outer iteration does not converge.
+/// Throws SolveError when the outer iteration does not converge. `start_traction` (may be empty):
+/// pressure and tangential tractions to begin the first solution with the stand-in.
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
                               const CoupledProblem& problem, const OuterOptions& options = {},
                               const Response& start_defect = {},
-                              const OuterCallback& each_iteration = {});
+                              const OuterCallback& each_iteration = {},
+                              const SurfaceField& start_traction = {});
 
 }  // namespace rollfem::contact

@@ -25,9 +25,23 @@ struct ContactFields {
   std::vector<ElementState> state;
 };
 
+/// Displacement and stress at the points of one request of the case, in its order: first side
+/// fastest.
+struct SubsurfaceField {
+  SubsurfaceRequest request;
+  std::vector<std::array<double, 3>> points;        ///< mm, global frame
+  std::vector<std::array<double, 3>> displacement;  ///< mm, of the body's own material point
+  std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz
+};
+
 /// One load point of one model: the entries of summary.json and the fields behind them.
 struct PointResult {
-  Creepage creepage;
+  Creepage creepage;  ///< as prescribed, or as found for a prescribed force
+  int step = 0;       ///< 1, 2, ... in a history (problems shift and transient), else 0
+  double longitudinal_shift = 0.0;  ///< mm, of the wheel over the rail since the beginning
+  double lateral_shift = 0.0;       ///< mm, since the beginning
+  double spin_shift = 0.0;          ///< rad, since the beginning
+  double distance = 0.0;            ///< mm rolled since the beginning
   double normal_force = 0.0;        ///< N
   double longitudinal_force = 0.0;  ///< F_x, N, on the wheel
   double lateral_force = 0.0;       ///< F_y, N, on the wheel
@@ -49,6 +63,7 @@ struct PointResult {
   bool converged = false;
   std::map<std::string, double> error_estimate;  ///< quantity -> relative error
   ContactFields fields;
+  std::vector<SubsurfaceField> subsurface;  ///< as the case asks for, model halfspace
 };
 
 /// Nodal fields of a body for ParaView: hexahedra with eight corners each.
@@ -61,7 +76,7 @@ struct BodyField {
 };
 
 struct ModelResult {
-  std::string name;                       ///< "hertz", "halfspace", "fem"
+  std::string name;                       ///< "hertz", "linear", ... "halfspace", "fem"
   std::map<std::string, double> seconds;  ///< total, setup, normal, tangential, ...
   long unknowns = 0;
   int contact_elements = 0;

@@ -11,7 +11,7 @@ namespace rollfem::halfspace {
 
 /// Half-space compliance of a grid. Keeps FFTW plans and transformed kernels; apply() is const and
 /// exact to rounding (the convolution is padded, not periodic).
-class HalfspaceCompliance : public contact::Compliance {
+class HalfspaceCompliance : public contact::SolvableCompliance {
  public:
   HalfspaceCompliance(const contact::ContactGrid& grid, const contact::CombinedMaterial& material);
   ~HalfspaceCompliance() override;
@@ -20,11 +20,11 @@ class HalfspaceCompliance : public contact::Compliance {
   /// All components, with the normal-tangential coupling K of unlike materials.
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
 
-  const contact::NormalOperator& normal() const;
+  const contact::NormalOperator& normal() const override;
   /// T = A_tt: shift problems.
-  const contact::TangentialOperator& shift() const;
+  const contact::TangentialOperator& shift() const override;
   /// T = D A_tt: steady rolling. Made at the first call for each order and kept.
-  const contact::TangentialOperator& rolling(contact::UpwindOrder order) const;
+  const contact::TangentialOperator& rolling(contact::UpwindOrder order) const override;
 
  private:
   struct Implementation;

@@ -1,5 +1,6 @@
 #include "halfspace/elliptic_patch.hpp"
 
+#include "contact/abilities.hpp"
 #include "contact/errors.hpp"
 
 #include <fmt/format.h>
@@ -18,8 +19,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& model, const std::string& what,
                          const std::string& others) {
-  throw contact::InputError(
-      fmt::format("{}: the model \"{}\" cannot take {}; use {}", file, model, what, others));
+  throw contact::InputError(fmt::format(
+      "{0}: model {1}: {2}: it cannot take this; allowed: {3}; do: run with --model {4}", file,
+      model, what, others, others.substr(others.rfind(' ') + 1)));
 }
 
 template <class Predicate>
@@ -60,6 +62,7 @@ contact::ContactFields resting_fields(const contact::ContactGrid& grid,
 contact::ModelResult run_theory(const contact::Case& input, const contact::ContactGrid& grid,
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill) {
+  contact::check_able(input, name);
   const auto start = std::chrono::steady_clock::now();
   contact::ModelResult result;
   result.name = name;
@@ -105,18 +108,18 @@ void set_largest_tractions(contact::PointResult& point) {
 
 void refuse_extra_slip(const contact::Case& input, const std::string& model) {
   if (input.rolling.extra_slip != contact::ExtraSlip::none)
-    refuse(input.file, model, "rolling.extra_slip", "carter, fastsim, strip or halfspace");
+    refuse(input.file, model, "rolling.extra_slip", "carter, fastsim, strip, halfspace");
 }
 
 void refuse_spin(const contact::Case& input, const std::string& model) {
   if (any_load_point(input, [](const contact::Creepage& c) { return c.spin != 0.0; }))
-    refuse(input.file, model, "rolling.spin", "linear, fastsim, strip or halfspace");
+    refuse(input.file, model, "rolling.spin", "linear, fastsim, strip, halfspace");
 }
 
 void refuse_lateral_creepage(const contact::Case& input, const std::string& model) {
   if (any_load_point(input, [](const contact::Creepage& c) { return c.lateral != 0.0; }))
     refuse(input.file, model, "rolling.lateral_creepage",
-           "vermeulen-johnson, fastsim, strip or halfspace");
+           "linear, vermeulen-johnson, fastsim, strip, halfspace");
 }
 
 }  // namespace rollfem::halfspace

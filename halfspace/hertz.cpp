@@ -106,8 +106,34 @@ HertzContact hertz_from_approach(double A, double B, double contact_modulus, dou
   return hertz;
 }
 
+contact::Curvatures hertz_curvatures(const HertzContact& contact, double contact_modulus) {
+  const double a2 = contact.semi_axis_x * contact.semi_axis_x;
+  const double b2 = contact.semi_axis_y * contact.semi_axis_y;
+  const double scale =
+      contact.semi_axis_x * contact.semi_axis_y * contact.max_pressure / (3.0 * contact_modulus);
+  return {scale * ellint_rd(0.0, b2, a2), scale * ellint_rd(0.0, a2, b2)};
+}
+
+contact::Curvatures curvatures_of_case(const contact::Case& input) {
+  if (input.given_pressure) return hertz_curvatures(hertz_of_case(input), modulus_of(input));
+  if (input.undeformed_distance.values)
+    throw contact::InputError(fmt::format(
+        "{}: undeformed_distance.file: bodies given point by point have no ellipse of "
+        "Hertz's; allowed: radii or undeformed_distance.quadratic; do: run with --model "
+        "halfspace",
+        input.file));
+  return contact::relative_curvatures(input);
+}
+
 HertzContact hertz_of_case(const contact::Case& input) {
-  const contact::Curvatures curvatures = contact::relative_curvatures(input);
+  if (input.given_pressure) {
+    const contact::GivenPressure& given = *input.given_pressure;
+    HertzContact hertz{given.semi_axis_x, given.semi_axis_y, given.max_pressure, 0.0, 0.0};
+    hertz.normal_force = pi * given.semi_axis_x * given.semi_axis_y * given.max_pressure / 1.5;
+    hertz.approach = hertz_displacement(hertz, modulus_of(input), 0.0, 0.0);
+    return hertz;
+  }
+  const contact::Curvatures curvatures = curvatures_of_case(input);
   return input.load.normal_force
              ? hertz_from_force(curvatures.A, curvatures.B, modulus_of(input),
                                 *input.load.normal_force)

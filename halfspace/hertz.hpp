@@ -1,6 +1,7 @@
 // Hertz's elliptic and line contact in closed form (Johnson 1985, chapter 4), any aspect ratio.
 #pragma once
 
+#include "contact/geometry.hpp"
 #include "contact/model.hpp"
 
 namespace rollfem::halfspace {
@@ -21,9 +22,16 @@ struct HertzContact {
 HertzContact hertz_from_force(double A, double B, double contact_modulus, double normal_force);
 HertzContact hertz_from_approach(double A, double B, double contact_modulus, double approach);
 
-/// Hertz's contact for the radii, materials and load of a case. Throws contact::InputError when the
-/// radii do not make an elliptic contact.
+/// A and B of the bodies whose contact this is.
+contact::Curvatures hertz_curvatures(const HertzContact& contact, double contact_modulus);
+
+/// Hertz's contact for the radii (or quadratic undeformed distance), materials and load of a case;
+/// or the given pressure. Throws contact::InputError when the bodies do not make an elliptic
+/// contact, or are given point by point.
 HertzContact hertz_of_case(const contact::Case& input);
+
+/// A and B of the case, with a given pressure those that belong to it. Throws as hertz_of_case.
+contact::Curvatures curvatures_of_case(const contact::Case& input);
 
 /// u_wheel - u_rail in mm, normal component, at any point of the surface: inside the patch
 /// approach - h, outside the closed form with the confocal ellipse.

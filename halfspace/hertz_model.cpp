@@ -20,7 +20,7 @@ contact::ContactFields sampled_fields(const contact::Case& input, const HertzCon
                                       const ContactGrid& grid) {
   const double modulus =
       contact::combine(input.wheel.material, input.rail.material).contact_modulus;
-  const contact::Curvatures curvatures = contact::relative_curvatures(input);
+  const contact::Curvatures curvatures = curvatures_of_case(input);
   const Field zero = Field::Zero(grid.size());
   contact::ContactFields fields;
   fields.traction = {zero, zero,

@@ -1,5 +1,6 @@
-// One resolution of the model "halfspace": the normal problem once, then every load point. Levels
-// start from each other: the next coarser one gives the first guess and the error estimate.
+// One resolution of the model "halfspace": every load point of steady rolling, or every step of a
+// history. Levels start from each other: the next coarser one gives the first guess and the error
+// estimate.
 #pragma once
 
 #include "contact/defect_correction.hpp"
@@ -15,8 +16,9 @@ namespace rollfem::halfspace {
 /// What a finer level needs of a coarser one besides its results: p_t / g, between -1 and 1.
 struct LevelResult {
   contact::ContactGrid grid;
-  contact::NormalSolution normal;
-  std::vector<contact::TangentialField> relative_traction;  ///< per load point; may be empty
+  contact::Field pressure;   ///< without friction, MPa; of the last step in a history
+  int contact_elements = 0;  ///< of the last load point
+  std::vector<contact::TangentialField> relative_traction;  ///< per load point; empty in a history
   std::vector<contact::PointResult> points;
   double setup_seconds = 0.0;
   double normal_seconds = 0.0;

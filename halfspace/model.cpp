@@ -45,9 +45,7 @@ struct Cell {
 };
 
 Cell finest_cell(const Case& input) {
-  const HertzContact hertz = hertz_of_case(input);
-  const double length = 2.0 * hertz.semi_axis_x;
-  const double width = 2.0 * hertz.semi_axis_y;
+  const auto [length, width] = expected_extent(input);
   if (input.contact_grid.cell_size) {
     const auto& [dx, dy] = *input.contact_grid.cell_size;
     return {dx, dy, static_cast<int>(std::min(length / dx, width / dy))};
@@ -56,26 +54,17 @@ Cell finest_cell(const Case& input) {
   return {length / across, width / across, across};
 }
 
-/// The finest level last. There are always two, for the error estimate.
+/// The finest level last. There are always two, for the error estimate; a history gains nothing
+/// from more, for its steps start from each other.
 std::vector<Cell> cells_of_levels(const Case& input) {
   std::vector<Cell> cells{finest_cell(input)};
-  while (cells.size() < 2 || cells.back().across / 2 >= fewest_elements_across) {
+  while (cells.size() < 2 ||
+         (input.history.empty() && cells.back().across / 2 >= fewest_elements_across)) {
     const Cell& fine = cells.back();
     cells.push_back({2.0 * fine.dx, 2.0 * fine.dy, fine.across / 2});
   }
   std::reverse(cells.begin(), cells.end());
   return cells;
-}
-
-void check(const Case& input) {
-  const contact::CombinedMaterial material =
-      contact::combine(input.wheel.material, input.rail.material);
-  if (std::abs(material.difference) > 1e-12)
-    throw contact::InputError(fmt::format(
-        "{}: model halfspace: wheel and rail are of unlike materials (K = {:.4g}): normal and "
-        "tangential problem are coupled, which this model does not do yet; allowed: equal "
-        "young_modulus and poisson_ratio; do: run with --model fem",
-        input.file, material.difference));
 }
 
 /// Discretisation error of the finer of two values, relative to it or to `scale` where that is
@@ -116,6 +105,21 @@ void estimate_errors(PointResult& fine, const PointResult& coarse, double fricti
   set("max_traction_x", &Point::max_traction_x, traction, rolling);
 }
 
+/// Creepages found for a prescribed force carry an error, where given ones do not. Relative to the
+/// larger of the two: one that vanishes by symmetry has no relative error.
+void estimate_found_creepages(PointResult& fine, const PointResult& coarse,
+                              const contact::PrescribedForce& wanted, int across) {
+  const contact::Creepage& a = fine.creepage;
+  const contact::Creepage& b = coarse.creepage;
+  const double scale = 0.01 * std::hypot(a.longitudinal, a.lateral);
+  if (wanted.longitudinal)
+    fine.error_estimate["longitudinal_creepage"] =
+        two_level_error(a.longitudinal, b.longitudinal, scale, partial_slip, across);
+  if (wanted.lateral)
+    fine.error_estimate["lateral_creepage"] =
+        two_level_error(a.lateral, b.lateral, scale, partial_slip, across);
+}
+
 void add_notes(const Case& input, ModelResult& result) {
   result.notes.push_back(fmt::format(
       "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm with constant tractions; "
@@ -127,13 +131,18 @@ void add_notes(const Case& input, ModelResult& result) {
       "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "
       "forces "
       "of partial slip at least 0.15 over the number of elements across");
+  const double difference = contact::combine(input.wheel.material, input.rail.material).difference;
+  if (std::abs(difference) > 1e-12)
+    result.notes.push_back(fmt::format(
+        "unlike materials, K = {:.4g}: normal and tangential problem coupled; iterations are outer "
+        "ones",
+        difference));
 }
 
 }  // namespace
 
 ModelResult run_halfspace(const Case& input, const contact::Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
-  check(input);
   std::optional<LevelResult> coarse;
   std::optional<LevelResult> fine;
   const std::vector<Cell> cells = cells_of_levels(input);
@@ -148,12 +157,16 @@ ModelResult run_halfspace(const Case& input, const contact::Progress& progress) 
     result.seconds["normal"] += fine->normal_seconds;
     result.seconds["tangential"] += fine->tangential_seconds;
   }
-  for (std::size_t k = 0; k < fine->points.size(); ++k)
+  for (std::size_t k = 0; k < fine->points.size(); ++k) {
     estimate_errors(fine->points[k], coarse->points[k], input.friction_coefficient,
                     cells.back().across);
+    if (k < input.rolling.forces.size())
+      estimate_found_creepages(fine->points[k], coarse->points[k], input.rolling.forces[k],
+                               cells.back().across);
+  }
   result.grid = fine->grid;
-  result.contact_elements = fine->normal.contact_elements;
-  result.unknowns = 3L * fine->normal.contact_elements;
+  result.contact_elements = fine->contact_elements;
+  result.unknowns = 3L * fine->contact_elements;
   result.points = std::move(fine->points);
   add_notes(input, result);
   result.seconds["total"] =

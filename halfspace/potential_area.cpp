@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rollfem::halfspace {
@@ -21,37 +22,65 @@ int elements(double extent, double cell, int margin) {
   return static_cast<int>(std::ceil(extent / cell - 1e-6)) + 2 * margin;
 }
 
-ContactGrid area_around(const HertzContact& hertz, const std::string& file, double dx, double dy,
-                        int margin) {
-  const double length = 2.0 * hertz.semi_axis_x;
-  const double width = 2.0 * hertz.semi_axis_y;
-  if (!(dx > 0.0 && dy > 0.0) ||
-      (length / dx + 2.0 * margin) * (width / dy + 2.0 * margin) > largest_number_of_elements)
-    throw contact::InputError(
-        fmt::format("{}: contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} "
-                    "mm needs cells "
-                    "above 0 and at most {:.0e} of them; do: choose larger cells",
-                    file, dx, dy, length, width, largest_number_of_elements));
-  return ContactGrid::centred(elements(length, dx, margin), elements(width, dy, margin), dx, dy);
+void check_cells(const contact::Case& input, const PatchExtent& extent, double dx, double dy,
+                 int margin) {
+  if (dx > 0.0 && dy > 0.0 &&
+      (extent.length / dx + 2.0 * margin) * (extent.width / dy + 2.0 * margin) <=
+          largest_number_of_elements)
+    return;
+  throw contact::InputError(fmt::format(
+      "{}: contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} mm needs cells "
+      "above 0 and at most {:.0e} of them; do: choose larger cells",
+      input.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
+}
+
+/// Whole elements that fit into a given extent.
+int elements_within(double extent, double cell) {
+  return std::max(1, static_cast<int>(std::floor(extent / cell + 1e-6)));
 }
 
 }  // namespace
 
+PatchExtent expected_extent(const contact::Case& input) {
+  if (const auto& values = input.undeformed_distance.values) {
+    if (input.contact_grid.extent)
+      return {(*input.contact_grid.extent)[0], (*input.contact_grid.extent)[1]};
+    return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
+  }
+  const HertzContact hertz = hertz_of_case(input);
+  return {2.0 * hertz.semi_axis_x, 2.0 * hertz.semi_axis_y};
+}
+
 ContactGrid potential_area(const contact::Case& input, double dx, double dy, int margin) {
-  return area_around(hertz_of_case(input), input.file, dx, dy, margin);
+  const contact::GridOptions& options = input.contact_grid;
+  const auto& values = input.undeformed_distance.values;
+  PatchExtent extent = expected_extent(input);
+  if (!options.extent && !values) {
+    check_cells(input, extent, dx, dy, margin);
+    return ContactGrid::centred(elements(extent.length, dx, margin),
+                                elements(extent.width, dy, margin), dx, dy, options.middle[0],
+                                options.middle[1]);
+  }
+  if (options.extent) extent = {(*options.extent)[0], (*options.extent)[1]};
+  std::array<double, 2> middle = options.middle;
+  if (values && !options.extent)
+    middle = {values->x_first + 0.5 * extent.length, values->y_first + 0.5 * extent.width};
+  check_cells(input, extent, dx, dy, 0);
+  return ContactGrid::centred(elements_within(extent.length, dx), elements_within(extent.width, dy),
+                              dx, dy, middle[0], middle[1]);
 }
 
 ContactGrid potential_area(const contact::Case& input, int margin) {
-  const HertzContact hertz = hertz_of_case(input);
   const contact::GridOptions& options = input.contact_grid;
   if (!options.cell_size && options.elements_across < 1)
     throw contact::InputError(
         fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", input.file,
                     options.elements_across));
+  const PatchExtent extent = expected_extent(input);
   const double across = options.elements_across;
-  const double dx = options.cell_size ? (*options.cell_size)[0] : 2.0 * hertz.semi_axis_x / across;
-  const double dy = options.cell_size ? (*options.cell_size)[1] : 2.0 * hertz.semi_axis_y / across;
-  return area_around(hertz, input.file, dx, dy, margin);
+  const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;
+  const double dy = options.cell_size ? (*options.cell_size)[1] : extent.width / across;
+  return potential_area(input, dx, dy, margin);
 }
 
 }  // namespace rollfem::halfspace

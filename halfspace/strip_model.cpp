@@ -135,7 +135,7 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
 }  // namespace
 
 StripProfile strip_profile(const contact::Case& input, int strips) {
-  const contact::Curvatures curvatures = contact::relative_curvatures(input);
+  const contact::Curvatures curvatures = curvatures_of_case(input);
   const double half_width = reach * hertz_of_case(input).semi_axis_y;
   const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));
   StripProfile profile;

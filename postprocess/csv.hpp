@@ -18,6 +18,10 @@ enum class Path { x, y };
 /// their mean is taken (path y alike). What a model does not give is an empty cell.
 std::string path_csv(const RunRecord& run, Path path);
 
+/// Displacement, stress and its scalars at the points and along the lines below the surface that
+/// the case asks for; empty when there are none. Planes are in results.h5 alone.
+std::string subsurface_csv(const RunRecord& run);
+
 /// The one or two rows (or columns) of elements nearest to 0, for elements at first + k * step.
 std::vector<int> middle_lines(double first, double step, int count);
 

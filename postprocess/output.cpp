@@ -33,6 +33,8 @@ void write_results(const std::string& directory, const RunRecord& run) {
     folder.write("path_x.csv", path_csv(run, Path::x));
   if (std::count(paths.begin(), paths.end(), "y"))
     folder.write("path_y.csv", path_csv(run, Path::y));
+  const std::string below = subsurface_csv(run);
+  if (!below.empty()) folder.write("subsurface.csv", below);
   if (run.input.output.fields)
     for (const contact::ModelResult& model : run.models) write_fields(folder, model);
   folder.write("results.h5", results_hdf5(run));

@@ -36,10 +36,11 @@ void check_directory(const std::string& directory);
 /// are not of rollfem's making stay. A number that is not finite throws std::logic_error.
 void write_results(const std::string& directory, const RunRecord& run);
 
-/// Runs the plotting program on a written folder: figures/*.svg and report.html. Returns what it
-/// printed on failure, empty on success; results stay whatever happens here. `script_directory` is
-/// the Python package rollfem_figures or the folder that holds it. Python is that of the
-/// environment variable ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
+/// Runs the plotting program on a written folder: figures/*.svg and report.html. Returns one
+/// line on failure, empty on success; a longer text of the program goes to report.log in the
+/// folder; results stay whatever happens here. `script_directory` is the Python package
+/// rollfem_figures or the folder that holds it. Python is that of the environment variable
+/// ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
 }  // namespace rollfem::postprocess

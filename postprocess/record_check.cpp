@@ -45,6 +45,14 @@ void check_fields(const std::string& where, const contact::ContactGrid& grid,
           where + "/state", fmt::format("has {} values", fields.state.size()));
 }
 
+template <class Vectors>
+void check_vectors(const std::string& where, const Vectors& vectors, std::size_t count) {
+  require(vectors.empty() || vectors.size() == count, where,
+          fmt::format("has {} entries for {} points", vectors.size(), count));
+  for (std::size_t k = 0; k < vectors.size(); ++k)
+    for (const double value : vectors[k]) require_finite(value, fmt::format("{}[{}]", where, k));
+}
+
 void check_point(const std::string& where, const contact::ContactGrid& grid,
                  const contact::PointResult& point) {
   for (const PointScalar& scalar : point_scalars())
@@ -54,14 +62,12 @@ void check_point(const std::string& where, const contact::ContactGrid& grid,
   for (const auto& [quantity, error] : point.error_estimate)
     require_finite(error, fmt::format("{}/error_estimate/{}", where, quantity));
   check_fields(where, grid, point.fields);
-}
-
-template <class Vectors>
-void check_vectors(const std::string& where, const Vectors& vectors, std::size_t count) {
-  require(vectors.empty() || vectors.size() == count, where,
-          fmt::format("has {} entries for {} points", vectors.size(), count));
-  for (std::size_t k = 0; k < vectors.size(); ++k)
-    for (const double value : vectors[k]) require_finite(value, fmt::format("{}[{}]", where, k));
+  for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
+    const contact::SubsurfaceField& field = point.subsurface[k];
+    const std::string name = fmt::format("{}/subsurface[{}]", where, k);
+    check_vectors(name + "/displacement", field.displacement, field.points.size());
+    check_vectors(name + "/stress", field.stress, field.points.size());
+  }
 }
 
 void check_body(const std::string& where, const contact::BodyField& body) {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <spawn.h>
 #include <string>
 #include <sys/wait.h>
@@ -98,6 +99,19 @@ std::string run(std::vector<std::string> call, std::vector<std::string> environm
                              : fmt::format("{} failed without a word", call[0]);
 }
 
+/// A traceback is for a file; the user is told its last line, which says what happened.
+std::string one_line(const fs::path& directory, std::string printed) {
+  while (!printed.empty() && printed.back() == '\n') printed.pop_back();
+  const std::size_t last = printed.rfind('\n');
+  if (last == std::string::npos) return printed;
+  const fs::path log = directory / "report.log";
+  std::ofstream file(log, std::ios::binary);
+  file << printed << '\n';
+  file.close();
+  return printed.substr(last + 1) +
+         (file ? fmt::format(" (the whole text is in {})", log.string()) : "");
+}
+
 }  // namespace
 
 std::string make_report(const std::string& directory, const std::string& script_directory) {
@@ -107,9 +121,11 @@ std::string make_report(const std::string& directory, const std::string& script_
   std::string python_path = "PYTHONPATH=" + parent.string();
   if (const char* before = std::getenv("PYTHONPATH"); before && *before)
     python_path += std::string(":") + before;
-  return run({find_python(), "-m", "rollfem_figures", fs::absolute(directory).string()},
-             environment_with({python_path, "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
-                               "PYTHONIOENCODING=utf-8"}));
+  const std::string printed =
+      run({find_python(), "-m", "rollfem_figures", fs::absolute(directory).string()},
+          environment_with({python_path, "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
+                            "PYTHONIOENCODING=utf-8"}));
+  return one_line(directory, printed);
 }
 
 }  // namespace rollfem::postprocess

@@ -106,7 +106,7 @@ void check_target(const fs::path& target) {
 bool is_ours(const fs::path& name) {
   static const std::set<std::string> files{"summary.json", "results.h5", "creep_curve.csv",
                                            "path_x.csv",   "path_y.csv", "case.toml",
-                                           "report.html"};
+                                           "report.html",  "report.log", "subsurface.csv"};
   static const std::set<std::string> in_fields{".vtu", ".vtp", ".pvd"};
   if (name.parent_path() == "fields") return in_fields.count(name.extension().string()) > 0;
   if (name.parent_path() == "figures") return name.extension() == ".svg";

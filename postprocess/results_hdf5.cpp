@@ -1,5 +1,6 @@
 #include "postprocess/results_hdf5.hpp"
 
+#include "contact/stress_measures.hpp"
 #include "postprocess/hdf5_objects.hpp"
 #include "postprocess/point_table.hpp"
 
@@ -28,6 +29,13 @@ void describe(hid_t object, const std::string& unit, const std::string& descript
                 fmt::format("{} [{}]{}{}", description, unit, sign.empty() ? "" : "; ", sign));
 }
 
+/// Directions in which a force is prescribed: "", "x", "y" or "xy".
+std::string prescribed_forces(const contact::Case& input) {
+  if (input.rolling.forces.empty()) return {};
+  const contact::PrescribedForce& first = input.rolling.forces.front();
+  return std::string(first.longitudinal ? "x" : "") + (first.lateral ? "y" : "");
+}
+
 void write_case(hid_t file, const contact::Case& input) {
   const Handle group =
       create_group(file, "case", "What was asked: the whole case file, and its main numbers");
@@ -36,6 +44,20 @@ void write_case(hid_t file, const contact::Case& input) {
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
   if (input.load.normal_force) write_attribute(group, "normal_force", *input.load.normal_force);
   if (input.load.approach) write_attribute(group, "approach", *input.load.approach);
+  static const char* const problems[] = {"steady", "shift", "transient", "frictionless"};
+  write_attribute(group, "problem", std::string(problems[static_cast<int>(input.rolling.problem)]));
+  write_attribute(group, "prescribed_forces", prescribed_forces(input));
+  if (input.given_pressure) {
+    write_attribute(group, "given_semi_axis_x", input.given_pressure->semi_axis_x);
+    write_attribute(group, "given_semi_axis_y", input.given_pressure->semi_axis_y);
+    write_attribute(group, "given_max_pressure", input.given_pressure->max_pressure);
+  }
+  if (input.undeformed_distance.quadratic) {
+    write_attribute(group, "distance_A", (*input.undeformed_distance.quadratic)[0]);
+    write_attribute(group, "distance_B", (*input.undeformed_distance.quadratic)[1]);
+  }
+  if (input.undeformed_distance.values)
+    write_attribute(group, "distance_file", input.undeformed_distance.values->file);
   write_attribute(group, "wheel_rolling_radius", input.wheel.rolling_radius);
   write_attribute(group, "wheel_transverse_radius", input.wheel.transverse_radius);
   write_attribute(group, "wheel_young_modulus", input.wheel.material.young_modulus);
@@ -104,6 +126,39 @@ void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult&
            "state of the element: 0 exterior, 1 adhesion, 2 slip", "");
 }
 
+/// N numbers of every point as a dataset [points, N].
+template <std::size_t N>
+void write_rows(hid_t group, const char* name, const std::vector<std::array<double, N>>& rows,
+                const std::string& unit, const std::string& description) {
+  std::vector<double> flat;
+  for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
+  describe(write_dataset(group, name, {rows.size(), N}, flat.data()), unit, description, "");
+}
+
+void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {
+  if (fields.empty()) return;
+  const Handle all = create_group(point, "subsurface", "Points below the surface, as asked for");
+  static const char* const kinds[] = {"point", "line", "plane"};
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const contact::SubsurfaceField& field = fields[k];
+    const Handle group = create_group(all, fmt::format("{:04}", k), "Points, first side fastest");
+    write_attribute(group, "kind", std::string(kinds[static_cast<int>(field.request.kind)]));
+    write_attribute(group, "body", std::string(field.request.wheel ? "wheel" : "rail"));
+    write_attribute(group, "points_along", static_cast<long>(field.request.points[0]));
+    write_attribute(group, "points_across", static_cast<long>(field.request.points[1]));
+    write_rows(group, "points", field.points, "mm",
+               "x, y, z in the global frame, z into the wheel");
+    write_rows(group, "displacement", field.displacement, "mm",
+               "displacement of the material, x, y, z");
+    write_rows(group, "stress", field.stress, "MPa", "xx, yy, zz, xy, yz, xz; tension positive");
+    std::vector<double> equivalent;
+    for (const auto& stress : field.stress)
+      equivalent.push_back(contact::von_mises(contact::Stress::from_array(stress)));
+    describe(write_dataset(group, "von_mises", {equivalent.size()}, equivalent.data()), "MPa",
+             "von Mises stress", "");
+  }
+}
+
 void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
                  const PointResult& point) {
   const Handle group = create_group(
@@ -121,6 +176,7 @@ void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
   for (const auto& [quantity, error] : point.error_estimate)
     write_attribute(errors, quantity, error);
   write_point_fields(group, grid, point);
+  write_subsurface(group, point.subsurface);
 }
 
 void write_model(hid_t models, const ModelResult& model, long order) {

@@ -1,5 +1,6 @@
 #include "postprocess/vtu.hpp"
 
+#include "contact/stress_measures.hpp"
 #include "postprocess/point_table.hpp"
 
 #include <fmt/core.h>
@@ -141,12 +142,6 @@ std::string scalar_xml(const std::string& name, const Field& field) {
 
 }  // namespace
 
-double von_mises(const std::array<double, 6>& s) {
-  const double normal =
-      (s[0] - s[1]) * (s[0] - s[1]) + (s[1] - s[2]) * (s[1] - s[2]) + (s[2] - s[0]) * (s[2] - s[0]);
-  return std::sqrt(0.5 * normal + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-}
-
 std::string body_vtu(const contact::BodyField& body) {
   std::string data = "<PointData>\n";
   if (!body.displacement.empty())
@@ -154,7 +149,8 @@ std::string body_vtu(const contact::BodyField& body) {
   if (!body.stress.empty()) {
     data += doubles("stress [MPa]", flatten(body.stress), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
     std::vector<double> equivalent;
-    for (const auto& stress : body.stress) equivalent.push_back(von_mises(stress));
+    for (const auto& stress : body.stress)
+      equivalent.push_back(contact::von_mises(contact::Stress::from_array(stress)));
     data += doubles("von Mises stress [MPa]", equivalent);
   }
   data += "</PointData>\n";

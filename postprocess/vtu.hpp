@@ -16,7 +16,4 @@ std::string body_vtu(const contact::BodyField& body);
 /// tractions, bound, slip, gap, displacement difference and state per cell.
 std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointResult& point);
 
-/// Equivalent stress of xx yy zz xy yz xz.
-double von_mises(const std::array<double, 6>& stress);
-
 }  // namespace rollfem::postprocess

@@ -15,7 +15,8 @@ def captions(result):
     for axis, across in (("x", "y"), ("y", "x")):
         yield (f"path_{axis}.svg",
                f"Along the middle line {across} = 0: contact pressure, and tangential traction under "
-               "its bound μ pₙ (thin). Where the two coincide the surfaces slip.",
+               "its bound (thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two "
+               "coincide the surfaces slip.",
                lambda axis=axis: curves.path(result, axis))
     yield ("contact_area.svg", "Contact area of every model, and its zones of adhesion and slip. "
            "Material enters on the right.", lambda: maps.contact_area(result))

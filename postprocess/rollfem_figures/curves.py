@@ -23,8 +23,11 @@ def creep_curve(result):
     if not models:
         return None
     scalar, factor, axis_label = style.creepage_axis([p for m in models for p in m.points])
-    force = "lateral_force" if scalar == "lateral_creepage" else "longitudinal_force"
-    ratio = r"$-F_y/F_z$" if scalar == "lateral_creepage" else r"$-F_x/F_z$"
+    by_step = any(p["step"] for m in models for p in m.points)
+    lateral = scalar.startswith("lateral")
+    force = "lateral_force" if lateral else "longitudinal_force"
+    ratio = r"$-F_y/F_z$" if lateral else r"$-F_x/F_z$"
+    many = len(models) > 4
 
     def coefficient(point):
         return -point[force] / point["normal_force"] if point["normal_force"] else math.nan
@@ -32,39 +35,48 @@ def creep_curve(result):
     reference = selection.reference_for_forces(result)
     compare = len(models) > 1 and reference in models
     figure, axes = plt.subplots(2 if compare else 1, 1, sharex=True, squeeze=False,
-                                figsize=(6.4, 5.2 if compare else 4.0),
+                                figsize=(6.4, (5.2 if compare else 4.0) + 0.5 * many),
                                 gridspec_kw={"height_ratios": [3, 1.2] if compare else [1]})
     top = axes[0, 0]
     friction = result.case["friction_coefficient"]
     top.axhline(friction, color=style.GREY, linewidth=0.8, linestyle=(0, (1, 1.5)))
     top.annotate(rf"full slip: $\mu$ = {friction:.3g}", (0.01, friction), ha="left", va="bottom",
                  xycoords=("axes fraction", "data"), color=style.GREY, fontsize=8)
+    gaps, bounded = [], [0.0, friction]  # of the models with a traction bound, which set the scales
     for model in models:
-        points = sorted(model.points, key=lambda p: p[scalar])
+        points = model.points if by_step else sorted(model.points, key=lambda p: p[scalar])
         at = np.array([factor * p[scalar] for p in points])
         values = np.array([coefficient(p) for p in points])
+        bounded += [v for v in values if model.has_bound]
         errors = [abs(v) * (relative_error(p, "traction_coefficient", force) or 0.0)
                   for v, p in zip(values, points)]
         top.errorbar(at, values, yerr=errors if any(errors) else None, capsize=2, elinewidth=0.8,
                      marker=style.marker(model), markersize=4.5, label=style.label(model),
                      **style.line(model))
         if compare and model is not reference:
-            pairs = [(a, v, reference.at(p.creepages)) for a, v, p in zip(at, values, points)]
+            pairs = [(a, v, reference.at(p.key)) for a, v, p in zip(at, values, points)]
             pairs = [(a, 100 * (v - coefficient(r)) / friction) for a, v, r in pairs if r]
             if pairs:
+                gaps += [g for _, g in pairs if model.has_bound]
                 axes[1, 0].plot(*zip(*pairs), marker=style.marker(model), markersize=4.5,
                                 **style.line(model))
     top.set_ylabel(f"traction coefficient {ratio} [-]")
-    shared = style.creepage_texts(selection.all_creepages(models))[1]
+    shared = style.key_texts(selection.all_keys(models))[1]
     if shared:
         top.set_title(shared)
+    if any(not m.has_bound for m in models):  # a straight line that leaves the frame
+        room = 0.1 * (max(bounded) - min(bounded))
+        top.set_ylim(min(bounded) - room, max(bounded) + 1.5 * room)
     top.margins(y=0.1)
-    top.legend(loc="lower right")
+    if many:
+        figure.legend(*top.get_legend_handles_labels(), loc="upper center", ncol=4)
+        figure.subplots_adjust(top=0.86)
+    else:
+        top.legend(loc="lower right")
     if compare:
         axes[1, 0].axhline(0, **style.line(reference))
         axes[1, 0].set_ylabel(f"difference to\n{style.label(reference)} [% of $\\mu$]")
-        low, high = axes[1, 0].get_ylim()
-        reach = max(abs(low), abs(high), 1.0)
+        reach = 1.15 * max([abs(g) for g in gaps] + [1.0])
         axes[1, 0].set_ylim(-reach, reach)
     axes[-1, 0].set_xlabel(axis_label)
     figure.align_ylabels()
@@ -110,6 +122,21 @@ def _traction_panel(panel, models, creepages, axis, with_lateral):
                 panel.plot(curve[0], sign * curve[1], **ink)
 
 
+def _traction_limits(models, key, axis, with_lateral):
+    """Lowest and highest value of the curves of a panel but those that nothing bounds."""
+    values = [0.0]
+    for model in models:
+        point = model.at(key)
+        if point is None or not model.has_friction or not model.has_bound:
+            continue
+        for name, sign in (("traction_bound", 1), ("traction_x", -1), ("traction_y", -1)):
+            curve = _line_of(model, point, name, axis)
+            if curve is not None and curve[1].size and (with_lateral or name != "traction_y"):
+                values += [sign * np.nanmin(curve[1]), sign * np.nanmax(curve[1])]
+    room = 0.05 * (max(values) - min(values)) or 1.0
+    return min(values) - room, max(values) + room
+
+
 def _has_lateral(model, point, axis):
     """Whether p_y is worth a curve on this line."""
     curve = _line_of(model, point, "traction_y", axis)
@@ -123,9 +150,9 @@ def path(result, axis):
     models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
     if not models:
         return None
-    chosen = selection.chosen_creepages(models, 5)
+    chosen = selection.chosen_keys(models, 5)
     with_lateral = any(_has_lateral(m, p, axis) for m in models for p in m.points)
-    texts, shared = style.creepage_texts(chosen)
+    texts, shared = style.key_texts(chosen)
     columns = min(3, 1 + len(chosen))
     rows = math.ceil((1 + len(chosen)) / columns)
     figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
@@ -135,7 +162,7 @@ def path(result, axis):
     for panel, creepages in zip(panels[1:], chosen):
         _traction_panel(panel, models, creepages, axis, with_lateral)
         panel.set_title(texts[creepages])
-    tops = [p.get_ylim() for p in panels[1:1 + len(chosen)]]
+    tops = [_traction_limits(models, key, axis, with_lateral) for key in chosen]
     for panel in panels[1:1 + len(chosen)]:
         panel.set_ylim(min(t[0] for t in tops), max(t[1] for t in tops))
     for panel in panels[1:1 + len(chosen)]:
@@ -150,12 +177,14 @@ def path(result, axis):
             panel.set_xlabel(r"$x$ [mm], rolling $\rightarrow$" if axis == "x" else r"$y$ [mm], lateral")
             panel.tick_params(labelbottom=True)
     handles, labels = panels[0].get_legend_handles_labels()
+    own = any(m.name in ("fastsim", "strip") for m in models)
     if chosen:
         handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
-        labels.append(r"traction bound $\mu\,p_n$")
+        labels.append("traction bound" if own else r"traction bound $\mu\,p_n$")
     if shared:
         handles.append(plt.Line2D([], [], linestyle="none"))
         labels.append(shared)
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
-    figure.legend(handles, labels, loc="upper center", ncol=len(labels))
+    rows_of_legend = math.ceil(len(labels) / 5)
+    figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * rows_of_legend) / figure.get_figheight()))
+    figure.legend(handles, labels, loc="upper center", ncol=math.ceil(len(labels) / rows_of_legend))
     return figure

@@ -62,12 +62,12 @@ def contact_area(result):
     models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
     if not models:
         return None
-    zoned = [m for m in models if m.has_friction and "state" in m.points[0].fields]
-    chosen = selection.chosen_creepages(zoned, 4) if zoned else []
-    texts, shared = style.creepage_texts(chosen)
+    zoned = [m for m in models if m.has_friction and m.has_bound and "state" in m.points[0].fields]
+    chosen = selection.chosen_keys(zoned, 4) if zoned else []
+    texts, shared = style.key_texts(chosen)
     half_x, half_y = extent(models)
-    # Tall patches: a row for each model; wide ones: a row for each creepage.
-    tall = half_x <= 1.3 * half_y
+    # Tall patches and few models: a row for each model; else a row for each creepage.
+    tall = half_x <= 1.3 * half_y and len(zoned) <= max(3, len(chosen))
     rows, columns = (len(zoned), len(chosen)) if tall else (len(chosen), len(zoned))
     rows, columns = max(1, rows), 1 + columns
     scale = min(1.75 / half_x, 3.4 / half_y) / 2 if tall else min(2.9 / half_x, 2.2 / half_y) / 2
@@ -107,8 +107,10 @@ def contact_area(result):
                     patches.Patch(color=style.SLIP_COLOUR, label="slip")]
     if shared:
         handles.append(plt.Line2D([], [], linestyle="none", label=shared))
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.35 / figure.get_figheight()))
-    figure.legend(handles=handles, loc="upper center", ncol=len(handles))
+    across = max(2, int(figure.get_figwidth() / 1.45))
+    legend_rows = -(-len(handles) // across)
+    figure.tight_layout(rect=(0, 0, 1, 1 - (0.13 + 0.22 * legend_rows) / figure.get_figheight()))
+    figure.legend(handles=handles, loc="upper center", ncol=-(-len(handles) // legend_rows))
     return figure
 
 
@@ -197,13 +199,13 @@ def _frame(panel, view, title, unit_label):
 def oblique(result, model):
     """p_n and -p_x over the patch at one creepage, strip by strip. None for a model without
     tangential tractions."""
-    creepages = selection.typical_creepage([model]) if model.has_friction else None
+    creepages = selection.typical_key([model]) if model.has_friction else None
     point = model.at(creepages) if creepages else None
     if point is None or not {"pressure", "traction_x"} <= set(point.fields):
         return None
     pressure, state = point.fields["pressure"], point.fields.get("state")
     traction = -point.fields["traction_x"]
-    text = style.creepage_texts([creepages])[0][creepages]
+    text = style.key_texts([creepages])[0][creepages]
     figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.4))
     half_x, half_y = extent([model])
     view = _Oblique(half_x, half_y, pressure)

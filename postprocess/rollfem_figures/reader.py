@@ -30,6 +30,9 @@ class Point:
     scalars: dict
     fields: dict
     errors: dict = field(default_factory=dict)
+    number: int = 0  # of the load point, from 0
+    by_number: bool = False  # told apart by its number: steps of a history, prescribed forces
+    subsurface: list = field(default_factory=list)  # dicts: kind, body, points, displacement, stress
 
     def __getitem__(self, name):
         return self.scalars[name]
@@ -38,6 +41,12 @@ class Point:
     def creepages(self):
         """(xi, eta, spin)."""
         return tuple(self[n] for n in ("longitudinal_creepage", "lateral_creepage", "spin"))
+
+    @property
+    def key(self):
+        """What tells the load points of a case apart, the same in every model: (xi, eta, spin); the
+        number from 1 in a history and where forces are prescribed, so that creepages are results."""
+        return (float(self.number + 1),) if self.by_number else self.creepages
 
 
 @dataclass
@@ -60,10 +69,15 @@ class Model:
         """Whether the model answers a question about friction at all."""
         return any(p["max_traction"] > 0 or any(p.creepages) for p in self.points)
 
-    def at(self, creepages):
-        """The point at (xi, eta, spin), or None."""
+    @property
+    def has_bound(self):
+        """Whether its tractions are bounded by friction: those of the linear theory are not."""
+        return self.name != "linear"
+
+    def at(self, key):
+        """The point with that key, (xi, eta, spin) in steady rolling; or None."""
         for point in self.points:
-            if np.allclose(point.creepages, creepages, rtol=1e-9, atol=1e-15):
+            if len(point.key) == len(key) and np.allclose(point.key, key, rtol=1e-9, atol=1e-15):
                 return point
         return None
 
@@ -117,14 +131,19 @@ def _texts(dataset):
     return [_plain(line) for line in dataset[()]] if dataset.shape != (0,) else []
 
 
-def _read_point(group):
+def _read_point(group, number, by_number):
     fields = {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}
-    return Point(_attributes(group), fields, _attributes(group["error_estimate"]))
+    below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
+             for _, part in sorted(group["subsurface"].items())] if "subsurface" in group else []
+    return Point(_attributes(group), fields, _attributes(group["error_estimate"]), number, by_number,
+                 below)
 
 
-def _read_model(name, group):
+def _read_model(name, group, by_number):
     grid = group["grid"]
-    points = [_read_point(group["points"][key]) for key in sorted(group["points"])]
+    # Hertz has one point whatever the case asks for.
+    points = [_read_point(group["points"][key], number, by_number and name != "hertz")
+              for number, key in enumerate(sorted(group["points"]))]
     return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
                  _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
                  grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
@@ -142,9 +161,11 @@ def _read_file(path, directory):
             raise ResultError(f"{path} is incomplete: its writing was cut short; run the case again")
         groups = sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))
         case = _attributes(file["case"])
+        by_number = bool(case.get("problem", "steady") in ("shift", "transient")
+                         or case.get("prescribed_forces", ""))
         return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
                       case, _attributes(file["provenance"]),
-                      [_read_model(name, group) for name, group in groups])
+                      [_read_model(name, group, by_number) for name, group in groups])
 
 
 def read_result(path):

@@ -52,12 +52,26 @@ def _asked(result):
     def radius(value):
         return "flat" if abs(value) == float("inf") else f"{tables.plain(value)} mm"
 
+    what = {"shift": "Load points are steps of a shift without rolling. ",
+            "transient": "Load points are steps of rolling. ",
+            "frictionless": "Without friction. "}.get(case.get("problem"), "")
+    if case.get("prescribed_forces"):
+        what += "Tangential forces are prescribed; creepages are results. "
+    details = (f"<details><summary>case file {escape(result.case_file)}</summary>"
+               f"<pre>{escape(result.case_text)}</pre></details>")
+    friction = f"friction coefficient {tables.plain(case['friction_coefficient'])}. {what}</p>{details}"
+    if "given_max_pressure" in case:
+        return (f"<p>Hertz's pressure of {tables.plain(case['given_max_pressure'])} MPa given on an "
+                f"ellipse of semi-axes {tables.plain(case['given_semi_axis_x'])} by "
+                f"{tables.plain(case['given_semi_axis_y'])} mm; {friction}")
+    if "distance_A" in case:
+        return (f"<p>Undeformed distance A x² + B y² with A = {tables.plain(case['distance_A'])}, "
+                f"B = {tables.plain(case['distance_B'])} 1/mm; {load}, {friction}")
+    if "distance_file" in case:
+        return (f"<p>Undeformed distance from {escape(case['distance_file'])}; {load}, {friction}")
     return (f"<p>Wheel of rolling radius {tables.plain(case['wheel_rolling_radius'])} mm "
             f"(transverse {radius(case['wheel_transverse_radius'])}) on a rail of transverse radius "
-            f"{radius(case['rail_transverse_radius'])}; {load}, friction coefficient "
-            f"{tables.plain(case['friction_coefficient'])}.</p>"
-            f"<details><summary>case file {escape(result.case_file)}</summary>"
-            f"<pre>{escape(result.case_text)}</pre></details>")
+            f"{radius(case['rail_transverse_radius'])}; {load}, {friction}")
 
 
 def _numbers(result):
@@ -130,7 +144,7 @@ def report_html(result, figures):
         _notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result),
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
-        "path_x.csv, path_y.csv, fields/ (for ParaView), figures/.</p></div></body></html>\n"])
+        "path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ (for ParaView), figures/.</p></div></body></html>\n"])
 
 
 def write_report(result, figures):

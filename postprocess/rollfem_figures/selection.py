@@ -23,19 +23,19 @@ def _first_of(models, names):
     return models[0] if models else None
 
 
-def all_creepages(models):
-    """Every (xi, eta, spin) of the models, in the order of the first that has it."""
+def all_keys(models):
+    """The key of every load point of the models, in the order of the first that has it."""
     seen = []
     for model in models:
         for point in model.points:
-            if point.creepages not in seen:
-                seen.append(point.creepages)
+            if point.key not in seen:
+                seen.append(point.key)
     return seen
 
 
-def chosen_creepages(models, count):
+def chosen_keys(models, count):
     """Up to `count` load points with tractions, spread over the creep curve."""
-    loaded = [c for c in all_creepages(models)
+    loaded = [c for c in all_keys(models)
               if any((p := m.at(c)) and p["max_traction"] > 0 for m in models)]
     sticking = [any((p := m.at(c)) and p["adhesion_area"] > 0 for m in models) for c in loaded]
     if True in sticking:  # of those that slip everywhere the first tells all
@@ -49,14 +49,14 @@ def chosen_creepages(models, count):
     return [loaded[round(k * step)] for k in range(count)]
 
 
-def typical_creepage(models):
+def typical_key(models):
     """One load point at which adhesion and slip are both there, else the middle one."""
-    loaded = chosen_creepages(models, 10 ** 6)
+    loaded = chosen_keys(models, 10 ** 6)
     if not loaded:
         return None
 
-    def imbalance(creepages):
-        points = [p for m in models if (p := m.at(creepages)) and p["contact_area"] > 0]
+    def imbalance(key):
+        points = [p for m in models if (p := m.at(key)) and p["contact_area"] > 0]
         return min((abs(p["adhesion_area"] / p["contact_area"] - 0.5) for p in points), default=1.0)
 
     return min(loaded, key=imbalance)

@@ -15,7 +15,7 @@ MODELS = {
     "fastsim": ("FASTSIM", "#CC79A7", (0, (3, 1)), "v"),
     "strip": ("strip", "#E69F00", (0, (2, 1)), "D"),
     "carter": ("Carter", "#56B4E9", (0, (1, 1)), "P"),
-    "vermeulen-johnson": ("Vermeulen-Johnson", "#777777", (0, (1, 2)), "*"),
+    "vermeulen-johnson": ("Vermeulen-Johnson", "#8B5A2B", (0, (1, 2)), "*"),
     "linear": ("linear theory", "#999999", (0, (5, 5)), "+"),
 }
 ADHESION_COLOUR, SLIP_COLOUR = "#56B4E9", "#E69F00"
@@ -71,6 +71,12 @@ def save(figure, path, png_folder=None):
 
 def creepage_axis(points):
     """What varies along the creep curve: (scalar, factor, axis label)."""
+    if any(p.by_number and p["step"] for p in points):
+        choices = [("longitudinal_shift", 1.0, "longitudinal shift since the beginning [mm]"),
+                   ("lateral_shift", 1.0, "lateral shift since the beginning [mm]"),
+                   ("spin_shift", 1.0, "rotation since the beginning [rad]"),
+                   ("distance", 1.0, "distance rolled [mm]")]
+        return next((c for c in choices if any(p[c[0]] for p in points)), ("step", 1.0, "step"))
     choices = [("longitudinal_creepage", 100.0, r"longitudinal creepage $\xi$ [%]"),
                ("lateral_creepage", 100.0, r"lateral creepage $\eta$ [%]"),
                ("spin", 1.0, r"spin $\varphi$ [rad/mm]")]
@@ -81,9 +87,11 @@ def creepage_axis(points):
     return choices[0]
 
 
-def creepage_texts(creepages):
-    """What distinguishes the load points, e.g. "ξ = 0.2 %", for each of a list of (xi, eta, spin); and
-    what they share, e.g. "η = 0.1 %", empty when it is nothing."""
+def key_texts(creepages):
+    """What distinguishes the load points, e.g. "ξ = 0.2 %", for each of a list of keys, (xi, eta, spin)
+    or (number,); and what they share, e.g. "η = 0.1 %", empty when it is nothing."""
+    if any(len(c) == 1 for c in creepages):
+        return {c: f"load point {c[0]:.0f}" for c in creepages}, ""
     forms = [(r"$\xi$ = {:.4g} %", 100), (r"$\eta$ = {:.4g} %", 100), (r"$\varphi$ = {:.4g} rad/mm", 1)]
     varies = [len({c[k] for c in creepages}) > 1 for k in range(3)]
     if not any(varies):  # one point: say what is not zero

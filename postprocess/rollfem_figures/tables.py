@@ -85,10 +85,12 @@ def patch_table(result):
 
 def _creepage_head(models):
     points = [p for m in models for p in m.points]
+    if any(len(p.key) == 1 for p in points):
+        return [("load point", 0, 1)]
     columns = [("ξ [%]", 0, 100)]
-    if any(p.creepages[1] for p in points):
+    if any(p.key[1] for p in points):
         columns.append(("η [%]", 1, 100))
-    if any(p.creepages[2] for p in points):
+    if any(p.key[2] for p in points):
         columns.append(("φ [rad/mm]", 2, 1))
     return columns
 
@@ -100,7 +102,7 @@ def creepage_table(result, value, quantities, scale):
     reference = selection.reference_for_forces(result)
     columns = _creepage_head(models)
     rows = []
-    for creepages in selection.all_creepages(models):
+    for creepages in selection.all_keys(models):
         row = [", ".join(plain(creepages[k] * factor) for _, k, factor in columns)]
         for model in models:
             point = model.at(creepages)
@@ -130,7 +132,8 @@ def cost_table(result):
                  "left")
 
 
-ALL = [("longitudinal_force", "F<sub>x</sub> [N]"), ("lateral_force", "F<sub>y</sub> [N]"),
+ALL = [("longitudinal_creepage", "ξ"), ("lateral_creepage", "η"), ("spin", "φ [rad/mm]"),
+       ("longitudinal_force", "F<sub>x</sub> [N]"), ("lateral_force", "F<sub>y</sub> [N]"),
        ("spin_moment", "M<sub>z</sub> [N mm]"), ("normal_force", "F<sub>z</sub> [N]"),
        ("max_pressure", "p<sub>0</sub> [MPa]"), ("max_traction", "max |p<sub>t</sub>| [MPa]"),
        ("approach", "approach [mm]"), ("contact_length", "length [mm]"),
@@ -142,7 +145,7 @@ ALL = [("longitudinal_force", "F<sub>x</sub> [N]"), ("lateral_force", "F<sub>y</
 def points_table(model):
     """Every scalar of every load point."""
     columns = _creepage_head([model])
-    rows = [[", ".join(plain(p.creepages[k] * f) for _, k, f in columns)]
+    rows = [[", ".join(plain(p.key[k] * f) for _, k, f in columns)]
             + [number(p[name]) for name, _ in ALL] + ["yes" if p["converged"] else "<b>no</b>"]
             for p in model.points]
     return table([", ".join(c[0] for c in columns)] + [h for _, h in ALL] + ["converged"], rows)
@@ -161,7 +164,9 @@ def disagreements(result):
             worst = _worst(model, reference, quantity)
             if worst:
                 gap, allowed, creepages = worst
-                at = f" (at ξ = {plain(100 * creepages[0])} %)" if len(model.points) > 1 else ""
+                where = (f"ξ = {plain(100 * creepages[0])} %" if len(creepages) > 1
+                         else f"load point {plain(creepages[0])}")
+                at = f" (at {where})" if len(model.points) > 1 else ""
                 sentences.append(
                     f"The {name} of {escape(style.label(model))} differs from that of "
                     f"{escape(style.label(reference))} by {number(100 * gap, 2)} %{at}, more than the "
@@ -174,11 +179,11 @@ def _worst(model, reference, quantity):
     Without an estimate of the model there is nothing to hold it against."""
     worst = None
     for point in model.points:
-        base = reference.at(point.creepages)
+        base = reference.at(point.key)
         if base is None or not base[quantity] or quantity not in point.errors:
             continue
         gap = abs(point[quantity] / base[quantity] - 1)
         allowed = abs(point.errors[quantity]) + abs(base.errors.get(quantity, 0.0))
         if gap > allowed and (worst is None or gap - allowed > worst[0] - worst[1]):
-            worst = (gap, allowed, point.creepages)
+            worst = (gap, allowed, point.key)
     return worst

@@ -177,7 +177,10 @@ TEST(CaseValues, EveryKeyIsReadBackByItsGetter) {
         value = !std::get<bool>(value);
         break;
       case contact::KeyKind::pair:
-        value = std::vector<double>{0.5, 0.75};
+        value = std::vector<double>{3.0, 5.0};
+        break;
+      case contact::KeyKind::triple:
+        value = std::vector<double>{0.5, 0.75, 1.5};
         break;
       case contact::KeyKind::numbers:
         value = std::vector<double>{0.5, 0.75};

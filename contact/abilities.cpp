@@ -1,0 +1,87 @@
+#include "contact/abilities.hpp"
+
+#include "contact/case_text.hpp"
+#include "contact/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Something that a case may ask for, and the models that can take it.
+struct Demand {
+  const char* key;
+  const char* what;
+  bool (*asked)(const Case&);
+  std::vector<std::string> models;
+};
+
+bool any_force(const Case& input) {
+  const auto& forces = input.rolling.forces;
+  return std::any_of(forces.begin(), forces.end(),
+                     [](const PrescribedForce& f) { return f.any(); });
+}
+
+bool load_history(const Case& input) {
+  const auto& steps = input.history;
+  return std::any_of(steps.begin(), steps.end(), [](const HistoryStep& step) {
+    return step.normal_force.has_value() || step.approach.has_value();
+  });
+}
+
+bool is_history(const Case& input) {
+  return input.rolling.problem == Problem::shift || input.rolling.problem == Problem::transient;
+}
+
+bool any_rigid(const Case& input) {
+  return std::isinf(input.wheel.material.young_modulus) ||
+         std::isinf(input.rail.material.young_modulus);
+}
+
+const std::vector<Demand>& demands() {
+  // Hertz's theory knows no friction: it takes any problem, and gives the patch alone.
+  static const std::vector<std::string> elliptic{"hertz",   "linear", "vermeulen-johnson", "carter",
+                                                 "fastsim", "strip",  "halfspace"};
+  static const std::vector<Demand> all{
+      {"rolling.problem", "shift or transient", is_history, {"hertz", "halfspace"}},
+      {"rolling.longitudinal_force or lateral_force",
+       "a prescribed tangential force",
+       any_force,
+       {"hertz", "halfspace"}},
+      {"history.normal_force or approach",
+       "a load that changes from step to step",
+       load_history,
+       {"halfspace"}},
+      {"undeformed_distance.file",
+       "bodies given point by point",
+       [](const Case& c) { return c.undeformed_distance.values.has_value(); },
+       {"halfspace"}},
+      {"undeformed_distance.quadratic", "bodies without radii",
+       [](const Case& c) { return c.undeformed_distance.quadratic.has_value(); }, elliptic},
+      {"given_pressure", "a given pressure",
+       [](const Case& c) { return c.given_pressure.has_value(); }, elliptic},
+      {"young_modulus = inf", "a rigid body", any_rigid, elliptic},
+  };
+  return all;
+}
+
+}  // namespace
+
+void check_able(const Case& input, const std::string& model) {
+  for (const Demand& demand : demands()) {
+    if (!demand.asked(input)) continue;
+    if (std::find(demand.models.begin(), demand.models.end(), model) != demand.models.end())
+      continue;
+    const std::string able = joined(demand.models);
+    throw InputError(
+        fmt::format("{}: model {}: {}: it cannot take {}; allowed: {}; do: run with "
+                    "--model halfspace, or change the case",
+                    input.file, model, demand.key, demand.what, able));
+  }
+}
+
+}  // namespace rollfem::contact

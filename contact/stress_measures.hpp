@@ -1,0 +1,44 @@
+// Scalars that a stress state is judged by: hydrostatic, von Mises, Tresca, principal and
+// orthogonal shear stress. For any model and either body. Tension is positive; units MPa.
+#pragma once
+
+#include <array>
+
+namespace rollfem::contact {
+
+/// Symmetric stress tensor in the global frame (x rolling, y lateral, z into the wheel), MPa.
+struct Stress {
+  double xx = 0.0;
+  double yy = 0.0;
+  double zz = 0.0;
+  double xy = 0.0;
+  double yz = 0.0;
+  double xz = 0.0;
+
+  /// In the order of BodyField::stress: xx yy zz xy yz xz.
+  std::array<double, 6> as_array() const { return {xx, yy, zz, xy, yz, xz}; }
+  static Stress from_array(const std::array<double, 6>& s) {
+    return {s[0], s[1], s[2], s[3], s[4], s[5]};
+  }
+};
+
+/// Mean stress (xx + yy + zz)/3, negative in compression: minus the hydrostatic pressure.
+double hydrostatic(const Stress& stress);
+
+/// sqrt(3 J2), the uniaxial stress of the same distortion energy.
+double von_mises(const Stress& stress);
+
+/// Principal stresses, largest first. Absolute error some 1e-15 of the largest.
+std::array<double, 3> principal(const Stress& stress);
+
+/// Largest difference of principal stresses (Tresca's equivalent stress).
+double tresca(const Stress& stress);
+
+/// Largest shear stress on any plane: half of tresca().
+double max_shear(const Stress& stress);
+
+/// Shear stress on the plane parallel to the surface, sqrt(xz^2 + yz^2). Its largest value below
+/// the patch is the maximum orthogonal shear of rolling fatigue (Lundberg & Palmgren).
+double orthogonal_shear(const Stress& stress);
+
+}  // namespace rollfem::contact
