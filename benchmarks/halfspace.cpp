@@ -1,14 +1,18 @@
 // Speed of the half-space: the products, the normal problem (case a) and one steady-rolling
 // solution with combined creepage and spin (benchmark 9) from coarse to fine.
+#include "contact/leading_edge.hpp"
 #include "contact/normal.hpp"
 #include "contact/tangential.hpp"
 #include "halfspace/compliance.hpp"
+#include "halfspace/fastsim.hpp"
 #include "halfspace/hertz.hpp"
 #include "halfspace/interpolation.hpp"
+#include "halfspace/strip.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "tests/support/thesis_cases.hpp"
+#include <cmath>
 
 namespace {
 
@@ -67,8 +71,23 @@ void normal_problem(benchmark::State& state) {
   }
 }
 
-/// Grids of 10, 20, ... across up to the wanted one, each starting from the one before.
-void steady_rolling(benchmark::State& state) {
+enum class Scheme { first_order, second_order, fitted_edge };
+
+contact::TangentialSolution solve(const HalfspaceCompliance& compliance,
+                                  const contact::TangentialProblem& problem, Scheme scheme,
+                                  const TangentialField& start) {
+  const contact::TangentialOperator& first = compliance.rolling(UpwindOrder::first);
+  if (scheme == Scheme::first_order) return contact::solve_tangential(first, problem, {}, start);
+  const contact::TangentialOperator& second = compliance.rolling(UpwindOrder::second);
+  if (scheme == Scheme::second_order) return contact::solve_tangential(second, problem, {}, start);
+  const contact::EdgeFittedRolling fitted(
+      first, second, contact::upwind_weights(compliance.grid(), problem.traction_bound));
+  return contact::solve_tangential(fitted, problem, {}, start);
+}
+
+/// Benchmark 9 on grids of 10, 20, ... across up to the wanted one, each starting from the one
+/// before; the time is that of all of them.
+void steady_rolling(benchmark::State& state, Scheme scheme) {
   const int across = static_cast<int>(state.range(0));
   const tests::Benchmark9 benchmark9;
   for (auto _ : state) {
@@ -87,8 +106,7 @@ void steady_rolling(benchmark::State& state) {
       if (n > first)
         start = {halfspace::interpolated(coarse, relative.x, grid, inside).cwiseProduct(g),
                  halfspace::interpolated(coarse, relative.y, grid, inside).cwiseProduct(g)};
-      const contact::TangentialSolution s =
-          contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem, {}, start);
+      const contact::TangentialSolution s = solve(compliance, problem, scheme, start);
       inside = (g.array() > 0.0).cast<double>();
       const Field inverse = g.unaryExpr([](double v) { return v > 0.0 ? 1.0 / v : 0.0; });
       relative = {s.traction.x.cwiseProduct(inverse), s.traction.y.cwiseProduct(inverse)};
@@ -104,12 +122,73 @@ void steady_rolling(benchmark::State& state) {
   }
 }
 
+/// Bodies whose Hertz contact is benchmark 9's pressure: both of radius 400 mm across each other.
+contact::Case benchmark_9_case() {
+  const tests::Benchmark9 benchmark9;
+  contact::Case input;
+  input.title = "benchmark 9";
+  input.file = "benchmark";
+  input.load.normal_force = benchmark9.force;
+  input.friction_coefficient = benchmark9.friction;
+  const double poisson_ratio = 0.28;
+  const double young_modulus = 2.0 * 82000.0 * (1.0 + poisson_ratio);
+  input.wheel.material = input.rail.material = {young_modulus, poisson_ratio};
+  input.wheel.rolling_radius = input.rail.transverse_radius =
+      4.0 / 3.0 * tests::Benchmark9::material().contact_modulus * std::pow(benchmark9.radius, 3) /
+      benchmark9.force;
+  input.rolling.creepages = {benchmark9.creepage};
+  input.contact_grid.elements_across = 10;  // of the fields only; the forces have their own strips
+  return input;
+}
+
+void count(benchmark::State& state, const contact::PointResult& point) {
+  state.counters["Fx"] = point.longitudinal_force;
+  state.counters["Mz"] = point.spin_moment;
+}
+
+void fastsim(benchmark::State& state) {
+  const contact::Case input = benchmark_9_case();
+  halfspace::FastsimOptions options;
+  options.strips = options.strip_elements = static_cast<int>(state.range(0));
+  for (auto _ : state) count(state, halfspace::run_fastsim(input, {}, options).points[0]);
+}
+
+void strip(benchmark::State& state) {
+  const contact::Case input = benchmark_9_case();
+  halfspace::StripOptions options;
+  options.strips = options.strip_elements = static_cast<int>(state.range(0));
+  for (auto _ : state) count(state, halfspace::run_strip(input, {}, options).points[0]);
+}
+
 constexpr auto unit = benchmark::kMillisecond;
 BENCHMARK(setup)->Arg(40)->Arg(160)->Arg(320)->Unit(unit);
 BENCHMARK(rolling_product)->Arg(40)->Arg(80)->Arg(160)->Arg(320)->Unit(unit);
 BENCHMARK(rolling_preconditioner)->Arg(40)->Arg(80)->Arg(160)->Arg(320)->Unit(unit);
 BENCHMARK(normal_problem)->Arg(40)->Arg(80)->Arg(160)->Arg(320)->Unit(unit);
-BENCHMARK(steady_rolling)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320)->Unit(unit);
+BENCHMARK_CAPTURE(steady_rolling, first_order, Scheme::first_order)
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(40)
+    ->Arg(80)
+    ->Arg(160)
+    ->Unit(unit);
+BENCHMARK_CAPTURE(steady_rolling, second_order, Scheme::second_order)
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(40)
+    ->Arg(80)
+    ->Arg(160)
+    ->Unit(unit);
+BENCHMARK_CAPTURE(steady_rolling, fitted_edge, Scheme::fitted_edge)
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(40)
+    ->Arg(80)
+    ->Arg(160)
+    ->Arg(320)
+    ->Unit(unit);
+BENCHMARK(fastsim)->Arg(10)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Unit(unit);
+BENCHMARK(strip)->Arg(10)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Unit(unit);
 
 }  // namespace
 

@@ -51,13 +51,9 @@ std::vector<Run> runs_of_row(const ContactGrid& grid, const Field& bound, int j)
     }
     if (first < 0) first = i;
     if (bound[k + 1] > 0.0) continue;
-    constexpr int fewest = 4;
-    if (i - first + 1 < fewest) {
-      runs.push_back({first, i, 0.0, true});  // too short to tell: at the border
-    } else {
-      const std::optional<double> edge = edge_of(bound, k);
-      runs.push_back({first, i, edge.value_or(0.0), edge.has_value()});
-    }
+    constexpr int fewest = 4;  // too short a run does not tell where its edge is
+    const std::optional<double> edge = i - first + 1 < fewest ? std::nullopt : edge_of(bound, k);
+    runs.push_back({first, i, edge.value_or(0.0), edge.has_value()});
   }
   return runs;
 }
