@@ -61,7 +61,7 @@ def error(value, exact):
 
 
 def draw(table, folder):
-    figure, axes = plt.subplots(1, 2, figsize=(10, 4.4), sharex=True)
+    figure, axes = plt.subplots(1, 2, figsize=(10, 4.9), sharex=True)
     for axis, counter, exact, name, target in (
             (axes[0], "Fx", FX, "longitudinal force", 0.5), (axes[1], "Mz", MZ, "spin moment", 5.0)):
         for key, label, colour, style in SERIES:
@@ -75,10 +75,11 @@ def draw(table, folder):
         axis.set_xlabel("CPU seconds, one core")
         axis.set_ylabel(f"error of the {name}, %")
         axis.grid(True, which="major", color="#e6e6e6", linewidth=0.7)
-    axes[0].legend(fontsize=8, frameon=False, loc="lower left")
     figure.suptitle("Combined creepage and spin on a circular patch (benchmark 9): error against time",
                     fontsize=11)
-    figure.tight_layout()
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, fontsize=9, frameon=False, loc="lower center", ncol=3)
+    figure.tight_layout(rect=(0.0, 0.1, 1.0, 1.0))
     figure.savefig(os.path.join(folder, "speed_error.svg"), metadata={"Date": None})
     figure.savefig(os.path.join(folder, "speed_error.png"), dpi=110)
 
