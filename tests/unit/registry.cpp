@@ -55,7 +55,7 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   EXPECT_GT(std::abs(elliptic / parabolic - 1.0), 0.01);
   EXPECT_NE(grid, parabolic);
   EXPECT_NE(coarse, parabolic);
-  EXPECT_NE(coefficient("strip", "[strip]\nstrips = 8\n"), coefficient("strip", ""));
+  EXPECT_NE(coefficient("strip", "[strip]\nstrips = 16\n"), coefficient("strip", ""));
   EXPECT_NE(coefficient("carter", "[carter]\nstrips = 8\n"), coefficient("carter", ""));
   // One flexibility or three are the same when only one creepage is there, not with spin.
   const std::string spin = "spin = 2e-4\n";
