@@ -10,6 +10,7 @@ using contact::Field;
 using contact::Motion;
 using contact::SurfaceField;
 using contact::TangentialField;
+using contact::UpwindOrder;
 
 namespace {
 
@@ -23,8 +24,14 @@ ContactProblem::ContactProblem(const contact::SolvableCompliance& whole,
                                const contact::SolvableCompliance& uncoupled, ContactScene scene)
     : whole_(whole), uncoupled_(uncoupled), scene_(std::move(scene)) {}
 
-const contact::TangentialOperator& ContactProblem::tangential_operator(Motion motion) const {
-  return motion == Motion::shift ? uncoupled_.shift() : uncoupled_.rolling(scene_.upwind_order);
+const contact::TangentialOperator& ContactProblem::tangential_operator(Motion motion,
+                                                                       const Field& pressure) {
+  if (motion == Motion::shift) return uncoupled_.shift();
+  if (scene_.upwind_order == UpwindOrder::first || !scene_.fit_leading_edge)
+    return uncoupled_.rolling(scene_.upwind_order);
+  return fitted_.emplace(uncoupled_.rolling(UpwindOrder::first),
+                         uncoupled_.rolling(UpwindOrder::second),
+                         contact::upwind_weights(grid(), pressure));
 }
 
 const contact::NormalSolution& ContactProblem::press(const NormalLoad& load, const Field& start) {
@@ -66,9 +73,10 @@ ContactState ContactProblem::solve_uncoupled(const NormalLoad& load,
   state.normal = press(load, start ? start->normal.pressure : Field());
   contact::TangentialOptions options;
   options.tolerance = accuracy.tangential;
-  state.tangential = contact::solve_tangential(
-      tangential_operator(motion), {scene_.friction * state.normal.pressure, rigid_slip}, options,
-      start ? start->tangential.traction : TangentialField());
+  state.tangential =
+      contact::solve_tangential(tangential_operator(motion, press(load).pressure),
+                                {scene_.friction * state.normal.pressure, rigid_slip}, options,
+                                start ? start->tangential.traction : TangentialField());
   state.displacement = whole_.apply(state.traction());
   state.iterations = state.tangential.newton_steps;
   state.residual = std::max(state.normal.residual, state.tangential.residual);
@@ -87,7 +95,8 @@ ContactState ContactProblem::solve_coupled(const NormalLoad& load,
   problem.rigid_slip = rigid_slip;
   problem.given_pressure = scene_.given_pressure;
   const contact::Preconditioner uncoupled{uncoupled_, uncoupled_.normal(),
-                                          tangential_operator(motion), scene_.upwind_order, motion};
+                                          tangential_operator(motion, press(load).pressure),
+                                          scene_.upwind_order, motion};
   contact::OuterOptions options;
   options.tolerance = accuracy.coupled;
   options.max_iterations = most_outer_iterations;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/defect_correction.hpp"
+#include "contact/leading_edge.hpp"
 
 #include <optional>
 
@@ -14,6 +15,10 @@ struct ContactScene {
   contact::Field given_pressure;       ///< MPa, replaces the normal problem; empty: none
   double friction = 0.0;               ///< mu; 0: frictionless
   contact::UpwindOrder upwind_order = contact::UpwindOrder::second;
+  /// Second-order differences fitted to the leading edge (contact/leading_edge.hpp): for line
+  /// contact, where they make Carter's forces converge with second order. Not for curved edges,
+  /// where rows of elements that end at different parts of an element disturb each other.
+  bool fit_leading_edge = false;
 };
 
 /// Exactly one of the two; not read with a given pressure.
@@ -70,13 +75,16 @@ class ContactProblem {
                              const ContactAccuracy& accuracy);
   ContactState frictionless(const NormalLoad& load, const contact::TangentialField& rigid_slip,
                             contact::Motion motion);
-  const contact::TangentialOperator& tangential_operator(contact::Motion motion) const;
+  /// Rolling of second order is fitted to the leading edge of this pressure if the scene says so.
+  const contact::TangentialOperator& tangential_operator(contact::Motion motion,
+                                                         const contact::Field& pressure);
 
   const contact::SolvableCompliance& whole_;
   const contact::SolvableCompliance& uncoupled_;
   ContactScene scene_;
   NormalLoad pressed_load_;
   contact::NormalSolution pressed_;
+  std::optional<contact::EdgeFittedRolling> fitted_;
 };
 
 }  // namespace rollfem::halfspace
