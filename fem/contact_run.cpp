@@ -298,7 +298,12 @@ contact::ModelResult LevelRun::run() {
   material.difference = 0.0;
   const halfspace::HalfspaceCompliance half(grid_, material);
   const contact::UpwindOrder order = input_.rolling.upwind_order;
-  const contact::Preconditioner halfspace{half, half.normal(), half.rolling(order), order};
+  const contact::Preconditioner halfspace{half,
+                                          half.normal(),
+                                          half.rolling(order),
+                                          order,
+                                          contact::Motion::rolling,
+                                          &half.rolling(contact::UpwindOrder::first)};
 
   const Stopwatch normal_watch;
   tell({}, "normal");
