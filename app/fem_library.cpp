@@ -1,17 +1,14 @@
 #include "app/fem_library.hpp"
 
 #include "app/places.hpp"
-#include "app/processes.hpp"
 #include "contact/errors.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <string>
-#include <thread>
 
 namespace rollfem::app {
 
@@ -19,11 +16,10 @@ namespace {
 
 #if ROLLFEM_WITH_FEM
 
-/// The processes of a machine share its cores; OpenBLAS reads this when it is loaded.
-void share_cores() {
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const unsigned share = std::max(1U, cores / static_cast<unsigned>(processes().count));
-  setenv("OPENBLAS_NUM_THREADS", std::to_string(share).c_str(), 0);
+/// The two bodies are factorised side by side, one core each, and MPI processes share the cores:
+/// threads inside OpenBLAS would only get in the way. It reads this when it is loaded.
+void one_thread_for_blas() {
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
 }
 
 void* open_library() {
@@ -46,7 +42,7 @@ void* open_library() {
 #if ROLLFEM_WITH_FEM
 
 const fem::Entry& open_fem_library(const std::string&) {
-  share_cores();
+  one_thread_for_blas();
   void* library = open_library();
   using EntryFunction = const fem::Entry* (*)();
   const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "rollfem_fem_entry"));

@@ -2,10 +2,12 @@
 
 #include "contact/anderson.hpp"
 #include "contact/errors.hpp"
+#include "contact/leading_edge.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace rollfem::contact {
@@ -93,8 +95,12 @@ void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem&
       {problem.rigid_slip.x + from_defect.x, problem.rigid_slip.y + from_defect.y}};
   TangentialOptions options;
   options.tolerance = std::min(options.tolerance, 0.1 * tolerance);
-  solution.tangential =
-      solve_tangential(halfspace.rolling, tangential, options, solution.tangential.traction);
+  std::optional<EdgeFittedRolling> fitted;
+  if (halfspace.first_order && halfspace.upwind_order == UpwindOrder::second)
+    fitted.emplace(*halfspace.first_order, halfspace.rolling,
+                   upwind_weights(halfspace.whole.grid(), solution.normal.pressure));
+  solution.tangential = solve_tangential(fitted ? *fitted : halfspace.rolling, tangential, options,
+                                         solution.tangential.traction);
 }
 
 SurfaceField tractions(const CoupledSolution& solution) {

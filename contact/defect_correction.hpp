@@ -22,6 +22,9 @@ struct Preconditioner {
   const TangentialOperator& rolling;  ///< D A_half,tt; A_half,tt for Motion::shift
   UpwindOrder upwind_order;
   Motion motion = Motion::rolling;
+  /// D A_half,tt of first order: with it a `rolling` of second order is fitted to the leading edge
+  /// of every pressure (contact/leading_edge.hpp). Null: `rolling` is used as it is.
+  const TangentialOperator* first_order = nullptr;
 };
 
 struct OuterOptions {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace rollfem::contact {
 
@@ -10,39 +13,101 @@ namespace {
 
 constexpr double usual_weight = 0.5;
 
-/// Distance of the edge ahead of the centre of the leading element `k`, in elements: the square of
-/// the bound falls linearly to zero there. Constant pressures are off in the outermost two elements,
-/// however fine the grid; the next three give the edge to 0.02 of an element. Half an element where
-/// there are too few elements to tell.
-double edge_ahead(const Field& bound, Eigen::Index k, int elements_behind) {
-  constexpr double nearest = 0.0;
-  constexpr double farthest = 0.95;
-  constexpr double unknown = 0.5;
-  if (elements_behind < 4) return unknown;
-  const double one = bound[k - 2] * bound[k - 2];
-  const double two = bound[k - 3] * bound[k - 3];
-  const double three = bound[k - 4] * bound[k - 4];
-  // Parabola through the three, from the centre of element k - 2 on.
+/// How far the edge may lie from the border of the first element, in elements: at most 0.5 where
+/// elements are in contact when their centres are; the pressure of a coarse grid is not that sure.
+constexpr double farthest = 0.75;
+
+/// A run of contact elements in a row, and where its leading edge lies.
+struct Run {
+  int first;             ///< trailing element
+  int last;              ///< leading element
+  double beyond_border;  ///< edge ahead of the leading element's border, elements
+  bool has_edge;         ///< the bound falls to zero as sqrt(d)
+};
+
+/// The square of the bound falls linearly to zero at the edge: root of the parabola through the
+/// three elements behind the leading one, which may be partly covered and does not count. Elements
+/// ahead of the leading border; empty when the bound does not fall.
+std::optional<double> edge_of(const Field& bound, Eigen::Index leading) {
+  const double one = bound[leading - 1] * bound[leading - 1];
+  const double two = bound[leading - 2] * bound[leading - 2];
+  const double three = bound[leading - 3] * bound[leading - 3];
   const double slope = 0.5 * (3.0 * one - 4.0 * two + three);
   const double curvature = 0.5 * (one - 2.0 * two + three);
   const double discriminant = slope * slope - 4.0 * curvature * one;
-  if (!(slope < 0.0) || discriminant < 0.0) return unknown;
-  const double root = 2.0 * one / (-slope + std::sqrt(discriminant));
-  return std::clamp(root - 2.0, nearest, farthest);
+  if (!(slope < 0.0) || discriminant < 0.0) return std::nullopt;
+  const double ahead_of_centre = 2.0 * one / (-slope + std::sqrt(discriminant)) - 1.0;
+  return std::clamp(ahead_of_centre - 0.5, -farthest, farthest);
+}
+
+std::vector<Run> runs_of_row(const ContactGrid& grid, const Field& bound, int j) {
+  std::vector<Run> runs;
+  int first = -1;
+  for (int i = 0; i + 1 < grid.nx; ++i) {
+    const Eigen::Index k = grid.index(i, j);
+    if (!(bound[k] > 0.0)) {
+      first = -1;
+      continue;
+    }
+    if (first < 0) first = i;
+    if (bound[k + 1] > 0.0) continue;
+    constexpr int fewest = 4;
+    if (i - first + 1 < fewest) {
+      runs.push_back({first, i, 0.0, true});  // too short to tell: at the border
+    } else {
+      const std::optional<double> edge = edge_of(bound, k);
+      runs.push_back({first, i, edge.value_or(0.0), edge.has_value()});
+    }
+  }
+  return runs;
+}
+
+/// The run's neighbour in the next row: overlaps it, the leading edges nearest to each other.
+double edge_beside(const std::vector<Run>& row, const Run& run) {
+  double edge = run.beyond_border;
+  int nearest = -1;
+  for (const Run& other : row) {
+    const int distance = std::abs(other.last - run.last);
+    if (!other.has_edge || other.last < run.first || other.first > run.last) continue;
+    if (nearest >= 0 && distance >= nearest) continue;
+    nearest = distance;
+    edge = other.beyond_border;
+  }
+  return edge;
+}
+
+/// A shift of the edge that alternates from row to row needs only a part G of the correction that a
+/// straight edge needs: G = 0.52, 0.61, 0.74, 0.88 for elements of dy/dx = 0.33, 1, 2, 5, from the
+/// local problem of alternating rows. A weight 1/4 (1 - G) of the second difference across rows
+/// leaves straight edges as they are and reduces alternating ones to G.
+double smoothing_across_rows(const ContactGrid& grid) {
+  return 0.25 * 0.49 / (1.0 + 0.25 * std::pow(grid.dy / grid.dx, 1.6));
 }
 
 }  // namespace
 
+double leading_weight(double beyond_border) {
+  // Least squares of the local problem's weights at 13 places, to 5e-4: a line of elements in
+  // adhesion under uniform creepage, 400 elements, edge from a fit of p^2 x at 20 to 80 elements.
+  const double e = std::clamp(beyond_border, -farthest, farthest);
+  return usual_weight -
+         (0.202677 + e * (1.024325 + e * (-0.379957 + e * (0.156733 - e * 0.059435))));
+}
+
 Field upwind_weights(const ContactGrid& grid, const Field& traction_bound) {
   Field weights = Field::Constant(grid.size(), usual_weight);
+  std::vector<std::vector<Run>> rows;
+  for (int j = 0; j < grid.ny; ++j) rows.push_back(runs_of_row(grid, traction_bound, j));
+  const std::vector<Run> none;
+  const double smoothing = smoothing_across_rows(grid);
   for (int j = 0; j < grid.ny; ++j) {
-    int run = 0;
-    for (int i = 0; i + 1 < grid.nx; ++i) {
-      const int k = grid.index(i, j);
-      run = traction_bound[k] > 0.0 ? run + 1 : 0;
-      if (run == 0 || traction_bound[k + 1] > 0.0) continue;
-      const double e = edge_ahead(traction_bound, k, run - 1);
-      weights[k] = 1.0 / (std::pow((2.0 - e) / (1.0 - e), 1.5) - 2.0);
+    const auto row = static_cast<std::size_t>(j);
+    for (const Run& run : rows[row]) {
+      if (!run.has_edge) continue;
+      const double below = edge_beside(j > 0 ? rows[row - 1] : none, run);
+      const double above = edge_beside(j + 1 < grid.ny ? rows[row + 1] : none, run);
+      const double edge = run.beyond_border + smoothing * (below - 2.0 * run.beyond_border + above);
+      weights[grid.index(run.last, j)] = leading_weight(edge);
     }
   }
   return weights;

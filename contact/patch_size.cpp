@@ -23,18 +23,21 @@ struct Chord {
 };
 
 /// Distance of the edge beyond the middle of the last element of a run, in elements: `inward[k]` is
-/// p^2 of the element k places in from the edge element.
+/// p^2 of the element k places in from the edge element. The parabola is fitted to elements that
+/// the discretisation leaves alone: the edge element is wrong by its partial cover, and the one
+/// behind it makes good for that (in finite elements by 1.5 % of p at 16 elements across).
 double edge_beyond(const Line& inward) {
   constexpr double whole_element = 0.5;
   const int available = static_cast<int>(inward.size());
   if (available < 7) return whole_element;
-  const int count = std::clamp(available / 4, 3, 12);
+  const int skipped = available < 12 ? 1 : 2;
+  const int count = std::clamp(available / 3, 3, 12);
   Eigen::MatrixXd basis(count, 3);
   Eigen::VectorXd values(count);
   for (int k = 0; k < count; ++k) {
-    const double t = -(k + 1.0);
+    const double t = -static_cast<double>(k + skipped);
     basis.row(k) << 1.0, t, t * t;
-    values[k] = inward[static_cast<std::size_t>(k) + 1];
+    values[k] = inward[static_cast<std::size_t>(k + skipped)];
   }
   const Eigen::Vector3d c = basis.colPivHouseholderQr().solve(values);
   // First root of c0 + c1 t + c2 t^2 outside the fitted elements: p^2 must fall towards the edge.

@@ -15,6 +15,11 @@ constexpr double sign_of[2] = {1.0,
 
 }  // namespace
 
+contact::Field curvature_slip(const SurfaceShape& wheel,
+                              const contact::SurfaceField& displacement) {
+  return displacement.n / wheel.rolling_radius;
+}
+
 struct FemCompliance::Implementation {
   Implementation(const Part& wheel, const Part& rail, const contact::ContactGrid& the_grid)
       : grid(the_grid),
@@ -76,7 +81,7 @@ contact::Response FemCompliance::respond(const contact::SurfaceField& traction) 
   const auto wheel = model.coupling[0].sample(model.displacements[0]);
   const auto rail = model.coupling[1].sample(model.displacements[1]);
   return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n},
-          wheel.n / model.parts[0].body->shape().rolling_radius};
+          curvature_slip(model.parts[0].body->shape(), wheel)};
 }
 
 std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceField& traction) const {

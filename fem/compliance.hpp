@@ -32,6 +32,11 @@ class SurfaceCoupling {
   std::unique_ptr<Implementation> implementation_;
 };
 
+/// Slip u_n / R that a displacement of the wheel's surface towards the axle brings: it shortens the
+/// circles on which the material runs. Together with the difference along the streamline it gives
+/// the surface strain, so that a rigid displacement slips nowhere.
+contact::Field curvature_slip(const SurfaceShape& wheel, const contact::SurfaceField& displacement);
+
 class FemCompliance : public contact::Compliance {
  public:
   struct Part {
@@ -44,8 +49,7 @@ class FemCompliance : public contact::Compliance {
   ~FemCompliance() override;
   const contact::ContactGrid& grid() const override;
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
-  /// With the slip u_n / R that the wheel's displacement towards the axle brings: its streamlines
-  /// are circles, so that a rigid displacement of the wheel must give no slip.
+  /// With the curvature slip of the wheel.
   contact::Response respond(const contact::SurfaceField& traction) const override;
   /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView.
   std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;

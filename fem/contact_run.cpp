@@ -25,8 +25,27 @@ using contact::Case;
 using contact::ContactGrid;
 using contact::PointResult;
 
-/// Measured: a factorisation serves up to this many unknowns a body in time and memory (5 GB).
-constexpr double factorisation_limit = 400e3;
+/// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/verification.md): a
+/// factorisation and one solve with it, one solve by multigrid. Only their ratio matters.
+double factorisation_seconds(double n) {
+  return 8.0 * std::pow(n / 105e3, 2.0);
+}
+double factor_solve_seconds(double n) {
+  return 0.1 * std::pow(n / 105e3, 4.0 / 3.0);
+}
+double multigrid_solve_seconds(double n) {
+  return 0.45 * n / 105e3;
+}
+
+/// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
+constexpr double largest_factor = 5e9;
+
+/// Finest cells reach this many semi-axes: more gains nothing (docs/verification.md).
+constexpr double default_reach = 1.1;
+
+/// FE solves per load point and for the normal problem alone, as observed.
+constexpr double solves_per_point = 6.0;
+constexpr double solves_for_normal = 4.0;
 
 /// Elements of the potential contact area beyond Hertz's ellipse, each side.
 constexpr int margin = 3;
@@ -51,6 +70,17 @@ halfspace::HertzContact hertz_estimate(const Case& input) {
                                                                   modulus, *input.load.approach);
 }
 
+/// Displacement in depth of both half-spaces under the whole force at a distance L, which clamping
+/// the segments there suppresses (Boussinesq on the axis: P (3 - 2 nu) / (4 pi G L)). The surface
+/// moves less at that distance, so this is an upper estimate of what the approach lacks, mm.
+double suppressed_approach(const Case& input, double normal_force, double extent) {
+  constexpr double pi = 3.14159265358979323846;
+  double sum = 0.0;
+  for (const contact::Material& material : {input.wheel.material, input.rail.material})
+    sum += (3.0 - 2.0 * material.poisson_ratio) / contact::shear_modulus(material);
+  return normal_force * sum / (4.0 * pi * extent);
+}
+
 /// The plane y = 0 is a symmetry plane when nothing drives the material sideways.
 bool symmetric_about_rolling(const Case& input) {
   return std::all_of(input.rolling.creepages.begin(), input.rolling.creepages.end(),
@@ -66,7 +96,7 @@ ContactGrid lattice_grid(double a, double b, double cell) {
 
 BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch,
                          const ContactGrid& grid, double cell) {
-  const double reach = input.fem.fine_extent.value_or(1.5);
+  const double reach = input.fem.fine_extent.value_or(default_reach);
   BodyOptions options;
   options.cell_size = cell;
   options.fine_half_length = std::max(reach * patch.semi_axis_x, 0.5 * grid.nx * grid.dx);
@@ -77,20 +107,27 @@ BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch
   return options;
 }
 
+/// The solver that is expected to be quicker for this number of solves and fits into memory.
 bool use_factorisation(const Case& input, const Body& body, int processes) {
   switch (input.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
       if (processes > 1)
         throw contact::InputError(
-            "[fem] linear_solver = \"factorisation\" works in one process only; use \"multigrid\" "
-            "or \"automatic\" with mpirun");
+            input.file +
+            ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
+            "mpirun: \"multigrid\" or \"automatic\"; do: change it or run without mpirun");
       return true;
     case contact::LinearSolver::multigrid:
       return false;
     case contact::LinearSolver::automatic:
       break;
   }
-  return processes == 1 && static_cast<double>(body.unknowns()) <= factorisation_limit;
+  const double n = static_cast<double>(body.unknowns());
+  const double solves =
+      solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
+  return processes == 1 && predicted_factor_bytes(n) < largest_factor &&
+         factorisation_seconds(n) + solves * factor_solve_seconds(n) <
+             solves * multigrid_solve_seconds(n);
 }
 
 struct Solvers {
@@ -261,7 +298,12 @@ contact::ModelResult LevelRun::run() {
   material.difference = 0.0;
   const halfspace::HalfspaceCompliance half(grid_, material);
   const contact::UpwindOrder order = input_.rolling.upwind_order;
-  const contact::Preconditioner halfspace{half, half.normal(), half.rolling(order), order};
+  const contact::Preconditioner halfspace{half,
+                                          half.normal(),
+                                          half.rolling(order),
+                                          order,
+                                          contact::Motion::rolling,
+                                          &half.rolling(contact::UpwindOrder::first)};
 
   const Stopwatch normal_watch;
   tell({}, "normal");
@@ -277,8 +319,12 @@ contact::ModelResult LevelRun::run() {
   result.seconds["normal"] = normal_watch.seconds();
 
   const Stopwatch rolling_watch;
-  for (std::size_t k = 0; k < input_.rolling.creepages.size(); ++k)
+  for (std::size_t k = 0; k < input_.rolling.creepages.size(); ++k) {
     result.points.push_back(solve_point(k, compliance, halfspace));
+    PointResult& point = result.points.back();
+    point.error_estimate["approach"] =
+        suppressed_approach(input_, point.normal_force, options.extent) / point.approach;
+  }
   result.seconds["tangential"] = rolling_watch.seconds();
 
   if (options_.body_fields) {
@@ -293,8 +339,8 @@ contact::ModelResult LevelRun::run() {
   result.notes.push_back(fmt::format(
       "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the approach "
       "is "
-      "that of these segments, below the half-space's by the order of patch size over {:.4g} mm",
-      options.extent, options.extent));
+      "that of these segments; its error estimate says how much more it may be for large bodies",
+      options.extent));
   if (options.half)
     result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",

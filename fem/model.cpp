@@ -36,12 +36,13 @@ double two_level_error(double fine, double coarse, double scale) {
   return reference > 0.0 ? change / reference : 0.0;
 }
 
+/// Adds to what a point's estimate holds already (the finite segments' part of the approach).
 void estimate_errors(ModelResult& fine, const ModelResult& coarse, double friction) {
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
     contact::PointResult& f = fine.points[k];
     const contact::PointResult& c = coarse.points[k];
     const auto set = [&](const char* name, double contact::PointResult::*quantity, double scale) {
-      f.error_estimate[name] = two_level_error(f.*quantity, c.*quantity, scale);
+      f.error_estimate[name] += two_level_error(f.*quantity, c.*quantity, scale);
     };
     using Point = contact::PointResult;
     set("max_pressure", &Point::max_pressure, 0.0);

@@ -15,10 +15,10 @@ struct ContactScene {
   contact::Field given_pressure;       ///< MPa, replaces the normal problem; empty: none
   double friction = 0.0;               ///< mu; 0: frictionless
   contact::UpwindOrder upwind_order = contact::UpwindOrder::second;
-  /// Second-order differences fitted to the leading edge (contact/leading_edge.hpp): for line
-  /// contact, where they make Carter's forces converge with second order. Not for curved edges,
-  /// where rows of elements that end at different parts of an element disturb each other.
-  bool fit_leading_edge = false;
+  /// Second-order differences fitted to the leading edge (contact/leading_edge.hpp): forces
+  /// converge with second order and tractions do not zigzag from row to row. false: the same
+  /// difference everywhere.
+  bool fit_leading_edge = true;
 };
 
 /// Exactly one of the two; not read with a given pressure.

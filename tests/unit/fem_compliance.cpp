@@ -113,23 +113,46 @@ TEST(SurfaceCoupling, SampleIsTheTransposeOfLoad) {
   }
 }
 
-TEST(SurfaceCoupling, SamplesARigidDisplacementExactly) {
-  const auto grid = odd_grid();
-  auto options = small_options();
-  const fem::Body flat(rail_shape(contact::infinity), steel, options, MPI_COMM_SELF);
-  auto u = fem::make_vector(flat.dofs());
-  std::vector<dealii::types::global_dof_index> indices(flat.dofs().get_fe().dofs_per_cell);
-  for (const auto& cell : flat.dofs().active_cell_iterators()) {
+namespace {
+
+/// The same displacement at every node of a body.
+fem::Vector rigid_displacement(const fem::Body& body, const std::array<double, 3>& displacement) {
+  auto u = fem::make_vector(body.dofs());
+  std::vector<dealii::types::global_dof_index> indices(body.dofs().get_fe().dofs_per_cell);
+  for (const auto& cell : body.dofs().active_cell_iterators()) {
     cell->get_dof_indices(indices);
     for (unsigned int i = 0; i < indices.size(); ++i)
-      u(indices[i]) = 1.0 + flat.dofs().get_fe().system_to_component_index(i).first;
+      u(indices[i]) = displacement[body.dofs().get_fe().system_to_component_index(i).first];
   }
-  const auto sampled = fem::SurfaceCoupling(flat, grid).sample(u);
+  return u;
+}
+
+}  // namespace
+
+TEST(SurfaceCoupling, SamplesARigidDisplacementExactly) {
+  const auto grid = odd_grid();
+  const fem::Body flat(rail_shape(contact::infinity), steel, small_options(), MPI_COMM_SELF);
+  const auto sampled =
+      fem::SurfaceCoupling(flat, grid).sample(rigid_displacement(flat, {1.0, 2.0, 3.0}));
   for (int e = 0; e < grid.size(); ++e) {
     EXPECT_NEAR(sampled.x[e], 1.0, 1e-12);
     EXPECT_NEAR(sampled.y[e], 2.0, 1e-12);
     EXPECT_NEAR(sampled.n[e], 3.0, 1e-12);
   }
+}
+
+TEST(CurvatureSlip, ARigidDisplacementOfTheWheelSlipsNowhere) {
+  const auto grid = contact::ContactGrid::centred(6, 4, 1, 1);
+  const fem::Body wheel(wheel_shape(405, contact::infinity), steel, small_options(), MPI_COMM_SELF);
+  const auto u =
+      fem::SurfaceCoupling(wheel, grid).sample(rigid_displacement(wheel, {0.3, 0.1, 0.7}));
+  const auto difference =
+      contact::upwind_difference(grid, {u.x, u.y}, contact::UpwindOrder::second);
+  const contact::Field slip = difference.x + fem::curvature_slip(wheel.shape(), u);
+  // u_n / R alone is 1.7e-3; the second-order difference is exact to (dx/R)^2 of it.
+  EXPECT_GT(fem::curvature_slip(wheel.shape(), u).minCoeff(), 1e-3);
+  EXPECT_LT(slip.cwiseAbs().maxCoeff(), 3e-6);
+  EXPECT_LT(difference.y.cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(SurfaceCoupling, RefusesGridsThatDoNotFit) {

@@ -1,0 +1,89 @@
+// The finite-element model through the program: several processes and another linear solver give
+// the same numbers, and errors keep their exit status under mpirun.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace rollfem::test;
+using Json = nlohmann::json;
+
+/// Case a on a coarse mesh with lateral creepage, so that whole bodies are modelled.
+std::string coarse_case(const std::string& solver) {
+  return "title = \"coarse\"\nmodels = [\"fem\"]\n"
+         "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
+         "[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n"
+         "[rail]\ntransverse_radius = 500.0\n"
+         "[rolling]\nlongitudinal_creepage = 0.001\nlateral_creepage = 0.0005\n"
+         "[fem]\ncell_size = 1.4\nlinear_solver = \"" +
+         solver + "\"\n[output]\nfields = false\n";
+}
+
+Json point_of(const std::filesystem::path& folder) {
+  return Json::parse(contents(folder / "summary.json"))["models"][0]["points"][0];
+}
+
+void expect_same_numbers(const Json& one, const Json& other, double tolerance) {
+  for (const char* name : {"longitudinal_force", "lateral_force", "spin_moment", "max_pressure",
+                           "max_traction", "approach", "semi_axis_x", "semi_axis_y"}) {
+    const double a = one[name];
+    const double b = other[name];
+    EXPECT_NEAR(a, b, tolerance * std::abs(a)) << name;
+  }
+}
+
+std::vector<std::string> mpirun(int processes, std::vector<std::string> arguments) {
+  std::vector<std::string> all{"mpirun", "--allow-run-as-root",     "--oversubscribe",
+                               "-n",     std::to_string(processes), ROLLFEM_PROGRAM};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return all;
+}
+
+}  // namespace
+
+TEST(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
+  const Folder folder;
+  const std::string input = folder.file("coarse.toml", coarse_case("multigrid"));
+  const auto one = folder.output("one");
+  const auto two = folder.output("two");
+  const Outcome serial = call(folder, {"run", input, "-o", one.string(), "--quiet", "--no-report"});
+  ASSERT_EQ(serial.status, 0) << serial.err;
+  const Outcome parallel =
+      execute(folder, mpirun(2, {"run", input, "-o", two.string(), "--quiet", "--no-report"}));
+  ASSERT_EQ(parallel.status, 0) << parallel.err;
+  expect_same_numbers(point_of(one), point_of(two), 1e-8);
+}
+
+TEST(FemProgram, FactorisationAndMultigridGiveTheSameNumbers) {
+  const Folder folder;
+  std::vector<Json> points;
+  for (const char* solver : {"factorisation", "multigrid"}) {
+    const std::string input = folder.file(std::string(solver) + ".toml", coarse_case(solver));
+    const auto output = folder.output(solver);
+    const Outcome outcome =
+        call(folder, {"run", input, "-o", output.string(), "--quiet", "--no-report"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    points.push_back(point_of(output));
+  }
+  expect_same_numbers(points[0], points[1], 1e-8);
+}
+
+TEST(FemProgram, AFactorisationOnTwoProcessesIsRefusedOnceWithStatusTwo) {
+  const Folder folder;
+  const std::string input = folder.file("coarse.toml", coarse_case("factorisation"));
+  const auto output = folder.output("out");
+  const Outcome outcome =
+      execute(folder, mpirun(2, {"run", input, "-o", output.string(), "--no-report"}));
+  EXPECT_EQ(outcome.status, 2);
+  const std::size_t first = outcome.err.find("linear_solver");
+  ASSERT_NE(first, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("one process only", outcome.err.find("one process only") + 1),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(output));
+}

@@ -1,0 +1,137 @@
+// The finite-element model on the thesis's case a, with cells of 0.47 mm: against exact Hertz and
+// against CONTACT's extrapolated creep curve. This is the program's main job.
+#include "contact/case_reader.hpp"
+#include "contact/errors.hpp"
+#include "fem/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mpi_environment.hpp"
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace rollfem;
+
+// Exact Hertz, and -Fx/Fz of CONTACT by Richardson, +-5e-4 (shared/reference/README.md).
+constexpr double exact_p0 = 578.967;
+constexpr double exact_a = 3.79236;
+constexpr double exact_b = 10.87295;
+constexpr double creepages[] = {0.0005, 0.001, 0.002, 0.003, 0.004, 0.006};
+constexpr double coefficients[] = {0.11562, 0.21601, 0.37267, 0.4746, 0.53029, 0.54952};
+
+contact::Case case_a() {
+  contact::Case input =
+      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_a.toml");
+  input.output.fields = false;
+  return input;
+}
+
+/// Solved once for all tests of this program.
+const contact::ModelResult& solution() {
+  static const contact::ModelResult result = fem::run_fem(case_a(), {});
+  return result;
+}
+
+/// Root mean square of the difference to Hertz's pressure where that exceeds half its maximum,
+/// relative to p0.
+double pressure_deviation(const contact::ModelResult& result) {
+  const contact::Field& pressure = result.points.front().fields.traction.n;
+  double sum = 0.0;
+  int count = 0;
+  for (int j = 0; j < result.grid.ny; ++j)
+    for (int i = 0; i < result.grid.nx; ++i) {
+      const double x = result.grid.x(i) / exact_a;
+      const double y = result.grid.y(j) / exact_b;
+      const double hertz = exact_p0 * std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
+      if (hertz < 0.5 * exact_p0) continue;
+      sum += std::pow(pressure[result.grid.index(i, j)] - hertz, 2);
+      ++count;
+    }
+  return std::sqrt(sum / count) / exact_p0;
+}
+
+}  // namespace
+
+TEST(FemCaseA, PressureAndPatchAgreeWithHertz) {
+  const contact::PointResult& point = solution().points.front();
+  EXPECT_NEAR(point.max_pressure / exact_p0, 1.0, 3e-3);
+  EXPECT_NEAR(point.semi_axis_x / exact_a, 1.0, 1e-2);
+  EXPECT_NEAR(point.semi_axis_y / exact_b, 1.0, 1e-2);
+  EXPECT_LT(pressure_deviation(solution()), 8e-3);
+}
+
+TEST(FemCaseA, CreepCurveAgreesWithContact) {
+  const contact::ModelResult& result = solution();
+  ASSERT_EQ(result.points.size(), 7u);
+  for (int k = 0; k < 6; ++k) {
+    const contact::PointResult& point = result.points[k + 1];
+    EXPECT_EQ(point.creepage.longitudinal, creepages[k]);
+    EXPECT_NEAR(point.traction_coefficient, coefficients[k], 0.01 * coefficients[5])
+        << "xi = " << creepages[k];
+  }
+  // 307.64 MPa: CONTACT at 160 elements across.
+  EXPECT_NEAR(result.points[3].max_traction_x / 307.64, 1.0, 0.03);
+}
+
+TEST(FemCaseA, EveryPointConvergedInEquilibriumWithinTheTractionBound) {
+  const contact::ModelResult& result = solution();
+  for (const contact::PointResult& point : result.points) {
+    EXPECT_TRUE(point.converged);
+    EXPECT_LE(point.iterations, 10);
+    EXPECT_LE(point.residual, 1e-4);
+    EXPECT_NEAR(point.normal_force / 50e3, 1.0, 1e-8);
+    const contact::ContactFields& f = point.fields;
+    for (int k = 0; k < result.grid.size(); ++k) {
+      EXPECT_GE(f.traction.n[k], 0.0);
+      EXPECT_GE(f.gap[k], 0.0);
+      EXPECT_EQ(f.traction.n[k] * f.gap[k], 0.0);
+      const double size = std::hypot(f.traction.x[k], f.traction.y[k]);
+      EXPECT_LE(size, f.traction_bound[k] * (1.0 + 1e-12));
+      if (f.state[k] == contact::ElementState::adhesion) {
+        EXPECT_LT(std::hypot(f.slip.x[k], f.slip.y[k]), 1e-5);
+      }
+    }
+  }
+}
+
+TEST(FemCaseA, ErrorEstimatesCoverTheTrueErrorsAndAreOfTheirSize) {
+  const contact::PointResult& point = solution().points.front();
+  const auto check = [&](const char* name, double value, double exact) {
+    const double error = std::abs(value / exact - 1.0);
+    const double estimate = point.error_estimate.at(name);
+    EXPECT_LE(error, 1.5 * estimate) << name;
+    EXPECT_LT(estimate, 0.1) << name;
+  };
+  check("max_pressure", point.max_pressure, exact_p0);
+  check("approach", point.approach, 0.0473108);
+  check("semi_axis_x", point.semi_axis_x, exact_a);
+  check("semi_axis_y", point.semi_axis_y, exact_b);
+}
+
+TEST(FemCaseA, LateralForceVanishesAndTractionsMirrorInY) {
+  const contact::ModelResult& result = solution();
+  const contact::PointResult& point = result.points[3];
+  EXPECT_LT(std::abs(point.lateral_force), 1e-6 * point.normal_force);
+  const contact::SurfaceField& p = point.fields.traction;
+  for (int j = 0; j < result.grid.ny; ++j)
+    for (int i = 0; i < result.grid.nx; ++i) {
+      const int k = result.grid.index(i, j);
+      const int image = result.grid.index(i, result.grid.ny - 1 - j);
+      EXPECT_NEAR(p.x[k], p.x[image], 1e-3);
+      EXPECT_NEAR(p.y[k], -p.y[image], 1e-3);
+    }
+}
+
+TEST(FemModel, RefusesConcaveProfilesAndNamesWhatToDo) {
+  const contact::Case input =
+      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_e.toml");
+  try {
+    fem::run_fem(input, {});
+    FAIL() << "a concave wheel was accepted";
+  } catch (const contact::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("--model halfspace"), std::string::npos);
+  }
+}
