@@ -22,16 +22,20 @@ bool any_creepage(const std::vector<PointResult>& points, double contact::Creepa
                      [&](const PointResult& point) { return point.creepage.*member != 0.0; });
 }
 
+/// At the largest load, which is that of all points but in a history.
 std::string patch_table(const std::vector<ModelResult>& models) {
   std::string text =
       fmt::format("{:<19}{:>12}{:>10}{:>10}{:>15}{:>10}{:>10}\n", "model", "p0 in MPa", "a in mm",
                   "b in mm", "approach in mm", "F_z in N", "seconds");
   for (const ModelResult& model : models) {
     if (model.points.empty()) continue;
-    const PointResult& point = model.points.front();
+    const PointResult& point = *std::max_element(
+        model.points.begin(), model.points.end(), [](const PointResult& a, const PointResult& b) {
+          return a.normal_force < b.normal_force * (1.0 - 1e-9);
+        });
     const auto seconds = model.seconds.find("total");
     text +=
-        fmt::format("{:<19}{:>12.3f}{:>10.4f}{:>10.4f}{:>15.7f}{:>10.0f}{:>10.2f}\n", model.name,
+        fmt::format("{:<19}{:>12.3f}{:>10.4f}{:>10.4f}{:>15.7f}{:>10.6g}{:>10.2f}\n", model.name,
                     point.max_pressure, point.semi_axis_x, point.semi_axis_y, point.approach,
                     point.normal_force, seconds == model.seconds.end() ? 0.0 : seconds->second);
   }

@@ -155,7 +155,7 @@ std::vector<Key> theory_keys() {
                 [](Case& c) -> int& { return c.fastsim.strips; }),
       count_key("fastsim", "strip_elements", elements, "Elements along each strip.",
                 [](Case& c) -> int& { return c.fastsim.strip_elements; }),
-      count_key("strip", "strips", strips, "Strips across the patch.",
+      count_key("strip", "strips", {16, 2000}, "Strips across the patch.",
                 [](Case& c) -> int& { return c.strip.strips; }),
       count_key("strip", "strip_elements", elements, "Elements along each strip.",
                 [](Case& c) -> int& { return c.strip.strip_elements; }),

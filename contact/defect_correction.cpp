@@ -130,7 +130,10 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
     const TangentialField before = defect_slip(halfspace, defect);
     const double change = rms_over(mask, TangentialField{slip.x - before.x, slip.y - before.y});
     const double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
-    if (load > 0.0) residual = std::max(residual, change / load);
+    // What is only rounding of the displacements has no relative error.
+    const double unit = halfspace.motion == Motion::shift ? 1.0 : halfspace.whole.grid().dx;
+    const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
+    if (load > rounding) residual = std::max(residual, change / load);
   }
   return residual;
 }

@@ -17,8 +17,8 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-/// At this part of mu F_z everything counts as sliding.
-constexpr double sliding = 1.0 - 1e-9;
+/// At this part of mu F_z everything counts as sliding: no creepage belongs to it alone.
+constexpr double sliding = 1.0 - 1e-8;
 
 std::string described(const PrescribedForce& wanted) {
   std::string text;
@@ -246,7 +246,7 @@ double creepage_of_force(double relative_force) {
 
 void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound) {
   const double size = std::hypot(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
-  if (size < bound) return;
+  if (size < sliding * bound) return;
   fail(wanted, fmt::format("{:.6g} N is not below mu F_z = {:.6g} N, which is all that friction "
                            "can transmit; do: prescribe less, or the creepage instead",
                            size, bound));

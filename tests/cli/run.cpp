@@ -132,6 +132,83 @@ TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
   EXPECT_TRUE(folder.made().empty());
 }
 
+TEST(Run, AllTheoriesAreModelsWithTheirCurvesAndFigures) {
+  const Folder folder;
+  const std::vector<std::string> models{"hertz",   "linear", "vermeulen-johnson", "carter",
+                                        "fastsim", "strip",  "halfspace"};
+  std::vector<std::string> arguments{"run", folder.file("q.toml", quick), "-m"};
+  arguments.insert(arguments.end(), models.begin(), models.end());
+  const Outcome outcome = call(folder, arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto summary =
+      nlohmann::json::parse(contents(folder.work() / "results" / "q" / "summary.json"));
+  ASSERT_EQ(summary.at("models").size(), models.size());
+  for (std::size_t k = 0; k < models.size(); ++k)
+    EXPECT_EQ(summary.at("models")[k].at("name"), models[k]);
+  const std::string report = contents(folder.work() / "results" / "q" / "report.html");
+  for (const char* label : {"FASTSIM", "Vermeulen-Johnson", "Carter", "linear theory", "strip"})
+    EXPECT_NE(report.find(label), std::string::npos) << label;
+}
+
+TEST(Run, AModelThatCannotTakeTheCaseIsRefusedBeforeAnyIsRun) {
+  const Folder folder;
+  const std::string shift = small_case +
+                            "[rolling]\nproblem = \"shift\"\n[history]\n"
+                            "longitudinal_shift = 0.001\n";
+  const Outcome outcome =
+      call(folder, {"run", folder.file("s.toml", shift), "-m", "halfspace", "fastsim"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("model fastsim: rolling.problem"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("halfspace  "), std::string::npos) << outcome.err;
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(Run, AFolderOfOtherThingsIsRefusedBeforeComputing) {
+  const Folder folder;
+  fs::create_directory(folder.work() / "mine");
+  std::ofstream(folder.work() / "mine" / "thesis.txt") << "years of work";
+  const Outcome outcome = call(folder, {"run", folder.file("q.toml", quick), "-o", "mine"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err.find("normal"), std::string::npos) << outcome.err;  // no progress line
+  EXPECT_NE(outcome.err.find("holds files that are not"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.made(), (std::vector<std::string>{"mine", "mine/thesis.txt"}));
+}
+
+TEST(Run, PointsBelowTheSurfaceComeOutAsATable) {
+  const Folder folder;
+  const std::string below = quick +
+                            "[[subsurface.line]]\nfrom = [0, 0, 0.5]\nto = [0, 0, 6]\npoints = 12\n"
+                            "[[subsurface.plane]]\nbody = \"rail\"\nfrom = [-4, 0, -1]\n"
+                            "to = [4, 0, -1]\nacross = [-4, 0, -5]\npoints = [9, 5]\n";
+  ASSERT_EQ(call(folder, {"run", "-q", folder.file("q.toml", below)}).status, 0);
+  const std::string table = contents(folder.work() / "results" / "q" / "subsurface.csv");
+  // Head, and twelve points at each of two load points; planes are in results.h5 alone.
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 12) << table;
+  const Outcome hertz =
+      call(folder, {"run", "--no-report", folder.file("q.toml", below), "-m", "hertz"});
+  EXPECT_EQ(hertz.status, 0);
+  EXPECT_NE(hertz.err.find("warning: "), std::string::npos) << hertz.err;
+}
+
+TEST(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
+  const Folder folder;
+  for (const char* name : {"cattaneo", "benchmark9"}) {
+    const std::string file =
+        (fs::path(ROLLFEM_SOURCE_DIR) / "cases" / (std::string(name) + ".toml")).string();
+    const Outcome outcome = call(folder, {"run", file});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(has(folder.made(), std::string("results/") + name + "/report.html"));
+  }
+  const auto summary =
+      nlohmann::json::parse(contents(folder.work() / "results" / "cattaneo" / "summary.json"));
+  const auto& steps = summary.at("models")[1].at("points");
+  ASSERT_EQ(steps.size(), 15u);
+  // Cattaneo: after the shift of 0.008172 mm the force is 7/8 mu F_z.
+  EXPECT_NEAR(steps[2].at("longitudinal_shift").get<double>(), 0.008172, 1e-12);
+  EXPECT_NEAR(steps[2].at("traction_coefficient").get<double>(), 0.35, 0.003 * 0.35);
+}
+
 #if !ROLLFEM_WITH_FEM
 TEST(Run, FemInABuildWithoutItIsAnErrorNotSilence) {
   const Folder folder;

@@ -275,17 +275,6 @@ TEST(HardRolling, TheModelTakesAnyNumberOfElements) {
   EXPECT_NEAR(given.semi_axis_y, 10.87295, 0.1);
 }
 
-TEST(HardRolling, UnlikeMaterialsAreRefusedNotIgnored) {
-  Case input = tests::thesis_case('a');
-  input.wheel.material.young_modulus = 70e3;
-  EXPECT_THROW(halfspace::run_halfspace(input, {}), contact::InputError);
-  // Unlike, but with the same (1 - 2 nu)/G: not coupled, and solved.
-  input.wheel.material = {210e3, 0.5};
-  input.rail.material = {70e3, 0.5};
-  input.contact_grid.elements_across = 10;
-  EXPECT_GT(halfspace::run_halfspace(input, {}).points[0].max_pressure, 0.0);
-}
-
 TEST(HardRolling, FailureIsAnErrorThatSaysHowFarItCame) {
   const Patch patch;
   const HalfspaceCompliance compliance(patch.grid(), patch.material());

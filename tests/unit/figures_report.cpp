@@ -131,6 +131,18 @@ TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
   EXPECT_NE(make_report(folder.string(), scripts).find("there is no"), std::string::npos);
 }
 
+TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
+  const fs::path folder = draw(tests::synthetic_run());
+  const fs::path scripts_here = base_ / "rollfem_figures";
+  fs::create_directory(scripts_here);
+  std::ofstream(scripts_here / "__init__.py") << "";
+  std::ofstream(scripts_here / "__main__.py") << "def f():\n    raise ValueError('odd')\nf()\n";
+  const std::string message = make_report(folder.string(), base_.string());
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_EQ(message.rfind("ValueError: odd (the whole text is in ", 0), 0U) << message;
+  EXPECT_NE(read(folder / "report.log").find("Traceback"), std::string::npos);
+}
+
 TEST(MakeReport, SaysWhatIsMissing) {
   EXPECT_NE(make_report("/nowhere", "/nowhere").find("no Python package"), std::string::npos);
   ::setenv("ROLLFEM_PYTHON", "/nowhere/python3", 1);

@@ -59,7 +59,8 @@ TEST(SummaryJson, HasTheDocumentedKeysAndNoOthers) {
   const auto& model = json["models"][1];
   EXPECT_EQ(keys(model), "name seconds unknowns contact_elements points ");
   EXPECT_EQ(keys(model["points"][0]),
-            "longitudinal_creepage lateral_creepage spin normal_force longitudinal_force "
+            "longitudinal_creepage lateral_creepage spin step longitudinal_shift lateral_shift "
+            "spin_shift distance normal_force longitudinal_force "
             "lateral_force spin_moment traction_coefficient max_pressure max_traction "
             "max_traction_x approach semi_axis_x semi_axis_y contact_length contact_width "
             "contact_area adhesion_area iterations seconds converged error_estimate ");
@@ -127,7 +128,7 @@ TEST(MiddleLines, AreTheNearestRowOrTheTwoEquallyNearOnes) {
 
 /// The text of the logic_error with which a record is refused, empty when it is not.
 std::string refusal(const RunRecord& run) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "rollfem_refused";
+  const auto folder = std::filesystem::path(::testing::TempDir()) / ("rollfem_refused_" + std::to_string(::getpid()));
   std::filesystem::remove_all(folder);
   std::string text;
   try {

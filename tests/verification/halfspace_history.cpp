@@ -1,0 +1,240 @@
+// Shifts and transient rolling against Cattaneo and Mindlin, Spence's datum and the steady solution
+// (reference/benchmarks.md, 3 and 4).
+#include "contact/geometry.hpp"
+#include "contact/patch_size.hpp"
+#include "halfspace/cattaneo_mindlin.hpp"
+#include "halfspace/hertz.hpp"
+#include "halfspace/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
+#include <cmath>
+
+namespace rollfem {
+namespace {
+
+using contact::Case;
+using contact::ElementState;
+using contact::Field;
+using contact::HistoryStep;
+using contact::infinity;
+using contact::ModelResult;
+using contact::PointResult;
+using contact::Problem;
+using contact::UpwindOrder;
+
+/// Benchmark 3: two bodies of G = 200 with A = B = 0.01, a = 1, mu = 0.4.
+Case cattaneo(double poisson_ratio, int across) {
+  Case input;
+  input.file = "test.toml";
+  input.wheel.rolling_radius = input.wheel.transverse_radius = 50.0;
+  input.wheel.material = input.rail.material = {400.0 * (1.0 + poisson_ratio), poisson_ratio};
+  const double modulus = 200.0 / (1.0 - poisson_ratio);
+  input.load.normal_force = halfspace::hertz_from_approach(0.01, 0.01, modulus, 0.02).normal_force;
+  input.friction_coefficient = 0.4;
+  input.contact_grid.elements_across = across;
+  input.rolling.problem = Problem::shift;
+  return input;
+}
+
+/// F_x = -part mu F_z in every step.
+ModelResult pushed(Case input, const std::vector<double>& parts) {
+  for (const double part : parts)
+    input.rolling.forces.push_back({-part * 0.4 * *input.load.normal_force, {}});
+  input.rolling.creepages.assign(parts.size(), {});
+  input.history.assign(parts.size(), {});
+  return halfspace::run_halfspace(input, {});
+}
+
+halfspace::CattaneoMindlin exact(const Case& input) {
+  return {halfspace::hertz_of_case(input),
+          contact::combine(input.wheel.material, input.rail.material), 0.4};
+}
+
+/// sqrt of the adhesion area over the patch area, both found below the element size: the traction
+/// falls short of its bound like a square root at the border of the adhesion area.
+double stick_ratio(const ModelResult& result, const PointResult& point) {
+  Field rest = Field::Zero(result.grid.size());
+  for (int k = 0; k < result.grid.size(); ++k)
+    if (point.fields.state[static_cast<std::size_t>(k)] == ElementState::adhesion)
+      rest[k] = point.fields.traction_bound[k] -
+                std::hypot(point.fields.traction.x[k], point.fields.traction.y[k]);
+  return std::sqrt(contact::patch_size(result.grid, rest).area / point.contact_area);
+}
+
+TEST(Cattaneo, ShiftAndStickRadiusOfTheBenchmarkAt40Elements) {
+  const Case input = cattaneo(0.42, 40);
+  EXPECT_NEAR(*input.load.normal_force, 9.1954, 1e-4);
+  const ModelResult result = pushed(input, {7.0 / 8.0});
+  const PointResult& point = result.points[0];
+  EXPECT_NEAR(point.longitudinal_shift / 0.008172, 1.0, 0.003);
+  EXPECT_NEAR(stick_ratio(result, point) / 0.5, 1.0, 0.003);
+  EXPECT_NEAR(point.max_pressure / 4.3905, 1.0, 0.001);
+  EXPECT_NEAR(point.approach / 0.02, 1.0, 0.001);
+  EXPECT_NEAR(point.longitudinal_force, -0.875 * 0.4 * 9.1954, 1e-4);
+}
+
+TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
+  const Case input = cattaneo(0.0, 40);
+  const halfspace::CattaneoMindlin theory = exact(input);
+  const double unit = 0.4 * *input.load.normal_force;
+  const ModelResult result = pushed(input, {7.0 / 8.0, 0.0});
+  const PointResult& loaded = result.points[0];
+  EXPECT_NEAR(loaded.longitudinal_shift / theory.shift(0.875 * unit), 1.0, 5e-4);
+  EXPECT_NEAR(stick_ratio(result, loaded), 0.5, 0.003);
+  const PointResult& unloaded = result.points[1];
+  EXPECT_NEAR(unloaded.longitudinal_shift, theory.unloading_shift(0.875 * unit, 0.0),
+              2e-3 * loaded.longitudinal_shift);
+  // Tractions here are on the wheel and against the push. In the mean, for they have kinks.
+  const double peak = 0.4 * loaded.max_pressure;
+  double first = 0.0;
+  double second = 0.0;
+  for (int j = 0; j < result.grid.ny; ++j)
+    for (int i = 0; i < result.grid.nx; ++i) {
+      const double r = std::hypot(result.grid.x(i), result.grid.y(j));
+      const int k = result.grid.index(i, j);
+      first += std::abs(loaded.fields.traction.x[k] + theory.traction(0.875 * unit, r));
+      second +=
+          std::abs(unloaded.fields.traction.x[k] + theory.unloading_traction(0.875 * unit, 0.0, r));
+    }
+  const double elements = M_PI / result.grid.element_area();
+  EXPECT_LT(first / elements, 0.01 * peak);
+  EXPECT_LT(second / elements, 0.02 * peak);
+}
+
+/// Work of friction in the cycle that follows the first step, from tractions and slip.
+double loop_loss(const ModelResult& result) {
+  double loss = 0.0;
+  for (std::size_t k = 1; k < result.points.size(); ++k) {
+    const contact::ContactFields& fields = result.points[k].fields;
+    loss -= result.grid.element_area() *
+            (fields.traction.x.dot(fields.slip.x) + fields.traction.y.dot(fields.slip.y));
+  }
+  return loss;
+}
+
+TEST(Cattaneo, UnloadingLoopLosesTheWorkOfTheClosedForm) {
+  const std::vector<double> loop{0.875,   0.8085,  0.6187, 0.3348,  0.0,     -0.3348,
+                                 -0.6187, -0.8085, -0.875, -0.8085, -0.6187, -0.3348,
+                                 0.0,     0.3348,  0.6187, 0.8085,  0.875};
+  const Case plain = cattaneo(0.0, 30);
+  const ModelResult without = pushed(plain, loop);
+  const double amplitude = 0.875 * 0.4 * *plain.load.normal_force;
+  EXPECT_NEAR(loop_loss(without) / exact(plain).cyclic_loss(amplitude), 1.0, 0.003);
+  // The loop closes.
+  EXPECT_NEAR(without.points.back().longitudinal_shift / without.points[0].longitudinal_shift, 1.0,
+              1e-3);
+  const Case benchmark = cattaneo(0.42, 30);
+  const double q = 0.875 * 0.4 * *benchmark.load.normal_force;
+  EXPECT_NEAR(loop_loss(pushed(benchmark, loop)) / exact(benchmark).cyclic_loss(q), 1.0, 0.01);
+}
+
+TEST(Spence, ElasticSpherePressedOnARigidOne) {
+  // [ug]: G = 1, nu = 0, K = 0.5, mu = 0.2986: c/a = 0.5, p_n(0) = 1.31 of Hertz's. CONTACT's
+  // example at F = 0.4705 N: approach 0.09874 mm, 0.02392 MPa.
+  Case input;
+  input.file = "test.toml";
+  input.wheel.rolling_radius = input.wheel.transverse_radius = 121.5;
+  input.wheel.material = {1.0, 0.0};
+  input.rail.material = {infinity, 0.0};
+  input.friction_coefficient = 0.2986;
+  input.contact_grid.cell_size = {{0.1, 0.1}};
+  input.rolling.problem = Problem::shift;
+  const double force = std::pow(70.0 / 90.0, 3);
+  input.load.normal_force = force;
+  for (int k = 2; k <= 35; ++k) {
+    HistoryStep step;
+    step.normal_force = force * std::pow(k / 35.0, 3);
+    input.history.push_back(step);
+  }
+  input.rolling.creepages.assign(input.history.size(), {});
+  EXPECT_NEAR(contact::combine(input.wheel.material, input.rail.material).difference, 0.5, 1e-12);
+  const ModelResult result = halfspace::run_halfspace(input, {});
+  const PointResult& point = result.points.back();
+  EXPECT_NEAR(stick_ratio(result, point) / 0.5, 1.0, 0.01);
+  EXPECT_NEAR(point.max_pressure / halfspace::hertz_of_case(input).max_pressure / 1.31, 1.0, 0.01);
+  EXPECT_NEAR(point.approach / 0.09874, 1.0, 0.002);
+  EXPECT_NEAR(point.max_pressure / 0.02392, 1.0, 0.003);
+  EXPECT_NEAR(point.longitudinal_force, 0.0, 1e-6 * force);
+}
+
+/// Case b rolled over `lengths` patch lengths from rest, in steps of `step` elements.
+ModelResult transient(UpwindOrder order, double lengths, double step) {
+  Case input = tests::thesis_case('b');
+  input.contact_grid.elements_across = 24;
+  input.rolling.upwind_order = order;
+  input.rolling.problem = Problem::transient;
+  HistoryStep each;
+  each.step_length = step * 2.0 * halfspace::hertz_of_case(input).semi_axis_x / 24;
+  const auto steps = static_cast<std::size_t>(std::lround(24 * lengths / step));
+  input.history.assign(steps, each);
+  input.rolling.creepages.assign(steps, {0.002, 0.001, 0.0});
+  return halfspace::run_halfspace(input, {});
+}
+
+PointResult steady(UpwindOrder order) {
+  Case input = tests::thesis_case('b');
+  input.contact_grid.elements_across = 24;
+  input.rolling.upwind_order = order;
+  input.rolling.creepages = {{0.002, 0.001, 0.0}};
+  return halfspace::run_halfspace(input, {}).points[0];
+}
+
+TEST(TransientRolling, TendsToTheSteadySolutionOfTheSameOrder) {
+  const double sliding = 0.55 * 50e3;
+  for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
+    const PointResult end = steady(order);
+    const ModelResult result = transient(order, 6.0, 1.0);
+    const auto distance = [&](const PointResult& point) {
+      return std::hypot(point.longitudinal_force - end.longitudinal_force,
+                        point.lateral_force - end.lateral_force) /
+             sliding;
+    };
+    // Steps of one element have the steady solution as their limit, element by element.
+    EXPECT_LT(distance(result.points.back()), 5e-5);
+    EXPECT_GT(distance(result.points[23]), 0.02);
+    EXPECT_NEAR(result.points.back().distance, 6.0 * result.points[23].distance, 1e-9);
+    double before = 0.0;
+    for (int k = 0; k < 60; ++k) {
+      const double now = -result.points[static_cast<std::size_t>(k)].longitudinal_force;
+      EXPECT_GE(now, before - 1e-4 * sliding) << k;
+      before = now;
+    }
+  }
+}
+
+TEST(TransientRolling, OtherStepsEndWithinTheDiscretisationError) {
+  const PointResult end = steady(UpwindOrder::second);
+  for (const double step : {0.5, 1.7}) {
+    const PointResult last = transient(UpwindOrder::second, 5.0, step).points.back();
+    EXPECT_NEAR(last.longitudinal_force, end.longitudinal_force, 0.008 * 27500.0) << step;
+    EXPECT_NEAR(last.lateral_force, end.lateral_force, 0.008 * 27500.0) << step;
+  }
+}
+
+TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
+  // A prescribed force: the first step is nearly a shift, the creepage then falls to the steady
+  // one.
+  Case input = tests::thesis_case('b');
+  input.contact_grid.elements_across = 20;
+  const double force = -0.5 * 27500.0;
+  Case rolling = input;
+  rolling.rolling.forces = {{force, {}}};
+  const double steady_creepage =
+      halfspace::run_halfspace(rolling, {}).points[0].creepage.longitudinal;
+  input.rolling.problem = Problem::transient;
+  HistoryStep each;
+  each.step_length = 2.0 * halfspace::hertz_of_case(input).semi_axis_x / 20;
+  input.history.assign(100, each);
+  input.rolling.creepages.assign(100, {});
+  input.rolling.forces.assign(100, {force, {}});
+  const ModelResult result = halfspace::run_halfspace(input, {});
+  for (const PointResult& point : result.points)
+    EXPECT_NEAR(point.longitudinal_force, force, 1e-4 * 27500.0);
+  EXPECT_GT(result.points[0].creepage.longitudinal, 3.0 * steady_creepage);
+  EXPECT_NEAR(result.points.back().creepage.longitudinal / steady_creepage, 1.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace rollfem

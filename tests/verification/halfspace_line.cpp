@@ -1,0 +1,221 @@
+// Line contact of half-planes against closed forms and CONTACT: Carter, Bentall and Johnson, Spence
+// (reference/benchmarks.md, 2, 4 and 5).
+#include "contact/geometry.hpp"
+#include "contact/history.hpp"
+#include "contact/patch_size.hpp"
+#include "contact/prescribed_force.hpp"
+#include "halfspace/carter.hpp"
+#include "halfspace/contact_problem.hpp"
+#include "halfspace/line_compliance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace rollfem {
+namespace {
+
+using contact::ContactGrid;
+using contact::ElementState;
+using contact::Field;
+using contact::Motion;
+using contact::TangentialField;
+using contact::UpwindOrder;
+using Eigen::Vector2d;
+using halfspace::ContactProblem;
+using halfspace::ContactScene;
+using halfspace::ContactState;
+using halfspace::LineCompliance;
+
+/// A roller whose Hertz contact has half width a, n elements across it, forces in N/mm.
+class Roller {
+ public:
+  Roller(double a, double radius, const contact::CombinedMaterial& material, double mu, int n,
+         UpwindOrder order = UpwindOrder::second)
+      : grid(ContactGrid::centred(n + 2 * (n / 5 + 4), 1, 2.0 * a / n, 1.0)),
+        friction(mu),
+        load(M_PI * a * a * material.contact_modulus / (4.0 * radius)),
+        hertz_pressure(2.0 * load / (M_PI * a)),
+        whole_(grid, material) {
+    contact::CombinedMaterial alike = material;
+    alike.difference = 0.0;
+    if (material.difference != 0.0) uncoupled_ = std::make_unique<LineCompliance>(grid, alike);
+    ContactScene scene;
+    scene.undeformed_distance =
+        grid.sample([&](double x, double) { return x * x / (2.0 * radius); });
+    scene.friction = mu;
+    scene.upwind_order = order;
+    scene.fit_leading_edge = true;
+    problem = std::make_unique<ContactProblem>(whole_, uncoupled_ ? *uncoupled_ : whole_, scene);
+    stiffness_ = 2.0 * load * radius / a;
+  }
+
+  ContactState roll(double xi, const ContactState* start = nullptr) const {
+    const TangentialField slip{Field::Constant(grid.size(), xi), Field::Zero(grid.size())};
+    return problem->solve({load, {}}, slip, Motion::rolling, start, {1e-8, 1e-7});
+  }
+
+  double force(const ContactState& state) const {
+    return state.tangential.traction.x.sum() * grid.element_area();
+  }
+
+  /// Creepage at F_x = ratio mu P, and the state there.
+  double creepage_of(double ratio, ContactState* found = nullptr) const {
+    ContactState state;
+    const contact::ForceLaw law = [&](const Vector2d& c) {
+      state = roll(c.x(), state.normal.pressure.size() > 0 ? &state : nullptr);
+      return contact::TransmittedForce{{force(state), 0.0}, friction * load};
+    };
+    const contact::ForceSearch search{{0.0, 0.0}, Vector2d::Constant(stiffness_), 1e-6, 100};
+    const double xi =
+        contact::find_creepage(law, {ratio * friction * load, {}}, search).creepage.x();
+    if (found) *found = state;
+    return xi;
+  }
+
+  ContactGrid grid;
+  double friction;
+  double load;  ///< N/mm
+  double hertz_pressure;
+  std::unique_ptr<ContactProblem> problem;
+
+ private:
+  LineCompliance whole_;
+  std::unique_ptr<LineCompliance> uncoupled_;
+  double stiffness_;
+};
+
+contact::CombinedMaterial steel() {
+  contact::CombinedMaterial material;
+  material.shear_modulus = 82000.0;
+  material.poisson_ratio = 0.28;
+  material.contact_modulus = 82000.0 / 0.72;
+  return material;
+}
+
+/// Largest error of Carter's force over the creep curve, relative to mu P.
+double carter_error(int n) {
+  const Roller roller(1.0, 500.0, steel(), 0.3, n);
+  const halfspace::CarterContact carter{1.0, roller.hertz_pressure, 0.3, 82000.0 / 0.72};
+  double error = 0.0;
+  for (const double part : {0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.1}) {
+    const double xi = part * carter.saturation_creepage();
+    const double exact = halfspace::CarterSolution(carter, xi).force();
+    error = std::max(error, std::abs(roller.force(roller.roll(xi)) - exact));
+  }
+  return error / (0.3 * roller.load);
+}
+
+TEST(Carter, ForceWithinATwentiethOfAPercentAt40ElementsOfSecondOrder) {
+  const double at_10 = carter_error(10);
+  const double at_40 = carter_error(40);
+  EXPECT_LT(at_40, 0.001);
+  EXPECT_LT(carter_error(80), 5e-4);
+  EXPECT_GT(std::log2(at_10 / at_40) / 2.0, 1.5);
+}
+
+TEST(Carter, TractionsAndSlipOfTheUsersGuide) {
+  // a' = 0.6: |xi| = 2.4e-4, |F_x| = 0.64 mu P.
+  const Roller roller(1.0, 500.0, steel(), 0.3, 100);
+  const ContactState state = roller.roll(2.4e-4);
+  EXPECT_NEAR(roller.force(state) / (0.3 * roller.load), -0.64, 0.64 * 0.001);
+  EXPECT_NEAR(roller.load, 178.90, 0.01);
+  const halfspace::CarterContact carter{1.0, roller.hertz_pressure, 0.3, 82000.0 / 0.72};
+  const halfspace::CarterSolution exact(carter, 2.4e-4);
+  for (int i = 0; i < roller.grid.nx; ++i) {
+    const double x = roller.grid.x(i);
+    if (std::abs(x) > 0.97 || std::abs(x + 0.2) < 0.03) continue;  // square roots begin there
+    EXPECT_NEAR(state.tangential.traction.x[i], exact.traction(x), 0.01 * 0.3 * 113.89) << x;
+    EXPECT_NEAR(state.tangential.slip.x[i], exact.slip(x), 0.02 * 2.4e-4) << x;
+  }
+}
+
+contact::CombinedMaterial aluminium_on_steel() {
+  return contact::combine({2.0 * 23000.0 * 1.31, 0.31}, {2.0 * 82000.0 * 1.28, 0.28});
+}
+
+/// Rollers of 50 mm, a = 0.1 mm.
+Roller bentall_johnson(double friction, int n, UpwindOrder order = UpwindOrder::second) {
+  return {0.1, 25.0, aluminium_on_steel(), friction, n, order};
+}
+
+TEST(BentallJohnson, MaterialOfTheBenchmark) {
+  const contact::CombinedMaterial m = aluminium_on_steel();
+  EXPECT_NEAR(m.shear_modulus, 35923.8, 0.05);
+  EXPECT_NEAR(m.poisson_ratio, 0.30343, 5e-6);
+  EXPECT_NEAR(m.difference, 0.10019, 5e-6);
+  EXPECT_NEAR(bentall_johnson(0.1, 20).load, 16.2019, 1e-3);
+}
+
+TEST(BentallJohnson, CreepageOfFreeRollingWithHardlyAnyFriction) {
+  // The sign: CONTACT's creepage is minus ours. 0.457 kappa a/R = 5.2586e-4 is rounded to three
+  // digits; where everything slips, force balance gives asin c + c sqrt(1 - c^2) = pi/4 for the
+  // point of no slip and sqrt(1 - c^2)/2 = 0.457384 for the factor: 5.2631e-4.
+  const double xi = -bentall_johnson(1e-4, 400).creepage_of(0.0);
+  EXPECT_NEAR(xi / 5.2586e-4, 1.0, 0.002);
+  EXPECT_NEAR(xi / 5.2631e-4, 1.0, 0.001);
+  EXPECT_NEAR(xi / 5.260e-4, 1.0, 0.002);  // CONTACT, 200 elements
+}
+
+TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
+  // CONTACT at 200 elements, first order: digit by digit with its own operator.
+  ContactState state;
+  EXPECT_NEAR(-bentall_johnson(0.05, 200, UpwindOrder::first).creepage_of(0.0), 4.29e-4, 0.005e-4);
+  const Roller rough = bentall_johnson(10.0, 200, UpwindOrder::first);
+  EXPECT_NEAR(-rough.creepage_of(0.0, &state), 3.59e-4, 0.005e-4);
+  EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.81, 0.02);
+  EXPECT_NEAR(rough.hertz_pressure, 103.145, 0.005);
+  // Second order ends where the first order tends to.
+  const double first_100 = -bentall_johnson(10.0, 100, UpwindOrder::first).creepage_of(0.0);
+  const double first_200 = -rough.creepage_of(0.0);
+  const double second = -bentall_johnson(10.0, 200).creepage_of(0.0);
+  EXPECT_NEAR(second / (2.0 * first_200 - first_100), 1.0, 0.003);
+}
+
+TEST(BentallJohnson, TractiveAndBrakedRolling) {
+  const Roller roller = bentall_johnson(0.05, 200);
+  ContactState state;
+  EXPECT_NEAR(-roller.creepage_of(0.75, &state) / 5.392e-4, 1.0, 0.002);
+  EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.3, 0.05);
+  EXPECT_NEAR(-roller.creepage_of(-0.75, &state) / 2.108e-4, 1.0, 0.002);
+  EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.2, 0.05);
+}
+
+TEST(Spence, StickRatioOfWeaklyCoupledLineContact) {
+  // K'(k)/K(k) = beta/mu for k = c/a (Spence 1975, Johnson 1985), exact while the shear does not
+  // act back on the pressure: beta = 0.025. Pressed in small steps, for it depends on the history.
+  for (const double beta_over_mu : {1.0, 0.5}) {
+    contact::CombinedMaterial material;
+    material.shear_modulus = 1.0;
+    material.poisson_ratio = 0.0;
+    material.contact_modulus = 1.0;
+    material.difference = 0.025;
+    const Roller roller(1.0, 100.0, material, 0.025 / beta_over_mu, 200);
+    contact::History history(roller.grid, UpwindOrder::second);
+    const TangentialField none{Field::Zero(roller.grid.size()), Field::Zero(roller.grid.size())};
+    ContactState state;
+    constexpr int steps = 60;
+    for (int k = 3; k <= steps; ++k) {
+      const double force = roller.load * k * k / (steps * steps);
+      const TangentialField slip = history.shift_step(none).rigid_slip;
+      state = roller.problem->solve({force, {}}, slip, Motion::shift);
+      history.advance({state.displacement.x, state.displacement.y}, 0.0);
+    }
+    double k = 0.5;
+    double low = 0.0;
+    double high = 1.0;
+    for (int halving = 0; halving < 60; ++halving, k = 0.5 * (low + high)) {
+      const double ratio = std::comp_ellint_1(std::sqrt(1.0 - k * k)) / std::comp_ellint_1(k);
+      (ratio > beta_over_mu ? low : high) = k;
+    }
+    int adhesion = 0;
+    for (const ElementState s : state.tangential.state) adhesion += s == ElementState::adhesion;
+    // One element of 200 is half a percent.
+    EXPECT_NEAR(adhesion / 200.0, k, 0.01) << beta_over_mu;
+    EXPECT_NEAR(state.tangential.traction.x.sum(), 0.0, 1e-6 * state.normal.pressure.sum());
+  }
+}
+
+}  // namespace
+}  // namespace rollfem
