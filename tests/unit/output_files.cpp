@@ -128,7 +128,8 @@ TEST(MiddleLines, AreTheNearestRowOrTheTwoEquallyNearOnes) {
 
 /// The text of the logic_error with which a record is refused, empty when it is not.
 std::string refusal(const RunRecord& run) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("rollfem_refused_" + std::to_string(::getpid()));
+  const auto folder = std::filesystem::path(::testing::TempDir()) /
+                      ("rollfem_refused_" + std::to_string(::getpid()));
   std::filesystem::remove_all(folder);
   std::string text;
   try {
