@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <mutex>
+#include <new>
 
 namespace rollfem::halfspace {
 
@@ -30,11 +31,20 @@ int good_fft_size(int n) {
   return size;
 }
 
+void* fft_allocate(std::size_t bytes) {
+  void* memory = fftw_malloc(bytes);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+void fft_free(void* memory) {
+  fftw_free(memory);
+}
+
 /// Rows of the field along x, ny of them, are transformed and written transposed; the columns of
 /// the padded field are then contiguous. Rows of zeros are never transformed.
 struct PaddedFft::Plans {
-  double* rows = nullptr;           ///< ny * px, zero-padded along x
-  fftw_complex* columns = nullptr;  ///< (px/2+1) * py
+  double* rows = nullptr;  ///< ny * px, zero-padded along x
   fftw_plan rows_forward = nullptr;
   fftw_plan rows_backward = nullptr;
   fftw_plan columns_forward = nullptr;
@@ -44,7 +54,8 @@ struct PaddedFft::Plans {
     const std::lock_guard<std::mutex> lock(planner_mutex());
     const int half = px / 2 + 1;
     rows = fftw_alloc_real(static_cast<std::size_t>(ny) * px);
-    columns = fftw_alloc_complex(static_cast<std::size_t>(half) * py);
+    // Made for one spectrum, executed on any: all are aligned alike. Nothing is overwritten here.
+    fftw_complex* columns = fftw_alloc_complex(static_cast<std::size_t>(half) * py);
     const unsigned effort = FFTW_ESTIMATE;
     rows_forward = fftw_plan_many_dft_r2c(1, &px, ny, rows, nullptr, 1, px, columns, nullptr, py, 1,
                                           effort | FFTW_PRESERVE_INPUT);
@@ -54,6 +65,7 @@ struct PaddedFft::Plans {
                                          py, FFTW_FORWARD, effort);
     columns_backward = fftw_plan_many_dft(1, &py, half, columns, nullptr, 1, py, columns, nullptr,
                                           1, py, FFTW_BACKWARD, effort);
+    fftw_free(columns);
   }
 
   ~Plans() {
@@ -61,7 +73,6 @@ struct PaddedFft::Plans {
     for (fftw_plan plan : {rows_forward, rows_backward, columns_forward, columns_backward})
       if (plan) fftw_destroy_plan(plan);
     fftw_free(rows);
-    fftw_free(columns);
   }
 };
 
@@ -81,20 +92,19 @@ void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
     std::memcpy(row, field.data() + static_cast<std::ptrdiff_t>(j) * nx_, nx_ * sizeof(double));
     std::fill(row + nx_, row + px_, 0.0);
   }
-  fftw_execute(plans_->rows_forward);
-  auto* columns = reinterpret_cast<std::complex<double>*>(plans_->columns);
+  spectrum.resize(static_cast<std::size_t>(spectrum_size()));
+  auto* columns = reinterpret_cast<fftw_complex*>(spectrum.data());
+  fftw_execute_dft_r2c(plans_->rows_forward, rows, columns);
   for (int k = 0; k < frequencies_x(); ++k)
-    std::fill(columns + static_cast<std::size_t>(k) * py_ + ny_,
-              columns + static_cast<std::size_t>(k + 1) * py_, 0.0);
-  fftw_execute(plans_->columns_forward);
-  spectrum.assign(columns, columns + spectrum_size());
+    std::fill(spectrum.begin() + static_cast<std::ptrdiff_t>(k) * py_ + ny_,
+              spectrum.begin() + static_cast<std::ptrdiff_t>(k + 1) * py_, 0.0);
+  fftw_execute_dft(plans_->columns_forward, columns, columns);
 }
 
 void PaddedFft::backward(Spectrum& spectrum, contact::Field& field) const {
-  std::memcpy(static_cast<void*>(plans_->columns), spectrum.data(),
-              spectrum.size() * sizeof(std::complex<double>));
-  fftw_execute(plans_->columns_backward);
-  fftw_execute(plans_->rows_backward);
+  auto* columns = reinterpret_cast<fftw_complex*>(spectrum.data());
+  fftw_execute_dft(plans_->columns_backward, columns, columns);
+  fftw_execute_dft_c2r(plans_->rows_backward, columns, plans_->rows);
   field.resize(static_cast<Eigen::Index>(nx_) * ny_);
   const double scale = 1.0 / (static_cast<double>(px_) * py_);
   for (int j = 0; j < ny_; ++j) {
