@@ -84,12 +84,19 @@ struct PrescribedForce {
   bool any() const { return longitudinal.has_value() || lateral.has_value(); }
 };
 
+/// Where the second-order difference takes the leading edge of the patch to be (docs/accuracy.md).
+enum class LeadingEdge {
+  fitted,  ///< where the pressure says, below the element size
+  plain,   ///< wherever the elements put it
+};
+
 struct Rolling {
   Problem problem = Problem::steady;
   /// Lists in the file are broadcast to one length: that of the load points (steps of a history).
   std::vector<Creepage> creepages{Creepage{}};
   std::vector<PrescribedForce> forces;  ///< as long as `creepages`, or empty: none prescribed
   UpwindOrder upwind_order = UpwindOrder::second;
+  LeadingEdge leading_edge = LeadingEdge::fitted;
   ExtraSlip extra_slip = ExtraSlip::none;
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
 };

@@ -8,6 +8,7 @@ namespace rollfem::contact {
 namespace {
 
 const Words upwind_words{"first", "second"};
+const Words leading_edge_words{"fitted", "plain"};
 const Words extra_slip_words{"none", "rolling-radius", "file"};
 const Words solver_words{"automatic", "factorisation", "multigrid"};
 const Words model_words{"hertz",   "linear", "vermeulen-johnson", "carter",
@@ -231,6 +232,25 @@ std::vector<Key> rolling_keys() {
        },
        [](Case& c, const KeyValue& v) {
          c.rolling.upwind_order = enumerator<UpwindOrder>(v, upwind_words);
+       }},
+      {"rolling",
+       "leading_edge",
+       KeyKind::word,
+       "",
+       "",
+       {},
+       leading_edge_words,
+       false,
+       "",
+       "",
+       "Whether the second-order difference of steady rolling is fitted to the place of the "
+       "leading "
+       "edge inside its elements; `plain` is the textbook difference, whose tractions zigzag.",
+       [](const Case& c) -> KeyValue {
+         return leading_edge_words.at(static_cast<std::size_t>(c.rolling.leading_edge));
+       },
+       [](Case& c, const KeyValue& v) {
+         c.rolling.leading_edge = enumerator<LeadingEdge>(v, leading_edge_words);
        }},
       {"rolling",
        "extra_slip",

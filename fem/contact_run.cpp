@@ -298,12 +298,14 @@ contact::ModelResult LevelRun::run() {
   material.difference = 0.0;
   const halfspace::HalfspaceCompliance half(grid_, material);
   const contact::UpwindOrder order = input_.rolling.upwind_order;
-  const contact::Preconditioner halfspace{half,
-                                          half.normal(),
-                                          half.rolling(order),
-                                          order,
-                                          contact::Motion::rolling,
-                                          &half.rolling(contact::UpwindOrder::first)};
+  const bool fitted = input_.rolling.leading_edge == contact::LeadingEdge::fitted;
+  const contact::Preconditioner halfspace{
+      half,
+      half.normal(),
+      half.rolling(order),
+      order,
+      contact::Motion::rolling,
+      fitted ? &half.rolling(contact::UpwindOrder::first) : nullptr};
 
   const Stopwatch normal_watch;
   tell({}, "normal");

@@ -112,6 +112,7 @@ Stage make_stage(const Case& input, const ContactGrid& grid) {
   const bool friction = input.rolling.problem != Problem::frictionless;
   scene.friction = friction ? input.friction_coefficient : 0.0;
   scene.upwind_order = input.rolling.upwind_order;
+  scene.fit_leading_edge = input.rolling.leading_edge == contact::LeadingEdge::fitted;
   stage.problem = std::make_unique<ContactProblem>(
       *stage.whole, coupled ? *stage.uncoupled : *stage.whole, std::move(scene));
   return stage;

@@ -177,6 +177,8 @@ PointResult steady(UpwindOrder order) {
   Case input = tests::thesis_case('b');
   input.contact_grid.elements_across = 24;
   input.rolling.upwind_order = order;
+  // The steps of transient rolling are not fitted to the leading edge: this is their limit.
+  input.rolling.leading_edge = contact::LeadingEdge::plain;
   input.rolling.creepages = {{0.002, 0.001, 0.0}};
   return halfspace::run_halfspace(input, {}).points[0];
 }
@@ -220,6 +222,7 @@ TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
   input.contact_grid.elements_across = 20;
   const double force = -0.5 * 27500.0;
   Case rolling = input;
+  rolling.rolling.leading_edge = contact::LeadingEdge::plain;
   rolling.rolling.forces = {{force, {}}};
   const double steady_creepage =
       halfspace::run_halfspace(rolling, {}).points[0].creepage.longitudinal;
