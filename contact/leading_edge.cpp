@@ -26,17 +26,23 @@ struct Run {
 };
 
 /// The square of the bound falls linearly to zero at the edge: root of the parabola through the
-/// three elements behind the leading one, which may be partly covered and does not count. Elements
-/// ahead of the leading border; empty when the bound does not fall.
-std::optional<double> edge_of(const Field& bound, Eigen::Index leading) {
-  const double one = bound[leading - 1] * bound[leading - 1];
-  const double two = bound[leading - 2] * bound[leading - 2];
-  const double three = bound[leading - 3] * bound[leading - 3];
+/// three elements behind the leading one, which may be partly covered and does not count; nor does
+/// the next where there are enough: pressures of constant elements err there by a part of
+/// themselves that refinement does not lessen, which puts the edge 0.05 of an element too far ahead
+/// (line contact), against 0.02 at most from the three behind. Elements ahead of the leading
+/// border; empty when the bound does not fall.
+std::optional<double> edge_of(const Field& bound, Eigen::Index leading, int elements) {
+  constexpr int enough = 8;
+  const int skipped = elements >= enough ? 2 : 1;
+  const Eigen::Index k = leading - skipped;
+  const double one = bound[k] * bound[k];
+  const double two = bound[k - 1] * bound[k - 1];
+  const double three = bound[k - 2] * bound[k - 2];
   const double slope = 0.5 * (3.0 * one - 4.0 * two + three);
   const double curvature = 0.5 * (one - 2.0 * two + three);
   const double discriminant = slope * slope - 4.0 * curvature * one;
   if (!(slope < 0.0) || discriminant < 0.0) return std::nullopt;
-  const double ahead_of_centre = 2.0 * one / (-slope + std::sqrt(discriminant)) - 1.0;
+  const double ahead_of_centre = 2.0 * one / (-slope + std::sqrt(discriminant)) - skipped;
   return std::clamp(ahead_of_centre - 0.5, -farthest, farthest);
 }
 
@@ -52,7 +58,9 @@ std::vector<Run> runs_of_row(const ContactGrid& grid, const Field& bound, int j)
     if (first < 0) first = i;
     if (bound[k + 1] > 0.0) continue;
     constexpr int fewest = 4;  // too short a run does not tell where its edge is
-    const std::optional<double> edge = i - first + 1 < fewest ? std::nullopt : edge_of(bound, k);
+    const int elements = i - first + 1;
+    const std::optional<double> edge =
+        elements < fewest ? std::nullopt : edge_of(bound, k, elements);
     runs.push_back({first, i, edge.value_or(0.0), edge.has_value()});
   }
   return runs;

@@ -168,7 +168,9 @@ TEST(HardMaterials, FreeRollingOfUnlikeMaterialsAtAnyFriction) {
           EXPECT_NEAR(gap, 0.0, 1e-4 * point.approach) << friction;
         else
           EXPECT_GT(gap, -1e-4 * point.approach) << friction;
-        if (point.fields.state[static_cast<std::size_t>(k)] == ElementState::adhesion) {
+        // Leading elements have a difference of their own.
+        const bool leading = i + 1 == result.grid.nx || point.fields.traction.n[k + 1] == 0.0;
+        if (!leading && point.fields.state[static_cast<std::size_t>(k)] == ElementState::adhesion) {
           EXPECT_NEAR(point.creepage.longitudinal + slope.x[k], 0.0, 2e-3 * size) << friction;
           EXPECT_NEAR(slope.y[k], 0.0, 2e-3 * size) << friction;
         }

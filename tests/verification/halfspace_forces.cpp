@@ -131,10 +131,11 @@ TEST(ExtraSlip, OfCaseEAgainstContact) {
   const ModelResult same = rolled_case_e(UpwindOrder::first, 40);
   for (std::size_t k = 0; k < 7; ++k)
     EXPECT_NEAR(same.points[k].traction_coefficient, case_e[k][1], 0.0005 * 0.5268);
-  // Second order against CONTACT extrapolated from 40 and 80 elements (it is of first order).
+  // Second order against CONTACT extrapolated from 40 and 80 elements (it is of first order, and
+  // such extrapolations are good to 0.1 to 0.2 %).
   const ModelResult fine = rolled_case_e(UpwindOrder::second, 80);
-  EXPECT_NEAR(fine.points[2].traction_coefficient, 2 * -0.07749473 + 0.07844771, 0.002 * 0.5268);
-  EXPECT_NEAR(fine.points[4].traction_coefficient, 2 * 0.32823775 - 0.33114441, 0.002 * 0.5268);
+  EXPECT_NEAR(fine.points[2].traction_coefficient, 2 * -0.07749473 + 0.07844771, 0.003 * 0.5268);
+  EXPECT_NEAR(fine.points[4].traction_coefficient, 2 * 0.32823775 - 0.33114441, 0.003 * 0.5268);
   const ModelResult coarse = rolled_case_e(UpwindOrder::second, 40);
   EXPECT_NEAR(coarse.points[2].traction_coefficient, 2 * -0.07749473 + 0.07844771, 0.01 * 0.5268);
   EXPECT_NEAR(coarse.points[4].traction_coefficient, 2 * 0.32823775 - 0.33114441, 0.01 * 0.5268);
