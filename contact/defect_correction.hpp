@@ -23,12 +23,15 @@ struct OuterOptions {
   int anderson_depth = 3;
 };
 
+/// On a curved patch (`shape`) the approach and the force are vertical, while distance, tractions
+/// and displacement are along the local normal and tangents.
 struct CoupledProblem {
   Field undeformed_distance;
   std::optional<double> normal_force;
   std::optional<double> approach;
   double friction_coefficient = 0.0;
   TangentialField rigid_slip;  ///< empty: frictionless
+  PatchShape shape;            ///< empty: plane
 };
 
 struct CoupledSolution {
