@@ -18,27 +18,46 @@ namespace {
 /// little beside the displacements; it follows them.
 Eigen::VectorXd stacked(const Response& defect) {
   const SurfaceField& u = defect.displacement;
-  Eigen::VectorXd all(4 * u.n.size());
-  all << u.x, u.y, u.n, defect.curvature_slip;
+  Eigen::VectorXd all(5 * u.n.size());
+  all << u.x, u.y, u.n, defect.curvature_slip.x, defect.curvature_slip.y;
   return all;
 }
 
 Response unstacked(const Eigen::VectorXd& all) {
-  const Eigen::Index n = all.size() / 4;
-  return {{all.segment(0, n), all.segment(n, n), all.segment(2 * n, n)}, all.segment(3 * n, n)};
+  const Eigen::Index n = all.size() / 5;
+  return {{all.segment(0, n), all.segment(n, n), all.segment(2 * n, n)},
+          {all.segment(3 * n, n), all.segment(4 * n, n)}};
 }
 
 Response zero_response(Eigen::Index n) {
-  return {{Field::Zero(n), Field::Zero(n), Field::Zero(n)}, Field::Zero(n)};
+  return {{Field::Zero(n), Field::Zero(n), Field::Zero(n)}, {Field::Zero(n), Field::Zero(n)}};
+}
+
+/// A distance along the local normal to the vertical way that closes it, which makes the normal
+/// problem of a curved patch that of a plane one: gap = h + u_n - approach / stretch becomes
+/// stretch (h + u_n) - approach, the pressure's vertical force is its sum times dx dy, and with
+/// respect to that sum stretch A_nn is symmetric.
+Field vertical(const PatchShape& shape, const Field& distance) {
+  return shape.stretch.size() == 0 ? distance : Field(distance.cwiseProduct(shape.stretch));
 }
 
 /// What the preconditioner misses.
-Response defect_of(const Response& response, const SurfaceField& halfspace) {
+Response defect_of(const Response& response, const SurfaceField& halfspace,
+                   const PatchShape& shape) {
   const SurfaceField& u = response.displacement;
-  Response defect{{u.x - halfspace.x, u.y - halfspace.y, u.n - halfspace.n},
+  Response defect{{u.x - halfspace.x, u.y - halfspace.y, vertical(shape, u.n) - halfspace.n},
                   response.curvature_slip};
-  if (defect.curvature_slip.size() == 0) defect.curvature_slip = Field::Zero(u.n.size());
+  if (defect.curvature_slip.x.size() == 0)
+    defect.curvature_slip = {Field::Zero(u.n.size()), Field::Zero(u.n.size())};
   return defect;
+}
+
+/// Vertical force of the tractions along the local lateral tangent, N.
+double friction_lift(const Preconditioner& halfspace, const CoupledProblem& problem,
+                     const CoupledSolution& solution) {
+  const Field& py = solution.tangential.traction.y;
+  if (py.size() == 0 || problem.shape.climb.size() == 0) return 0.0;
+  return halfspace.whole.grid().element_area() * py.dot(problem.shape.climb);
 }
 
 /// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip.
@@ -47,7 +66,8 @@ TangentialField defect_slip(const Preconditioner& halfspace, const Response& def
   TangentialField slip =
       upwind_difference(halfspace.whole.grid(), {defect.displacement.x, defect.displacement.y},
                         halfspace.upwind_order);
-  slip.x += defect.curvature_slip;
+  slip.x += defect.curvature_slip.x;
+  slip.y += defect.curvature_slip.y;
   return slip;
 }
 
@@ -74,21 +94,26 @@ NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
   return given;
 }
 
-/// Contact with A_half alone, the defect put in as an extra gap and an extra displacement.
-void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem& problem,
-                          const Response& defect, double tolerance, CoupledSolution& solution) {
+/// Normal contact with A_half alone, the defect put in as an extra gap; pressure carries what the
+/// tractions leave of the vertical force.
+void solve_pressure(const Preconditioner& halfspace, const CoupledProblem& problem,
+                    const Response& defect, double lift, double tolerance,
+                    CoupledSolution& solution) {
   if (problem.given_pressure.size() != 0) {
     solution.normal = given_normal(halfspace.whole.grid(), problem.given_pressure);
-  } else {
-    NormalProblem normal{problem.undeformed_distance + defect.displacement.n, problem.normal_force,
-                         problem.approach};
-    NormalOptions normal_options;
-    normal_options.tolerance = std::min(normal_options.tolerance, 0.1 * tolerance);
-    solution.normal =
-        solve_normal(halfspace.normal, normal, normal_options, solution.normal.pressure);
+    return;
   }
-  if (frictionless(problem)) return;
+  NormalProblem normal{vertical(problem.shape, problem.undeformed_distance) + defect.displacement.n,
+                       problem.normal_force, problem.approach};
+  if (normal.normal_force) *normal.normal_force -= lift;
+  NormalOptions options;
+  options.tolerance = std::min(options.tolerance, 0.1 * tolerance);
+  solution.normal = solve_normal(halfspace.normal, normal, options, solution.normal.pressure);
+}
 
+/// The same for the tractions under that pressure, the defect put in as an extra slip.
+void solve_tractions(const Preconditioner& halfspace, const CoupledProblem& problem,
+                     const Response& defect, double tolerance, CoupledSolution& solution) {
   const TangentialField from_defect = defect_slip(halfspace, defect);
   TangentialProblem tangential{
       problem.friction_coefficient * solution.normal.pressure,
@@ -101,6 +126,23 @@ void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem&
                    upwind_weights(halfspace.whole.grid(), solution.normal.pressure));
   solution.tangential = solve_tangential(fitted ? *fitted : halfspace.rolling, tangential, options,
                                          solution.tangential.traction);
+}
+
+/// Contact with A_half alone. On a curved patch at given force pressure and tractions share the
+/// vertical force: they are solved in turn until they do, which takes few turns as the lift of the
+/// tractions is a small part of the force.
+void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem& problem,
+                          const Response& defect, double tolerance, CoupledSolution& solution) {
+  constexpr int most_turns = 10;
+  constexpr double shared_to = 1e-10;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const double lift = friction_lift(halfspace, problem, solution);
+    solve_pressure(halfspace, problem, defect, lift, tolerance, solution);
+    if (frictionless(problem)) return;
+    solve_tractions(halfspace, problem, defect, tolerance, solution);
+    const double change = friction_lift(halfspace, problem, solution) - lift;
+    if (!problem.normal_force || std::abs(change) <= shared_to * *problem.normal_force) return;
+  }
 }
 
 SurfaceField tractions(const CoupledSolution& solution) {
@@ -125,6 +167,11 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   double residual = problem.given_pressure.size() != 0
                         ? 0.0
                         : rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
+  if (problem.normal_force && problem.given_pressure.size() == 0)
+    residual = std::max(
+        residual, std::abs(solution.normal.normal_force +
+                           friction_lift(halfspace, problem, solution) - *problem.normal_force) /
+                      *problem.normal_force);
   if (!frictionless(problem)) {
     const TangentialField slip = defect_slip(halfspace, image);
     const TangentialField before = defect_slip(halfspace, defect);
@@ -186,11 +233,15 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     const SurfaceField traction = tractions(solution);
     const Response response = compliance.respond(traction);
     solution.displacement = response.displacement;
-    solution.defect = defect_of(response, halfspace.whole.apply(traction));
+    solution.defect = defect_of(response, halfspace.whole.apply(traction), problem.shape);
     solution.outer_iterations = iteration;
     solution.residual = defect_residual(halfspace, problem, solution, defect);
     if (each_iteration) each_iteration(solution);
-    if (solution.residual <= options.tolerance) return solution;
+    if (solution.residual <= options.tolerance) {
+      if (problem.shape.stretch.size() > 0)
+        solution.normal.gap = solution.normal.gap.cwiseQuotient(problem.shape.stretch);
+      return solution;
+    }
 
     // A changed active set can make the history misleading: begin it anew rather than follow it.
     if (solution.residual > 2.0 * best) anderson.restart();

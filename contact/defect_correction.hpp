@@ -33,6 +33,8 @@ struct OuterOptions {
   int anderson_depth = 3;
 };
 
+/// On a curved patch (`shape`) the approach and the force are vertical, while distance, tractions
+/// and displacement are along the local normal and tangents.
 struct CoupledProblem {
   Field undeformed_distance;
   std::optional<double> normal_force;
@@ -40,6 +42,7 @@ struct CoupledProblem {
   double friction_coefficient = 0.0;
   TangentialField rigid_slip;  ///< empty: frictionless
   Field given_pressure;        ///< MPa, replaces the normal problem; empty: none
+  PatchShape shape;            ///< empty: plane
 };
 
 struct CoupledSolution {

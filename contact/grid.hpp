@@ -24,6 +24,12 @@ struct SurfaceField {
   Field n;
 };
 
+/// Shape of a patch that is curved across, per element; both fields empty where it is plane.
+struct PatchShape {
+  Field stretch;  ///< true area / (dx dy), >= 1
+  Field climb;    ///< dz/dy of the contact surface
+};
+
 /// Potential contact area of nx by ny elements of dx by dy mm. x is the rolling direction
 /// (material enters at large x), y is lateral; `x_first`, `y_first` is the centre of element (0,0).
 struct ContactGrid {

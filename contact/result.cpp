@@ -14,19 +14,31 @@ Field filled(const Field& field, Eigen::Index size) {
   return field.size() == size ? field : Field(Field::Zero(size));
 }
 
+/// True area over projected area of the elements in contact.
+double mean_stretch(const PatchShape& shape, const Field& pressure) {
+  if (shape.stretch.size() == 0) return 1.0;
+  const Field mask = (pressure.array() > 0.0).cast<double>();
+  return mask.sum() > 0.0 ? shape.stretch.dot(mask) / mask.sum() : 1.0;
+}
+
 }  // namespace
 
-void integrate_tractions(const ContactGrid& grid, PointResult& point) {
+void integrate_tractions(const ContactGrid& grid, PointResult& point, const PatchShape& shape) {
   const Field& pressure = point.fields.traction.n;
   const Field px = filled(point.fields.traction.x, pressure.size());
   const Field py = filled(point.fields.traction.y, pressure.size());
   const double area = grid.element_area();
   const Field x = grid.sample([](double at, double) { return at; });
   const Field y = grid.sample([](double, double at) { return at; });
-  point.normal_force = area * pressure.sum();
-  point.longitudinal_force = area * px.sum();
-  point.lateral_force = area * py.sum();
-  point.spin_moment = area * (x.dot(py) - y.dot(px));
+  // Tractions times the true area, projected, per unit of projected area.
+  const Field climb = filled(shape.climb, pressure.size());
+  const Field along = shape.stretch.size() == 0 ? px : Field(px.cwiseProduct(shape.stretch));
+  const Field across = py - climb.cwiseProduct(pressure);
+  const Field upwards = pressure + climb.cwiseProduct(py);
+  point.normal_force = area * upwards.sum();
+  point.longitudinal_force = area * along.sum();
+  point.lateral_force = area * across.sum();
+  point.spin_moment = area * (x.dot(across) - y.dot(along));
   // 0.0 - keeps a force of zero from giving a coefficient of minus zero.
   point.traction_coefficient =
       point.normal_force > 0.0 ? 0.0 - point.longitudinal_force / point.normal_force : 0.0;
@@ -39,14 +51,14 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point) {
   point.contact_width = patch.width;
   point.semi_axis_x = 0.5 * patch.length;
   point.semi_axis_y = 0.5 * patch.width;
-  point.contact_area = patch.area;
+  point.contact_area = patch.area * mean_stretch(shape, pressure);
   const auto count = [&](ElementState state) {
     return static_cast<double>(
         std::count(point.fields.state.begin(), point.fields.state.end(), state));
   };
   const double adhesion = count(ElementState::adhesion);
   const double contact = adhesion + count(ElementState::slip);
-  point.adhesion_area = contact > 0.0 ? patch.area * adhesion / contact : 0.0;
+  point.adhesion_area = contact > 0.0 ? point.contact_area * adhesion / contact : 0.0;
 }
 
 }  // namespace rollfem::contact

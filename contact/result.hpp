@@ -86,7 +86,9 @@ struct ModelResult {
   std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
 };
 
-/// Fills forces, maxima, patch size and areas of `point` from its fields.
-void integrate_tractions(const ContactGrid& grid, PointResult& point);
+/// Fills forces, maxima, patch size and areas of `point` from its fields. On a curved patch
+/// (`shape`) tractions are along the local tangents and normal, forces along x, y, z: extents are
+/// those of the projection, areas those of the surface.
+void integrate_tractions(const ContactGrid& grid, PointResult& point, const PatchShape& shape = {});
 
 }  // namespace rollfem::contact

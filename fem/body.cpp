@@ -35,7 +35,7 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
         "fem.extent = {} mm is less than the finely meshed region needs ({} mm): enlarge it",
         options.extent, fine));
   const double inwards =
-      profile_drop(shape.transverse_radius, options.extent).value + options.extent;
+      contact::profile_drop(shape.transverse_radius, options.extent).value + options.extent;
   if (shape.is_wheel && !(std::max(inwards, options.extent) <= 0.7 * shape.rolling_radius))
     throw contact::InputError(fmt::format(
         "fem.extent = {} mm is too much for a wheel of radius {} mm: the segment would reach the "

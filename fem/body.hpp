@@ -20,9 +20,10 @@ enum BoundaryId : dealii::types::boundary_id {
   symmetry_plane = 2
 };
 
-/// Surface coordinates (s, t) = (arc length along rolling, lateral coordinate y) and depth d below
-/// the surface -> place in space. s points along +x, the contact reference point is (0, 0, 0).
-/// For the wheel the material is above (z > 0), for the rail below.
+/// Surface coordinates (s, t) = (arc length on the surface along rolling, lateral coordinate y) and
+/// depth d below the surface (along z on the rail, towards the axle on the wheel) -> place in
+/// space. s points along +x, the contact reference point is (0, 0, 0). For the wheel the material
+/// is above (z > 0), for the rail below.
 struct SurfaceShape {
   bool is_wheel = false;
   double rolling_radius = contact::infinity;     ///< wheel only
@@ -34,6 +35,11 @@ struct SurfaceShape {
   /// surface at (s, t).
   void frame(double s, double t, dealii::Tensor<1, 3>& rolling, dealii::Tensor<1, 3>& lateral,
              dealii::Tensor<1, 3>& normal) const;
+  /// The same at a surface that climbs across by dz/dy = `climb` instead of the body's own slope.
+  void tilted_frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
+                    dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const;
+  /// Radius of the circle on which the wheel's surface runs at lateral coordinate t, mm.
+  double streamline_radius(double t) const;
 };
 
 /// What decides the mesh.

@@ -2,6 +2,7 @@
 // box that a cell occupies there. Internal to fem/.
 #pragma once
 
+#include "contact/contact_surface.hpp"
 #include "fem/body.hpp"
 
 #include <deal.II/grid/manifold.h>
@@ -25,18 +26,6 @@ class SurfaceManifold : public dealii::ChartManifold<3, 3, 3> {
  private:
   SurfaceShape shape_;
 };
-
-/// Depth at which the profile has dropped below its middle at lateral coordinate t, and its slope:
-/// a circle arc of `transverse_radius`, continued by its tangent beyond 0.7 of that radius, where
-/// nothing touches any more and a steeper surface would only spoil the cells.
-struct ProfileDrop {
-  double value = 0.0;
-  double slope = 0.0;
-};
-ProfileDrop profile_drop(double transverse_radius, double t);
-
-/// Ratio of true surface area to ds dt at lateral coordinate t.
-double surface_jacobian(const SurfaceShape& shape, double t);
 
 /// Extent of a cell in chart coordinates, lower and upper corner.
 struct ChartBox {

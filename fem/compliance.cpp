@@ -15,16 +15,29 @@ constexpr double sign_of[2] = {1.0,
 
 }  // namespace
 
-contact::Field curvature_slip(const SurfaceShape& wheel,
-                              const contact::SurfaceField& displacement) {
-  return displacement.n / wheel.rolling_radius;
+contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
+                                        const contact::ContactGrid& grid,
+                                        const contact::SurfaceField& displacement) {
+  const contact::PatchShape shape = contact::patch_shape(surface, grid);
+  const contact::Field radius =
+      grid.sample([&](double, double y) { return surface.local_rolling_radius(y); });
+  const contact::Field sine = shape.climb.cwiseQuotient(shape.stretch);
+  const contact::Field towards_axle =
+      displacement.n.cwiseQuotient(shape.stretch) + displacement.y.cwiseProduct(sine);
+  return {towards_axle.cwiseQuotient(radius),
+          -displacement.x.cwiseProduct(sine).cwiseQuotient(radius)};
+}
+
+contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceShape& rail) {
+  return {wheel.rolling_radius, wheel.transverse_radius, rail.transverse_radius};
 }
 
 struct FemCompliance::Implementation {
   Implementation(const Part& wheel, const Part& rail, const contact::ContactGrid& the_grid)
       : grid(the_grid),
         parts{wheel, rail},
-        coupling{{*wheel.body, the_grid}, {*rail.body, the_grid}} {
+        surface(common_surface(wheel.body->shape(), rail.body->shape())),
+        coupling{{*wheel.body, the_grid, surface}, {*rail.body, the_grid, surface}} {
     for (int k = 0; k < 2; ++k) {
       loads[k] = make_vector(parts[k].body->dofs());
       displacements[k] = make_vector(parts[k].body->dofs());
@@ -54,6 +67,7 @@ struct FemCompliance::Implementation {
 
   contact::ContactGrid grid;
   Part parts[2];
+  contact::ContactSurface surface;
   SurfaceCoupling coupling[2];
   Vector loads[2];
   Vector displacements[2];
@@ -81,7 +95,7 @@ contact::Response FemCompliance::respond(const contact::SurfaceField& traction) 
   const auto wheel = model.coupling[0].sample(model.displacements[0]);
   const auto rail = model.coupling[1].sample(model.displacements[1]);
   return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n},
-          curvature_slip(model.parts[0].body->shape(), wheel)};
+          curvature_slip(model.surface, model.grid, wheel)};
 }
 
 std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceField& traction) const {

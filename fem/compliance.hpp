@@ -1,9 +1,11 @@
-// The finite-element compliance A = sum over bodies of B K^-1 B^T / (dx dy): piecewise constant
-// tractions are loaded consistently on the FE faces (B^T, exact), displacement is averaged over the
-// contact element (B), so that A is symmetric by construction.
+// The finite-element compliance A = sum over bodies of S^-1 B K^-1 B^T, S the true areas of the
+// contact elements: piecewise constant tractions are loaded consistently on the FE faces (B^T,
+// exact), displacement is averaged over the contact element (S^-1 B), so that A is symmetric by
+// construction.
 #pragma once
 
 #include "contact/compliance.hpp"
+#include "contact/contact_surface.hpp"
 #include "contact/result.hpp"
 #include "fem/body.hpp"
 
@@ -12,14 +14,19 @@
 
 namespace rollfem::fem {
 
-/// One body's part. Tractions and displacement are in the local frame of its own surface; the sign
-/// with which they enter the difference (wheel +, rail -, load -) is handled in FemCompliance.
+/// One body's part. Tractions and displacement are along the lateral tangent and the normal of the
+/// contact surface that both bodies share, so that loads of both are equal and opposite; along
+/// rolling the frame turns with the body's own streamlines. The sign with which they enter the
+/// difference (wheel +, rail -, load -) is handled in FemCompliance.
 class SurfaceCoupling {
  public:
-  /// `grid`: contact elements in (s, t). A half body is loaded with the mirror image understood:
-  /// elements at t < 0 mirror those at t > 0 (x and n components even, y component odd).
-  /// Throws contact::InputError when the grid reaches beyond the body's surface or its elements are
-  /// finer than the FE faces under them.
+  /// `grid`: contact elements in (s, t), t the lateral coordinate y; `surface`: what both share. A
+  /// half body is loaded with the mirror image understood: elements at t < 0 mirror those at t > 0
+  /// (x and n components even, y component odd). Throws contact::InputError when the grid reaches
+  /// beyond the body's surface or its elements are finer than the FE faces under them.
+  SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
+                  const contact::ContactSurface& surface);
+  /// On the body's own surface.
   SurfaceCoupling(const Body& body, const contact::ContactGrid& grid);
   ~SurfaceCoupling();
   /// b = B^T p.
@@ -32,10 +39,16 @@ class SurfaceCoupling {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Slip u_n / R that a displacement of the wheel's surface towards the axle brings: it shortens the
-/// circles on which the material runs. Together with the difference along the streamline it gives
-/// the surface strain, so that a rigid displacement slips nowhere.
-contact::Field curvature_slip(const SurfaceShape& wheel, const contact::SurfaceField& displacement);
+/// Slip that comes with the wheel's streamlines being circles of radius R(y): u_r / R along x for a
+/// displacement u_r towards the axle, which shortens them, and on a surface tilted across -sin u_x
+/// / R laterally, as the lateral tangent turns. Together with the difference along the streamline
+/// it gives the surface strain, so that a rigid displacement slips nowhere.
+contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
+                                        const contact::ContactGrid& grid,
+                                        const contact::SurfaceField& displacement);
+
+/// The surface that two bodies share: the mean of their profiles.
+contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceShape& rail);
 
 class FemCompliance : public contact::Compliance {
  public:

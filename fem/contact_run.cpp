@@ -1,5 +1,6 @@
 #include "fem/contact_run.hpp"
 
+#include "contact/contact_surface.hpp"
 #include "contact/defect_correction.hpp"
 #include "contact/errors.hpp"
 #include "contact/geometry.hpp"
@@ -160,6 +161,8 @@ class LevelRun {
         progress_(progress),
         patch_(hertz_estimate(input)),
         grid_(lattice_grid(patch_.semi_axis_x, patch_.semi_axis_y, options.cell_size)),
+        surface_(contact::contact_surface(input)),
+        shape_(contact::patch_shape(surface_, grid_)),
         processes_(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) {}
 
   contact::ModelResult run();
@@ -177,6 +180,8 @@ class LevelRun {
   const contact::Progress& progress_;
   halfspace::HertzContact patch_;
   ContactGrid grid_;
+  contact::ContactSurface surface_;
+  contact::PatchShape shape_;
   int processes_;
   contact::Response defect_;  ///< of the load point before: a start for the next
   contact::SurfaceField last_traction_;
@@ -191,15 +196,15 @@ void LevelRun::tell(contact::ProgressEvent event, const std::string& stage, bool
 }
 
 contact::CoupledProblem LevelRun::problem(const contact::Creepage& creepage, bool friction) const {
-  const contact::Curvatures curvatures = contact::relative_curvatures(input_);
   contact::CoupledProblem result;
   result.undeformed_distance = grid_.sample(
-      [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
+      [&](double x, double y) { return contact::undeformed_distance(surface_, x, y); });
+  result.shape = shape_;
   result.normal_force = input_.load.normal_force;
   result.approach = input_.load.approach;
   if (friction) {
     result.friction_coefficient = input_.friction_coefficient;
-    result.rigid_slip = contact::rigid_slip(input_, creepage, grid_);
+    result.rigid_slip = contact::rigid_slip(surface_, creepage, grid_);
   }
   return result;
 }
@@ -259,7 +264,7 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
   point.residual = solution.residual;
   point.converged = true;
   point.fields = fields(solution);
-  contact::integrate_tractions(grid_, point);
+  contact::integrate_tractions(grid_, point, shape_);
   last_traction_ = point.fields.traction;
   point.seconds = watch.seconds();
   tell(event, "rolling", true);
@@ -343,6 +348,17 @@ contact::ModelResult LevelRun::run() {
       "is "
       "that of these segments; its error estimate says how much more it may be for large bodies",
       options.extent));
+  const double steepest = shape_.climb.cwiseAbs().maxCoeff();
+  if (steepest > 0.05)
+    result.notes.push_back(fmt::format(
+        "the patch is curved (slope {:.2g} at the edge of the grid): tractions, slip and gap are "
+        "along the local normal and tangents, y is the lateral coordinate, forces are along x, y, "
+        "z",
+        steepest));
+  if (input_.rolling.extra_slip != contact::ExtraSlip::none)
+    result.notes.push_back(
+        "extra_slip is not added: the rolling radius of every point comes from the wheel's "
+        "profile");
   if (options.half)
     result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",

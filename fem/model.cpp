@@ -1,6 +1,5 @@
 #include "fem/model.hpp"
 
-#include "contact/errors.hpp"
 #include "fem/contact_run.hpp"
 
 #include <fmt/format.h>
@@ -18,15 +17,6 @@ using contact::ModelResult;
 
 /// The order in h that the two-level estimate assumes, measured on case a (docs/verification.md).
 constexpr double assumed_order = 1.5;
-
-void refuse_what_is_not_there(const Case& input) {
-  if (input.wheel.transverse_radius < 0.0 || input.rail.transverse_radius < 0.0)
-    throw contact::InputError(
-        input.file +
-        ": model fem: bodies with a concave profile (negative transverse_radius) touch along a "
-        "curved patch, which the finite-element model does not do yet; allowed: transverse_radius "
-        "> 0 or inf; do: run with --model hertz --model halfspace");
-}
 
 /// Error of the fine value from the change between the two levels, relative to the fine value or to
 /// `scale` where that is larger (a quantity that vanishes has no relative error).
@@ -58,7 +48,6 @@ void estimate_errors(ModelResult& fine, const ModelResult& coarse, double fricti
 }  // namespace
 
 ModelResult run_fem(const Case& input, const contact::Progress& progress) {
-  refuse_what_is_not_there(input);
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -21,7 +21,7 @@ namespace {
 constexpr double lattice_tolerance = 1e-6;
 
 /// Number of an unknown of the body and int N_i e_k dA over one contact element, e_k the local
-/// frame: rolling, lateral, normal.
+/// frame: rolling, lateral, normal; dA on the contact surface.
 struct Entry {
   dealii::types::global_dof_index dof;
   std::array<double, 3> weight;
@@ -43,11 +43,22 @@ int mirrored(const contact::ContactGrid& grid, int element) {
   return grid.index(element % grid.nx, grid.ny - 1 - j);
 }
 
+/// What a body shares with another of exactly its shape.
+contact::ContactSurface own_surface(const SurfaceShape& shape) {
+  const double radius = shape.transverse_radius;
+  return shape.is_wheel ? contact::ContactSurface{shape.rolling_radius, radius, -radius}
+                        : contact::ContactSurface{contact::infinity, -radius, radius};
+}
+
 }  // namespace
 
 struct SurfaceCoupling::Implementation {
-  Implementation(const Body& the_body, const contact::ContactGrid& the_grid)
-      : body(the_body), grid(the_grid) {
+  Implementation(const Body& the_body, const contact::ContactGrid& the_grid,
+                 const contact::ContactSurface& the_surface)
+      : body(the_body),
+        grid(the_grid),
+        surface(the_surface),
+        area(grid.element_area() * contact::patch_shape(the_surface, the_grid).stretch) {
     check_symmetry();
     std::vector<std::map<dealii::types::global_dof_index, std::array<double, 3>>> rows(grid.size());
     covered.assign(grid.size(), 0.0);
@@ -123,14 +134,15 @@ struct SurfaceCoupling::Implementation {
       const double at_t = part_t.lower + rule.point(q)[1] * part_t.length();
       const dealii::Point<3> reference((at_s - s.lower) / s.length(), (at_t - t.lower) / t.length(),
                                        face % 2);
-      const double area =
-          rule.weight(q) * part_s.length() * part_t.length() * surface_jacobian(body.shape(), at_t);
+      const double climb = surface.climb(at_t);
+      const double piece =
+          rule.weight(q) * part_s.length() * part_t.length() * std::sqrt(1.0 + climb * climb);
       std::array<dealii::Tensor<1, 3>, 3> frame;
-      body.shape().frame(at_s, at_t, frame[0], frame[1], frame[2]);
+      body.shape().tilted_frame(at_s, at_t, climb, frame[0], frame[1], frame[2]);
       for (unsigned int i = 0; i < element.dofs_per_cell; ++i) {
         if (!element.has_support_on_face(i, face)) continue;
         const unsigned int component = element.system_to_component_index(i).first;
-        const double value = area * element.shape_value(i, reference);
+        const double value = piece * element.shape_value(i, reference);
         auto& weight = row[indices[i]];
         for (unsigned int k = 0; k < 3; ++k) weight[k] += value * frame[k][component];
       }
@@ -167,14 +179,20 @@ struct SurfaceCoupling::Implementation {
 
   const Body& body;
   const contact::ContactGrid grid;
+  const contact::ContactSurface surface;
+  const contact::Field area;  ///< true area of the elements on the contact surface, mm^2
   std::vector<std::size_t> start;
   std::vector<Entry> entries;
   std::vector<double> covered;
   std::array<double, 2> largest_face{0.0, 0.0};
 };
 
+SurfaceCoupling::SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
+                                 const contact::ContactSurface& surface)
+    : implementation_(std::make_unique<Implementation>(body, grid, surface)) {}
+
 SurfaceCoupling::SurfaceCoupling(const Body& body, const contact::ContactGrid& grid)
-    : implementation_(std::make_unique<Implementation>(body, grid)) {}
+    : SurfaceCoupling(body, grid, own_surface(body.shape())) {}
 
 SurfaceCoupling::~SurfaceCoupling() = default;
 
@@ -206,7 +224,7 @@ contact::SurfaceField SurfaceCoupling::sample(const Vector& displacement) const 
   for (int element = 0; element < size; ++element)
     for (auto k = coupling.start[element]; k < coupling.start[element + 1]; ++k) {
       const auto& entry = coupling.entries[k];
-      const double value = displacement(entry.dof) / grid.element_area();
+      const double value = displacement(entry.dof) / coupling.area[element];
       for (int c = 0; c < 3; ++c) mean[3 * element + c] += entry.weight[c] * value;
     }
   const MPI_Comm communicator = coupling.body.dofs().get_communicator();

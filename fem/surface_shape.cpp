@@ -6,9 +6,9 @@
 
 namespace rollfem::fem {
 
-namespace {
+using contact::profile_drop;
 
-constexpr double steepest_sine = 0.7;
+namespace {
 
 bool is_revolved(const SurfaceShape& shape) {
   return shape.is_wheel && std::isfinite(shape.rolling_radius);
@@ -16,29 +16,14 @@ bool is_revolved(const SurfaceShape& shape) {
 
 }  // namespace
 
-ProfileDrop profile_drop(double transverse_radius, double t) {
-  if (!std::isfinite(transverse_radius)) return {};
-  const double radius = std::abs(transverse_radius);
-  const double sign = transverse_radius > 0 ? 1.0 : -1.0;
-  const double distance = std::min(std::abs(t), steepest_sine * radius);
-  const double root = std::sqrt(1.0 - (distance / radius) * (distance / radius));
-  const double slope = distance / (radius * root);
-  // t^2 / (R + sqrt(R^2 - t^2)) rather than R - sqrt(R^2 - t^2): no cancellation.
-  const double drop =
-      distance * distance / (radius * (1.0 + root)) + slope * (std::abs(t) - distance);
-  return {sign * drop, sign * (t < 0 ? -slope : slope)};
-}
-
-double surface_jacobian(const SurfaceShape& shape, double t) {
-  const auto drop = profile_drop(shape.transverse_radius, t);
-  const double stretch = is_revolved(shape) ? 1.0 - drop.value / shape.rolling_radius : 1.0;
-  return stretch * std::sqrt(1.0 + drop.slope * drop.slope);
+double SurfaceShape::streamline_radius(double t) const {
+  return rolling_radius - profile_drop(transverse_radius, t).value;
 }
 
 dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
   const double drop = profile_drop(transverse_radius, t).value;
   if (!is_revolved(*this)) return {s, t, is_wheel ? drop + depth : -drop - depth};
-  const double angle = s / rolling_radius;
+  const double angle = s / (rolling_radius - drop);
   const double inwards = drop + depth;  // towards the axle at z = rolling_radius
   const double half_sine = std::sin(0.5 * angle);
   // 1 - cos = 2 sin^2(angle/2) keeps all digits near the contact point.
@@ -53,15 +38,19 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
   const double below_axle = rolling_radius - place[2];
   const double radius = std::hypot(place[0], below_axle);
   const double angle = std::atan2(place[0], below_axle);
-  return {rolling_radius * angle, t, rolling_radius - drop - radius};
+  return {(rolling_radius - drop) * angle, t, rolling_radius - drop - radius};
 }
 
 void SurfaceShape::frame(double s, double t, dealii::Tensor<1, 3>& rolling,
                          dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
-  const double angle = is_revolved(*this) ? s / rolling_radius : 0.0;
   // Climb of the surface along t in the direction towards the wheel.
   const double drop_slope = profile_drop(transverse_radius, t).slope;
-  const double climb = is_wheel ? drop_slope : -drop_slope;
+  tilted_frame(s, t, is_wheel ? drop_slope : -drop_slope, rolling, lateral, normal);
+}
+
+void SurfaceShape::tilted_frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
+                                dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
+  const double angle = is_revolved(*this) ? s / streamline_radius(t) : 0.0;
   const double length = std::sqrt(1.0 + climb * climb);
   dealii::Tensor<1, 3> up;
   up[0] = -std::sin(angle);
@@ -98,16 +87,20 @@ dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
     gradient[2][2] = sign;
     return gradient;
   }
-  const double angle = chart[0] / shape_.rolling_radius;
+  const double on_surface = shape_.streamline_radius(chart[1]);
+  const double radius = on_surface - chart[2];
+  const double angle = chart[0] / on_surface;
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
-  const double stretch = 1.0 - (drop.value + chart[2]) / shape_.rolling_radius;
+  const double stretch = radius / on_surface;
+  // The angle of a given arc length grows where the radius falls.
+  const double turn = radius * angle / on_surface * drop.slope;
   gradient[0][0] = stretch * cosine;
-  gradient[0][1] = -drop.slope * sine;
+  gradient[0][1] = -drop.slope * sine + turn * cosine;
   gradient[0][2] = -sine;
   gradient[1][1] = 1.0;
   gradient[2][0] = stretch * sine;
-  gradient[2][1] = drop.slope * cosine;
+  gradient[2][1] = drop.slope * cosine + turn * sine;
   gradient[2][2] = cosine;
   return gradient;
 }

@@ -61,6 +61,23 @@ contact::ContactGrid odd_grid() {
   return contact::ContactGrid::centred(3, 4, 1.3, 1.1, 0.2, -0.15);
 }
 
+/// Tractions times the true area of their elements.
+contact::SurfaceField weighted(const contact::ContactSurface& surface,
+                               const contact::ContactGrid& grid, const contact::SurfaceField& p) {
+  const contact::Field area = grid.element_area() * contact::patch_shape(surface, grid).stretch;
+  return {p.x.cwiseProduct(area), p.y.cwiseProduct(area), p.n.cwiseProduct(area)};
+}
+
+contact::ContactSurface own_surface(const fem::Body& body) {
+  const double radius = body.shape().transverse_radius;
+  return body.shape().is_wheel ? fem::common_surface(body.shape(), rail_shape(-radius))
+                               : fem::common_surface(wheel_shape(405, -radius), body.shape());
+}
+
+contact::ContactSurface surface_of(const Pair& pair) {
+  return fem::common_surface(pair.wheel.shape(), pair.rail.shape());
+}
+
 dealii::Tensor<1, 3> resultant(const fem::Body& body, const fem::Vector& b) {
   dealii::Tensor<1, 3> sum;
   std::vector<bool> seen(body.unknowns(), false);
@@ -97,6 +114,33 @@ TEST(SurfaceCoupling, ResultantIsTractionTimesArea) {
   EXPECT_NEAR(resultant(full().rail, curved)[2], pressure.n.sum() * grid.element_area(), 1e-8);
 }
 
+TEST(SurfaceCoupling, LoadsOfWheelAndRailAreEqualAndOpposite) {
+  // Bodies of different slopes: only on a common surface do the same tractions give the same force,
+  // which is the closed sum over the elements.
+  const auto grid = contact::ContactGrid::centred(2, 4, 1.0, 1.1, 0.0, -0.15);
+  const auto surface = surface_of(full());
+  const auto shape = contact::patch_shape(surface, grid);
+  auto p = random_field(grid, 4);
+  // Along rolling each body keeps its own frame: what turns with the wheel is made symmetric.
+  for (int j = 0; j < grid.ny; ++j) {
+    p.n[grid.index(1, j)] = p.n[grid.index(0, j)];
+    p.y[grid.index(1, j)] = p.y[grid.index(0, j)];
+    p.x[grid.index(1, j)] = p.x[grid.index(0, j)];
+  }
+  const double area = grid.element_area();
+  const double expected[3] = {area * p.x.dot(shape.stretch),
+                              area * (p.y - p.n.cwiseProduct(shape.climb)).sum(),
+                              area * (p.n + p.y.cwiseProduct(shape.climb)).sum()};
+  for (const fem::Body* body : {&full().wheel, &full().rail}) {
+    auto b = fem::make_vector(body->dofs());
+    fem::SurfaceCoupling(*body, grid, surface).load(p, b);
+    const auto sum = resultant(*body, b);
+    // The wheel's frame turns by up to 0.01 over an element.
+    const double tolerance = body == &full().wheel ? 1e-4 : 1e-9;
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(sum[k], expected[k], tolerance) << k;
+  }
+}
+
 TEST(SurfaceCoupling, SampleIsTheTransposeOfLoad) {
   for (const fem::Body* body : {&full().wheel, &full().rail}) {
     const auto grid = odd_grid();
@@ -109,7 +153,7 @@ TEST(SurfaceCoupling, SampleIsTheTransposeOfLoad) {
       u.local_element(i) = generator() * 1e-9;
     coupling.load(p, b);
     const double work = b * u;
-    EXPECT_NEAR(dot(p, coupling.sample(u)) * grid.element_area() / work, 1.0, 1e-12);
+    EXPECT_NEAR(dot(weighted(own_surface(*body), grid, p), coupling.sample(u)) / work, 1.0, 1e-12);
   }
 }
 
@@ -143,16 +187,23 @@ TEST(SurfaceCoupling, SamplesARigidDisplacementExactly) {
 
 TEST(CurvatureSlip, ARigidDisplacementOfTheWheelSlipsNowhere) {
   const auto grid = contact::ContactGrid::centred(6, 4, 1, 1);
-  const fem::Body wheel(wheel_shape(405, contact::infinity), steel, small_options(), MPI_COMM_SELF);
-  const auto u =
-      fem::SurfaceCoupling(wheel, grid).sample(rigid_displacement(wheel, {0.3, 0.1, 0.7}));
-  const auto difference =
-      contact::upwind_difference(grid, {u.x, u.y}, contact::UpwindOrder::second);
-  const contact::Field slip = difference.x + fem::curvature_slip(wheel.shape(), u);
-  // u_n / R alone is 1.7e-3; the second-order difference is exact to (dx/R)^2 of it.
-  EXPECT_GT(fem::curvature_slip(wheel.shape(), u).minCoeff(), 1e-3);
-  EXPECT_LT(slip.cwiseAbs().maxCoeff(), 3e-6);
-  EXPECT_LT(difference.y.cwiseAbs().maxCoeff(), 1e-12);
+  for (const double radius : {contact::infinity, -20.0, 60.0}) {
+    const auto shape = wheel_shape(405, radius);
+    const fem::Body wheel(shape, steel, small_options(), MPI_COMM_SELF);
+    const auto surface = fem::common_surface(shape, rail_shape(25));
+    const auto u = fem::SurfaceCoupling(wheel, grid, surface)
+                       .sample(rigid_displacement(wheel, {0.3, 0.1, 0.7}));
+    const auto difference =
+        contact::upwind_difference(grid, {u.x, u.y}, contact::UpwindOrder::second);
+    const auto turning = fem::curvature_slip(surface, grid, u);
+    // u_n / R alone is 1.7e-3, the lateral part up to 0.3 / 405 times the sine of the tilt; the
+    // second-order difference is exact to (dx/R)^2 of them, the mean over the tilt of an element to
+    // (dy/R_y)^2.
+    EXPECT_GT(turning.x.minCoeff(), 1e-3);
+    EXPECT_GT(turning.y.cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_LT((difference.x + turning.x).cwiseAbs().maxCoeff(), 4e-6);
+    EXPECT_LT((difference.y + turning.y).cwiseAbs().maxCoeff(), 1e-6);
+  }
 }
 
 TEST(SurfaceCoupling, RefusesGridsThatDoNotFit) {
@@ -170,13 +221,16 @@ TEST(FemCompliance, IsSymmetricAndPositive) {
   for (const Pair* pair : {&full(), &half()}) {
     const auto grid = pair == &full() ? odd_grid() : contact::ContactGrid::centred(4, 5, 1.1, 1.0);
     const auto compliance = pair->compliance(grid);
+    const auto surface = surface_of(*pair);
     for (unsigned int seed = 0; seed < 3; ++seed) {
       const auto p = random_field(grid, 10 + seed);
       const auto q = random_field(grid, 20 + seed);
       const auto Ap = compliance.apply(p);
       const auto Aq = compliance.apply(q);
-      EXPECT_GT(dot(p, Ap), 0.0);
-      EXPECT_NEAR(dot(p, Aq), dot(q, Ap), 1e-10 * std::sqrt(dot(p, Ap) * dot(q, Aq)));
+      const auto wp = weighted(surface, grid, p);
+      const auto wq = weighted(surface, grid, q);
+      EXPECT_GT(dot(wp, Ap), 0.0);
+      EXPECT_NEAR(dot(wp, Aq), dot(wq, Ap), 1e-10 * std::sqrt(dot(wp, Ap) * dot(wq, Aq)));
     }
     EXPECT_EQ(compliance.solves(), 6);
   }
@@ -218,10 +272,11 @@ TEST(FemCompliance, WorkOfTheTractionsIsTwiceTheStrainEnergy) {
   const auto u = compliance.body_displacements(p);
   auto b = fem::make_vector(full().wheel.dofs());
   auto r = fem::make_vector(full().rail.dofs());
-  fem::SurfaceCoupling(full().wheel, grid).load(p, b);
-  fem::SurfaceCoupling(full().rail, grid).load(p, r);
+  const auto surface = surface_of(full());
+  fem::SurfaceCoupling(full().wheel, grid, surface).load(p, b);
+  fem::SurfaceCoupling(full().rail, grid, surface).load(p, r);
   const double energy = b * u[0] - r * u[1];
-  EXPECT_NEAR(dot(p, compliance.apply(p)) * grid.element_area() / energy, 1.0, 1e-10);
+  EXPECT_NEAR(dot(weighted(surface, grid, p), compliance.apply(p)) / energy, 1.0, 1e-10);
 }
 
 TEST(Factorisation, RefusesAFloatingBody) {

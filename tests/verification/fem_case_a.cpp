@@ -1,7 +1,6 @@
 // The finite-element model on the thesis's case a, with cells of 0.47 mm: against exact Hertz and
 // against CONTACT's extrapolated creep curve. This is the program's main job.
 #include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
 #include "fem/model.hpp"
 
 #include <gtest/gtest.h>
@@ -123,15 +122,4 @@ TEST(FemCaseA, LateralForceVanishesAndTractionsMirrorInY) {
       EXPECT_NEAR(p.x[k], p.x[image], 1e-3);
       EXPECT_NEAR(p.y[k], -p.y[image], 1e-3);
     }
-}
-
-TEST(FemModel, RefusesConcaveProfilesAndNamesWhatToDo) {
-  const contact::Case input =
-      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_e.toml");
-  try {
-    fem::run_fem(input, {});
-    FAIL() << "a concave wheel was accepted";
-  } catch (const contact::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("--model halfspace"), std::string::npos);
-  }
 }

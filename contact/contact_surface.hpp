@@ -1,0 +1,52 @@
+// The common surface of wheel and rail across a curved patch: the mean of both profiles. Local
+// normals and tangents, undeformed distance and rigid slip of the true shapes (docs/theory.md,
+// "Curved contact").
+#pragma once
+
+#include "contact/case.hpp"
+#include "contact/result.hpp"
+
+namespace rollfem::contact {
+
+/// Depth at which a profile has dropped below its middle at lateral coordinate y (mm, towards the
+/// body's inside), and its slope: a circle arc of `transverse_radius`, continued by its tangent
+/// beyond 0.7 of that radius, where nothing touches any more and a steeper surface would only spoil
+/// the cells.
+struct ProfileDrop {
+  double value = 0.0;
+  double slope = 0.0;
+};
+ProfileDrop profile_drop(double transverse_radius, double y);
+
+/// The contact grid is laid in the projection of this surface on z = 0: an element dx by dy at y
+/// covers dx * dy * stretch of the surface. Its normal points into the wheel.
+struct ContactSurface {
+  double rolling_radius = infinity;           ///< mm, R0 of the wheel at y = 0
+  double wheel_transverse_radius = infinity;  ///< mm, > 0 convex
+  double rail_transverse_radius = infinity;   ///< mm, > 0 convex
+
+  /// dz/dy of the common surface; the normal is (0, -climb, 1) / sqrt(1 + climb^2).
+  double climb(double y) const;
+  /// Height z of the common surface, mm.
+  double height(double y) const;
+  /// R0 less the drop of the wheel's profile, mm.
+  double local_rolling_radius(double y) const;
+};
+
+ContactSurface contact_surface(const Case& input);
+
+/// Means over the contact elements (equal along x): `stretch` = true area / (dx dy) and `climb`.
+PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid);
+
+/// Distance from rail to wheel along the normal of the common surface, mm, 0 at the origin: both
+/// true circles across, and the wheel's circle of the local rolling radius along x.
+double undeformed_distance(const ContactSurface& surface, double x, double y);
+
+/// Rigid slip on the common surface from the velocities of wheel and rail, V = 1: the wheel turns
+/// with omega R0 = 1 - xi about its axle, so that a point at radius R(y) slips by 1 - omega R(y)
+/// along x; eta and spin bring (-phi y, eta + phi x), whose lateral part is projected on the local
+/// tangent. What it leaves out: the normal part of that projection, which a steady contact has not.
+TangentialField rigid_slip(const ContactSurface& surface, const Creepage& creepage,
+                           const ContactGrid& grid);
+
+}  // namespace rollfem::contact

@@ -1,0 +1,94 @@
+// Contact of curved conformal patches in finite elements: the flat limit, and the study's case f
+// (rail of 50 mm under a wheel of -51.282 mm) on coarse cells against the half-space.
+#include "contact/case_reader.hpp"
+#include "contact/contact_surface.hpp"
+#include "fem/contact_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mpi_environment.hpp"
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace rollfem;
+
+contact::Case study_case(const std::string& name, std::vector<double> creepages) {
+  contact::Case input =
+      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
+  input.rolling.creepages.clear();
+  for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
+  return input;
+}
+
+contact::ModelResult solve(const contact::Case& input, double cell) {
+  return fem::run_level(input, {cell, "", false}, {});
+}
+
+/// Solved once for all tests of this program.
+const contact::ModelResult& case_f() {
+  static const contact::ModelResult result = solve(study_case("f", {0.0, 0.002}), 0.94);
+  return result;
+}
+
+}  // namespace
+
+TEST(FemCurvedContact, OfVeryLargeRadiiIsThatOfFlatBodies) {
+  const contact::Case flat = study_case("a", {0.002});
+  contact::Case nearly = flat;
+  nearly.wheel.transverse_radius = -1e6;
+  nearly.rail.transverse_radius = 1.0 / (1.0 / 2000.0 + 1e-6);  // the same relative curvature
+  const contact::PointResult one = solve(flat, 1.88).points.front();
+  const contact::PointResult other = solve(nearly, 1.88).points.front();
+  EXPECT_NEAR(other.max_pressure / one.max_pressure, 1.0, 1e-5);
+  EXPECT_NEAR(other.approach / one.approach, 1.0, 1e-4);
+  // The wheel's radius grows by y^2 / 2e6: 1e-7 of slip at the edge of the patch.
+  EXPECT_NEAR(other.traction_coefficient, one.traction_coefficient, 3e-5);
+  EXPECT_LT(other.traction_coefficient, one.traction_coefficient);
+}
+
+TEST(FemCurvedContact, CarriesTheVerticalForceByPressureAndFriction) {
+  const contact::ModelResult& result = case_f();
+  const contact::PatchShape shape =
+      contact::patch_shape(contact::contact_surface(study_case("f", {0.0})), result.grid);
+  const contact::Field sine = shape.climb.cwiseQuotient(shape.stretch);
+  const contact::Field cosine = shape.stretch.cwiseInverse();
+  for (const contact::PointResult& point : result.points) {
+    // Force of each element: true area times traction, turned from the local frame.
+    const contact::SurfaceField& p = point.fields.traction;
+    const contact::Field area = result.grid.element_area() * shape.stretch;
+    const double lift = area.dot(p.y.cwiseProduct(sine));
+    EXPECT_NEAR((area.dot(p.n.cwiseProduct(cosine)) + lift) / 50e3, 1.0, 1e-8);
+    EXPECT_NEAR(point.normal_force / 50e3, 1.0, 1e-8);
+    EXPECT_NEAR(point.longitudinal_force, area.dot(p.x), 1e-6);
+    EXPECT_LT(std::abs(point.lateral_force), 1e-5 * point.normal_force);
+    EXPECT_GT(std::abs(lift), 1.0);  // N: a test that would see a missing lift
+  }
+}
+
+TEST(FemCurvedContact, KeepsCoulombAndComplementarityAtEveryElement) {
+  for (const contact::PointResult& point : case_f().points) {
+    EXPECT_TRUE(point.converged);
+    EXPECT_LE(point.residual, 1e-4);
+    const contact::ContactFields& f = point.fields;
+    for (int k = 0; k < case_f().grid.size(); ++k) {
+      EXPECT_GE(f.traction.n[k], 0.0);
+      EXPECT_GE(f.gap[k], 0.0);
+      EXPECT_EQ(f.traction.n[k] * f.gap[k], 0.0);
+      EXPECT_LE(std::hypot(f.traction.x[k], f.traction.y[k]),
+                0.55 * f.traction.n[k] * (1.0 + 1e-12));
+    }
+  }
+}
+
+TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveAsTheHalfspaceDoesWithinATenth) {
+  // Half-space with the extra slip of the parabolic drop, 40 across: -0.13155 and 0.25829; Hertz's
+  // 578.97 MPa. Curvature of the patch changes either by less than a tenth, and not by nothing.
+  const contact::PointResult& free = case_f().points[0];
+  const contact::PointResult& braked = case_f().points[1];
+  EXPECT_NEAR(free.traction_coefficient / -0.13155, 1.0, 0.1);
+  EXPECT_GT(free.traction_coefficient, -0.13);
+  EXPECT_NEAR(braked.traction_coefficient / 0.25829, 1.0, 0.1);
+  EXPECT_NEAR(free.max_pressure / 578.97, 1.0, 0.02);
+}
