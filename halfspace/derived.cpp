@@ -91,8 +91,8 @@ contact::TangentialField slip_velocity(const contact::TangentialField& slip, dou
 
 namespace {
 
-CreepForces central_difference(const CreepForceLaw& forces, const contact::Creepage& at,
-                               int direction, double step) {
+ForcesAndMoment central_difference(const CreepForceLaw& forces, const contact::Creepage& at,
+                                   int direction, double step) {
   const auto moved = [&](double distance) {
     contact::Creepage creepage = at;
     if (direction == 0) creepage.longitudinal += distance;
@@ -113,8 +113,8 @@ Sensitivities creep_sensitivities(const CreepForceLaw& forces, const contact::Cr
   Sensitivities result;
   for (int k = 0; k < 3; ++k) {
     const double step = k < 2 ? steps.creepage : steps.spin;
-    const CreepForces coarse = central_difference(forces, at, k, step);
-    const CreepForces fine = central_difference(forces, at, k, 0.5 * step);
+    const ForcesAndMoment coarse = central_difference(forces, at, k, step);
+    const ForcesAndMoment fine = central_difference(forces, at, k, 0.5 * step);
     result.derivative.col(k) = (4.0 * fine - coarse) / 3.0;
     result.error.col(k) = (fine - coarse).cwiseAbs();
   }

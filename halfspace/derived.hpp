@@ -48,10 +48,10 @@ double spin_moment_about(const contact::ContactGrid& grid, const contact::Surfac
 contact::TangentialField slip_velocity(const contact::TangentialField& slip, double speed);
 
 /// F_x, F_y (N) and M_z (N mm) on the wheel.
-using CreepForces = Eigen::Vector3d;
+using ForcesAndMoment = Eigen::Vector3d;
 
 /// A model that solves one creepage.
-using CreepForceLaw = std::function<CreepForces(const contact::Creepage&)>;
+using CreepForceLaw = std::function<ForcesAndMoment(const contact::Creepage&)>;
 
 struct SensitivitySteps {
   double creepage = 2e-5;  ///< step in xi and eta

@@ -116,8 +116,8 @@ TEST(Derived, SensitivitiesOfAKnownLaw) {
   // Cubic saturation in all three creepages with cross terms: derivative by hand.
   const auto law = [](const contact::Creepage& c) {
     const double v = 1e3 * (c.longitudinal + 0.3 * c.lateral + 2.0 * c.spin);
-    return halfspace::CreepForces(-1e4 * std::tanh(v), 2e3 * c.longitudinal * c.lateral * 1e3,
-                                  -5e4 * c.spin);
+    return halfspace::ForcesAndMoment(-1e4 * std::tanh(v), 2e3 * c.longitudinal * c.lateral * 1e3,
+                                      -5e4 * c.spin);
   };
   const contact::Creepage at{4e-4, -2e-4, 1e-5};
   const double v = 1e3 * (at.longitudinal + 0.3 * at.lateral + 2.0 * at.spin);

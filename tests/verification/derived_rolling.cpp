@@ -46,7 +46,7 @@ struct Rolling {
     return point;
   }
 
-  halfspace::CreepForces forces(const contact::PointResult& point) const {
+  halfspace::ForcesAndMoment forces(const contact::PointResult& point) const {
     const contact::SurfaceField& p = point.fields.traction;
     return {p.x.sum() * grid.element_area(), p.y.sum() * grid.element_area(),
             halfspace::spin_moment_about(grid, p, 0.0, 0.0)};
