@@ -62,6 +62,10 @@ struct PointResult {
   double seconds = 0.0;
   bool converged = false;
   std::map<std::string, double> error_estimate;  ///< quantity -> relative error
+  std::map<std::string, double> richardson;      ///< quantity -> value extrapolated to cells of 0
+  /// What follows from the fields: elastic_energy (N mm); in steady rolling frictional_work and
+  /// creepage_work (N mm per mm rolled), which agree but for the discretisation.
+  std::map<std::string, double> derived;
   ContactFields fields;
   std::vector<SubsurfaceField> subsurface;  ///< as the case asks for, model halfspace
 };

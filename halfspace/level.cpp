@@ -4,6 +4,7 @@
 #include "contact/geometry.hpp"
 #include "contact/history.hpp"
 #include "halfspace/contact_problem.hpp"
+#include "halfspace/derived.hpp"
 #include "halfspace/force_search.hpp"
 #include "halfspace/hertz.hpp"
 #include "halfspace/interpolation.hpp"
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace rollfem::halfspace {
@@ -377,11 +380,31 @@ class Level {
     point.fields.displacement = state_.displacement;
     point.fields.state = state_.tangential.state;
     contact::integrate_tractions(result_.grid, point);
+    point.derived = derived(point);
     point.approach = state_.normal.approach;
     point.iterations = state_.iterations;
     point.residual = state_.residual;
     point.converged = true;
     return point;
+  }
+
+  /// Works per mm rolled are the powers at V = 1; shifts and transient steps have none.
+  std::map<std::string, double> derived(const PointResult& point) const {
+    std::map<std::string, double> values;
+    values["elastic_energy"] =
+        elastic_energy(result_.grid, point.fields.traction, point.fields.displacement);
+    const bool slips = point.fields.slip.x.size() == result_.grid.size();
+    if (input_.rolling.problem != Problem::steady || !slips) return values;
+    // What is beyond the creepages in the rigid slip is extra slip.
+    Case plain = input_;
+    plain.rolling.extra_slip = contact::ExtraSlip::none;
+    const TangentialField all = contact::rigid_slip(input_, point.creepage, result_.grid);
+    const TangentialField uniform = contact::rigid_slip(plain, point.creepage, result_.grid);
+    const PowerBalance balance =
+        power_balance(result_.grid, point, 1.0, {all.x - uniform.x, all.y - uniform.y});
+    values["frictional_work"] = balance.friction;
+    values["creepage_work"] = balance.creepage;
+    return values;
   }
 
   void describe_motion(std::size_t k, const Vector2d& unknowns, PointResult& point) {

@@ -85,6 +85,8 @@ void estimate_errors(PointResult& fine, const PointResult& coarse, double fricti
                        const Convergence& convergence) {
     fine.error_estimate[name] =
         two_level_error(fine.*quantity, coarse.*quantity, scale, convergence, across);
+    fine.richardson[name] = fine.*quantity + (fine.*quantity - coarse.*quantity) /
+                                                 (std::pow(2.0, convergence.order) - 1.0);
   };
   // Without an adhesion area tractions are the bound, as smooth as the pressure.
   const Convergence& rolling =

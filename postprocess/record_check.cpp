@@ -61,6 +61,10 @@ void check_point(const std::string& where, const contact::ContactGrid& grid,
   require_finite(point.residual, where + "/residual");
   for (const auto& [quantity, error] : point.error_estimate)
     require_finite(error, fmt::format("{}/error_estimate/{}", where, quantity));
+  for (const auto& [quantity, value] : point.richardson)
+    require_finite(value, fmt::format("{}/richardson/{}", where, quantity));
+  for (const auto& [quantity, value] : point.derived)
+    require_finite(value, fmt::format("{}/derived/{}", where, quantity));
   check_fields(where, grid, point.fields);
   for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
     const contact::SubsurfaceField& field = point.subsurface[k];

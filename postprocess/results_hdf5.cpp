@@ -175,6 +175,13 @@ void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
       create_group(group, "error_estimate", "Attributes: estimated relative error by quantity");
   for (const auto& [quantity, error] : point.error_estimate)
     write_attribute(errors, quantity, error);
+  const Handle richardson =
+      create_group(group, "richardson", "Attributes: values extrapolated to cells of size 0");
+  for (const auto& [quantity, value] : point.richardson)
+    write_attribute(richardson, quantity, value);
+  const Handle derived = create_group(
+      group, "derived", "Attributes: elastic energy in N mm, work in N mm per mm rolled");
+  for (const auto& [quantity, value] : point.derived) write_attribute(derived, quantity, value);
   write_point_fields(group, grid, point);
   write_subsurface(group, point.subsurface);
 }

@@ -18,6 +18,8 @@ ordered_json point_json(const contact::PointResult& point) {
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, error] : point.error_estimate)
     json["error_estimate"][quantity] = error;
+  if (!point.richardson.empty()) json["richardson"] = point.richardson;
+  if (!point.derived.empty()) json["derived"] = point.derived;
   return json;
 }
 

@@ -158,5 +158,29 @@ TEST(GivenPressure, GivesBenchmark9ThroughTheModel) {
   EXPECT_NEAR(point.normal_force / 82000.0, 1.0, 0.002);
 }
 
+TEST(Derived, FrictionalWorkIsWhatTheCreepForcesPutIn) {
+  Case input = tests::thesis_case('b');
+  input.contact_grid.elements_across = 40;
+  input.rolling.creepages = {{0.002, 0.001, 1e-4}};
+  const PointResult point = halfspace::run_halfspace(input, {}).points[0];
+  const double friction = point.derived.at("frictional_work");
+  EXPECT_GT(friction, 0.0);
+  EXPECT_NEAR(point.derived.at("creepage_work") / friction, 1.0, 0.02);
+  // Hertz's pressure alone stores 2/5 F delta, the integral of the force over the approach. What
+  // tractions add is at most mu^2 of it times the ratio of the compliances, which is below 2.
+  const double pressure_alone = 0.4 * point.normal_force * point.approach;
+  EXPECT_GT(point.derived.at("elastic_energy"), 0.999 * pressure_alone);
+  EXPECT_LT(point.derived.at("elastic_energy"), (1.0 + 0.55 * 0.55 * 2.0) * pressure_alone);
+}
+
+TEST(Derived, RichardsonValueIsNearerThanTheFineOne) {
+  Case input = tests::thesis_case('a');
+  input.contact_grid.elements_across = 40;
+  input.rolling.creepages = {{0.0, 0.0, 0.0}};
+  const PointResult point = halfspace::run_halfspace(input, {}).points[0];
+  EXPECT_LT(std::abs(point.richardson.at("max_pressure") - 578.967),
+            0.2 * std::abs(point.max_pressure - 578.967));
+}
+
 }  // namespace
 }  // namespace rollfem
