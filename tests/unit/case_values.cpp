@@ -212,7 +212,7 @@ TEST(CaseValues, CommittedCasesAreValidAndHaveTheEllipsesOfTheStudy) {
     EXPECT_EQ(input.rolling.creepages.size(), 7u);
     const bool curved = name == 'e' || name == 'f';
     EXPECT_EQ(input.rolling.extra_slip == contact::ExtraSlip::rolling_radius, curved);
-    EXPECT_EQ(input.models.size(), curved ? 2u : 3u);
+    EXPECT_EQ(input.models.size(), 3u);
   }
 }
 
