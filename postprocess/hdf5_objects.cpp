@@ -24,12 +24,18 @@ void write_scalar_attribute(hid_t object, const std::string& name, hid_t type, c
   check(H5Awrite(attribute, type, value), "H5Awrite");
 }
 
+/// Datasets without a time of their own: the same result gives the same bytes.
+Handle dataset_options() {
+  Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
+  check(H5Pset_obj_track_times(options, false), "H5Pset_obj_track_times");
+  return options;
+}
+
 Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      hid_t type, const void* values) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      "H5Screate_simple");
-  const Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
-  check(H5Pset_obj_track_times(options, false), "H5Pset_obj_track_times");
+  const Handle options = dataset_options();
   hsize_t count = 1;
   for (const hsize_t extent : shape) count *= extent;
   if (count >= 512) {
@@ -112,9 +118,9 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::vector<st
 Handle write_dataset(hid_t parent, const std::string& name, const std::string& text) {
   const Handle type = string_type();
   const Handle space(H5Screate(H5S_SCALAR), "H5Screate");
-  Handle dataset(
-      H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-      "H5Dcreate2");
+  const Handle options = dataset_options();
+  Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, options, H5P_DEFAULT),
+                 "H5Dcreate2");
   const char* const start = text.c_str();
   check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &start), "H5Dwrite");
   return dataset;
