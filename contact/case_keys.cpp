@@ -262,7 +262,8 @@ std::vector<Key> rolling_keys() {
        false,
        "",
        "",
-       "Rigid slip from the shape of the surface: `rolling-radius` adds s_x = -z(y)/R, because "
+       "Rigid slip from the shape of the surface (the model fem has it from its bodies): "
+       "`rolling-radius` adds s_x = -z(y)/R, because "
        "across a curved patch the wheel rolls on different radii (z: drop of the rail surface); "
        "`file` takes it from extra_slip_file.",
        [](const Case& c) -> KeyValue {
@@ -411,7 +412,8 @@ std::vector<Key> fem_keys() {
        false,
        "chosen by the model",
        "",
-       "How far the finest cells reach from the middle, in semi-axes of the patch; 1.5 is good.",
+       "How far the finest cells reach from the middle, in semi-axes of the patch; beyond 1.1 "
+       "nothing is gained.",
        [](const Case& c) { return optional_number(c.fem.fine_extent); },
        [](Case& c, const KeyValue& v) { c.fem.fine_extent = std::get<double>(v); }},
       {"fem",
@@ -424,7 +426,7 @@ std::vector<Key> fem_keys() {
        false,
        "",
        "",
-       "`automatic` takes the factorisation up to some 400 000 unknowns a body, then multigrid.",
+       "`automatic` takes what should be quicker for the size and the number of load points.",
        [](const Case& c) -> KeyValue {
          return solver_words.at(static_cast<std::size_t>(c.fem.linear_solver));
        },

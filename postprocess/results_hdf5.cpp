@@ -159,6 +159,14 @@ void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& 
   }
 }
 
+/// A group of named numbers; nothing where there are none.
+void write_quantities(hid_t parent, const char* name, const char* comment,
+                      const std::map<std::string, double>& quantities) {
+  if (quantities.empty()) return;
+  const Handle group = create_group(parent, name, comment);
+  for (const auto& [quantity, value] : quantities) write_attribute(group, quantity, value);
+}
+
 void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
                  const PointResult& point) {
   const Handle group = create_group(
@@ -175,13 +183,10 @@ void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
       create_group(group, "error_estimate", "Attributes: estimated relative error by quantity");
   for (const auto& [quantity, error] : point.error_estimate)
     write_attribute(errors, quantity, error);
-  const Handle richardson =
-      create_group(group, "richardson", "Attributes: values extrapolated to cells of size 0");
-  for (const auto& [quantity, value] : point.richardson)
-    write_attribute(richardson, quantity, value);
-  const Handle derived = create_group(
-      group, "derived", "Attributes: elastic energy in N mm, work in N mm per mm rolled");
-  for (const auto& [quantity, value] : point.derived) write_attribute(derived, quantity, value);
+  write_quantities(group, "richardson", "Attributes: values extrapolated to cells of size 0",
+                   point.richardson);
+  write_quantities(group, "derived",
+                   "Attributes: elastic energy in N mm, work in N mm per mm rolled", point.derived);
   write_point_fields(group, grid, point);
   write_subsurface(group, point.subsurface);
 }
