@@ -148,6 +148,8 @@ ModelResult run_halfspace(const Case& input, const contact::Progress& progress) 
   std::optional<LevelResult> coarse;
   std::optional<LevelResult> fine;
   const std::vector<Cell> cells = cells_of_levels(input);
+  // A grid too large to have is refused before the coarser ones are computed.
+  static_cast<void>(potential_area(input, cells.back().dx, cells.back().dy, 0));
   ModelResult result;
   result.name = "halfspace";
   for (const Cell& cell : cells) {

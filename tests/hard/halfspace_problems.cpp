@@ -274,5 +274,16 @@ TEST(HardHistory, AnEmptyStepChangesNothingAndFullSlidingSaturates) {
   EXPECT_NEAR(result.points[3].longitudinal_shift, 1.002, 1e-6);
 }
 
+TEST(HardShapes, AGridBeyondAllMemoryIsRefusedAtOnceWithTheUsersCells) {
+  Case input = tests::thesis_case('a');
+  input.contact_grid.cell_size = {{1e-5, 1e-5}};
+  try {
+    halfspace::run_halfspace(input, {});
+    FAIL() << "computed";
+  } catch (const contact::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("[1e-05, 1e-05]"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace rollfem
