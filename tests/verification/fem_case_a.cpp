@@ -113,13 +113,15 @@ TEST(FemCaseA, ErrorEstimatesCoverTheTrueErrorsAndAreOfTheirSize) {
 TEST(FemCaseA, LateralForceVanishesAndTractionsMirrorInY) {
   const contact::ModelResult& result = solution();
   const contact::PointResult& point = result.points[3];
-  EXPECT_LT(std::abs(point.lateral_force), 1e-6 * point.normal_force);
+  // The iteration stops at 1e-4; nothing in it keeps the mirror symmetry exactly.
+  const double tolerance = 1e-4 * point.max_traction_x;
+  EXPECT_LT(std::abs(point.lateral_force), 1e-5 * point.normal_force);
   const contact::SurfaceField& p = point.fields.traction;
   for (int j = 0; j < result.grid.ny; ++j)
     for (int i = 0; i < result.grid.nx; ++i) {
       const int k = result.grid.index(i, j);
       const int image = result.grid.index(i, result.grid.ny - 1 - j);
-      EXPECT_NEAR(p.x[k], p.x[image], 1e-3);
-      EXPECT_NEAR(p.y[k], -p.y[image], 1e-3);
+      EXPECT_NEAR(p.x[k], p.x[image], tolerance);
+      EXPECT_NEAR(p.y[k], -p.y[image], tolerance);
     }
 }
