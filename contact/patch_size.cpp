@@ -124,4 +124,13 @@ PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
   return size;
 }
 
+bool touches_border(const ContactGrid& grid, const Field& pressure) {
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const bool border = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
+      if (border && pressure[grid.index(i, j)] > 0.0) return true;
+    }
+  return false;
+}
+
 }  // namespace rollfem::contact

@@ -18,4 +18,8 @@ struct PatchSize {
 /// counts.
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
 
+/// Whether an element at the border of the grid carries pressure: the potential contact area is
+/// then too small.
+bool touches_border(const ContactGrid& grid, const Field& pressure);
+
 }  // namespace rollfem::contact

@@ -4,6 +4,8 @@
 #include "contact/defect_correction.hpp"
 #include "contact/errors.hpp"
 #include "contact/geometry.hpp"
+#include "contact/patch_size.hpp"
+#include "contact/stopwatch.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
 #include "fem/multigrid.hpp"
@@ -14,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <future>
 
@@ -25,6 +26,7 @@ namespace {
 using contact::Case;
 using contact::ContactGrid;
 using contact::PointResult;
+using contact::Stopwatch;
 
 /// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/verification.md): a
 /// factorisation and one solve with it, one solve by multigrid. Only their ratio matters.
@@ -50,26 +52,6 @@ constexpr double solves_for_normal = 4.0;
 
 /// Elements of the potential contact area beyond Hertz's ellipse, each side.
 constexpr int margin = 3;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
-halfspace::HertzContact hertz_estimate(const Case& input) {
-  const contact::Curvatures curvatures = contact::relative_curvatures(input);
-  const double modulus =
-      contact::combine(input.wheel.material, input.rail.material).contact_modulus;
-  return input.load.normal_force ? halfspace::hertz_from_force(curvatures.A, curvatures.B, modulus,
-                                                               *input.load.normal_force)
-                                 : halfspace::hertz_from_approach(curvatures.A, curvatures.B,
-                                                                  modulus, *input.load.approach);
-}
 
 /// Displacement in depth of both half-spaces under the whole force at a distance L, which clamping
 /// the segments there suppresses (Boussinesq on the axis: P (3 - 2 nu) / (4 pi G L)). The surface
@@ -159,7 +141,7 @@ class LevelRun {
       : input_(input),
         options_(options),
         progress_(progress),
-        patch_(hertz_estimate(input)),
+        patch_(halfspace::hertz_of_case(input)),
         grid_(lattice_grid(patch_.semi_axis_x, patch_.semi_axis_y, options.cell_size)),
         surface_(contact::contact_surface(input)),
         shape_(contact::patch_shape(surface_, grid_)),
@@ -222,14 +204,7 @@ contact::ContactFields LevelRun::fields(const contact::CoupledSolution& solution
 }
 
 void LevelRun::refuse_patch_at_border(const contact::NormalSolution& solution) const {
-  bool touches = false;
-  for (int i = 0; i < grid_.nx; ++i)
-    touches = touches || solution.pressure[grid_.index(i, 0)] > 0.0 ||
-              solution.pressure[grid_.index(i, grid_.ny - 1)] > 0.0;
-  for (int j = 0; j < grid_.ny; ++j)
-    touches = touches || solution.pressure[grid_.index(0, j)] > 0.0 ||
-              solution.pressure[grid_.index(grid_.nx - 1, j)] > 0.0;
-  if (touches)
+  if (contact::touches_border(grid_, solution.pressure))
     throw contact::SolveError(fmt::format(
         "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): "
         "the segments are too compliant for their size; give a larger [fem] extent",
@@ -371,7 +346,7 @@ contact::ModelResult LevelRun::run() {
 
 double default_cell_size(const Case& input) {
   if (input.fem.cell_size) return *input.fem.cell_size;
-  const halfspace::HertzContact patch = hertz_estimate(input);
+  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
   return std::min(patch.semi_axis_x, patch.semi_axis_y) / 8.0;
 }
 

@@ -3,6 +3,8 @@
 #include "contact/errors.hpp"
 #include "contact/geometry.hpp"
 #include "contact/history.hpp"
+#include "contact/patch_size.hpp"
+#include "contact/stopwatch.hpp"
 #include "halfspace/contact_problem.hpp"
 #include "halfspace/derived.hpp"
 #include "halfspace/force_search.hpp"
@@ -13,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <string>
@@ -31,6 +32,7 @@ using contact::Motion;
 using contact::PointResult;
 using contact::PrescribedForce;
 using contact::Problem;
+using contact::Stopwatch;
 using contact::TangentialField;
 using Eigen::Vector2d;
 
@@ -44,25 +46,6 @@ constexpr double like_materials = 1e-12;
 
 /// Solutions behind a force that is searched for must be sharper than the search.
 constexpr ContactAccuracy accuracy_of_force_search{1e-8, 1e-7};
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
-bool touches_border(const ContactGrid& grid, const Field& pressure) {
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const bool border = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
-      if (border && pressure[grid.index(i, j)] > 0.0) return true;
-    }
-  return false;
-}
 
 ContactGrid with_margin(const ContactGrid& grid, int columns, int rows) {
   return {grid.nx + 2 * columns,
