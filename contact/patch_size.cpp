@@ -29,7 +29,7 @@ struct Chord {
 double edge_beyond(const Line& inward) {
   constexpr double whole_element = 0.5;
   const int available = static_cast<int>(inward.size());
-  if (available < 7) return whole_element;
+  if (available < elements_for_edge) return whole_element;
   const int skipped = available < 12 ? 1 : 2;
   const int count = std::clamp(available / 3, 3, 12);
   Eigen::MatrixXd basis(count, 3);

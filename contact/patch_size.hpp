@@ -18,6 +18,10 @@ struct PatchSize {
 /// counts.
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
 
+/// A row of fewer elements than this has its edges at borders of elements: each end of the patch is
+/// then known to within one element only.
+inline constexpr int elements_for_edge = 7;
+
 /// Whether an element at the border of the grid carries pressure: the potential contact area is
 /// then too small.
 bool touches_border(const ContactGrid& grid, const Field& pressure);

@@ -1,5 +1,6 @@
 #include "fem/model.hpp"
 
+#include "contact/patch_size.hpp"
 #include "fem/contact_run.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,12 @@ double two_level_error(double fine, double coarse, double scale) {
   return reference > 0.0 ? change / reference : 0.0;
 }
 
+/// What a size may be off, relative, when its ends are counted by whole elements; else 0.
+double counting_error(double semi_axis, double element) {
+  const double elements = 2.0 * semi_axis / element;
+  return elements < contact::elements_for_edge + 0.5 ? 2.0 / elements : 0.0;
+}
+
 /// Adds to what a point's estimate holds already (the finite segments' part of the approach).
 void estimate_errors(ModelResult& fine, const ModelResult& coarse, double friction) {
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
@@ -40,6 +47,11 @@ void estimate_errors(ModelResult& fine, const ModelResult& coarse, double fricti
     set("approach", &Point::approach, 0.0);
     set("semi_axis_x", &Point::semi_axis_x, 0.0);
     set("semi_axis_y", &Point::semi_axis_y, 0.0);
+    auto& error = f.error_estimate;
+    error["semi_axis_x"] =
+        std::max(error["semi_axis_x"], counting_error(f.semi_axis_x, fine.grid.dx));
+    error["semi_axis_y"] =
+        std::max(error["semi_axis_y"], counting_error(f.semi_axis_y, fine.grid.dy));
     set("max_traction_x", &Point::max_traction_x, 0.01 * friction * f.max_pressure);
     set("traction_coefficient", &Point::traction_coefficient, 0.01 * friction);
   }

@@ -1,0 +1,171 @@
+// Contacts where finite elements use to fail, each with a right answer: mostly the half-space on
+// the same contact elements, for patches so small beside the radii that the bodies are half-spaces.
+#include "contact/errors.hpp"
+#include "fem/contact_run.hpp"
+#include "fem/model.hpp"
+#include "halfspace/hertz.hpp"
+#include "halfspace/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mpi_environment.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace rollfem;
+using contact::Case;
+using contact::ElementState;
+using contact::PointResult;
+
+/// A wheel on a rail with transverse radius, mm; force in N: 50 N make a patch of 0.5 mm between
+/// radii of 400 mm, so that what the wheel's curvature adds to the slip is 1e-3 of mu F_z.
+Case rollers(double wheel, double rail, double force) {
+  Case input;
+  input.title = "rollers";
+  input.file = "test.toml";
+  input.load.normal_force = force;
+  input.friction_coefficient = 0.3;
+  input.wheel.rolling_radius = wheel;
+  input.rail.transverse_radius = rail;
+  return input;
+}
+
+double smaller_semi_axis(const Case& input) {
+  const auto patch = halfspace::hertz_of_case(input);
+  return std::min(patch.semi_axis_x, patch.semi_axis_y);
+}
+
+struct Both {
+  std::vector<PointResult> fem, halfspace;
+};
+
+/// Finite elements with that many cells to the smaller semi-axis, the half-space on the same grid.
+Both solve_both(Case input, double cells) {
+  const double cell = smaller_semi_axis(input) / cells;
+  const auto fem = fem::run_level(input, {cell, "", false}, {});
+  input.contact_grid.cell_size = {cell, cell};
+  input.contact_grid.extent = {fem.grid.nx * cell, fem.grid.ny * cell};
+  const auto half = halfspace::run_halfspace(input, {});
+  return {fem.points, half.points};
+}
+
+double of_bound(const PointResult& point, const Case& input, double force) {
+  return force / (input.friction_coefficient * point.normal_force);
+}
+
+/// Pressure within `pressure` relative, forces within `force` of mu F_z.
+void expect_same(const Both& both, const Case& input, double pressure, double force) {
+  for (std::size_t k = 0; k < both.fem.size(); ++k) {
+    const PointResult& f = both.fem[k];
+    const PointResult& h = both.halfspace[k];
+    EXPECT_TRUE(f.converged);
+    EXPECT_NEAR(f.max_pressure / h.max_pressure, 1.0, pressure) << k;
+    EXPECT_NEAR(of_bound(f, input, f.longitudinal_force), of_bound(h, input, h.longitudinal_force),
+                force)
+        << k;
+    EXPECT_NEAR(of_bound(f, input, f.lateral_force), of_bound(h, input, h.lateral_force), force)
+        << k;
+  }
+}
+
+}  // namespace
+
+TEST(HardFem, FrictionCoefficientOfFive) {
+  Case input = rollers(400, 400, 50);
+  input.friction_coefficient = 5;
+  input.rolling.creepages = {{1e-4, 0, 0}, {2e-3, 0, 0}};
+  const Both both = solve_both(input, 8);
+  expect_same(both, input, 0.003, 0.006);
+  EXPECT_GT(both.fem[0].adhesion_area, 0.95 * both.fem[0].contact_area);
+}
+
+TEST(HardFem, FullSlipHasTheForceOfCoulomb) {
+  Case input = rollers(400, 400, 50);
+  input.rolling.creepages = {{0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.5, 0}};
+  const Both both = solve_both(input, 4);
+  for (const PointResult& point : both.fem)
+    EXPECT_NEAR(std::hypot(point.longitudinal_force, point.lateral_force), 15.0, 1e-6);
+  EXPECT_LT(both.fem[0].longitudinal_force, 0);
+  EXPECT_GT(both.fem[1].longitudinal_force, 0);
+  EXPECT_LT(both.fem[2].lateral_force, 0);
+  for (const PointResult& point : both.fem) EXPECT_EQ(point.adhesion_area, 0.0);
+}
+
+TEST(HardFem, PureSpin) {
+  Case input = rollers(400, 400, 50);
+  input.rolling.creepages = {{0, 0, 5e-4}};
+  const Both both = solve_both(input, 4);
+  expect_same(both, input, 0.005, 0.006);
+  EXPECT_NEAR(both.fem[0].spin_moment / both.halfspace[0].spin_moment, 1.0, 0.03);
+}
+
+TEST(HardFem, AluminiumOnSteelCouplesPressureAndTraction) {
+  Case input = rollers(400, 400, 50);
+  input.rail.material = {70e3, 0.33};
+  input.rolling.creepages = {{0, 0, 0}, {1e-4, 0, 0}};
+  const Both both = solve_both(input, 8);
+  expect_same(both, input, 0.003, 0.006);
+  // The coupling alone makes a force at zero creepage.
+  EXPECT_GT(of_bound(both.fem[0], input, both.fem[0].longitudinal_force), 0.2);
+}
+
+TEST(HardFem, PatchTwentyTimesAsWideAsLong) {
+  Case input = rollers(400, 50000, 50);
+  const auto patch = halfspace::hertz_of_case(input);
+  ASSERT_GT(patch.semi_axis_y / patch.semi_axis_x, 20.0);
+  input.rolling.creepages = {{1e-4, 0, 0}};
+  input.fem.extent = 3 * patch.semi_axis_y;
+  expect_same(solve_both(input, 4), input, 0.005, 0.01);
+}
+
+TEST(HardFem, TinyAndHugeLoadsAreThatOfASimilarContact) {
+  // Lengths times k and forces times k^2 leave stresses, strains and creepages as they are.
+  std::vector<PointResult> points;
+  for (const double k : {1e-4, 1.0, 1e4}) {
+    Case input = rollers(400 * k, 300 * k, 50 * k * k);
+    input.rolling.creepages = {{1e-4, 0, 0}};
+    points.push_back(
+        fem::run_level(input, {smaller_semi_axis(input) / 3, "", false}, {}).points[0]);
+  }
+  for (const PointResult& point : points) {
+    EXPECT_NEAR(point.max_pressure / points[1].max_pressure, 1.0, 1e-6);
+    EXPECT_NEAR(point.traction_coefficient / points[1].traction_coefficient, 1.0, 1e-5);
+  }
+}
+
+TEST(HardFem, OneMilliNewtonOnAFullWheel) {
+  Case input = rollers(400, 400, 1e-3);
+  input.rolling.creepages = {{0, 0, 0}, {2e-6, 0, 0}};
+  expect_same(solve_both(input, 8), input, 0.003, 0.006);
+}
+
+TEST(HardFem, GrazingLoadOnThreeCellsIsWithinItsErrorEstimate) {
+  Case input = rollers(400, 400, 50);
+  const auto exact = halfspace::hertz_of_case(input);
+  input.fem.cell_size = exact.semi_axis_x / 1.5;
+  input.rolling.creepages = {{0, 0, 0}};
+  const PointResult point = fem::run_fem(input, {}).points[0];
+  EXPECT_TRUE(point.converged);
+  EXPECT_NEAR(point.normal_force, 50.0, 1e-9);
+  EXPECT_NEAR(point.max_pressure / exact.max_pressure, 1.0,
+              point.error_estimate.at("max_pressure"));
+  EXPECT_NEAR(point.semi_axis_x / exact.semi_axis_x, 1.0, point.error_estimate.at("semi_axis_x"));
+}
+
+TEST(HardFem, PatchAtTheEdgeOfTheMeshIsRefused) {
+  Case input = rollers(400, 400, 50);
+  input.rolling.creepages = {{0, 0, 0}};
+  input.fem.extent = 1.05 * smaller_semi_axis(input);
+  try {
+    fem::run_level(input, {smaller_semi_axis(input) / 3, "", false}, {});
+    FAIL() << "no error";
+  } catch (const contact::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("fem.extent"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("enlarge"), std::string::npos) << error.what();
+  }
+}
