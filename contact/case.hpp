@@ -168,7 +168,7 @@ struct SubsurfaceRequest {
   std::array<int, 2> points{1, 1};  ///< along the first and the second side
 };
 
-enum class LinearSolver { automatic, factorisation, multigrid };
+enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
 
 struct FemOptions {
   std::optional<double> cell_size;    ///< mm, FE cell and contact element in the patch

@@ -10,7 +10,7 @@ namespace {
 const Words upwind_words{"first", "second"};
 const Words leading_edge_words{"fitted", "plain"};
 const Words extra_slip_words{"none", "rolling-radius", "file"};
-const Words solver_words{"automatic", "factorisation", "multigrid"};
+const Words solver_words{"automatic", "factorisation", "multigrid", "algebraic"};
 const Words model_words{"hertz",   "linear", "vermeulen-johnson", "carter",
                         "fastsim", "strip",  "halfspace",         "fem"};
 const Words default_models{"hertz", "halfspace", "fem"};
@@ -426,7 +426,8 @@ std::vector<Key> fem_keys() {
        false,
        "",
        "",
-       "`automatic` takes what should be quicker for the size and the number of load points.",
+       "`automatic` takes what should be quicker for the size and the number of load points; "
+       "`algebraic` (Trilinos ML) is for imported meshes too fine to be a coarse level.",
        [](const Case& c) -> KeyValue {
          return solver_words.at(static_cast<std::size_t>(c.fem.linear_solver));
        },

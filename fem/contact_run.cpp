@@ -6,6 +6,7 @@
 #include "contact/geometry.hpp"
 #include "contact/patch_size.hpp"
 #include "contact/stopwatch.hpp"
+#include "fem/algebraic_multigrid.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
 #include "fem/multigrid.hpp"
@@ -98,9 +99,11 @@ bool use_factorisation(const Case& input, const Body& body, int processes) {
         throw contact::InputError(
             input.file +
             ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
-            "mpirun: \"multigrid\" or \"automatic\"; do: change it or run without mpirun");
+            "mpirun: \"multigrid\", \"algebraic\" or \"automatic\"; do: change it or run without "
+            "mpirun");
       return true;
     case contact::LinearSolver::multigrid:
+    case contact::LinearSolver::algebraic:
       return false;
     case contact::LinearSolver::automatic:
       break;
@@ -111,6 +114,21 @@ bool use_factorisation(const Case& input, const Body& body, int processes) {
   return processes == 1 && predicted_factor_bytes(n) < largest_factor &&
          factorisation_seconds(n) + solves * factor_solve_seconds(n) <
              solves * multigrid_solve_seconds(n);
+}
+
+/// Geometric multigrid factorises the coarse mesh of a body whole; an imported one may be too large
+/// for that, and then algebraic multigrid goes on coarsening.
+constexpr unsigned int most_coarse_cells = 4000;
+
+std::unique_ptr<LinearSolver> make_iterative_solver(const Case& input, const Body& body) {
+  constexpr double tolerance = 1e-10;  // the contact iteration lives on small changes
+  const bool algebraic = input.fem.linear_solver == contact::LinearSolver::algebraic ||
+                         (input.fem.linear_solver == contact::LinearSolver::automatic &&
+                          body.dofs().get_triangulation().n_cells(0) > most_coarse_cells);
+  if (algebraic) return make_algebraic_multigrid(body.problem(), {tolerance});
+  MultigridOptions options;
+  options.tolerance = tolerance;
+  return make_multigrid(body.problem(), options);
 }
 
 struct Solvers {
@@ -129,9 +147,7 @@ Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, int
     solvers.rail = other.get();
     return solvers;
   }
-  MultigridOptions options;
-  options.tolerance = 1e-10;  // the contact iteration and its repeatability live on small changes
-  return {make_multigrid(wheel.problem(), options), make_multigrid(rail.problem(), options)};
+  return {make_iterative_solver(input, wheel), make_iterative_solver(input, rail)};
 }
 
 /// What one load point needs and what is kept between points.

@@ -1,0 +1,96 @@
+// Linear solvers on half a rail of case a as cells shrink: unknowns, set-up, one solve to 1e-8,
+// iterations, memory per process. Runs under mpirun; the first process prints a table row a size.
+//   benchmark_fem_solvers multigrid|algebraic|factorisation CELL_MM ...
+#include "contact/stopwatch.hpp"
+#include "fem/algebraic_multigrid.hpp"
+#include "fem/body.hpp"
+#include "fem/compliance.hpp"
+#include "fem/factorisation.hpp"
+#include "fem/multigrid.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <string>
+#include <sys/resource.h>
+
+using namespace rollfem;
+
+namespace {
+
+/// Hertz's ellipse of case a, mm and MPa (reference/benchmarks.md).
+constexpr double semi_axis_x = 3.79236, semi_axis_y = 10.87295, max_pressure = 578.967;
+
+contact::SurfaceField hertz_pressure(const contact::ContactGrid& grid) {
+  const contact::Field zero = contact::Field::Zero(grid.size());
+  return {zero, zero, grid.sample([](double x, double y) {
+            const double rest = 1 - std::pow(x / semi_axis_x, 2) - std::pow(y / semi_axis_y, 2);
+            return rest > 0 ? max_pressure * std::sqrt(rest) : 0.0;
+          })};
+}
+
+std::unique_ptr<fem::LinearSolver> make_solver(const std::string& name, const fem::Body& body) {
+  if (name == "factorisation") return fem::make_factorisation(body.problem());
+  if (name == "algebraic") return fem::make_algebraic_multigrid(body.problem());
+  return fem::make_multigrid(body.problem());
+}
+
+double peak_memory_gb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / (1 << 20);
+}
+
+void measure(const std::string& solver_name, double cell) {
+  constexpr MPI_Comm world = MPI_COMM_WORLD;
+  const int half_x = static_cast<int>(std::ceil(semi_axis_x / cell));
+  const int half_y = static_cast<int>(std::ceil(semi_axis_y / cell));
+  const auto grid = contact::ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell);
+  fem::BodyOptions options;
+  options.cell_size = cell;
+  options.fine_half_length = 1.1 * half_x * cell;
+  options.fine_half_width = 1.1 * half_y * cell;
+  options.extent = 8 * semi_axis_y;
+  options.half = true;
+  const contact::Stopwatch mesh_watch;
+  const fem::Body body({false, contact::infinity, 2000.0}, {}, options, world);
+  const double mesh = mesh_watch.seconds();
+  const contact::Stopwatch setup_watch;
+  const auto solver = make_solver(solver_name, body);
+  const double setup = setup_watch.seconds();
+  const fem::SurfaceCoupling coupling(body, grid);
+  auto load = fem::make_vector(body.dofs());
+  auto u = fem::make_vector(body.dofs());
+  coupling.load(hertz_pressure(grid), load);
+  solver->solve(u, load);  // the first touches memory for the first time
+  const contact::Stopwatch solve_watch;
+  solver->solve(u, load);
+  const double solve = solve_watch.seconds();
+  const double memory = dealii::Utilities::MPI::max(peak_memory_gb(), world);
+  const double approach = coupling.sample(u).n.cwiseAbs().maxCoeff();
+  if (dealii::Utilities::MPI::this_mpi_process(world) == 0)
+    fmt::print("| {} | {} | {:.4g} | {} | {:.1f} | {:.1f} | {:.2f} | {} | {:.2f} | {:.9g} |\n",
+               solver_name, dealii::Utilities::MPI::n_mpi_processes(world), cell, body.unknowns(),
+               mesh, setup, solve, solver->last_iterations(), memory, approach);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      fmt::print(
+          "| solver | processes | cell mm | unknowns | mesh s | set-up s | solve s | iterations | "
+          "peak GB a process | largest displacement mm "
+          "|\n|---|---|---|---|---|---|---|---|---|---|\n");
+    for (int k = 2; k < argc; ++k) measure(argv[1], std::stod(argv[k]));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
