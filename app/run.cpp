@@ -100,12 +100,17 @@ fs::path output_directory(const RunRequest& request) {
 void check_before(const RunRequest& request, const contact::Case& input) {
   postprocess::check_directory(output_directory(request).string());
   for (const std::string& name : input.models) contact::check_able(input, name);
-  const bool halfspace =
-      std::find(input.models.begin(), input.models.end(), "halfspace") != input.models.end();
-  if (!input.subsurface.empty() && !halfspace && !request.quiet)
+  const auto runs = [&](const char* model) {
+    return std::find(input.models.begin(), input.models.end(), model) != input.models.end();
+  };
+  if (runs("halfspace") || runs("fem") || request.quiet) return;
+  const auto warn = [&](const char* key) {
     std::cerr << fmt::format(
-        "warning: {}: [[subsurface]] is computed by the model halfspace, which is not run\n",
-        input.file);
+        "warning: {}: {} is computed by the models halfspace and fem, neither of which is run\n",
+        input.file, key);
+  };
+  if (!input.subsurface.empty()) warn("[[subsurface]]");
+  if (input.output.stress_maxima.value_or(false)) warn("[output] stress_maxima");
 }
 
 /// Runs one model; an error that does not say so gets the name of the model.

@@ -156,15 +156,18 @@ struct CarterCase {
   int strips = 200;
 };
 
-/// Points below the surface at which the half-space model gives stress and displacement: a point
-/// (1 by 1), a line (n by 1) or a plane (n by m) of them, the parallelogram `from`, `to`, `across`.
+/// Points at which stress and displacement are asked for: a point (1 by 1), a line (n by 1) or a
+/// plane (n by m) of them, the parallelogram `from`, `to`, `across`; or a line (n by 1) that
+/// follows the contact surface of the body at one depth, of which `from` and `to` hold x and y
+/// only.
 struct SubsurfaceRequest {
-  enum class Kind { point, line, plane };
+  enum class Kind { point, line, plane, surface };
   Kind kind = Kind::point;
   bool wheel = true;                ///< else the rail
   std::array<double, 3> from{};     ///< mm, global frame: z >= 0 in the wheel, <= 0 in the rail
   std::array<double, 3> to{};       ///< other end of the line; end of the first side
   std::array<double, 3> across{};   ///< end of the second side, that begins at `from`
+  double depth = 0.0;               ///< mm below the surface of the body, kind surface
   std::array<int, 2> points{1, 1};  ///< along the first and the second side
 };
 
@@ -181,6 +184,7 @@ struct FemOptions {
 struct OutputOptions {
   std::vector<std::string> paths{"x", "y"};  ///< middle lines written as path_x.csv, path_y.csv
   bool fields = true;                        ///< ParaView files of wheel and rail
+  std::optional<bool> stress_maxima;         ///< not given: with the model fem only
 };
 
 struct Case {

@@ -221,6 +221,7 @@ void check_places(const GivenCase& given, const Case& input) {
       fail(given.file, problem);
     };
     using Kind = SubsurfaceRequest::Kind;
+    // Corners of a line on the surface have z = 0.
     std::vector<std::pair<std::string, std::array<double, 3>>> corners{
         {request.kind == Kind::point ? "at" : "from", request.from}};
     if (request.kind != Kind::point) corners.emplace_back("to", request.to);

@@ -465,6 +465,23 @@ std::vector<Key> output_keys() {
        "Write ParaView files of wheel and rail with displacement and stress (model fem).",
        [](const Case& c) -> KeyValue { return c.output.fields; },
        [](Case& c, const KeyValue& v) { c.output.fields = std::get<bool>(v); }},
+      {"output",
+       "stress_maxima",
+       KeyKind::boolean,
+       "",
+       "",
+       {},
+       {},
+       false,
+       "true for the model fem, false for halfspace, where it costs some 0.3 s a load point",
+       "true",
+       "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail at "
+       "every "
+       "load point, with their places (models fem and halfspace).",
+       [](const Case& c) -> KeyValue {
+         return c.output.stress_maxima ? KeyValue(*c.output.stress_maxima) : KeyValue();
+       },
+       [](Case& c, const KeyValue& v) { c.output.stress_maxima = std::get<bool>(v); }},
   };
 }
 
@@ -498,9 +515,13 @@ const std::vector<Section>& case_sections() {
       {"carter", "Model `carter`: strips along rolling, each a line contact"},
       {"fem", "Finite-element model"},
       {"output", "What is written beside summary.json and results.h5"},
-      {"subsurface.point", "A point below the surface (half-space model); may be repeated", true},
+      {"subsurface.point", "A point below the surface (models halfspace and fem); may be repeated",
+       true},
       {"subsurface.line", "A line of points below the surface; may be repeated", true},
       {"subsurface.plane", "A plane of points below the surface; may be repeated", true},
+      {"subsurface.surface",
+       "A line that follows the contact surface of a body, on it or below it; may be repeated",
+       true},
   };
   return sections;
 }

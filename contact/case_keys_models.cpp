@@ -11,10 +11,12 @@ using Kind = SubsurfaceRequest::Kind;
 const std::string point_section = "subsurface.point";
 const std::string line_section = "subsurface.line";
 const std::string plane_section = "subsurface.plane";
+const std::string surface_section = "subsurface.surface";
 
 Kind kind_of(const std::string& section) {
   if (section == point_section) return Kind::point;
-  return section == line_section ? Kind::line : Kind::plane;
+  if (section == line_section) return Kind::line;
+  return section == plane_section ? Kind::plane : Kind::surface;
 }
 
 /// The last request of that kind, nullptr when there is none.
@@ -51,6 +53,47 @@ Key place_key(const std::string& section, const std::string& name, const std::st
   key.set = [section, member](Case& c, const KeyValue& v) {
     const auto& at = std::get<Numbers>(v);
     current(c, section).*member = {at.at(0), at.at(1), at.at(2)};
+  };
+  return key;
+}
+
+/// An end of a line on the surface, [x, y].
+Key surface_place_key(const std::string& name, const std::string& sentence,
+                      Triple SubsurfaceRequest::*member) {
+  Key key = place_key(surface_section, name, sentence, member);
+  key.kind = KeyKind::pair;
+  key.example = "[0.0, 5.0]";
+  key.get = [member](const Case& c) -> KeyValue {
+    const SubsurfaceRequest* request = last_of(c, Kind::surface);
+    if (request == nullptr) return {};
+    const Triple& at = request->*member;
+    return Numbers{at[0], at[1]};
+  };
+  key.set = [member](Case& c, const KeyValue& v) {
+    const auto& at = std::get<Numbers>(v);
+    current(c, surface_section).*member = {at.at(0), at.at(1), 0.0};
+  };
+  return key;
+}
+
+Key depth_key() {
+  Key key;
+  key.section = surface_section;
+  key.name = "depth";
+  key.unit = "mm";
+  key.bounds = {0.0, 1e6};
+  key.when_absent = "0, on the surface";
+  key.example = "0.0";
+  key.sentence =
+      "How far below the surface of the body the line runs: along z on the rail, towards the axle "
+      "on the wheel.";
+  key.get = [](const Case& c) -> KeyValue {
+    const SubsurfaceRequest* request = last_of(c, Kind::surface);
+    if (request == nullptr) return {};
+    return request->depth;
+  };
+  key.set = [](Case& c, const KeyValue& v) {
+    current(c, surface_section).depth = std::get<double>(v);
   };
   return key;
 }
@@ -129,6 +172,12 @@ std::vector<Key> subsurface_keys() {
                 &Request::across),
       number_of_points_key(plane_section, KeyKind::pair,
                            "Points along the first and along the second side."),
+      body_key(surface_section),
+      surface_place_key("from", "One end of the line, [x, y].", &Request::from),
+      surface_place_key("to", "The other end.", &Request::to),
+      depth_key(),
+      number_of_points_key(surface_section, KeyKind::integer,
+                           "Points equally spaced in x and y, both ends included."),
   };
 }
 

@@ -34,6 +34,14 @@ struct SubsurfaceField {
   std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz
 };
 
+/// Largest value of a scalar measure of stress over a body (stress_measures.hpp), with its place.
+struct StressMaximum {
+  std::string body;               ///< "wheel", "rail"
+  std::string measure;            ///< "von_mises", "tresca", "orthogonal_shear", "principal_1"
+  double value = 0.0;             ///< MPa
+  std::array<double, 3> place{};  ///< mm, global frame
+};
+
 /// One load point of one model: the entries of summary.json and the fields behind them.
 struct PointResult {
   Creepage creepage;  ///< as prescribed, or as found for a prescribed force
@@ -67,7 +75,8 @@ struct PointResult {
   /// creepage_work (N mm per mm rolled), which agree but for the discretisation.
   std::map<std::string, double> derived;
   ContactFields fields;
-  std::vector<SubsurfaceField> subsurface;  ///< as the case asks for, model halfspace
+  std::vector<SubsurfaceField> subsurface;   ///< as the case asks for, models halfspace and fem
+  std::vector<StressMaximum> stress_maxima;  ///< of both bodies; models halfspace and fem
 };
 
 /// Nodal fields of a body for ParaView: hexahedra with eight corners each.

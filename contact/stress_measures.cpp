@@ -43,4 +43,13 @@ double orthogonal_shear(const Stress& stress) {
   return std::hypot(stress.xz, stress.yz);
 }
 
+const std::array<StressMeasure, 4>& reported_measures() {
+  static const std::array<StressMeasure, 4> measures{
+      {{"von_mises", von_mises},
+       {"tresca", tresca},
+       {"orthogonal_shear", orthogonal_shear},
+       {"principal_1", [](const Stress& stress) { return principal(stress)[0]; }}}};
+  return measures;
+}
+
 }  // namespace rollfem::contact

@@ -41,4 +41,12 @@ double max_shear(const Stress& stress);
 /// the patch is the maximum orthogonal shear of rolling fatigue (Lundberg & Palmgren).
 double orthogonal_shear(const Stress& stress);
 
+/// The measures whose largest values are reported.
+struct StressMeasure {
+  const char* name;
+  double (*value)(const Stress&);
+};
+/// von_mises, tresca, orthogonal_shear, principal_1 (the largest principal stress, tension).
+const std::array<StressMeasure, 4>& reported_measures();
+
 }  // namespace rollfem::contact

@@ -1,8 +1,8 @@
 // Displacement and recovered stress of a body as plain arrays for output.
 #include "fem/compliance.hpp"
+#include "fem/stress_recovery.hpp"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -14,8 +14,7 @@ namespace rollfem::fem {
 namespace {
 
 /// What one process knows: per cell (degree + 1)^3 nodes in lexicographic order, each with the
-/// number of its x unknown (which names the node), place, displacement, stress extrapolated in that
-/// cell.
+/// number of its x unknown (which names the node), place, displacement and recovered stress.
 struct CellNodes {
   std::vector<dealii::types::global_dof_index> node;
   std::vector<std::array<double, 12>> values;
@@ -26,35 +25,7 @@ struct CellNodes {
   }
 };
 
-/// Hooke's law on the displacement gradient, xx yy zz xy yz xz.
-std::array<double, 6> hooke(const contact::Material& material, const dealii::Tensor<2, 3>& g) {
-  const double nu = material.poisson_ratio;
-  const double mu = material.young_modulus / (2 * (1 + nu));
-  const double spherical = 2 * mu * nu / (1 - 2 * nu) * dealii::trace(g);
-  return {spherical + 2 * mu * g[0][0], spherical + 2 * mu * g[1][1], spherical + 2 * mu * g[2][2],
-          mu * (g[0][1] + g[1][0]),     mu * (g[1][2] + g[2][1]),     mu * (g[0][2] + g[2][0])};
-}
-
-/// Lagrange polynomials through the Gauss points, at the element's nodes: nodes x Gauss points. The
-/// stress of a Q_p element is most accurate at p^3 Gauss points (Barlow 1976).
-std::vector<std::vector<double>> extrapolation(const dealii::Quadrature<1>& gauss,
-                                               const std::vector<dealii::Point<3>>& nodes) {
-  const unsigned int n = gauss.size();
-  const auto lagrange = [&](unsigned int k, double x) {
-    double value = 1.0;
-    for (unsigned int m = 0; m < n; ++m)
-      if (m != k) value *= (x - gauss.point(m)[0]) / (gauss.point(k)[0] - gauss.point(m)[0]);
-    return value;
-  };
-  std::vector<std::vector<double>> weights(nodes.size(), std::vector<double>(n * n * n));
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    for (unsigned int q = 0; q < n * n * n; ++q)
-      weights[a][q] = lagrange(q % n, nodes[a][0]) * lagrange(q / n % n, nodes[a][1]) *
-                      lagrange(q / (n * n), nodes[a][2]);
-  return weights;
-}
-
-CellNodes collect(const Body& body, const Vector& displacement) {
+CellNodes collect(const Body& body, const Vector& displacement, const NodalStress& stress) {
   const auto& element = body.dofs().get_fe();
   const unsigned int degree = element.degree;
   const unsigned int nodes = element.dofs_per_cell / 3;
@@ -68,31 +39,23 @@ CellNodes collect(const Body& body, const Vector& displacement) {
   std::vector<dealii::Point<3>> places(nodes);
   for (unsigned int a = 0; a < nodes; ++a)
     places[a] = element.get_unit_support_points()[dof_of[order[a]][0]];
-  const auto weights = extrapolation(dealii::QGauss<1>(degree), places);
 
   dealii::FEValues<3> at_nodes(body.mapping(), element, dealii::Quadrature<3>(places),
                                dealii::update_quadrature_points);
-  dealii::FEValues<3> at_gauss(body.mapping(), element, dealii::QGauss<3>(degree),
-                               dealii::update_gradients);
-  const dealii::FEValuesExtractors::Vector vector(0);
-  std::vector<dealii::Tensor<2, 3>> gradients(at_gauss.n_quadrature_points);
   std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
   CellNodes result;
   for (const auto& cell : body.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     at_nodes.reinit(cell);
-    at_gauss.reinit(cell);
-    at_gauss[vector].get_function_gradients(displacement, gradients);
     cell->get_dof_indices(indices);
     for (unsigned int a = 0; a < nodes; ++a) {
       std::array<double, 12> values{};
       for (unsigned int c = 0; c < 3; ++c) {
         values[c] = at_nodes.quadrature_point(a)[c];
-        values[3 + c] = displacement(indices[dof_of[order[a]][c]]);
-      }
-      for (unsigned int q = 0; q < gradients.size(); ++q) {
-        const auto stress = hooke(body.material(), gradients[q]);
-        for (unsigned int k = 0; k < 6; ++k) values[6 + k] += weights[a][q] * stress[k];
+        const auto dof = indices[dof_of[order[a]][c]];
+        values[3 + c] = displacement(dof);
+        values[6 + c] = stress.direct(dof);
+        values[9 + c] = stress.shear(dof);
       }
       result.node.push_back(indices[dof_of[order[a]][0]]);
       result.values.push_back(values);
@@ -101,11 +64,10 @@ CellNodes collect(const Body& body, const Vector& displacement) {
   return result;
 }
 
-/// Joins the cells of all processes: nodes that cells share become one point, with the mean stress.
+/// Joins the cells of all processes: nodes that cells share become one point.
 void join(const std::vector<CellNodes>& processes, unsigned int degree, contact::BodyField& field) {
   const int n = static_cast<int>(degree) + 1;
   std::unordered_map<dealii::types::global_dof_index, int> point_of;
-  std::vector<int> contributions;
   for (const auto& cells : processes)
     for (std::size_t first = 0; first < cells.node.size(); first += n * n * n) {
       std::vector<int> points(n * n * n);
@@ -117,11 +79,8 @@ void join(const std::vector<CellNodes>& processes, unsigned int degree, contact:
         if (is_new) {
           field.points.push_back({v[0], v[1], v[2]});
           field.displacement.push_back({v[3], v[4], v[5]});
-          field.stress.push_back({});
-          contributions.push_back(0);
+          field.stress.push_back({v[6], v[7], v[8], v[9], v[10], v[11]});
         }
-        for (int k = 0; k < 6; ++k) field.stress[points[a]][k] += v[6 + k];
-        ++contributions[points[a]];
       }
       const auto at = [&](int i, int j, int k) { return points[(k * n + j) * n + i]; };
       for (int k = 0; k + 1 < n; ++k)
@@ -131,12 +90,10 @@ void join(const std::vector<CellNodes>& processes, unsigned int degree, contact:
                                    at(i, j + 1, k), at(i, j, k + 1), at(i + 1, j, k + 1),
                                    at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1)});
     }
-  for (std::size_t p = 0; p < field.points.size(); ++p)
-    for (double& stress : field.stress[p]) stress /= contributions[p];
 }
 
-/// The other half, y -> -y: u_y, xy and yz change sign. Points on the plane are shared, where the
-/// mean with the mirror image makes these vanish.
+/// The other half, y -> -y: u_y, xy and yz change sign. Points on the plane are shared; these
+/// vanish there.
 void mirror(contact::BodyField& field) {
   const std::size_t count = field.points.size();
   std::vector<int> image(count);
@@ -144,7 +101,6 @@ void mirror(contact::BodyField& field) {
     const auto x = field.points[p];
     if (std::abs(x[1]) < 1e-9) {
       image[p] = static_cast<int>(p);
-      field.stress[p][3] = field.stress[p][4] = 0.0;
       continue;
     }
     image[p] = static_cast<int>(field.points.size());
@@ -171,7 +127,9 @@ contact::BodyField body_field(const Body& body, const Vector& displacement,
   const MPI_Comm communicator = body.dofs().get_communicator();
   Vector ghosted(displacement);  // copies come without ghost values: whoever copied it, fetch them
   ghosted.update_ghost_values();
-  const auto processes = dealii::Utilities::MPI::gather(communicator, collect(body, ghosted), 0);
+  const NodalStress stress = StressRecovery(body).recover(ghosted);
+  const auto processes =
+      dealii::Utilities::MPI::gather(communicator, collect(body, ghosted, stress), 0);
   contact::BodyField field;
   field.name = name;
   if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0) return field;

@@ -33,6 +33,24 @@ double counting_error(double semi_axis, double element) {
   return elements < contact::elements_for_edge + 0.5 ? 2.0 / elements : 0.0;
 }
 
+/// Of the largest stresses, and of the stresses at the points that the case asks for: the largest
+/// change of a component, relative to the largest pressure.
+void estimate_stress_errors(contact::PointResult& fine, const contact::PointResult& coarse) {
+  for (std::size_t m = 0; m < fine.stress_maxima.size(); ++m) {
+    const contact::StressMaximum& maximum = fine.stress_maxima[m];
+    fine.error_estimate[fmt::format("max_{}_{}", maximum.measure, maximum.body)] =
+        two_level_error(maximum.value, coarse.stress_maxima[m].value, 0.01 * fine.max_pressure);
+  }
+  double largest = 0.0;
+  for (std::size_t r = 0; r < fine.subsurface.size(); ++r)
+    for (std::size_t k = 0; k < fine.subsurface[r].stress.size(); ++k)
+      for (int c = 0; c < 6; ++c)
+        largest = std::max(largest,
+                           two_level_error(fine.subsurface[r].stress[k][c],
+                                           coarse.subsurface[r].stress[k][c], fine.max_pressure));
+  if (!fine.subsurface.empty()) fine.error_estimate["subsurface_stress"] = largest;
+}
+
 /// Adds to what a point's estimate holds already (the finite segments' part of the approach).
 void estimate_errors(ModelResult& fine, const ModelResult& coarse, double friction) {
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
@@ -54,6 +72,7 @@ void estimate_errors(ModelResult& fine, const ModelResult& coarse, double fricti
         std::max(error["semi_axis_y"], counting_error(f.semi_axis_y, fine.grid.dy));
     set("max_traction_x", &Point::max_traction_x, 0.01 * friction * f.max_pressure);
     set("traction_coefficient", &Point::traction_coefficient, 0.01 * friction);
+    estimate_stress_errors(f, c);
   }
 }
 

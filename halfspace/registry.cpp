@@ -7,6 +7,7 @@
 #include "halfspace/hertz.hpp"
 #include "halfspace/linear_theory.hpp"
 #include "halfspace/model.hpp"
+#include "halfspace/stress_maxima.hpp"
 #include "halfspace/strip.hpp"
 #include "halfspace/subsurface_fields.hpp"
 #include "halfspace/vermeulen_johnson.hpp"
@@ -41,10 +42,13 @@ ModelResult run_fastsim_of_case(const Case& input, const Progress& progress) {
 
 ModelResult run_halfspace_with_depth(const Case& input, const Progress& progress) {
   ModelResult result = run_halfspace(input, progress);
-  if (input.subsurface.empty()) return result;
+  const bool maxima = input.output.stress_maxima.value_or(false);
+  if (input.subsurface.empty() && !maxima) return result;
   const auto begin = std::chrono::steady_clock::now();
-  for (contact::PointResult& point : result.points)
+  for (contact::PointResult& point : result.points) {
     point.subsurface = subsurface_fields(input, result.grid, point.fields.traction);
+    if (maxima) point.stress_maxima = stress_maxima(input, result.grid, point);
+  }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.seconds["subsurface"] = seconds;

@@ -19,6 +19,8 @@ std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRe
         if (request.points[1] > 1)
           point[c] += share(j, request.points[1]) * (request.across[c] - request.from[c]);
       }
+      if (request.kind == contact::SubsurfaceRequest::Kind::surface)
+        point[2] = request.wheel ? request.depth : 0.0 - request.depth;
       points.push_back(point);
     }
   return points;

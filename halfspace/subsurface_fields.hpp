@@ -1,4 +1,4 @@
-// The points below the surface that a case asks for: [[subsurface.point]], line and plane.
+// The points that a case asks for, [[subsurface.point]], line, plane and surface, in half-spaces.
 #pragma once
 
 #include "contact/result.hpp"
@@ -7,7 +7,8 @@
 
 namespace rollfem::halfspace {
 
-/// Points of a request, mm in the global frame, the first side fastest.
+/// Points of a request, mm in the global frame, the first side fastest; those that follow the
+/// surface on the plane z = 0 or as far below it as asked.
 std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRequest& request);
 
 /// Displacement and stress at the points of every request of the case, from tractions on the wheel.

@@ -66,6 +66,12 @@ void check_point(const std::string& where, const contact::ContactGrid& grid,
   for (const auto& [quantity, value] : point.derived)
     require_finite(value, fmt::format("{}/derived/{}", where, quantity));
   check_fields(where, grid, point.fields);
+  for (const contact::StressMaximum& maximum : point.stress_maxima) {
+    const std::string name =
+        fmt::format("{}/stress_maxima/{}/{}", where, maximum.body, maximum.measure);
+    require_finite(maximum.value, name);
+    for (const double coordinate : maximum.place) require_finite(coordinate, name + "/place");
+  }
   for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
     const contact::SubsurfaceField& field = point.subsurface[k];
     const std::string name = fmt::format("{}/subsurface[{}]", where, k);

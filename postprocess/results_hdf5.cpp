@@ -138,7 +138,7 @@ void write_rows(hid_t group, const char* name, const std::vector<std::array<doub
 void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {
   if (fields.empty()) return;
   const Handle all = create_group(point, "subsurface", "Points below the surface, as asked for");
-  static const char* const kinds[] = {"point", "line", "plane"};
+  static const char* const kinds[] = {"point", "line", "plane", "surface"};
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const contact::SubsurfaceField& field = fields[k];
     const Handle group = create_group(all, fmt::format("{:04}", k), "Points, first side fastest");
@@ -157,6 +157,26 @@ void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& 
     describe(write_dataset(group, "von_mises", {equivalent.size()}, equivalent.data()), "MPa",
              "von Mises stress", "");
   }
+}
+
+void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>& maxima) {
+  if (maxima.empty()) return;
+  const Handle group =
+      create_group(point, "stress_maxima", "Largest stresses of wheel and rail, with their places");
+  std::vector<std::string> body;
+  std::vector<std::string> measure;
+  std::vector<double> value;
+  std::vector<std::array<double, 3>> place;
+  for (const contact::StressMaximum& maximum : maxima) {
+    body.push_back(maximum.body);
+    measure.push_back(maximum.measure);
+    value.push_back(maximum.value);
+    place.push_back(maximum.place);
+  }
+  write_comment(write_dataset(group, "body", body), "wheel or rail");
+  write_comment(write_dataset(group, "measure", measure), "of which stress");
+  describe(write_dataset(group, "value", {value.size()}, value.data()), "MPa", "largest value", "");
+  write_rows(group, "place", place, "mm", "x, y, z in the global frame, z into the wheel");
 }
 
 /// A group of named numbers; nothing where there are none.
@@ -189,6 +209,7 @@ void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
                    "Attributes: elastic energy in N mm, work in N mm per mm rolled", point.derived);
   write_point_fields(group, grid, point);
   write_subsurface(group, point.subsurface);
+  write_stress_maxima(group, point.stress_maxima);
 }
 
 void write_model(hid_t models, const ModelResult& model, long order) {

@@ -20,6 +20,11 @@ ordered_json point_json(const contact::PointResult& point) {
     json["error_estimate"][quantity] = error;
   if (!point.richardson.empty()) json["richardson"] = point.richardson;
   if (!point.derived.empty()) json["derived"] = point.derived;
+  for (const contact::StressMaximum& maximum : point.stress_maxima)
+    json["stress_maxima"].push_back({{"body", maximum.body},
+                                     {"measure", maximum.measure},
+                                     {"value", maximum.value},
+                                     {"place", maximum.place}});
   return json;
 }
 

@@ -1,0 +1,195 @@
+// Recovered stress on curved bodies with hanging nodes: its order by a manufactured solution, and
+// the same numbers on any number of processes.
+#include "fem/body_points.hpp"
+#include "fem/compliance.hpp"
+#include "fem/multigrid.hpp"
+#include "fem/stress_recovery.hpp"
+#include "halfspace/subsurface.hpp"
+
+#include "fem_manufactured.hpp"
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+
+using namespace rollfem;
+using namespace rollfem::test;
+
+namespace {
+
+/// Cells of `cell` near the origin, twice that further out: halving `cell` halves every cell.
+fem::BodyOptions two_sizes(double cell) {
+  fem::BodyOptions options;
+  options.cell_size = cell;
+  options.fine_half_length = options.fine_half_width = cell;
+  options.fine_depth = 1;
+  options.extent = manufactured_extent;
+  options.growth = 0.4 * cell;
+  return options;
+}
+
+/// Points in the body, some on its surface, on both sides of hanging faces.
+std::vector<fem::Place> scattered_points(const fem::SurfaceShape& shape) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<fem::Place> places;
+  for (int k = 0; k < 4000; ++k) {
+    const double s = 0.75 * manufactured_extent * uniform(generator);
+    const double t = 0.75 * manufactured_extent * uniform(generator);
+    const double depth = k % 4 == 0 ? 0.0 : 0.375 * manufactured_extent * (1 + uniform(generator));
+    const auto p = shape.place(s, t, depth);
+    places.push_back({p[0], p[1], p[2]});
+  }
+  return places;
+}
+
+struct Errors {
+  double rms = 0;      ///< of all components, relative to the rms of the stress
+  double surface = 0;  ///< the same at the points on the surface
+  double largest = 0;  ///< of a component, relative to the same
+};
+
+Errors errors(const fem::SurfaceShape& shape, double cell) {
+  const fem::Body body(shape, manufactured_material, two_sizes(cell), MPI_COMM_WORLD);
+  const Manufactured exact{shape};
+  auto u = fem::make_vector(body.dofs());
+  fem::MultigridOptions options;
+  options.tolerance = 1e-9;
+  fem::make_multigrid(body.problem(), options)->solve(u, manufactured_load(body, exact));
+  const auto stress = fem::StressRecovery(body).recover(u);
+  const auto points = fem::BodyLocator(body).find(scattered_points(shape), 0.01);
+  const auto direct = points.values(stress.direct, {1, 1, 1});
+  const auto shear = points.values(stress.shear, {-1, -1, 1});
+  double all = 0, scale = 0, top = 0;
+  Errors result;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto& p = points.place(k);
+    dealii::Tensor<1, 3> displacement;
+    dealii::Tensor<2, 3> gradient;
+    exact.evaluate(dealii::Point<3>(p[0], p[1], p[2]), displacement, gradient);
+    const auto s = stress_of(gradient);
+    const double expected[6] = {s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[0][2]};
+    double sum = 0;
+    for (int c = 0; c < 6; ++c) {
+      const double difference = (c < 3 ? direct[k][c] : shear[k][c - 3]) - expected[c];
+      sum += difference * difference;
+      scale += expected[c] * expected[c];
+      result.largest = std::max(result.largest, std::abs(difference));
+    }
+    all += sum;
+    if (k % 4 == 0) top += sum;
+  }
+  result.rms = std::sqrt(all / scale);
+  result.surface = std::sqrt(4 * top / scale);
+  result.largest /= std::sqrt(scale / points.size());
+  return result;
+}
+
+void expect_order(const fem::SurfaceShape& shape) {
+  const Errors coarse = errors(shape, 1.0);
+  const Errors fine = errors(shape, 0.5);
+  EXPECT_GT(std::log2(coarse.rms / fine.rms), 2.0) << coarse.rms << " -> " << fine.rms;
+  EXPECT_GT(std::log2(coarse.surface / fine.surface), 2.0)
+      << coarse.surface << " -> " << fine.surface;
+  EXPECT_GT(std::log2(coarse.largest / fine.largest), 2.0)
+      << coarse.largest << " -> " << fine.largest;
+  EXPECT_LT(fine.rms, 1e-3);
+  ::testing::Test::RecordProperty("rms",
+                                  std::to_string(coarse.rms) + " " + std::to_string(fine.rms));
+}
+
+}  // namespace
+
+TEST(StressRecovery, IsOfSecondOrderOrBetterOnAConvexWheel) {
+  expect_order(wheel_shape(40, 30));
+}
+
+TEST(StressRecovery, IsOfSecondOrderOrBetterOnAConcaveWheel) {
+  expect_order(wheel_shape(60, -40));
+}
+
+TEST(StressRecovery, IsOfSecondOrderOrBetterOnARail) {
+  expect_order(rail_shape(20));
+}
+
+namespace {
+
+/// A flat rail under Hertz's pressure on a circle with friction, beside the half-space under the
+/// same tractions on elements so small that their steps do not show.
+class LoadedRail : public ::testing::Test {
+ protected:
+  static constexpr double p0 = 1000.0;
+  static constexpr double a = 4.0;
+  static constexpr double cell = 0.5;
+  static constexpr double extent = 32.0;
+
+  LoadedRail() {
+    traction = hertz(grid);
+    fem::BodyOptions options;
+    options.cell_size = cell;
+    options.fine_half_length = options.fine_half_width = 5.5;
+    options.extent = extent;
+    options.half = true;
+    body = std::make_unique<fem::Body>(rail_shape(contact::infinity), material, options,
+                                       MPI_COMM_WORLD);
+    displacement = fem::make_vector(body->dofs());
+    auto load = fem::make_vector(body->dofs());
+    fem::SurfaceCoupling(*body, grid).load({-traction.x, -traction.y, -traction.n}, load);
+    fem::MultigridOptions solver;
+    solver.tolerance = 1e-9;
+    fem::make_multigrid(body->problem(), solver)->solve(displacement, load);
+    stress = fem::StressRecovery(*body).recover(displacement);
+  }
+
+  static contact::SurfaceField hertz(const contact::ContactGrid& grid) {
+    contact::SurfaceField field;
+    field.n = grid.sample([](double x, double y) {
+      return p0 * std::sqrt(std::max(0.0, 1.0 - (x * x + y * y) / (a * a)));
+    });
+    field.x = -0.3 * field.n;
+    field.y = 0.0 * field.n;
+    return field;
+  }
+
+  /// Largest difference of a component on the points of a line at one depth, in p0.
+  double difference(double depth, double y, double reach) const {
+    std::vector<fem::Place> places;
+    std::vector<halfspace::SubsurfacePoint> points;
+    for (int k = 0; k < 49; ++k) {
+      // Middles of elements of the fine grid: on their edges its surface stress is infinite.
+      const double x = (std::round(reach * (k / 24.0 - 1.0) / 0.05) + 0.5) * 0.05;
+      places.push_back({x, y, -depth});
+      points.push_back({x, y, depth});
+    }
+    const auto found = fem::BodyLocator(*body).find(places, 1e-6);
+    const auto direct = found.values(stress.direct, {1, 1, 1});
+    const auto shear = found.values(stress.shear, {-1, -1, 1});
+    const auto exact =
+        halfspace::subsurface_at({halfspace::Body::rail, material, fine, hertz(fine)}, points);
+    double largest = 0;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const auto expected = exact[k].stress.as_array();
+      for (int c = 0; c < 6; ++c)
+        largest =
+            std::max(largest, std::abs((c < 3 ? direct[k][c] : shear[k][c - 3]) - expected[c]));
+    }
+    return largest / p0;
+  }
+
+  contact::Material material{210e3, 0.3};
+  contact::ContactGrid grid = contact::ContactGrid::centred(20, 20, cell, cell);
+  contact::ContactGrid fine = contact::ContactGrid::centred(170, 170, 0.05, 0.05);
+  contact::SurfaceField traction;
+  std::unique_ptr<fem::Body> body;
+  fem::Vector displacement;
+  fem::NodalStress stress;
+};
+
+}  // namespace
+
+TEST_F(LoadedRail, StressIsThatOfTheHalfSpace) {
+  for (const double y : {0.025, -1.325})
+    for (const double depth : {0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0, 8.0})
+      std::cout << y << " " << depth << ": " << difference(depth, y, 6.0) << "  inside "
+                << difference(depth, y, 3.0) << "\n";
+}
