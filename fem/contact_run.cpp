@@ -8,6 +8,7 @@
 #include "contact/stopwatch.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
+#include "fem/level_checkpoint.hpp"
 #include "fem/multigrid.hpp"
 #include "halfspace/compliance.hpp"
 #include "halfspace/hertz.hpp"
@@ -145,12 +146,21 @@ class LevelRun {
         grid_(lattice_grid(patch_.semi_axis_x, patch_.semi_axis_y, options.cell_size)),
         surface_(contact::contact_surface(input)),
         shape_(contact::patch_shape(surface_, grid_)),
-        processes_(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) {}
+        body_options_(body_options(input, patch_, grid_, options.cell_size)),
+        processes_(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)),
+        checkpoint_(options.checkpoint, options.cell_size, MPI_COMM_WORLD) {}
 
   contact::ModelResult run();
 
  private:
   void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
+  /// Takes up what an earlier run has solved of this level; true when that is all there is to
+  /// solve.
+  bool take_up(contact::ModelResult& result);
+  void solve(contact::ModelResult& result);
+  void solve_normal(const FemCompliance& compliance, const contact::Preconditioner& halfspace,
+                    contact::ModelResult& result);
+  void add_notes(contact::ModelResult& result) const;
   contact::CoupledProblem problem(const contact::Creepage& creepage, bool friction) const;
   PointResult solve_point(std::size_t k, const FemCompliance& compliance,
                           const contact::Preconditioner& halfspace);
@@ -164,7 +174,11 @@ class LevelRun {
   ContactGrid grid_;
   contact::ContactSurface surface_;
   contact::PatchShape shape_;
+  BodyOptions body_options_;
   int processes_;
+  LevelCheckpoint checkpoint_;
+  LevelStart start_;
+  bool start_known_ = false;  ///< the frictionless problem need not be solved
   contact::Response defect_;  ///< of the load point before: a start for the next
   contact::SurfaceField last_traction_;
 };
@@ -211,6 +225,42 @@ void LevelRun::refuse_patch_at_border(const contact::NormalSolution& solution) c
         grid_.nx * grid_.dx, grid_.ny * grid_.dy));
 }
 
+void LevelRun::solve_normal(const FemCompliance& compliance,
+                            const contact::Preconditioner& halfspace,
+                            contact::ModelResult& result) {
+  tell({}, "normal");
+  const contact::CoupledSolution frictionless =
+      contact::solve_coupled(compliance, halfspace, problem({}, false));
+  refuse_patch_at_border(frictionless.normal);
+  contact::ProgressEvent event;
+  event.iteration = frictionless.outer_iterations;
+  event.residual = frictionless.residual;
+  event.contact_elements = frictionless.normal.contact_elements;
+  tell(event, "normal", true);
+  result.contact_elements = frictionless.normal.contact_elements;
+  defect_ = frictionless.defect;
+  start_.defect = frictionless.defect;
+  start_.contact_elements = result.contact_elements;
+  checkpoint_.keep(start_);
+}
+
+bool LevelRun::take_up(contact::ModelResult& result) {
+  start_known_ = checkpoint_.find(start_);
+  if (!start_known_) return false;
+  defect_ = start_.defect;
+  result.unknowns = start_.unknowns;
+  result.contact_elements = start_.contact_elements;
+  const std::size_t count = input_.rolling.creepages.size();
+  PointResult point;
+  while (result.points.size() < count && checkpoint_.find(result.points.size(), point, defect_))
+    result.points.push_back(std::move(point));
+  contact::ProgressEvent event;
+  event.note = fmt::format("{} of {} load points of an earlier run", result.points.size(), count);
+  tell(event, "taken up", true);
+  if (!result.points.empty()) last_traction_ = result.points.back().fields.traction;
+  return result.points.size() == count && !options_.body_fields;
+}
+
 PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance,
                                   const contact::Preconditioner& halfspace) {
   const Stopwatch watch;
@@ -242,6 +292,9 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
   contact::integrate_tractions(grid_, point, shape_);
   last_traction_ = point.fields.traction;
   point.seconds = watch.seconds();
+  point.error_estimate["approach"] =
+      suppressed_approach(input_, point.normal_force, body_options_.extent) / point.approach;
+  checkpoint_.keep(k, point, defect_);
   tell(event, "rolling", true);
   return point;
 }
@@ -250,10 +303,15 @@ contact::ModelResult LevelRun::run() {
   contact::ModelResult result;
   result.name = "fem";
   result.grid = grid_;
+  if (!take_up(result)) solve(result);
+  add_notes(result);
+  return result;
+}
 
+void LevelRun::solve(contact::ModelResult& result) {
   const Stopwatch mesh_watch;
   tell({}, "mesh");
-  const BodyOptions options = body_options(input_, patch_, grid_, options_.cell_size);
+  const BodyOptions& options = body_options_;
   const Body wheel({true, input_.wheel.rolling_radius, input_.wheel.transverse_radius},
                    input_.wheel.material, options, MPI_COMM_WORLD);
   const Body rail({false, contact::infinity, input_.rail.transverse_radius}, input_.rail.material,
@@ -268,7 +326,9 @@ contact::ModelResult LevelRun::run() {
   tell({}, "linear solvers");
   const Solvers solvers = make_solvers(input_, wheel, rail, processes_);
   const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_);
-  event.note = solvers.wheel->description();
+  start_.unknowns = result.unknowns;
+  start_.solver = solvers.wheel->description();
+  event.note = start_.solver;
   tell(event, "linear solvers", true);
   result.seconds["factorisation"] = solver_watch.seconds();
 
@@ -288,25 +348,12 @@ contact::ModelResult LevelRun::run() {
       fitted ? &half.rolling(contact::UpwindOrder::first) : nullptr};
 
   const Stopwatch normal_watch;
-  tell({}, "normal");
-  const contact::CoupledSolution frictionless =
-      contact::solve_coupled(compliance, halfspace, problem({}, false));
-  refuse_patch_at_border(frictionless.normal);
-  defect_ = frictionless.defect;
-  event.iteration = frictionless.outer_iterations;
-  event.residual = frictionless.residual;
-  event.contact_elements = frictionless.normal.contact_elements;
-  tell(event, "normal", true);
-  result.contact_elements = frictionless.normal.contact_elements;
+  if (!start_known_) solve_normal(compliance, halfspace, result);
   result.seconds["normal"] = normal_watch.seconds();
 
   const Stopwatch rolling_watch;
-  for (std::size_t k = 0; k < input_.rolling.creepages.size(); ++k) {
+  for (std::size_t k = result.points.size(); k < input_.rolling.creepages.size(); ++k)
     result.points.push_back(solve_point(k, compliance, halfspace));
-    PointResult& point = result.points.back();
-    point.error_estimate["approach"] =
-        suppressed_approach(input_, point.normal_force, options.extent) / point.approach;
-  }
   result.seconds["tangential"] = rolling_watch.seconds();
 
   if (options_.body_fields) {
@@ -318,11 +365,14 @@ contact::ModelResult LevelRun::run() {
     tell({}, "stresses", true);
     result.seconds["stresses"] = stress_watch.seconds();
   }
+}
+
+void LevelRun::add_notes(contact::ModelResult& result) const {
   result.notes.push_back(fmt::format(
       "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the approach "
       "is "
       "that of these segments; its error estimate says how much more it may be for large bodies",
-      options.extent));
+      body_options_.extent));
   const double steepest = shape_.climb.cwiseAbs().maxCoeff();
   if (steepest > 0.05)
     result.notes.push_back(fmt::format(
@@ -334,12 +384,10 @@ contact::ModelResult LevelRun::run() {
     result.notes.push_back(
         "extra_slip is not added: the rolling radius of every point comes from the wheel's "
         "profile");
-  if (options.half)
+  if (body_options_.half)
     result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
-                                     options.cell_size, options.degree,
-                                     solvers.wheel->description()));
-  return result;
+                                     body_options_.cell_size, body_options_.degree, start_.solver));
 }
 
 }  // namespace

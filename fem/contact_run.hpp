@@ -2,6 +2,7 @@
 // point of the case solved on them. model.hpp runs two levels to estimate the error.
 #pragma once
 
+#include "contact/checkpoint.hpp"
 #include "contact/model.hpp"
 
 namespace rollfem::fem {
@@ -10,6 +11,7 @@ struct LevelOptions {
   double cell_size = 0.0;    ///< mm, FE cells in the patch and contact elements
   std::string stage_prefix;  ///< put before stage names in progress reports
   bool body_fields = false;  ///< displacement and stress of the bodies at the last load point
+  contact::Checkpoint* checkpoint = nullptr;  ///< of process 0; null: none
 };
 
 /// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
