@@ -9,6 +9,7 @@
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
 #include "fem/level_checkpoint.hpp"
+#include "fem/memory.hpp"
 #include "fem/multigrid.hpp"
 #include "halfspace/compliance.hpp"
 #include "halfspace/hertz.hpp"
@@ -91,11 +92,22 @@ BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch
   return options;
 }
 
+/// Of a body with half of it or all modelled.
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, bool body_fields) {
+  MemoryDemand demand;
+  demand.unknowns_of_wheel = wheel;
+  demand.unknowns_of_rail = rail;
+  demand.half = bodies.half;
+  demand.body_fields = body_fields;
+  demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  return demand;
+}
+
 /// The solver that is expected to be quicker for this number of solves and fits into memory.
-bool use_factorisation(const Case& input, const Body& body, int processes) {
+bool use_factorisation(const Case& input, MemoryDemand demand) {
   switch (input.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
-      if (processes > 1)
+      if (demand.processes > 1)
         throw contact::InputError(
             input.file +
             ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
@@ -106,12 +118,16 @@ bool use_factorisation(const Case& input, const Body& body, int processes) {
     case contact::LinearSolver::automatic:
       break;
   }
-  const double n = static_cast<double>(body.unknowns());
+  if (demand.processes > 1) return false;
   const double solves =
       solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
-  return processes == 1 && predicted_factor_bytes(n) < largest_factor &&
-         factorisation_seconds(n) + solves * factor_solve_seconds(n) <
-             solves * multigrid_solve_seconds(n);
+  for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
+    if (predicted_factor_bytes(n) >= largest_factor ||
+        factorisation_seconds(n) + solves * factor_solve_seconds(n) >=
+            solves * multigrid_solve_seconds(n))
+      return false;
+  demand.factorisation = true;
+  return fits_memory(demand, MPI_COMM_WORLD);
 }
 
 struct Solvers {
@@ -121,8 +137,8 @@ struct Solvers {
 
 /// Two factorisations side by side, one core each: together quicker than one after the other with
 /// two BLAS threads.
-Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, int processes) {
-  if (use_factorisation(input, wheel, processes) && use_factorisation(input, rail, processes)) {
+Solvers make_solvers(const Body& wheel, const Body& rail, bool factorisation) {
+  if (factorisation) {
     auto other =
         std::async(std::launch::async, [&rail] { return make_factorisation(rail.problem()); });
     Solvers solvers;
@@ -147,7 +163,6 @@ class LevelRun {
         surface_(contact::contact_surface(input)),
         shape_(contact::patch_shape(surface_, grid_)),
         body_options_(body_options(input, patch_, grid_, options.cell_size)),
-        processes_(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)),
         checkpoint_(options.checkpoint, options.cell_size, MPI_COMM_WORLD) {}
 
   contact::ModelResult run();
@@ -175,7 +190,6 @@ class LevelRun {
   contact::ContactSurface surface_;
   contact::PatchShape shape_;
   BodyOptions body_options_;
-  int processes_;
   LevelCheckpoint checkpoint_;
   LevelStart start_;
   bool start_known_ = false;  ///< the frictionless problem need not be solved
@@ -318,13 +332,19 @@ void LevelRun::solve(contact::ModelResult& result) {
                   options, MPI_COMM_WORLD);
   result.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
   contact::ProgressEvent event;
-  event.note = fmt::format("wheel {} + rail {} unknowns", wheel.unknowns(), rail.unknowns());
+  MemoryDemand demand =
+      memory_demand(static_cast<double>(wheel.unknowns()), static_cast<double>(rail.unknowns()),
+                    options, options_.body_fields);
+  demand.factorisation = use_factorisation(input_, demand);
+  event.note = fmt::format("wheel {} + rail {} unknowns, {}", wheel.unknowns(), rail.unknowns(),
+                           memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
+  refuse_beyond_memory(demand, options.cell_size, MPI_COMM_WORLD);
   result.seconds["mesh"] = mesh_watch.seconds();
 
   const Stopwatch solver_watch;
   tell({}, "linear solvers");
-  const Solvers solvers = make_solvers(input_, wheel, rail, processes_);
+  const Solvers solvers = make_solvers(wheel, rail, demand.factorisation);
   const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_);
   start_.unknowns = result.unknowns;
   start_.solver = solvers.wheel->description();
@@ -396,6 +416,17 @@ double default_cell_size(const Case& input) {
   if (input.fem.cell_size) return *input.fem.cell_size;
   const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
   return std::min(patch.semi_axis_x, patch.semi_axis_y) / 8.0;
+}
+
+void refuse_beyond_memory(const Case& input, double cell_size) {
+  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
+  const ContactGrid grid = lattice_grid(patch.semi_axis_x, patch.semi_axis_y, cell_size);
+  const BodyOptions bodies = body_options(input, patch, grid, cell_size);
+  constexpr double beyond_all_memory = 2e9;
+  const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
+  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, input.output.fields);
+  demand.factorisation = use_factorisation(input, demand);
+  refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
 }
 
 contact::ModelResult run_level(const Case& input, const LevelOptions& options,

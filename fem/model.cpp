@@ -54,6 +54,7 @@ ModelResult run_fem(const Case& input, const contact::Progress& progress,
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   const double cell = default_cell_size(input);
+  refuse_beyond_memory(input, cell);
   const ModelResult coarse =
       run_level(input, {2.0 * cell, "estimate: ", false, checkpoint}, progress);
   const double estimate_seconds = elapsed();
