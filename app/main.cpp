@@ -106,6 +106,10 @@ void add_commands(CLI::App& program, Call& call) {
       ->delimiter(',');
   run->add_option("-o,--output", call.run.directory,
                   "folder for the results; without it results/<name of the case file>");
+  run->add_flag(
+      "--resume", call.run.resume,
+      "go on with a run that was ended: its finished load points are in FOLDER.unfinished "
+      "beside the results");
   run->add_flag("-q,--quiet", call.run.quiet, "print errors and warnings only");
   run->add_flag("!--no-report", call.run.report, "write results only, no figures and no report");
   run->callback([&call] {

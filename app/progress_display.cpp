@@ -53,7 +53,7 @@ void ProgressDisplay::show(const contact::ProgressEvent& event) {
     last_shown_ = mode_ == Mode::plain ? now : Clock::time_point();
   }
   // The load points of a stage share its line.
-  const bool complete = event.finished && event.point == event.points;
+  const bool complete = event.finished && (event.point == 0 || event.point == event.points);
   const auto since = now - last_shown_;
   if (!complete &&
       (mode_ == Mode::plain ? !event.finished || since < longest_silence : since < redraw_interval))

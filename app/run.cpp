@@ -10,6 +10,7 @@
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
 #include "halfspace/registry.hpp"
+#include "postprocess/checkpoint_folder.hpp"
 #include "postprocess/output.hpp"
 
 #include <fmt/format.h>
@@ -113,11 +114,41 @@ void check_before(const RunRequest& request, const contact::Case& input) {
   if (input.output.stress_maxima.value_or(false)) warn("[output] stress_maxima");
 }
 
+/// Where finished load points are kept; says what is there already.
+std::unique_ptr<postprocess::CheckpointFolder> open_checkpoint(const RunRequest& request,
+                                                               const contact::Case& input) {
+  auto checkpoint = std::make_unique<postprocess::CheckpointFolder>(
+      output_directory(request).string(), input, fmt::format("{} ({})", version(), commit()),
+      request.resume, [](const std::string& warning) { std::cerr << warning << '\n'; });
+  const std::string folder = fs::path(checkpoint->folder()).lexically_proximate(fs::current_path());
+  if (checkpoint->found() > 0 && !request.resume)
+    std::cerr << fmt::format(
+        "warning: {} holds {} solutions of an earlier run that did not end; --resume takes them "
+        "up, this run starts anew and will replace them\n",
+        folder, checkpoint->found());
+  else if (checkpoint->found() > 0 && !request.quiet)
+    std::cerr << fmt::format("resume: {} solutions of an earlier run in {}\n", checkpoint->found(),
+                             folder);
+  else if (request.resume && !request.quiet)
+    std::cerr << "resume: no load points of an earlier run are there; everything is computed\n";
+  return checkpoint;
+}
+
+/// After a failure: finished work is not lost.
+void tell_about(const RunRequest& request, const postprocess::CheckpointFolder* checkpoint) {
+  if (checkpoint == nullptr || request.quiet || !checkpoint->holds_records()) return;
+  std::cerr << fmt::format(
+      "finished load points are kept; the same command with --resume takes "
+      "them up: {}\n",
+      checkpoint->folder().string());
+}
+
 /// Runs one model; an error that does not say so gets the name of the model.
-contact::ModelResult run_model(const std::string& name, const contact::Model& model,
-                               const contact::Case& input, const contact::Progress& progress) {
+template <class Model>
+contact::ModelResult run_model(const std::string& name, const contact::Case& input,
+                               const Model& model) {
   try {
-    return model(input, progress);
+    return model();
   } catch (const contact::SolveError& error) {
     throw contact::SolveError(fmt::format("{}: model {}: {}", input.file, name, error.what()));
   }
@@ -178,22 +209,25 @@ void run(const RunRequest& request) {
   const contact::Progress progress = [&](const contact::ProgressEvent& event) {
     display.show(event);
   };
+  std::unique_ptr<postprocess::CheckpointFolder> checkpoint;
   try {
+    if (here.first()) checkpoint = open_checkpoint(request, record.input);
     for (const std::string& name : names) {
-      if (name == "fem")
-        record.models.push_back(run_model(name, session->entry().run, record.input, progress));
-      else if (here.first())
-        record.models.push_back(run_model(
-            name,
-            [&name](const contact::Case& input, const contact::Progress& report) {
-              return halfspace::run_model(name, input, report);
-            },
-            record.input, progress));
+      const auto run_it = [&] {
+        return name == "fem" ? session->entry().run(record.input, progress, checkpoint.get())
+                             : halfspace::run_model(name, record.input, progress, checkpoint.get());
+      };
+      if (name == "fem" || here.first())
+        record.models.push_back(run_model(name, record.input, run_it));
     }
     display.clear();
-    if (here.first()) write_and_tell(request, record);
+    if (here.first()) {
+      write_and_tell(request, record);
+      checkpoint->remove();
+    }
   } catch (...) {
     display.clear();
+    tell_about(request, checkpoint.get());
     // Finalising MPI would wait for processes that may not have failed: main leaves without it.
     static_cast<void>(session.release());
     throw;

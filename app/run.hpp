@@ -11,6 +11,7 @@ struct RunRequest {
   std::vector<std::string> models;  ///< empty: those of the case file
   std::string directory;            ///< empty: results/<case file without .toml>
   bool quiet = false;
+  bool resume = false;  ///< take up the load points of a run that did not end
   bool report = true;   ///< draw figures and report.html, which takes some seconds
   std::string command;  ///< the whole call, for provenance
   int argc = 0;         ///< of main, for MPI

@@ -9,6 +9,8 @@
 #include "fem/algebraic_multigrid.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
+#include "fem/level_checkpoint.hpp"
+#include "fem/memory.hpp"
 #include "fem/multigrid.hpp"
 #include "fem/stress_output.hpp"
 #include "halfspace/compliance.hpp"
@@ -92,11 +94,22 @@ BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch
   return options;
 }
 
+/// Of a body with half of it or all modelled.
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, bool body_fields) {
+  MemoryDemand demand;
+  demand.unknowns_of_wheel = wheel;
+  demand.unknowns_of_rail = rail;
+  demand.half = bodies.half;
+  demand.body_fields = body_fields;
+  demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  return demand;
+}
+
 /// The solver that is expected to be quicker for this number of solves and fits into memory.
-bool use_factorisation(const Case& input, const Body& body, int processes) {
+bool use_factorisation(const Case& input, MemoryDemand demand) {
   switch (input.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
-      if (processes > 1)
+      if (demand.processes > 1)
         throw contact::InputError(
             input.file +
             ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
@@ -109,12 +122,16 @@ bool use_factorisation(const Case& input, const Body& body, int processes) {
     case contact::LinearSolver::automatic:
       break;
   }
-  const double n = static_cast<double>(body.unknowns());
+  if (demand.processes > 1) return false;
   const double solves =
       solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
-  return processes == 1 && predicted_factor_bytes(n) < largest_factor &&
-         factorisation_seconds(n) + solves * factor_solve_seconds(n) <
-             solves * multigrid_solve_seconds(n);
+  for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
+    if (predicted_factor_bytes(n) >= largest_factor ||
+        factorisation_seconds(n) + solves * factor_solve_seconds(n) >=
+            solves * multigrid_solve_seconds(n))
+      return false;
+  demand.factorisation = true;
+  return fits_memory(demand, MPI_COMM_WORLD);
 }
 
 /// Geometric multigrid factorises the coarse mesh of a body whole; an imported one may be too large
@@ -139,8 +156,8 @@ struct Solvers {
 
 /// Two factorisations side by side, one core each: together quicker than one after the other with
 /// two BLAS threads.
-Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, int processes) {
-  if (use_factorisation(input, wheel, processes) && use_factorisation(input, rail, processes)) {
+Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, bool factorisation) {
+  if (factorisation) {
     auto other =
         std::async(std::launch::async, [&rail] { return make_factorisation(rail.problem()); });
     Solvers solvers;
@@ -162,15 +179,24 @@ class LevelRun {
         grid_(lattice_grid(patch_.semi_axis_x, patch_.semi_axis_y, options.cell_size)),
         surface_(contact::contact_surface(input)),
         shape_(contact::patch_shape(surface_, grid_)),
-        processes_(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) {}
+        body_options_(body_options(input, patch_, grid_, options.cell_size)),
+        checkpoint_(options.checkpoint, options.cell_size, MPI_COMM_WORLD) {}
 
   contact::ModelResult run();
 
  private:
   void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
+  /// Takes up what an earlier run has solved of this level; true when that is all there is to
+  /// solve.
+  bool take_up(contact::ModelResult& result);
+  void solve(contact::ModelResult& result);
+  void solve_normal(const FemCompliance& compliance, const contact::Preconditioner& halfspace,
+                    contact::ModelResult& result);
+  void add_notes(contact::ModelResult& result) const;
   contact::CoupledProblem problem(const contact::Creepage& creepage, bool friction) const;
   PointResult solve_point(std::size_t k, const FemCompliance& compliance,
-                          const contact::Preconditioner& halfspace);
+                          const contact::Preconditioner& halfspace, const StressOutput& stresses,
+                          contact::ModelResult& result);
   contact::ContactFields fields(const contact::CoupledSolution& solution) const;
   void add_stresses(const StressOutput& stresses, const FemCompliance& compliance,
                     PointResult& point, contact::ModelResult& result) const;
@@ -183,7 +209,10 @@ class LevelRun {
   ContactGrid grid_;
   contact::ContactSurface surface_;
   contact::PatchShape shape_;
-  int processes_;
+  BodyOptions body_options_;
+  LevelCheckpoint checkpoint_;
+  LevelStart start_;
+  bool start_known_ = false;  ///< the frictionless problem need not be solved
   contact::Response defect_;  ///< of the load point before: a start for the next
   contact::SurfaceField last_traction_;
 };
@@ -230,8 +259,45 @@ void LevelRun::refuse_patch_at_border(const contact::NormalSolution& solution) c
         grid_.nx * grid_.dx, grid_.ny * grid_.dy));
 }
 
+void LevelRun::solve_normal(const FemCompliance& compliance,
+                            const contact::Preconditioner& halfspace,
+                            contact::ModelResult& result) {
+  tell({}, "normal");
+  const contact::CoupledSolution frictionless =
+      contact::solve_coupled(compliance, halfspace, problem({}, false));
+  refuse_patch_at_border(frictionless.normal);
+  contact::ProgressEvent event;
+  event.iteration = frictionless.outer_iterations;
+  event.residual = frictionless.residual;
+  event.contact_elements = frictionless.normal.contact_elements;
+  tell(event, "normal", true);
+  result.contact_elements = frictionless.normal.contact_elements;
+  defect_ = frictionless.defect;
+  start_.defect = frictionless.defect;
+  start_.contact_elements = result.contact_elements;
+  checkpoint_.keep(start_);
+}
+
+bool LevelRun::take_up(contact::ModelResult& result) {
+  start_known_ = checkpoint_.find(start_);
+  if (!start_known_) return false;
+  defect_ = start_.defect;
+  result.unknowns = start_.unknowns;
+  result.contact_elements = start_.contact_elements;
+  const std::size_t count = input_.rolling.creepages.size();
+  PointResult point;
+  while (result.points.size() < count && checkpoint_.find(result.points.size(), point, defect_))
+    result.points.push_back(std::move(point));
+  contact::ProgressEvent event;
+  event.note = fmt::format("{} of {} load points of an earlier run", result.points.size(), count);
+  tell(event, "taken up", true);
+  if (!result.points.empty()) last_traction_ = result.points.back().fields.traction;
+  return result.points.size() == count && !options_.body_fields;
+}
+
 PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance,
-                                  const contact::Preconditioner& halfspace) {
+                                  const contact::Preconditioner& halfspace,
+                                  const StressOutput& stresses, contact::ModelResult& result) {
   const Stopwatch watch;
   const contact::Creepage& creepage = input_.rolling.creepages[k];
   contact::ProgressEvent event;
@@ -261,6 +327,10 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
   contact::integrate_tractions(grid_, point, shape_);
   last_traction_ = point.fields.traction;
   point.seconds = watch.seconds();
+  point.error_estimate["approach"] =
+      suppressed_approach(input_, point.normal_force, body_options_.extent) / point.approach;
+  if (stresses.wanted()) add_stresses(stresses, compliance, point, result);
+  checkpoint_.keep(k, point, defect_);
   tell(event, "rolling", true);
   return point;
 }
@@ -278,26 +348,39 @@ contact::ModelResult LevelRun::run() {
   contact::ModelResult result;
   result.name = "fem";
   result.grid = grid_;
+  if (!take_up(result)) solve(result);
+  add_notes(result);
+  return result;
+}
 
+void LevelRun::solve(contact::ModelResult& result) {
   const Stopwatch mesh_watch;
   tell({}, "mesh");
-  const BodyOptions options = body_options(input_, patch_, grid_, options_.cell_size);
+  const BodyOptions& options = body_options_;
   const Body wheel({true, input_.wheel.rolling_radius, input_.wheel.transverse_radius},
                    input_.wheel.material, options, MPI_COMM_WORLD);
   const Body rail({false, contact::infinity, input_.rail.transverse_radius}, input_.rail.material,
                   options, MPI_COMM_WORLD);
   result.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
   contact::ProgressEvent event;
-  event.note = fmt::format("wheel {} + rail {} unknowns", wheel.unknowns(), rail.unknowns());
+  MemoryDemand demand =
+      memory_demand(static_cast<double>(wheel.unknowns()), static_cast<double>(rail.unknowns()),
+                    options, options_.body_fields);
+  demand.factorisation = use_factorisation(input_, demand);
+  event.note = fmt::format("wheel {} + rail {} unknowns, {}", wheel.unknowns(), rail.unknowns(),
+                           memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
+  refuse_beyond_memory(demand, options.cell_size, MPI_COMM_WORLD);
   result.seconds["mesh"] = mesh_watch.seconds();
 
   const Stopwatch solver_watch;
   tell({}, "linear solvers");
-  const Solvers solvers = make_solvers(input_, wheel, rail, processes_);
+  const Solvers solvers = make_solvers(input_, wheel, rail, demand.factorisation);
   const StressOutput stresses(input_, wheel, rail, default_cell_size(input_));
   const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_);
-  event.note = solvers.wheel->description();
+  start_.unknowns = result.unknowns;
+  start_.solver = solvers.wheel->description();
+  event.note = start_.solver;
   tell(event, "linear solvers", true);
   result.seconds["factorisation"] = solver_watch.seconds();
 
@@ -317,26 +400,12 @@ contact::ModelResult LevelRun::run() {
       fitted ? &half.rolling(contact::UpwindOrder::first) : nullptr};
 
   const Stopwatch normal_watch;
-  tell({}, "normal");
-  const contact::CoupledSolution frictionless =
-      contact::solve_coupled(compliance, halfspace, problem({}, false));
-  refuse_patch_at_border(frictionless.normal);
-  defect_ = frictionless.defect;
-  event.iteration = frictionless.outer_iterations;
-  event.residual = frictionless.residual;
-  event.contact_elements = frictionless.normal.contact_elements;
-  tell(event, "normal", true);
-  result.contact_elements = frictionless.normal.contact_elements;
+  if (!start_known_) solve_normal(compliance, halfspace, result);
   result.seconds["normal"] = normal_watch.seconds();
 
   const Stopwatch rolling_watch;
-  for (std::size_t k = 0; k < input_.rolling.creepages.size(); ++k) {
-    result.points.push_back(solve_point(k, compliance, halfspace));
-    PointResult& point = result.points.back();
-    if (stresses.wanted()) add_stresses(stresses, compliance, point, result);
-    point.error_estimate["approach"] =
-        suppressed_approach(input_, point.normal_force, options.extent) / point.approach;
-  }
+  for (std::size_t k = result.points.size(); k < input_.rolling.creepages.size(); ++k)
+    result.points.push_back(solve_point(k, compliance, halfspace, stresses, result));
   result.seconds["tangential"] = rolling_watch.seconds();
 
   if (options_.body_fields) {
@@ -348,11 +417,14 @@ contact::ModelResult LevelRun::run() {
     tell({}, "stresses", true);
     result.seconds["stresses"] += stress_watch.seconds();
   }
+}
+
+void LevelRun::add_notes(contact::ModelResult& result) const {
   result.notes.push_back(fmt::format(
       "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the approach "
       "is "
       "that of these segments; its error estimate says how much more it may be for large bodies",
-      options.extent));
+      body_options_.extent));
   const double steepest = shape_.climb.cwiseAbs().maxCoeff();
   if (steepest > 0.05)
     result.notes.push_back(fmt::format(
@@ -364,12 +436,10 @@ contact::ModelResult LevelRun::run() {
     result.notes.push_back(
         "extra_slip is not added: the rolling radius of every point comes from the wheel's "
         "profile");
-  if (options.half)
+  if (body_options_.half)
     result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
-                                     options.cell_size, options.degree,
-                                     solvers.wheel->description()));
-  return result;
+                                     body_options_.cell_size, body_options_.degree, start_.solver));
 }
 
 }  // namespace
@@ -378,6 +448,17 @@ double default_cell_size(const Case& input) {
   if (input.fem.cell_size) return *input.fem.cell_size;
   const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
   return std::min(patch.semi_axis_x, patch.semi_axis_y) / 8.0;
+}
+
+void refuse_beyond_memory(const Case& input, double cell_size) {
+  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
+  const ContactGrid grid = lattice_grid(patch.semi_axis_x, patch.semi_axis_y, cell_size);
+  const BodyOptions bodies = body_options(input, patch, grid, cell_size);
+  constexpr double beyond_all_memory = 2e9;
+  const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
+  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, input.output.fields);
+  demand.factorisation = use_factorisation(input, demand);
+  refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
 }
 
 contact::ModelResult run_level(const Case& input, const LevelOptions& options,

@@ -2,6 +2,7 @@
 // point of the case solved on them. model.hpp runs two levels to estimate the error.
 #pragma once
 
+#include "contact/checkpoint.hpp"
 #include "contact/model.hpp"
 
 namespace rollfem::fem {
@@ -10,10 +11,15 @@ struct LevelOptions {
   double cell_size = 0.0;    ///< mm, FE cells in the patch and contact elements
   std::string stage_prefix;  ///< put before stage names in progress reports
   bool body_fields = false;  ///< displacement and stress of the bodies at the last load point
+  contact::Checkpoint* checkpoint = nullptr;  ///< of process 0; null: none
 };
 
 /// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
 double default_cell_size(const contact::Case& input);
+
+/// Throws contact::SolveError when the level will not fit into memory, without making a mesh.
+/// Collective.
+void refuse_beyond_memory(const contact::Case& input, double cell_size);
 
 /// Collective over all MPI processes. Throws contact::SolveError, contact::InputError.
 contact::ModelResult run_level(const contact::Case& input, const LevelOptions& options,

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <random>
 
 namespace rollfem::fem {
@@ -115,7 +116,13 @@ class Factorisation : public LinearSolver {
     view.dtype = CHOLMOD_DOUBLE;
     view.sorted = 1;
     view.packed = 1;
-    cholmod_.factor = cholmod_analyze(&view, &cholmod_.common);
+    {
+      // METIS draws from the one random sequence of the process: two orderings at a time would
+      // differ from run to run, and with them the last digits of every result.
+      static std::mutex one_at_a_time;
+      const std::lock_guard<std::mutex> lock(one_at_a_time);
+      cholmod_.factor = cholmod_analyze(&view, &cholmod_.common);
+    }
     require(cholmod_.factor != nullptr);
     require(cholmod_factorize(&view, cholmod_.factor, &cholmod_.common) != 0);
   }

@@ -78,15 +78,18 @@ void estimate_errors(ModelResult& fine, const ModelResult& coarse, double fricti
 
 }  // namespace
 
-ModelResult run_fem(const Case& input, const contact::Progress& progress) {
+ModelResult run_fem(const Case& input, const contact::Progress& progress,
+                    contact::Checkpoint* checkpoint) {
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   const double cell = default_cell_size(input);
-  const ModelResult coarse = run_level(input, {2.0 * cell, "estimate: ", false}, progress);
+  refuse_beyond_memory(input, cell);
+  const ModelResult coarse =
+      run_level(input, {2.0 * cell, "estimate: ", false, checkpoint}, progress);
   const double estimate_seconds = elapsed();
-  ModelResult result = run_level(input, {cell, "", input.output.fields}, progress);
+  ModelResult result = run_level(input, {cell, "", input.output.fields, checkpoint}, progress);
   estimate_errors(result, coarse, input.friction_coefficient);
   result.seconds["estimate"] = estimate_seconds;
   result.seconds["total"] = elapsed();

@@ -2,19 +2,23 @@
 // the program opens the library at run time through rollfem_fem_entry.
 #pragma once
 
+#include "contact/checkpoint.hpp"
 #include "contact/model.hpp"
 
 namespace rollfem::fem {
 
 /// Runs the case. Every MPI process of the run calls it; the result is complete on process 0.
-contact::ModelResult run_fem(const contact::Case& input, const contact::Progress& progress);
+/// Finished load points are kept in the `checkpoint` of process 0 and taken up from there (null:
+/// none).
+contact::ModelResult run_fem(const contact::Case& input, const contact::Progress& progress,
+                             contact::Checkpoint* checkpoint = nullptr);
 
 /// What the program gets from the library it opens.
 struct Entry {
   void (*start)(int& argc, char**& argv);  ///< MPI_Init, once, before any model
   void (*stop)();                          ///< MPI_Finalize
   int (*process)();                        ///< rank
-  contact::ModelResult (*run)(const contact::Case&, const contact::Progress&);
+  contact::ModelResult (*run)(const contact::Case&, const contact::Progress&, contact::Checkpoint*);
 };
 
 }  // namespace rollfem::fem

@@ -4,6 +4,7 @@
 #include "contact/geometry.hpp"
 #include "contact/history.hpp"
 #include "contact/patch_size.hpp"
+#include "contact/record.hpp"
 #include "contact/stopwatch.hpp"
 #include "halfspace/contact_problem.hpp"
 #include "halfspace/derived.hpp"
@@ -104,14 +105,25 @@ Stage make_stage(const Case& input, const ContactGrid& grid) {
   return stage;
 }
 
+/// For checkpoints.
+void exchange(contact::Record& record, ContactState& state) {
+  contact::NormalSolution& n = state.normal;
+  record.values(n.pressure, n.gap, n.approach, n.normal_force, n.contact_elements, n.iterations,
+                n.residual);
+  contact::TangentialSolution& t = state.tangential;
+  record.values(t.traction, t.slip, t.state, t.newton_steps, t.krylov_iterations, t.residual);
+  record.values(state.displacement, state.defect, state.iterations, state.residual);
+}
+
 class Level {
  public:
   Level(const Case& input, const LevelResult* coarser, std::string stage_prefix,
-        const contact::Progress& progress)
+        const contact::Progress& progress, contact::Checkpoint* checkpoint)
       : input_(input),
         coarser_(coarser),
         stage_prefix_(std::move(stage_prefix)),
         progress_(progress),
+        checkpoint_(checkpoint),
         material_(contact::combine(input.wheel.material, input.rail.material)),
         friction_(input.rolling.problem == Problem::frictionless ? 0.0
                                                                  : input.friction_coefficient) {}
@@ -157,10 +169,12 @@ class Level {
     state_ = {};
     sum_ = {};
     result_.setup_seconds += setup.seconds();
+    bool taking_up = checkpoint_ != nullptr;
     for (std::size_t k = 0; k < input_.rolling.creepages.size(); ++k) {
       if (!pressed(load_of(k))) return false;
       const Stopwatch watch;
-      solve_point(k);
+      taking_up = taking_up && taken_up(k);
+      if (!taking_up) solve_point(k);
       result_.tangential_seconds += watch.seconds();
       if (touches_border(grid, state_.normal.pressure)) return false;
     }
@@ -306,6 +320,39 @@ class Level {
     return found.creepage;
   }
 
+  std::string record_name(std::size_t k) const {
+    const ContactGrid& grid = result_.grid;
+    return fmt::format("halfspace-{}x{}-{:04}", grid.nx, grid.ny, k + 1);
+  }
+
+  std::string record_of(PointResult point) {
+    contact::Record record;
+    record.value(point);
+    exchange(record, state_);
+    return record.bytes();
+  }
+
+  /// A load point that an earlier run has solved, with the state from which the next one begins.
+  bool taken_up(std::size_t k) {
+    const std::optional<std::string> bytes = checkpoint_->find(record_name(k));
+    if (!bytes) return false;
+    contact::Record record(*bytes);
+    PointResult point;
+    record.value(point);
+    exchange(record, state_);
+    remember(k);
+    sum_ = {point.longitudinal_shift, point.lateral_shift, point.spin_shift, point.distance};
+    result_.contact_elements = state_.normal.contact_elements;
+    contact::ProgressEvent event;
+    event.point = static_cast<int>(k) + 1;
+    event.points = static_cast<int>(input_.rolling.creepages.size());
+    event.creepage = point.creepage.longitudinal;
+    event.note = fmt::format("{} of {} taken up", k + 1, event.points);
+    tell(event, "taken up", true);
+    result_.points.push_back(std::move(point));
+    return true;
+  }
+
   void solve_point(std::size_t k) {
     const Stopwatch watch;
     const char* stage = input_.rolling.problem == Problem::shift ? "shift" : "rolling";
@@ -328,6 +375,7 @@ class Level {
     point.seconds = watch.seconds();
     remember(k);
 
+    if (checkpoint_ != nullptr) checkpoint_->keep(record_name(k), record_of(point));
     event.creepage = point.creepage.longitudinal;
     event.iteration = state_.iterations;
     event.residual = state_.residual;
@@ -415,6 +463,7 @@ class Level {
   const LevelResult* coarser_;
   std::string stage_prefix_;
   const contact::Progress& progress_;
+  contact::Checkpoint* checkpoint_;
   contact::CombinedMaterial material_;
   double friction_;
   Stage stage_;
@@ -427,9 +476,10 @@ class Level {
 }  // namespace
 
 LevelResult solve_level(const Case& input, double dx, double dy, const LevelResult* coarser,
-                        const std::string& stage_prefix, const contact::Progress& progress) {
+                        const std::string& stage_prefix, const contact::Progress& progress,
+                        contact::Checkpoint* checkpoint) {
   const ContactGrid grid = potential_area(input, dx, dy, margin);
-  return Level(input, coarser, stage_prefix, progress)
+  return Level(input, coarser, stage_prefix, progress, checkpoint)
       .run(with_margin(grid, columns_for_steps(input, dx), 0));
 }
 

@@ -3,6 +3,7 @@
 // estimate.
 #pragma once
 
+#include "contact/checkpoint.hpp"
 #include "contact/defect_correction.hpp"
 #include "contact/model.hpp"
 #include "halfspace/compliance.hpp"
@@ -26,9 +27,11 @@ struct LevelResult {
 };
 
 /// Solves all load points with cells of dx by dy. `coarser` may be null. `stage_prefix` stands
-/// before the stage names of the progress events.
+/// before the stage names of the progress events. With a `checkpoint` (may be null) load points
+/// that it holds are taken up and others are kept there.
 LevelResult solve_level(const contact::Case& input, double dx, double dy,
                         const LevelResult* coarser, const std::string& stage_prefix,
-                        const contact::Progress& progress);
+                        const contact::Progress& progress,
+                        contact::Checkpoint* checkpoint = nullptr);
 
 }  // namespace rollfem::halfspace

@@ -143,7 +143,8 @@ void add_notes(const Case& input, ModelResult& result) {
 
 }  // namespace
 
-ModelResult run_halfspace(const Case& input, const contact::Progress& progress) {
+ModelResult run_halfspace(const Case& input, const contact::Progress& progress,
+                          contact::Checkpoint* checkpoint) {
   const auto begin = std::chrono::steady_clock::now();
   std::optional<LevelResult> coarse;
   std::optional<LevelResult> fine;
@@ -156,7 +157,8 @@ ModelResult run_halfspace(const Case& input, const contact::Progress& progress) 
     coarse = std::move(fine);
     const bool last = &cell == &cells.back();
     const std::string prefix = last ? "" : fmt::format("{} across: ", cell.across);
-    fine = solve_level(input, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress);
+    fine = solve_level(input, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress,
+                       last ? checkpoint : nullptr);
     result.seconds["setup"] += fine->setup_seconds;
     result.seconds["normal"] += fine->normal_seconds;
     result.seconds["tangential"] += fine->tangential_seconds;

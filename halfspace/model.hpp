@@ -1,6 +1,7 @@
 // The model "halfspace": Kalker's problem on the case's contact grid for every load point.
 #pragma once
 
+#include "contact/checkpoint.hpp"
 #include "contact/model.hpp"
 
 namespace rollfem::halfspace {
@@ -22,7 +23,9 @@ contact::ContactGrid potential_area(const contact::Case& input, int margin = 3);
 contact::ContactGrid potential_area(const contact::Case& input, double dx, double dy, int margin);
 
 /// Solves every load point; enlarges the grid when the patch touches its border; a run at half the
-/// resolution gives the error estimate and the first guess.
-contact::ModelResult run_halfspace(const contact::Case& input, const contact::Progress& progress);
+/// resolution gives the error estimate and the first guess. Load points of the finest grid are kept
+/// in the `checkpoint` and taken up from there (null: none).
+contact::ModelResult run_halfspace(const contact::Case& input, const contact::Progress& progress,
+                                   contact::Checkpoint* checkpoint = nullptr);
 
 }  // namespace rollfem::halfspace

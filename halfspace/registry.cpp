@@ -40,8 +40,9 @@ ModelResult run_fastsim_of_case(const Case& input, const Progress& progress) {
   return run_fastsim(input, progress, options);
 }
 
-ModelResult run_halfspace_with_depth(const Case& input, const Progress& progress) {
-  ModelResult result = run_halfspace(input, progress);
+ModelResult run_halfspace_with_depth(const Case& input, const Progress& progress,
+                                     contact::Checkpoint* checkpoint = nullptr) {
+  ModelResult result = run_halfspace(input, progress, checkpoint);
   const bool maxima = input.output.stress_maxima.value_or(false);
   if (input.subsurface.empty() && !maxima) return result;
   const auto begin = std::chrono::steady_clock::now();
@@ -68,7 +69,8 @@ const std::vector<std::pair<std::string, contact::Model>>& models() {
        [](const Case& c, const Progress& p) {
          return run_strip(c, p, {c.strip.strips, c.strip.strip_elements});
        }},
-      {"halfspace", run_halfspace_with_depth},
+      {"halfspace",
+       [](const Case& c, const Progress& p) { return run_halfspace_with_depth(c, p); }},
   };
   return all;
 }
@@ -84,8 +86,10 @@ const std::vector<std::string>& model_names() {
   return names;
 }
 
-ModelResult run_model(const std::string& name, const Case& input, const Progress& progress) {
+ModelResult run_model(const std::string& name, const Case& input, const Progress& progress,
+                      contact::Checkpoint* checkpoint) {
   contact::check_able(input, name);
+  if (name == "halfspace") return run_halfspace_with_depth(input, progress, checkpoint);
   for (const auto& [known, model] : models())
     if (known == name) return model(input, progress);
   throw contact::InputError(fmt::format("{}: there is no model of that name", name));

@@ -9,12 +9,15 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <set>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -54,14 +57,6 @@ int write_all(int file, std::string_view content) {
     content.remove_prefix(static_cast<std::size_t>(written));
   }
   return ::fsync(file) == 0 ? 0 : errno;
-}
-
-/// Best effort: some file systems cannot flush a folder.
-void flush_folder(const fs::path& folder) {
-  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) return;
-  ::fsync(file);
-  ::close(file);
 }
 
 bool is_result_folder(const fs::path& folder) {
@@ -132,6 +127,29 @@ void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs
   if (error) all_saved = false;
 }
 
+/// Removes what runs that were killed while they wrote this result have left: DIR.partial-PID of
+/// processes that are gone. Each run holds a lock on its own folder, which also tells about
+/// processes on other machines where the file system shares locks.
+void remove_stale_partials(const fs::path& target) {
+  const std::string prefix = target.filename().string() + ".partial-";
+  std::error_code error;
+  std::vector<fs::path> stale;
+  for (fs::directory_iterator entry(target.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.compare(0, prefix.size(), prefix) != 0 || !entry->is_directory(error)) continue;
+    char* rest = nullptr;
+    const long process = std::strtol(name.c_str() + prefix.size(), &rest, 10);
+    if (process <= 0 || (*rest != '\0' && *rest != '-')) continue;
+    if (::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH) continue;
+    const int file = ::open(entry->path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) continue;
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) stale.push_back(entry->path());
+    ::close(file);
+  }
+  for (const fs::path& folder : stale) fs::remove_all(folder, error);
+}
+
 /// Removes the empty folders from `folder` up to `topmost`; others may have put files there.
 void remove_empty(fs::path folder, const fs::path& topmost) {
   std::error_code error;
@@ -152,6 +170,21 @@ void write_file(const fs::path& path, std::string_view content) {
   fail("write", path, error);
 }
 
+void replace_file(const fs::path& path, std::string_view content) {
+  const fs::path part = path.string() + ".part";
+  ::unlink(part.c_str());
+  write_file(part, content);
+  if (::rename(part.c_str(), path.c_str()) != 0) fail("write", path, errno);
+  flush_folder(path.parent_path());
+}
+
+void flush_folder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
 ResultFolder::ResultFolder(const std::string& directory) : target_(resolve(directory)) {
   check_target(target_);
   const fs::path parent = target_.parent_path();
@@ -166,10 +199,15 @@ ResultFolder::ResultFolder(const std::string& directory) : target_(resolve(direc
     remove_empty(parent, missing);
     fail("make the folder", parent, reason);
   }
+  remove_stale_partials(target_);
   const std::string stem = fmt::format("{}.partial-{}", target_.string(), ::getpid());
   for (int attempt = 0; attempt < 100; ++attempt) {
     partial_ = attempt == 0 ? stem : fmt::format("{}-{}", stem, attempt);
-    if (::mkdir(partial_.c_str(), 0777) == 0) return;
+    if (::mkdir(partial_.c_str(), 0777) == 0) {
+      lock_ = ::open(partial_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (lock_ >= 0) ::flock(lock_, LOCK_EX | LOCK_NB);
+      return;
+    }
     if (errno != EEXIST) break;
   }
   const int reason = errno;
@@ -178,6 +216,7 @@ ResultFolder::ResultFolder(const std::string& directory) : target_(resolve(direc
 }
 
 ResultFolder::~ResultFolder() {
+  if (lock_ >= 0) ::close(lock_);
   if (committed_) return;
   std::error_code error;
   fs::remove_all(partial_, error);

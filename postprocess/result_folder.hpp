@@ -10,8 +10,9 @@ namespace rollfem::postprocess {
 
 class ResultFolder {
  public:
-  /// Makes DIR.partial-PID. Throws contact::InputError when `directory` is not a place for a
-  /// result: a file, a folder with other things in it, the current folder, not writable.
+  /// Makes DIR.partial-PID and removes those of processes that were killed. Throws
+  /// contact::InputError when `directory` is not a place for a result: a file, a folder with other
+  /// things in it, the current folder, not writable.
   explicit ResultFolder(const std::string& directory);
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
@@ -28,11 +29,20 @@ class ResultFolder {
   std::filesystem::path target_;
   std::filesystem::path partial_;
   std::filesystem::path topmost_created_;  ///< first missing parent that was made, or empty
+  int lock_ = -1;  ///< file descriptor, tells other runs that this one is alive
   bool committed_ = false;
 };
 
 /// Writes and flushes one new file. Throws contact::InputError naming file and reason; then nothing
 /// is left of it.
 void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// Writes a file that may be there already: whole and on the disk, or left as it was. The content
+/// is made in `path`.part first. Throws as write_file does.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
+/// Puts what has happened to the names in a folder on the disk. Best effort: some file systems
+/// cannot.
+void flush_folder(const std::filesystem::path& folder);
 
 }  // namespace rollfem::postprocess

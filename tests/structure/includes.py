@@ -15,7 +15,7 @@ ALLOWED = {
     "contact": {},
     "halfspace": {"contact": None},
     "meshes": {"contact": VALUES},
-    "postprocess": {"contact": VALUES | {"result", "stress_measures"}},
+    "postprocess": {"contact": VALUES | {"result", "stress_measures", "checkpoint", "record"}},
     "fem": {"contact": None, "halfspace": None, "meshes": None},
     "app": {"contact": None, "halfspace": None, "meshes": None, "postprocess": None,
             "fem": {"model"}},

@@ -1,0 +1,68 @@
+// The finite-element model after a kill, in one process and in two: the coarse level of the error
+// estimate and every finished load point are taken up, the result is the same to the last bit.
+#include "cli/resume.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+/// Small bodies; `solver` decides whether two processes can take the case.
+std::string coarse_case(const std::string& solver, const std::string& creepages) {
+  return "title = \"coarse\"\nmodels = [\"fem\"]\n"
+         "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
+         "[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n[rail]\ntransverse_radius = "
+         "500.0\n"
+         "[rolling]\nlongitudinal_creepage = " +
+         creepages +
+         "\n"
+         "[fem]\ncell_size = 1.4\nextent = 20\nlinear_solver = \"" +
+         solver + "\"\n";
+}
+
+std::vector<std::string> run(int processes, const std::string& file, const std::string& directory,
+                             bool resume) {
+  std::vector<std::string> command;
+  if (processes > 1)
+    command = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-n", std::to_string(processes)};
+  for (const char* argument : {ROLLFEM_PROGRAM, "run"}) command.emplace_back(argument);
+  command.insert(command.end(), {file, "-o", directory, "--no-report"});
+  if (resume) command.emplace_back("--resume");
+  return command;
+}
+
+/// Kills a run of the case when `level` has more than that many records, resumes it and compares.
+void expect_resumed_like(const fs::path& whole, const Folder& folder, const std::string& file,
+                         int processes, const std::string& level, int more_than) {
+  const fs::path unfinished = folder.work() / "killed.unfinished";
+  const Killed killed = kill_when(folder, run(processes, file, "killed", false),
+                                  [&] { return records(unfinished, level) > more_than; });
+  ASSERT_TRUE(killed.killed) << killed.err;
+  EXPECT_FALSE(fs::exists(folder.work() / "killed"));
+  const Outcome outcome = execute(folder, run(processes, file, "killed", true));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("load points of an earlier run"), std::string::npos) << outcome.err;
+  expect_same_results(folder, whole, folder.work() / "killed");
+  EXPECT_FALSE(fs::exists(unfinished));
+  fs::remove_all(folder.work() / "killed");
+}
+
+}  // namespace
+
+TEST(FemResume, TheResultIsTheSameToTheLastBit) {
+  const Folder folder;
+  const std::string file =
+      folder.file("coarse.toml", coarse_case("factorisation", "[0.0, 0.001, 0.002]"));
+  ASSERT_EQ(execute(folder, run(1, file, "whole", false)).status, 0);
+  const fs::path whole = folder.work() / "whole";
+  // On the level of the error estimate, after one load point; in the middle of the curve.
+  expect_resumed_like(whole, folder, file, 1, "fem-2.8mm", 1);
+  expect_resumed_like(whole, folder, file, 1, "fem-1.4mm", 2);
+}
+
+TEST(FemResume, InTwoProcesses) {
+  const Folder folder;
+  const std::string file = folder.file("coarse.toml", coarse_case("multigrid", "[0.0, 0.002]"));
+  ASSERT_EQ(execute(folder, run(2, file, "whole", false)).status, 0);
+  expect_resumed_like(folder.work() / "whole", folder, file, 2, "fem-2.8mm", 2);
+}

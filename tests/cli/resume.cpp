@@ -1,0 +1,182 @@
+// The command run after a kill: finished load points are taken up and the result is the same to the
+// last bit; what belongs to another case, is damaged, or cannot be written is told and does no
+// harm.
+#include "cli/resume.hpp"
+
+#include "unit/case_examples.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+// Ten load points of a second or so in all, after half a second of which they are kept.
+std::string slow_case(const std::string& rolling = "") {
+  return "models = [\"halfspace\"]\n" + small_case + "[rolling]\n" +
+         (rolling.empty() ? "longitudinal_creepage = [0.0, 0.0003, 0.0006, 0.0009, 0.0012, 0.0015, "
+                            "0.002, 0.0025, 0.003, 0.004]\nspin = 1e-4\n"
+                          : rolling) +
+         "[contact_grid]\nelements_across = 80\n";
+}
+
+std::vector<std::string> run(const std::string& file, const std::string& directory,
+                             std::vector<std::string> options = {}) {
+  std::vector<std::string> command{ROLLFEM_PROGRAM, "run", file, "-o", directory, "--no-report"};
+  command.insert(command.end(), options.begin(), options.end());
+  return command;
+}
+
+/// The result of the case without a kill, for all tests.
+const fs::path& whole() {
+  static const Folder folder;
+  static const fs::path result = [] {
+    EXPECT_EQ(execute(folder, run(folder.file("slow.toml", slow_case()), "whole")).status, 0);
+    return folder.work() / "whole";
+  }();
+  return result;
+}
+
+/// Kills a run once it has kept a few load points; their number.
+int leave_unfinished(const Folder& folder, const std::string& file, const std::string& directory) {
+  const fs::path unfinished = folder.work() / (directory + ".unfinished");
+  const Killed killed =
+      kill_when(folder, run(file, directory), [&] { return records(unfinished) >= 3; });
+  EXPECT_TRUE(killed.killed) << killed.err;
+  EXPECT_FALSE(fs::exists(folder.work() / directory));
+  return records(unfinished);
+}
+
+void expect_resumed_like(const fs::path& whole, const Folder& folder, const std::string& file) {
+  const int kept = leave_unfinished(folder, file, "killed");
+  const Outcome outcome = execute(folder, run(file, "killed", {"--resume"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("resume: " + std::to_string(kept) + " solutions"), std::string::npos)
+      << outcome.err;
+  expect_same_results(folder, whole, folder.work() / "killed");
+  EXPECT_FALSE(fs::exists(folder.work() / "killed.unfinished"));
+}
+
+TEST(Resume, AfterAKillTheResultIsTheSameToTheLastBit) {
+  const Folder folder;
+  expect_resumed_like(whole(), folder, folder.file("slow.toml", slow_case()));
+}
+
+TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
+  const Folder folder;
+  const std::string file = folder.file(
+      "slow.toml", slow_case("problem = \"transient\"\nlongitudinal_creepage = 0.002\n[history]\n"
+                             "step_length = [0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5]\n"));
+  ASSERT_EQ(execute(folder, run(file, "whole")).status, 0);
+  expect_resumed_like(folder.work() / "whole", folder, file);
+}
+
+TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  leave_unfinished(folder, file, "out");
+  const Outcome outcome = execute(folder, run(file, "out"));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("--resume takes them up"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
+  EXPECT_TRUE(fs::exists(folder.work() / "out" / "summary.json"));
+}
+
+TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  const int kept = leave_unfinished(folder, file, "out");
+  std::string changed = slow_case();
+  changed.replace(changed.find("0.0003"), 6, "0.0004");
+  folder.file("slow.toml", changed);
+  const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("slow.toml (or a file that it names) has changed"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(records(folder.work() / "out.unfinished"), kept);
+}
+
+TEST(Resume, ADamagedLoadPointIsComputedAgain) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  leave_unfinished(folder, file, "out");
+  for (const auto& entry : fs::directory_iterator(folder.work() / "out.unfinished"))
+    if (entry.path().string().find("-0002.point") != std::string::npos)
+      fs::resize_file(entry.path(), fs::file_size(entry.path()) / 2);
+  const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("is damaged"), std::string::npos) << outcome.err;
+  expect_same_results(folder, whole(), folder.work() / "out");
+}
+
+TEST(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  const Outcome outcome = execute(folder, run(file, "out", {"--resume", "-m", "hertz"}));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("no load points"), std::string::npos) << outcome.err;
+}
+
+TEST(Resume, TwoRunsOfOneResultAtATimeAreRefused) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  const fs::path unfinished = folder.work() / "out.unfinished";
+  Outcome second;
+  const Killed first = kill_when(folder, run(file, "out"), [&] {
+    if (records(unfinished) < 1) return false;
+    second = execute(folder, run(file, "out", {"--resume"}));
+    return true;
+  });
+  ASSERT_TRUE(first.killed);
+  EXPECT_EQ(second.status, 2);
+  EXPECT_NE(second.err.find("another run is at work"), std::string::npos) << second.err;
+}
+
+TEST(Resume, AFolderOfOtherThingsInTheWayIsRefused) {
+  const Folder folder;
+  fs::create_directory(folder.work() / "out.unfinished");
+  std::ofstream(folder.work() / "out.unfinished" / "thesis.txt") << "years of work";
+  const std::string file = folder.file("slow.toml", slow_case());
+  const Outcome outcome = execute(folder, run(file, "out"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("thesis.txt"), std::string::npos) << outcome.err;
+}
+
+TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  // Records need more than the limit, the files of the result less, except results.h5.
+  const Outcome outcome =
+      execute(folder, {"/bin/sh", "-c", "ulimit -f 200; exec \"$0\" \"$@\"", ROLLFEM_PROGRAM, "run",
+                       file, "-o", "out", "--no-report", "--quiet"});
+  const std::string told = "warning: finished load points are not kept from here on";
+  const std::size_t first = outcome.err.find(told);
+  ASSERT_NE(first, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find(told, first + 1), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("ulimit -f"), std::string::npos) << outcome.err;
+  // The result does not fit either: nothing half-written is left of it.
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  EXPECT_EQ(records(folder.work() / "out.unfinished"), 0);
+}
+
+TEST(Resume, WhatAKilledProcessLeftWhileWritingIsCleanedUpAndALivingOnesIsNot) {
+  const Folder folder;
+  const std::string file = folder.file("quick.toml", slow_case());
+  const pid_t gone = fork();
+  if (gone == 0) _exit(0);
+  waitpid(gone, nullptr, 0);
+  const fs::path stale = folder.work() / ("out.partial-" + std::to_string(gone));
+  const fs::path living = folder.work() / ("out.partial-" + std::to_string(getpid()));
+  const fs::path other = folder.work() / "out.partial-notes";
+  for (const fs::path& path : {stale, living, other}) {
+    fs::create_directory(path);
+    std::ofstream(path / "summary.json") << "{";
+  }
+  ASSERT_EQ(execute(folder, run(file, "out", {"-m", "hertz"})).status, 0);
+  EXPECT_FALSE(fs::exists(stale));
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_TRUE(fs::exists(other));
+}
+
+}  // namespace
