@@ -1,4 +1,5 @@
 // Displacement and recovered stress of a body as plain arrays for output.
+#include "fem/cell_terms.hpp"
 #include "fem/compliance.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -25,15 +26,6 @@ struct CellNodes {
     archive& node& values;
   }
 };
-
-/// Hooke's law on the displacement gradient, xx yy zz xy yz xz.
-std::array<double, 6> hooke(const contact::Material& material, const dealii::Tensor<2, 3>& g) {
-  const double nu = material.poisson_ratio;
-  const double mu = material.young_modulus / (2 * (1 + nu));
-  const double spherical = 2 * mu * nu / (1 - 2 * nu) * dealii::trace(g);
-  return {spherical + 2 * mu * g[0][0], spherical + 2 * mu * g[1][1], spherical + 2 * mu * g[2][2],
-          mu * (g[0][1] + g[1][0]),     mu * (g[1][2] + g[2][1]),     mu * (g[0][2] + g[2][0])};
-}
 
 /// Lagrange polynomials through the Gauss points, at the element's nodes: nodes x Gauss points. The
 /// stress of a Q_p element is most accurate at p^3 Gauss points (Barlow 1976).
@@ -73,7 +65,8 @@ CellNodes collect(const Body& body, const Vector& displacement) {
   dealii::FEValues<3> at_nodes(body.mapping(), element, dealii::Quadrature<3>(places),
                                dealii::update_quadrature_points);
   dealii::FEValues<3> at_gauss(body.mapping(), element, dealii::QGauss<3>(degree),
-                               dealii::update_gradients);
+                               dealii::update_gradients | dealii::update_quadrature_points);
+  CellStress cell_stress(body.problem());
   const dealii::FEValuesExtractors::Vector vector(0);
   std::vector<dealii::Tensor<2, 3>> gradients(at_gauss.n_quadrature_points);
   std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
@@ -82,6 +75,7 @@ CellNodes collect(const Body& body, const Vector& displacement) {
     if (!cell->is_locally_owned()) continue;
     at_nodes.reinit(cell);
     at_gauss.reinit(cell);
+    cell_stress.reinit(cell, displacement);
     at_gauss[vector].get_function_gradients(displacement, gradients);
     cell->get_dof_indices(indices);
     for (unsigned int a = 0; a < nodes; ++a) {
@@ -91,7 +85,7 @@ CellNodes collect(const Body& body, const Vector& displacement) {
         values[3 + c] = displacement(indices[dof_of[order[a]][c]]);
       }
       for (unsigned int q = 0; q < gradients.size(); ++q) {
-        const auto stress = hooke(body.material(), gradients[q]);
+        const auto stress = cell_stress.at(gradients[q], at_gauss.quadrature_point(q));
         for (unsigned int k = 0; k < 6; ++k) values[6 + k] += weights[a][q] * stress[k];
       }
       result.node.push_back(indices[dof_of[order[a]][0]]);

@@ -9,6 +9,7 @@
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
 #include "fem/multigrid.hpp"
+#include "fem/rolling_inertia.hpp"
 #include "halfspace/compliance.hpp"
 #include "halfspace/hertz.hpp"
 
@@ -87,6 +88,7 @@ BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch
   options.extent = input.fem.extent.value_or(8.0 * std::max(patch.semi_axis_x, patch.semi_axis_y));
   options.half = symmetric_about_rolling(input);
   options.degree = input.fem.degree;
+  options.speed = input.rolling.speed;
   return options;
 }
 
@@ -105,6 +107,8 @@ bool use_factorisation(const Case& input, const Body& body, int processes) {
     case contact::LinearSolver::automatic:
       break;
   }
+  if (body.material().poisson_ratio > largest_multigrid_poisson_ratio && processes == 1)
+    return true;  // multigrid refuses it
   const double n = static_cast<double>(body.unknowns());
   const double solves =
       solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
@@ -167,6 +171,7 @@ class LevelRun {
   int processes_;
   contact::Response defect_;  ///< of the load point before: a start for the next
   contact::SurfaceField last_traction_;
+  std::optional<WheelExpansion> expansion_;  ///< of a wheel that turns fast
 };
 
 void LevelRun::tell(contact::ProgressEvent event, const std::string& stage, bool finished) const {
@@ -184,9 +189,14 @@ contact::CoupledProblem LevelRun::problem(const contact::Creepage& creepage, boo
   result.shape = shape_;
   result.normal_force = input_.load.normal_force;
   result.approach = input_.load.approach;
+  if (expansion_) result.undeformed_distance += expansion_->distance;
   if (friction) {
     result.friction_coefficient = input_.friction_coefficient;
     result.rigid_slip = contact::rigid_slip(surface_, creepage, grid_);
+    if (expansion_) {
+      result.rigid_slip.x += expansion_->slip.x;
+      result.rigid_slip.y += expansion_->slip.y;
+    }
   }
   return result;
 }
@@ -270,6 +280,14 @@ contact::ModelResult LevelRun::run() {
   const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_);
   event.note = solvers.wheel->description();
   tell(event, "linear solvers", true);
+  if (input_.rolling.speed > 0.0) {
+    expansion_ =
+        wheel_expansion(wheel, *solvers.wheel, surface_, grid_, input_.rolling.upwind_order);
+    result.notes.push_back(fmt::format(
+        "rolling at {:.4g} mm/s: inertia of wheel and rail; spinning moves the wheel's surface out "
+        "by {:.3g} mm, which is part of the approach",
+        input_.rolling.speed, -expansion_->distance.mean()));
+  }
   result.seconds["factorisation"] = solver_watch.seconds();
 
   // The coupling of unlike materials is left to the defect: the preconditioner need not know it.
@@ -312,7 +330,8 @@ contact::ModelResult LevelRun::run() {
   if (options_.body_fields) {
     const Stopwatch stress_watch;
     tell({}, "stresses");
-    const std::vector<Vector> displacement = compliance.body_displacements(last_traction_);
+    std::vector<Vector> displacement = compliance.body_displacements(last_traction_);
+    if (expansion_) displacement[0] += expansion_->displacement;
     result.bodies = {body_field(wheel, displacement[0], "wheel"),
                      body_field(rail, displacement[1], "rail")};
     tell({}, "stresses", true);
