@@ -28,9 +28,9 @@ bool projects_dilatation(const ElasticProblem& problem);
 bool has_inertia(const ElasticProblem& problem);
 
 /// The functions that a cell's dilatation is projected on: constants for degree 1 (Q1-P0), linear
-/// functions of place for degree 2 (Q2-P1, discontinuous): the pair passes the inf-sup condition in
-/// degree 2 (Boffi, Brezzi and Fortin, Mixed finite element methods and applications, section
-/// 8.6.3). Orthonormal in the cell's own quadrature.
+/// functions of place for degree 2 (Q2-P1, discontinuous, which passes the inf-sup condition:
+/// Boffi, Brezzi and Fortin, Mixed finite element methods and applications, 2013). Orthonormal in
+/// the cell's own quadrature.
 class DilatationSpace {
  public:
   static constexpr int largest_size = 4;

@@ -285,7 +285,7 @@ contact::ModelResult LevelRun::run() {
         wheel_expansion(wheel, *solvers.wheel, surface_, grid_, input_.rolling.upwind_order);
     result.notes.push_back(fmt::format(
         "rolling at {:.4g} mm/s: inertia of wheel and rail; spinning moves the wheel's surface out "
-        "by {:.3g} mm, which is part of the approach",
+        "by {:.3g} mm, so that the axle stands higher: taken off the approach",
         input_.rolling.speed, -expansion_->distance.mean()));
   }
   result.seconds["factorisation"] = solver_watch.seconds();

@@ -94,11 +94,12 @@ dealii::Tensor<1, 3> spinning_disc_displacement(const contact::Material& materia
   const auto from_centre = place - motion.centre;
   const double along = from_centre * axle;
   const auto radial = from_centre - along * axle;
-  const double r2 = radial.norm_square();
-  const double stresses = pull / 4 * ((3 + nu) * R * R - 2 * (1 + nu) * r2);
-  displacement =
-      pull * (1 - nu) / (8 * material.young_modulus) * ((3 + nu) * R * R - (1 + nu) * r2) * radial;
-  displacement -= nu * stresses / material.young_modulus * along * axle;
+  const double r2 = radial.norm_square(), a2 = along * along;
+  displacement = pull / (8 * material.young_modulus) *
+                 ((1 - nu) * ((3 + nu) * R * R - (1 + nu) * r2) - 4 * nu * (1 + nu) * a2) * radial;
+  const double contraction =
+      (3 + nu) * R * R - 2 * (1 + nu) * r2 - 4 * nu * (1 + nu) / (3 * (1 - nu)) * a2;
+  displacement -= nu * pull / (4 * material.young_modulus) * contraction * along * axle;
   return displacement;
 }
 

@@ -14,9 +14,12 @@ MaterialMotion material_motion(const SurfaceShape& shape, double speed);
 /// int rho (-(v.grad)v) . N: the centrifugal load of material that turns, N. Constraints ignored.
 Vector centrifugal_load(const ElasticProblem& problem);
 
-/// Displacement of a free disc of uniform thickness (plane stress) that turns with this motion:
-/// u_r = rho omega^2 (1 - nu) ((3 + nu) R^2 r - (1 + nu) r^3)/(8 E), and the Poisson contraction
-/// -nu (sigma_r + sigma_theta) y / E (Timoshenko and Goodier, Theory of elasticity, section 32).
+/// Displacement of a free disc that turns with this motion, in equilibrium everywhere in it: in its
+/// middle plane (y = 0) that of plane stress,
+/// u_r = rho omega^2 (1 - nu) ((3 + nu) R^2 r - (1 + nu) r^3)/(8 E), and off it
+/// -rho omega^2 nu (1 + nu) y^2 r / (2 E) more; along the axle -nu/E times the integral of
+/// sigma_r + sigma_theta (Timoshenko and Goodier, Theory of Elasticity, the rotating disk
+/// as a three-dimensional problem).
 dealii::Tensor<1, 3> spinning_disc_displacement(const contact::Material& material,
                                                 const MaterialMotion& motion, double outer_radius,
                                                 const dealii::Point<3>& place);

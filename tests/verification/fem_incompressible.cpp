@@ -5,7 +5,7 @@
 #include "fem/compliance.hpp"
 #include "fem/contact_run.hpp"
 #include "fem/factorisation.hpp"
-#include "halfspace/model.hpp"
+#include "halfspace/registry.hpp"
 
 #include "fem_elastic_block.hpp"
 #include "fem_quarter_ring.hpp"
@@ -102,9 +102,6 @@ double swirl_error(unsigned int degree, int refinements, double nu, bool project
 TEST(NearlyIncompressible, QuadraticElementsKeepTheirOrderWherePlainOnesLock) {
   const double coarse = swirl_error(2, 1, nearly, true), fine = swirl_error(2, 2, nearly, true);
   const double locked = swirl_error(2, 2, nearly, false);
-  std::cout << "Q2: " << coarse << " -> " << fine << ", plain " << swirl_error(2, 1, nearly, false)
-            << " -> " << locked << ", nu 0.3 " << swirl_error(2, 2, 0.3, true) << " plain "
-            << swirl_error(2, 2, 0.3, false) << "\n";
   EXPECT_NEAR(std::log2(coarse / fine), 3.0, 0.4) << coarse << " -> " << fine;
   EXPECT_LT(fine, 0.01);
   EXPECT_GT(locked, 0.01);
@@ -113,9 +110,6 @@ TEST(NearlyIncompressible, QuadraticElementsKeepTheirOrderWherePlainOnesLock) {
 TEST(NearlyIncompressible, LinearElementsKeepTheirOrderWherePlainOnesLock) {
   const double coarse = swirl_error(1, 2, nearly, true), fine = swirl_error(1, 3, nearly, true);
   const double locked = swirl_error(1, 3, nearly, false);
-  std::cout << "Q1: " << coarse << " -> " << fine << ", plain " << swirl_error(1, 2, nearly, false)
-            << " -> " << locked << ", nu 0.3 " << swirl_error(1, 3, 0.3, true) << " plain "
-            << swirl_error(1, 3, 0.3, false) << "\n";
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.4) << coarse << " -> " << fine;
   EXPECT_LT(fine, 0.1);
   EXPECT_GT(locked, 0.1);
@@ -172,22 +166,23 @@ TEST(NearlyIncompressible, ThickCylinderHasLamesDisplacementAndStress) {
     const unsigned int cells = degree == 1 ? 8 : 4;
     const auto projected = thick_cylinder(degree, cells, true);
     const auto plain = thick_cylinder(degree, cells, false);
-    std::cout << "cylinder Q" << degree << ": u " << projected.displacement << " stress "
-              << projected.stress << " with plain dilatation " << projected.plain_stress
-              << "; plain u " << plain.displacement << " stress " << plain.stress << "\n";
     const double displacement = degree == 1 ? 0.01 : 1e-3, stress = degree == 1 ? 0.05 : 0.01;
     EXPECT_LT(projected.displacement, displacement) << "degree " << degree;
     EXPECT_LT(projected.stress, stress) << "degree " << degree;
     EXPECT_GT(plain.displacement, displacement) << "degree " << degree;
     EXPECT_GT(plain.stress, stress) << "degree " << degree;
-    EXPECT_GT(projected.plain_stress, stress) << "degree " << degree;
+    // At the one Gauss point of degree 1 the dilatation is its mean already.
+    if (degree == 2) {
+      EXPECT_GT(projected.plain_stress, stress);
+    }
   }
 }
 
+/// A ball of 50 mm whose patch has a radius of 0.5 mm: strains are small.
 contact::Case rubber_ball() {
   return contact::parse_case(R"(
 [load]
-normal_force = 1.42
+normal_force = 0.0222
 [friction]
 coefficient = 0.5
 [wheel]
@@ -200,37 +195,33 @@ transverse_radius = inf
 young_modulus = 10.0
 poisson_ratio = 0.4999
 [rolling]
-longitudinal_creepage = 0.01
+longitudinal_creepage = [0.0025, 0.0]
 [contact_grid]
 elements_across = 40
+[fem]
+extent = 3.0
 )",
                              "rubber.toml");
 }
 
-// A ball of 50 mm, patch of 2 mm: four quadratic cells to the radius.
+// Five quadratic cells to the radius of the patch.
 TEST(NearlyIncompressible, RubberBallPressesAndRollsAsTheHalfSpaceSays) {
   const auto input = rubber_ball();
-  const auto level = fem::run_level(input, {0.5, "", true}, {});
-  const auto& point = level.points.front();
-  const auto half = halfspace::run_model("halfspace", input, {}).points.front();
-  std::cout << "p0 " << point.max_pressure << " " << half.max_pressure << " a " << point.semi_axis_x
-            << " " << half.semi_axis_x << " b " << point.semi_axis_y << " f "
-            << point.traction_coefficient << " " << half.traction_coefficient << "\n";
-  EXPECT_NEAR(point.max_pressure / half.max_pressure, 1, 0.01);
-  EXPECT_NEAR(point.semi_axis_y / half.semi_axis_y, 1, 0.01);
-  EXPECT_NEAR(point.traction_coefficient, half.traction_coefficient, 0.01 * 0.5);
-  // Under the middle an incompressible body is in hydrostatic pressure p0; the recovered stress is
-  // that of a cell half a millimetre deep, where 2 % are lost.
+  const auto level = fem::run_level(input, {0.1, "", true}, {});
+  const auto half = halfspace::run_model("halfspace", input, {});
+  const double p0 = half.points[0].max_pressure;
+  EXPECT_NEAR(level.points[0].max_pressure / p0, 1, 0.01);
+  for (int k = 0; k < 2; ++k)
+    EXPECT_NEAR(level.points[k].traction_coefficient, half.points[k].traction_coefficient,
+                0.01 * 0.5);
+  // Under the middle of the patch an incompressible body is in hydrostatic compression p0.
   const auto& rail = level.bodies.at(1);
   int found = 0;
   for (std::size_t i = 0; i < rail.points.size(); ++i) {
     const auto& x = rail.points[i];
-    if (std::hypot(x[0], x[1], x[2]) > 1e-6) continue;
+    if (std::hypot(x[0], x[1], x[2]) > 1e-9) continue;
     ++found;
-    for (int k = 0; k < 3; ++k) {
-      std::cout << "stress " << k << " " << rail.stress[i][k] / half.max_pressure << "\n";
-      EXPECT_NEAR(-rail.stress[i][k] / half.max_pressure, 1, 0.05) << "component " << k;
-    }
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(-rail.stress[i][k] / p0, 1, 0.05) << "component " << k;
   }
   EXPECT_EQ(found, 1);
 }

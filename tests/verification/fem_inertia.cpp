@@ -1,6 +1,7 @@
 // Inertia of steady rolling against closed forms: a spinning ring, a pressure wave that moves over
 // a half-space, the spinning disc behind the wheel's expansion; and that it vanishes as V^2.
 #include "contact/case_reader.hpp"
+#include "contact/errors.hpp"
 #include "contact/rayleigh.hpp"
 #include "fem/cell_terms.hpp"
 #include "fem/compliance.hpp"
@@ -97,7 +98,7 @@ RingErrors ring_errors(double poisson_ratio, unsigned int cells) {
 }
 
 TEST(SpinningRing, HasTheClosedFormsDisplacementAndHoopStress) {
-  const auto coarse = ring_errors(0.3, 3), fine = ring_errors(0.3, 6);
+  const auto coarse = ring_errors(0.3, 6), fine = ring_errors(0.3, 12);
   RecordProperty("coarse", std::to_string(coarse.displacement));
   EXPECT_LT(fine.displacement, 1e-5) << coarse.displacement;
   EXPECT_NEAR(std::log2(coarse.displacement / fine.displacement), 3.0, 0.4);
@@ -115,9 +116,10 @@ TEST(SpinningRing, FeelsThatItsMaterialIsDisplaced) {
 }
 
 TEST(SpinningRing, ThatIsThinCarriesRhoOmegaSquaredRSquared) {
-  const double omega = 1e3;
+  const double omega = 1e3, load = 7.85e-9 * omega * omega * 1e4;
   const SpinningRing ring({210e3, 0.0, 7.85e-9}, omega, 99.9, 100.1);
-  EXPECT_NEAR(ring.hoop_stress(100) / (7.85e-9 * omega * omega * 1e4), 1, 1e-5);
+  // At the displaced radius R (1 + s/E), s being the stress itself.
+  EXPECT_NEAR(ring.hoop_stress(100) / (load / (1 - load / 210e3)), 1, 1e-5);
 }
 
 /// Deflection under p0 cos(k x) that moves with V over a half-space, relative to p0 / (mu k): with
@@ -154,7 +156,7 @@ double computed_wave(double speed, double nu, unsigned int cells) {
 
 TEST(MovingPressure, DeflectsAHalfSpaceAsColeAndHuthSay) {
   for (const double nu : {0.3, 0.4999})
-    for (const double fraction : {0.0, 0.3, 0.6, 0.8, 0.89}) {
+    for (const double fraction : {0.0, 0.6, 0.89}) {
       const double speed = fraction * contact::rayleigh_speed({210e3, nu, 7.85e-9});
       EXPECT_NEAR(computed_wave(speed, nu, 8) / moving_wave(speed, nu), 1, 5e-4)
           << fraction << " of the Rayleigh speed, nu = " << nu;
@@ -176,6 +178,8 @@ TEST(MovingPressure, BeyondTheRayleighSpeedLeavesTheStiffnessIndefinite) {
 contact::SurfaceField respond(double speed, const contact::SurfaceField& traction,
                               const contact::ContactGrid& grid) {
   auto options = small_options();
+  options.cell_size = 2;
+  options.fine_half_length = options.fine_half_width = 4;
   options.speed = speed;
   const fem::Body wheel(wheel_shape(60, 80), steel, options, MPI_COMM_SELF);
   const fem::Body rail(rail_shape(100), steel, options, MPI_COMM_SELF);
@@ -190,7 +194,7 @@ contact::SurfaceField operator-(const contact::SurfaceField& a, const contact::S
 }
 
 TEST(RollingInertia, VanishesAsTheSquareOfTheSpeed) {
-  const auto grid = contact::ContactGrid::centred(4, 4, 1, 1);
+  const auto grid = contact::ContactGrid::centred(4, 4, 2, 2);
   const auto p = random_field(grid, 1);
   const auto rest = respond(0, p, grid);
   const auto slow = respond(1e5, p, grid) - rest, fast = respond(2e5, p, grid) - rest;
@@ -203,7 +207,7 @@ TEST(RollingInertia, VanishesAsTheSquareOfTheSpeed) {
 }
 
 TEST(RollingInertia, LeavesTheComplianceSymmetricAndPositive) {
-  const auto grid = contact::ContactGrid::centred(4, 4, 1, 1);
+  const auto grid = contact::ContactGrid::centred(4, 4, 2, 2);
   const auto p = random_field(grid, 1), q = random_field(grid, 2);
   const double speed = 0.6 * contact::rayleigh_speed(steel);
   const auto ap = respond(speed, p, grid), aq = respond(speed, q, grid);
@@ -237,32 +241,36 @@ TEST(WheelExpansion, IsThatOfASpinningDiscWhateverTheSegment) {
     const auto expansion = fem::wheel_expansion(
         wheel, *solver, fem::common_surface(shape, rail_shape(contact::infinity)), grid,
         contact::UpwindOrder::second);
-    EXPECT_NEAR(-expansion.distance.mean() / exact, 1, 0.01) << extent;
-    EXPECT_NEAR(expansion.slip.x.mean() * radius / -exact, 1, 0.02) << extent;
-    EXPECT_LT(expansion.slip.y.cwiseAbs().maxCoeff(), 0.02 * exact / radius) << extent;
+    // The disc has stresses of this order on its rim, off the middle plane.
+    const double neglected = std::pow(extent / radius, 2);
+    EXPECT_NEAR(-expansion.distance.mean() / exact, 1, neglected) << extent;
+    EXPECT_NEAR(expansion.slip.x.mean() * radius / -exact, 1, neglected) << extent;
+    EXPECT_LT(expansion.slip.y.cwiseAbs().maxCoeff(), neglected * exact / radius) << extent;
   }
 }
 
-contact::PointResult case_a(double speed, double creepage) {
+std::vector<contact::PointResult> case_a(double speed, const std::vector<double>& creepages) {
   contact::Case input =
       contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_a.toml");
-  input.rolling.creepages = {{creepage, 0.0, 0.0}};
+  input.rolling.creepages.clear();
+  for (const double creepage : creepages) input.rolling.creepages.push_back({creepage, 0.0, 0.0});
   input.rolling.speed = speed;
-  return fem::run_level(input, {1.88, "", false}, {}).points.front();
+  input.fem.extent = 60;
+  return fem::run_level(input, {1.88, "", false}, {}).points;
 }
 
-// At 50 m/s the wheel's growth is what is felt: it lowers the force at given creepage as a wheel
-// with a longer circumference does, and is all of the change in approach.
+// At 50 m/s the wheel's growth is what is felt: the axle stands higher by it, and the force at
+// given creepage is that of a wheel with a longer circumference.
 TEST(RollingInertia, InContactIsMostlyTheGrowthOfTheWheel) {
-  const double speed = 5e4, radius = 405;
+  const double speed = 5e4, radius = 405, xi = 0.001;
   const double growth = steel.density * speed * speed * radius * 0.7 / (4 * steel.young_modulus);
-  const auto rest = case_a(0, 0.001), moving = case_a(speed, 0.001);
-  const auto shifted = case_a(0, 0.001 - growth / radius);
-  EXPECT_NEAR((moving.approach - rest.approach) / growth, 1, 0.02);
-  EXPECT_NEAR((moving.traction_coefficient - rest.traction_coefficient) /
-                  (shifted.traction_coefficient - rest.traction_coefficient),
+  const auto rest = case_a(0, {xi, xi - growth / radius});
+  const auto moving = case_a(speed, {xi}).front();
+  EXPECT_NEAR((rest[0].approach - moving.approach) / growth, 1, 0.02);
+  EXPECT_NEAR((moving.traction_coefficient - rest[0].traction_coefficient) /
+                  (rest[1].traction_coefficient - rest[0].traction_coefficient),
               1, 0.1);
-  EXPECT_NEAR(moving.max_pressure / rest.max_pressure, 1, 5e-4);
+  EXPECT_NEAR(moving.max_pressure / rest[0].max_pressure, 1, 5e-4);
 }
 
 }  // namespace

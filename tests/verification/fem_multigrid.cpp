@@ -71,19 +71,16 @@ fem::MaterialMotion turning() {
 // Assembly, and the kernel on every level, with every term that a cell can have.
 TEST(Multigrid, EqualsTheFactorisationWithInertiaAndProjectedDilatation) {
   for (const unsigned int degree : {1U, 2U})
-    for (const double poisson_ratio : {0.3, 0.48})
-      for (const bool turns : {false, true}) {
-        BlockOptions options;
-        options.degree = degree;
-        options.bend = 0.15;
-        options.local_refinements = 1;
-        options.material.poisson_ratio = poisson_ratio;
-        if (turns) options.motion = turning();
-        int iterations = 0;
-        EXPECT_LT(difference_from_factorisation(options, &iterations), 1e-8)
-            << "degree " << degree << ", nu = " << poisson_ratio << ", turns " << turns;
-        RecordProperty("iterations", iterations);
-      }
+    for (const double poisson_ratio : {0.3, 0.48}) {
+      BlockOptions options;
+      options.degree = degree;
+      options.bend = 0.15;
+      options.local_refinements = 1;
+      options.material.poisson_ratio = poisson_ratio;
+      options.motion = turning();
+      EXPECT_LT(difference_from_factorisation(options), 1e-8)
+          << "degree " << degree << ", nu = " << poisson_ratio;
+    }
 }
 
 TEST(Multigrid, RefusesNearlyIncompressibleBodies) {
