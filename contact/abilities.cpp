@@ -65,6 +65,10 @@ const std::vector<Demand>& demands() {
       {"given_pressure", "a given pressure",
        [](const Case& c) { return c.given_pressure.has_value(); }, elliptic},
       {"young_modulus = inf", "a rigid body", any_rigid, elliptic},
+      {"rolling.speed > 0",
+       "the inertia of moving bodies",
+       [](const Case& c) { return c.rolling.speed > 0.0; },
+       {"fem"}},
   };
   return all;
 }
@@ -79,8 +83,8 @@ void check_able(const Case& input, const std::string& model) {
     const std::string able = joined(demand.models);
     throw InputError(
         fmt::format("{}: model {}: {}: it cannot take {}; allowed: {}; do: run with "
-                    "--model halfspace, or change the case",
-                    input.file, model, demand.key, demand.what, able));
+                    "--model {}, or change the case",
+                    input.file, model, demand.key, demand.what, able, demand.models.back()));
   }
 }
 

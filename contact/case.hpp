@@ -18,6 +18,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Material {
   double young_modulus = 210e3;  ///< MPa, inf: rigid (at most one of the two bodies)
   double poisson_ratio = 0.3;
+  double density = 7.85e-9;  ///< t/mm^3, felt at Rolling::speed > 0 only
 };
 
 /// Upper body (1): a surface of revolution about the axle.
@@ -92,6 +93,7 @@ enum class LeadingEdge {
 
 struct Rolling {
   Problem problem = Problem::steady;
+  double speed = 0.0;  ///< mm/s; 0: quasi-static, no inertia
   /// Lists in the file are broadcast to one length: that of the load points (steps of a history).
   std::vector<Creepage> creepages{Creepage{}};
   std::vector<PrescribedForce> forces;  ///< as long as `creepages`, or empty: none prescribed

@@ -1,6 +1,7 @@
 // Checks of problem, prescribed forces, history, given pressure, distance and slip from files.
 #include "contact/case_checks.hpp"
 #include "contact/errors.hpp"
+#include "contact/rayleigh.hpp"
 
 #include <fmt/format.h>
 
@@ -201,6 +202,24 @@ void check_rigid(const GivenCase& given, const Case& input) {
           "inf for at most one of wheel and rail", "give one of them a finite modulus");
 }
 
+/// Moving loads have no steady answer at the Rayleigh speed: the stiffness with inertia becomes
+/// indefinite there.
+void check_speed(const GivenCase& given, const Case& input) {
+  if (input.rolling.speed == 0.0) return;
+  const GivenValue& speed = *given.find("rolling", "speed");
+  for (const bool wheel : {true, false}) {
+    const Material& material = wheel ? input.wheel.material : input.rail.material;
+    const double limit = largest_rayleigh_fraction * rayleigh_speed(material);
+    if (input.rolling.speed < limit) continue;
+    fail_at(
+        given, "rolling.speed", speed,
+        fmt::format("is at or above {} of the Rayleigh wave speed of the {}, {:.4g} mm/s",
+                    largest_rayleigh_fraction, wheel ? "wheel" : "rail", rayleigh_speed(material)),
+        fmt::format("below {:.4g} mm/s", limit),
+        "lower the speed (mm/s), or check young_modulus (MPa) and density (t/mm^3)");
+  }
+}
+
 void check_places(const GivenCase& given, const Case& input) {
   long points = 0;
   for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
@@ -293,6 +312,7 @@ void complete(const GivenCase& given, Case& input) {
 void check_values(const GivenCase& given, const Case& input) {
   check_rigid(given, input);
   check_friction_limit(given, input);
+  check_speed(given, input);
   check_places(given, input);
 }
 

@@ -137,6 +137,21 @@ void add_material(std::vector<Key>& keys, const std::string& section, Body Case:
                   [body](Case& c, const KeyValue& v) {
                     (c.*body).material.poisson_ratio = std::get<double>(v);
                   }});
+  keys.push_back(
+      {section,
+       "density",
+       KeyKind::number,
+       "rho",
+       "t/mm^3",
+       {0.0, 1e-7},
+       {},
+       false,
+       "",
+       "",
+       "Mass density, which matters at rolling.speed > 0 only; the default is steel "
+       "(1 t/mm^3 = 1e12 kg/m^3).",
+       [body](const Case& c) -> KeyValue { return (c.*body).material.density; },
+       [body](Case& c, const KeyValue& v) { (c.*body).material.density = std::get<double>(v); }});
 }
 
 std::vector<Key> body_keys() {
@@ -215,6 +230,20 @@ std::vector<Key> rolling_keys() {
       creepage_key("lateral_creepage", "eta", "", "The same along y.", &Creepage::lateral),
       creepage_key("spin", "phi", "rad/mm",
                    "Rigid rotation about the normal over the rolling speed.", &Creepage::spin),
+      {"rolling",
+       "speed",
+       KeyKind::number,
+       "V",
+       "mm/s",
+       {0.0, 1e8},
+       {},
+       false,
+       "",
+       "",
+       "Rolling speed, for the inertia of wheel and rail and the wheel's centrifugal load; 0 is "
+       "quasi-static. Below 0.9 of the slower body's Rayleigh wave speed.",
+       [](const Case& c) -> KeyValue { return c.rolling.speed; },
+       [](Case& c, const KeyValue& v) { c.rolling.speed = std::get<double>(v); }},
       {"rolling",
        "upwind_order",
        KeyKind::word,

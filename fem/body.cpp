@@ -4,6 +4,7 @@
 
 #include "contact/errors.hpp"
 #include "fem/chart.hpp"
+#include "fem/rolling_inertia.hpp"
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -227,7 +228,8 @@ Body::Body(const SurfaceShape& shape, const contact::Material& material, const B
 }
 
 ElasticProblem Body::problem() const {
-  return {dofs_, mapping_, constraints_, boundary_, material_};
+  return {dofs_,     mapping_,  constraints_,
+          boundary_, material_, material_motion(shape_, options_.speed)};
 }
 
 }  // namespace rollfem::fem

@@ -52,6 +52,7 @@ struct BodyOptions {
   int degree = 2;
   double fine_depth = 2;  ///< the fine region reaches that many cells below the surface
   double growth = 1;      ///< cells may be cell_size + growth * distance from the fine region
+  double speed = 0;       ///< mm/s, rolling speed: inertia in the stiffness (rolling_inertia.hpp)
 };
 
 /// About as many unknowns as a body of these options will have, found by counting cells without

@@ -4,29 +4,34 @@
 
 namespace rollfem::fem {
 
-CellStiffness::CellStiffness(const dealii::FiniteElement<3>& element,
-                             const dealii::Mapping<3>& mapping, const contact::Material& material)
-    : nodes_(element.dofs_per_cell / 3),
-      scalar_(element.degree),
-      quadrature_(element.degree + 1),
-      values_(mapping, scalar_, quadrature_, dealii::update_gradients | dealii::update_JxW_values),
-      lambda_(material.young_modulus * material.poisson_ratio /
-              ((1 + material.poisson_ratio) * (1 - 2 * material.poisson_ratio))),
-      mu_(material.young_modulus / (2 * (1 + material.poisson_ratio))),
-      position_(element.dofs_per_cell),
-      gradients_(element.dofs_per_cell),
-      products_(element.dofs_per_cell * element.dofs_per_cell),
-      stiffness_(element.dofs_per_cell * element.dofs_per_cell) {
+CellStiffness::CellStiffness(const ElasticProblem& problem)
+    : nodes_(problem.dofs.get_fe().dofs_per_cell / 3),
+      scalar_(problem.dofs.get_fe().degree),
+      quadrature_(scalar_.degree + 1),
+      values_(
+          problem.mapping, scalar_, quadrature_,
+          dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points),
+      lambda_(lame_lambda(problem.material)),
+      mu_(lame_mu(problem.material)),
+      position_(3 * nodes_),
+      gradients_(3 * nodes_),
+      products_(9 * nodes_ * nodes_),
+      projected_(projects_dilatation(problem)),
+      space_(static_cast<int>(scalar_.degree)),
+      projected_gradients_(DilatationSpace::largest_size * 3 * nodes_),
+      density_(has_inertia(problem) ? problem.material.density : 0.0),
+      motion_(problem.motion),
+      inertia_(nodes_ * nodes_, 0.0),
+      stiffness_(9 * nodes_ * nodes_) {
+  const auto& element = problem.dofs.get_fe();
   for (unsigned int dof = 0; dof < element.dofs_per_cell; ++dof) {
     const auto [component, node] = element.system_to_component_index(dof);
     position_[3 * node + component] = dof;
   }
 }
 
-const std::vector<double>& CellStiffness::compute(
-    const dealii::DoFHandler<3>::active_cell_iterator& cell) {
+void CellStiffness::integrate() {
   const unsigned int n = 3 * nodes_;
-  values_.reinit(static_cast<const dealii::Triangulation<3>::active_cell_iterator&>(cell));
   std::fill(products_.begin(), products_.end(), 0.0);
   for (unsigned int q = 0; q < quadrature_.size(); ++q) {
     for (unsigned int a = 0; a < nodes_; ++a)
@@ -37,16 +42,59 @@ const std::vector<double>& CellStiffness::compute(
       for (unsigned int c = 0; c < n; ++c) row[c] += left * gradients_[c];
     }
   }
+}
+
+void CellStiffness::project_dilatation() {
+  const unsigned int n = 3 * nodes_;
+  space_.reinit(values_.get_quadrature_points(), values_.get_JxW_values());
+  std::fill(projected_gradients_.begin(), projected_gradients_.end(), 0.0);
+  for (unsigned int q = 0; q < quadrature_.size(); ++q) {
+    const auto functions = space_.values(values_.quadrature_point(q));
+    for (int k = 0; k < space_.size(); ++k)
+      for (unsigned int a = 0; a < nodes_; ++a)
+        for (unsigned int i = 0; i < 3; ++i)
+          projected_gradients_[k * n + 3 * a + i] +=
+              values_.JxW(q) * functions[k] * values_.shape_grad(a, q)[i];
+  }
+}
+
+void CellStiffness::integrate_inertia() {
+  std::fill(inertia_.begin(), inertia_.end(), 0.0);
+  std::vector<double> along(nodes_);
+  for (unsigned int q = 0; q < quadrature_.size(); ++q) {
+    const auto velocity = motion_.at(values_.quadrature_point(q));
+    for (unsigned int a = 0; a < nodes_; ++a) along[a] = velocity * values_.shape_grad(a, q);
+    for (unsigned int a = 0; a < nodes_; ++a)
+      for (unsigned int b = 0; b < nodes_; ++b)
+        inertia_[a * nodes_ + b] += density_ * values_.JxW(q) * along[a] * along[b];
+  }
+}
+
+const std::vector<double>& CellStiffness::compute(
+    const dealii::DoFHandler<3>::active_cell_iterator& cell) {
+  const unsigned int n = 3 * nodes_;
+  values_.reinit(static_cast<const dealii::Triangulation<3>::active_cell_iterator&>(cell));
+  integrate();
+  if (projected_) project_dilatation();
+  if (density_ > 0) integrate_inertia();
   for (unsigned int a = 0; a < nodes_; ++a)
     for (unsigned int b = 0; b < nodes_; ++b) {
       const auto product = [&](unsigned int i, unsigned int j) {
         return products_[(3 * a + i) * n + 3 * b + j];
       };
-      const double laplace = mu_ * (product(0, 0) + product(1, 1) + product(2, 2));
+      const auto dilatations = [&](unsigned int i, unsigned int j) {
+        if (!projected_) return product(i, j);
+        double sum = 0;
+        for (int k = 0; k < space_.size(); ++k)
+          sum += projected_gradients_[k * n + 3 * a + i] * projected_gradients_[k * n + 3 * b + j];
+        return sum;
+      };
+      const double laplace =
+          mu_ * (product(0, 0) + product(1, 1) + product(2, 2)) - inertia_[a * nodes_ + b];
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
           stiffness_[position_[3 * a + i] * n + position_[3 * b + j]] =
-              lambda_ * product(i, j) + mu_ * product(j, i) + (i == j ? laplace : 0.0);
+              lambda_ * dilatations(i, j) + mu_ * product(j, i) + (i == j ? laplace : 0.0);
     }
   return stiffness_;
 }
@@ -217,7 +265,7 @@ class CellCondensation {
 SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns) {
   const auto cells = collect_cell_unknowns(problem.dofs, unknowns);
   auto matrix = make_pattern(unknowns.count, cells);
-  CellStiffness cell_stiffness(problem.dofs.get_fe(), problem.mapping, problem.material);
+  CellStiffness cell_stiffness(problem);
   CellCondensation condensation(unknowns);
   std::vector<dealii::types::global_dof_index> indices(problem.dofs.get_fe().dofs_per_cell);
   std::size_t number = 0;

@@ -2,6 +2,7 @@
 // unknowns (constraints eliminated) in compressed columns. One process only.
 #pragma once
 
+#include "fem/cell_terms.hpp"
 #include "fem/linear_solver.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -13,17 +14,21 @@
 
 namespace rollfem::fem {
 
-/// K_ab,ij = int lambda dN_a/dx_i dN_b/dx_j + mu dN_a/dx_j dN_b/dx_i + mu delta_ij grad N_a.grad
-/// N_b for FE_Q(degree)^3, unknowns numbered as in the deal.II cell. Reuses its buffers from cell
-/// to cell.
+/// K_ab,ij = int lambda P(dN_a/dx_i) P(dN_b/dx_j) + mu dN_a/dx_j dN_b/dx_i + delta_ij (mu grad
+/// N_a.grad N_b - rho (v.grad N_a)(v.grad N_b)) for FE_Q(degree)^3, with the projection P (or the
+/// identity) and the flow v of cell_terms.hpp; unknowns numbered as in the deal.II cell. Reuses its
+/// buffers from cell to cell.
 class CellStiffness {
  public:
-  CellStiffness(const dealii::FiniteElement<3>& element, const dealii::Mapping<3>& mapping,
-                const contact::Material& material);
+  explicit CellStiffness(const ElasticProblem& problem);
   /// Row-major, dofs per cell squared, symmetric.
   const std::vector<double>& compute(const dealii::DoFHandler<3>::active_cell_iterator& cell);
 
  private:
+  void integrate();
+  void project_dilatation();
+  void integrate_inertia();
+
   const unsigned int nodes_;
   dealii::FE_Q<3> scalar_;
   dealii::QGauss<3> quadrature_;
@@ -33,6 +38,12 @@ class CellStiffness {
   std::vector<unsigned int> position_;  ///< dof of (node a, component i) at 3 a + i
   std::vector<double> gradients_;       ///< of one quadrature point, 3 a + i
   std::vector<double> products_;        ///< int dN_a/dx_i dN_b/dx_j, (3 a + i, 3 b + j)
+  const bool projected_;
+  DilatationSpace space_;
+  std::vector<double> projected_gradients_;  ///< coefficients of P(dN_a/dx_i), function by function
+  const double density_;                     ///< t/mm^3, 0: no inertia
+  const MaterialMotion motion_;
+  std::vector<double> inertia_;  ///< rho int (v.grad N_a)(v.grad N_b), (a, b)
   std::vector<double> stiffness_;
 };
 

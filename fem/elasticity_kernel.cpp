@@ -69,17 +69,37 @@ ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) 
   }
 }
 
+/// One batch's part of CellBatches, and the number of functions for the dilatation.
+template <typename V>
+struct CellData {
+  const V *geometry, *flow, *dilatation;
+};
+template <int n>
+constexpr int dilatation_functions = n == 2 ? 1 : 4;
+
+/// Trace of grad u = h^T g.
+template <typename V>
+ROLLFEM_INLINE V trace(const V* h, const V (&g)[3][3]) {
+  V sum{};
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) sum += g[c][0] * h[0 + c] + g[c][1] * h[3 + c] + g[c][2] * h[6 + c];
+  return sum;
+}
+
 /// g[c][e] = d u_c / d xi_e, times the geometry: stress, pulled back in place. One quadrature
 /// point. With h = sqrt(w) dxi/dx, grad u = h^T g and the integrand is (h^T grad v) : sigma.
+/// `projected` is sqrt(w) lambda times the projected dilatation; null: that of g.
 template <typename V, typename Number>
-ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& material, V (&g)[3][3]) {
+ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& material,
+                                 const V* projected, V (&g)[3][3]) {
   V grad[3][3];
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c)
 #pragma GCC unroll 3
     for (int d = 0; d < 3; ++d)
       grad[c][d] = g[c][0] * h[0 + d] + g[c][1] * h[3 + d] + g[c][2] * h[6 + d];
-  const V pressure = material.lambda * (grad[0][0] + grad[1][1] + grad[2][2]);
+  const V pressure =
+      projected != nullptr ? *projected : material.lambda * (grad[0][0] + grad[1][1] + grad[2][2]);
   V s[3][3];
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) s[c][c] = pressure + 2 * material.mu * grad[c][c];
@@ -93,9 +113,71 @@ ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& materi
       g[c][e] = s[c][0] * h[3 * e] + s[c][1] * h[3 * e + 1] + s[c][2] * h[3 * e + 2];
 }
 
+template <int points, typename V>
+ROLLFEM_INLINE void gather_point(const V (&gradient)[3][3][points], int q, V (&g)[3][3]) {
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+    for (int e = 0; e < 3; ++e) g[c][e] = gradient[c][e][q];
+}
+
+/// lambda times the coefficients of the projected dilatation.
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE void project(const CellData<V>& cell, const LameConstants<Number>& material,
+                            const V (&gradient)[3][3][n * n * n], V* coefficients) {
+  constexpr int functions = dilatation_functions<n>;
+  for (int k = 0; k < functions; ++k) coefficients[k] = V{};
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    const V dilatation = trace(cell.geometry + 9 * q, g);
+#pragma GCC unroll 4
+    for (int k = 0; k < functions; ++k)
+      coefficients[k] += cell.dilatation[functions * q + k] * dilatation;
+  }
+  for (int k = 0; k < functions; ++k) coefficients[k] *= material.lambda;
+}
+
+/// At every quadrature point: the gradient's stress less the flux of momentum, pulled back.
+template <int n, bool projected, bool flows, typename V, typename Number>
+ROLLFEM_INLINE void apply_law(const CellData<V>& cell, const LameConstants<Number>& material,
+                              V (&gradient)[3][3][n * n * n]) {
+  constexpr int functions = dilatation_functions<n>;
+  V coefficients[functions];
+  if constexpr (projected) project<n>(cell, material, gradient, coefficients);
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    [[maybe_unused]] V pressure{}, along[3];
+    if constexpr (projected) {
+#pragma GCC unroll 4
+      for (int k = 0; k < functions; ++k)
+        pressure += cell.dilatation[functions * q + k] * coefficients[k];
+    }
+    if constexpr (flows) {
+      const V* const a = cell.flow + 3 * q;
+#pragma GCC unroll 3
+      for (int c = 0; c < 3; ++c) along[c] = a[0] * g[c][0] + a[1] * g[c][1] + a[2] * g[c][2];
+    }
+    apply_stress(cell.geometry + 9 * q, material, projected ? &pressure : nullptr, g);
+    if constexpr (flows) {
+      const V* const a = cell.flow + 3 * q;
+#pragma GCC unroll 3
+      for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+        for (int e = 0; e < 3; ++e) g[c][e] -= a[e] * along[c];
+    }
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+      for (int e = 0; e < 3; ++e) gradient[c][e][q] = g[c][e];
+  }
+}
+
 /// u = K_cell u for one batch, u[component][node].
 template <int n, typename V, typename Number>
-ROLLFEM_INLINE void cell_product(const V* geometry, const LameConstants<Number>& material, V* u) {
+ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Number>& material,
+                                 V* u) {
   constexpr int nodes = n * n * n;
   constexpr Shape<n> shape = make_shape<n>();
   V gradient[3][3][nodes];
@@ -109,18 +191,15 @@ ROLLFEM_INLINE void cell_product(const V* geometry, const LameConstants<Number>&
     contract<n, 1, false, false, V, Number>(shape.gradient, work, gradient[c][1]);
     contract<n, 2, false, false, V, Number>(shape.gradient, work, gradient[c][2]);
   }
-  for (int q = 0; q < nodes; ++q) {
-    V g[3][3];
-#pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c)
-#pragma GCC unroll 3
-      for (int e = 0; e < 3; ++e) g[c][e] = gradient[c][e][q];
-    apply_stress(geometry + 9 * q, material, g);
-#pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c)
-#pragma GCC unroll 3
-      for (int e = 0; e < 3; ++e) gradient[c][e][q] = g[c][e];
-  }
+  // Decided once a batch, so that bodies at rest pay nothing for what others need.
+  if (cell.dilatation == nullptr && cell.flow == nullptr)
+    apply_law<n, false, false>(cell, material, gradient);
+  else if (cell.dilatation == nullptr)
+    apply_law<n, false, true>(cell, material, gradient);
+  else if (cell.flow == nullptr)
+    apply_law<n, true, false>(cell, material, gradient);
+  else
+    apply_law<n, true, true>(cell, material, gradient);
   for (int c = 0; c < 3; ++c) {
     V* v = u + c * nodes;
     contract<n, 0, true, false, V, Number>(shape.gradient, gradient[c][0], work);
@@ -130,6 +209,17 @@ ROLLFEM_INLINE void cell_product(const V* geometry, const LameConstants<Number>&
     contract<n, 1, true, false, V, Number>(shape.value, v, work);
     contract<n, 0, true, false, V, Number>(shape.value, work, v);
   }
+}
+
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE CellData<V> data_of(const CellBatches<Number>& cells, std::size_t batch) {
+  constexpr std::size_t points = n * n * n, width = lanes<Number>;
+  const auto part = [batch](const Number* data, std::size_t items) {
+    return data == nullptr ? nullptr
+                           : reinterpret_cast<const V*>(data + batch * points * items * width);
+  };
+  return {part(cells.geometry, 9), part(cells.flow, 3),
+          part(cells.dilatation, dilatation_functions<n>)};
 }
 
 template <int n, typename Number>
@@ -142,9 +232,7 @@ ROLLFEM_INLINE void add_product(const CellBatches<Number>& cells,
     const unsigned int* index = cells.indices + batch * dofs * width;
     for (int i = 0; i < dofs; ++i)
       for (int lane = 0; lane < width; ++lane) u[i][lane] = x[index[i * width + lane]];
-    const auto* geometry =
-        reinterpret_cast<const V*>(cells.geometry + batch * 9 * n * n * n * width);
-    cell_product<n, V, Number>(geometry, material, u);
+    cell_product<n, V, Number>(data_of<n, V>(cells, batch), material, u);
     // Lanes share nodes: one after the other.
     for (int i = 0; i < dofs; ++i)
       for (int lane = 0; lane < width; ++lane) y[index[i * width + lane]] += u[i][lane];
@@ -157,11 +245,11 @@ ROLLFEM_INLINE void element_matrices(const CellBatches<Number>& cells,
                                      Number* matrices) {
   using V = typename Simd<Number>::type;
   constexpr int width = lanes<Number>, dofs = 3 * n * n * n;
-  const auto* geometry = reinterpret_cast<const V*>(cells.geometry + batch * 9 * n * n * n * width);
+  const auto cell = data_of<n, V>(cells, batch);
   V u[dofs];
   for (int column = 0; column < dofs; ++column) {
     for (int i = 0; i < dofs; ++i) u[i] = V{} + static_cast<Number>(i == column ? 1 : 0);
-    cell_product<n, V, Number>(geometry, material, u);
+    cell_product<n, V, Number>(cell, material, u);
     for (int i = 0; i < dofs; ++i)
       for (int lane = 0; lane < width; ++lane)
         matrices[(static_cast<std::size_t>(i) * dofs + column) * width + lane] = u[i][lane];

@@ -23,6 +23,13 @@ struct CellBatches {
   /// [batch][quadrature point][e][d][lane]: sqrt(weight det J) * d xi_e / d x_d at the Gauss points
   /// of degree + 1 points a direction, so that products of two of them carry the whole integral.
   const Number* geometry = nullptr;
+  /// [batch][quadrature point][e][lane]: sqrt(rho weight det J) * v . grad xi_e for material that
+  /// flows with velocity v; null: no inertia.
+  const Number* flow = nullptr;
+  /// [batch][quadrature point][k][lane]: sqrt(weight det J) * phi_k with the functions, one in
+  /// degree 1 and four in degree 2, on which the dilatation is projected, orthonormal in the cell's
+  /// quadrature; null: not projected.
+  const Number* dilatation = nullptr;
 };
 
 /// Lame's constants, MPa.

@@ -1,5 +1,7 @@
 #include "fem/elasticity_operator.hpp"
 
+#include "fem/cell_terms.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +13,7 @@ namespace {
 template <typename Number, typename Out, typename In>
 dealii::AlignedVector<Out> pack(const std::vector<In>& data, std::size_t cells) {
   constexpr std::size_t width = lanes<Number>;
-  if (cells == 0) return {};
+  if (data.empty()) return {};
   const std::size_t items = data.size() / cells, batches = (cells + width - 1) / width;
   dealii::AlignedVector<Out> packed(batches * items * width, Out(0));
   for (std::size_t cell = 0; cell < cells; ++cell)
@@ -71,20 +73,22 @@ class CellConstraints {
 }  // namespace
 
 template <typename Number>
-ElasticityOperator<Number>::ElasticityOperator(const LocalCells& cells,
-                                               const contact::Material& material)
+ElasticityOperator<Number>::ElasticityOperator(const LocalCells& cells)
     : dofs_(cells.dofs),
       kernel_(elasticity_kernel<Number>(cells.degree)),
       cell_dofs_(3 * (cells.degree + 1) * (cells.degree + 1) * (cells.degree + 1)),
       cells_(cells.count),
       indices_(pack<Number, unsigned int>(cells.indices, cells.count)),
       geometry_(pack<Number, Number>(cells.geometry, cells.count)),
+      flow_(pack<Number, Number>(cells.flow, cells.count)),
+      dilatation_(pack<Number, Number>(cells.dilatation, cells.count)),
       source_(cells.dofs->with_ghosts),
       result_(cells.dofs->with_ghosts) {
-  const double e = material.young_modulus, nu = material.poisson_ratio;
-  material_.lambda = static_cast<Number>(e * nu / ((1 + nu) * (1 - 2 * nu)));
-  material_.mu = static_cast<Number>(e / (2 * (1 + nu)));
-  batches_ = {(cells_ + lanes<Number> - 1) / lanes<Number>, indices_.data(), geometry_.data()};
+  material_.lambda = static_cast<Number>(lame_lambda(cells.material));
+  material_.mu = static_cast<Number>(lame_mu(cells.material));
+  batches_ = {(cells_ + lanes<Number> - 1) / lanes<Number>, indices_.data(), geometry_.data(),
+              flow_.empty() ? nullptr : flow_.data(),
+              dilatation_.empty() ? nullptr : dilatation_.data()};
 }
 
 template <typename Number>
@@ -221,6 +225,7 @@ double ElasticityOperator<Number>::memory_bytes() const {
   for (const auto& row : dofs_->constrained)
     rows += static_cast<double>(sizeof(row) + row.terms.size() * sizeof(ConstrainedRow::Term));
   return static_cast<double>(indices_.memory_consumption() + geometry_.memory_consumption() +
+                             flow_.memory_consumption() + dilatation_.memory_consumption() +
                              source_.memory_consumption() + result_.memory_consumption()) +
          rows;
 }

@@ -2,8 +2,8 @@
 // boundary conditions included, on the locally owned part of the unknowns of every process.
 #pragma once
 
-#include "contact/case.hpp"
 #include "fem/elasticity_kernel.hpp"
+#include "fem/linear_solver.hpp"
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/partitioner.h>
@@ -45,12 +45,14 @@ struct LocalCells {
   std::shared_ptr<const LocalDofs> dofs;
   std::vector<unsigned int> indices;  ///< [cell][component][node], nodes lexicographic
   std::vector<double> geometry;       ///< [cell][point][e][d], as in CellBatches
+  std::vector<double> flow;           ///< [cell][point][e], empty without inertia
+  std::vector<double> dilatation;     ///< [cell][point][function], empty: not projected
+  contact::Material material;
 };
 
 /// Collective. Throws contact::InputError for degrees other than 1 and 2 and for cells that the
 /// mapping turns inside out.
-LocalCells make_local_cells(const dealii::DoFHandler<3>& dofs, const dealii::Mapping<3>& mapping,
-                            const dealii::AffineConstraints<double>& constraints);
+LocalCells make_local_cells(const ElasticProblem& problem);
 
 /// Lower triangle of a sparse symmetric matrix in global numbers, row after row.
 struct MatrixEntry {
@@ -65,7 +67,7 @@ class ElasticityOperator {
  public:
   using VectorType = dealii::LinearAlgebra::distributed::Vector<Number>;
 
-  ElasticityOperator(const LocalCells& cells, const contact::Material& material);
+  explicit ElasticityOperator(const LocalCells& cells);
 
   VectorType make_vector() const;
   /// K x, collective.
@@ -97,7 +99,7 @@ class ElasticityOperator {
   int cell_dofs_;
   std::size_t cells_;
   dealii::AlignedVector<unsigned int> indices_;
-  dealii::AlignedVector<Number> geometry_;
+  dealii::AlignedVector<Number> geometry_, flow_, dilatation_;
   CellBatches<Number> batches_;
   mutable VectorType source_, result_;  ///< with ghosts
 };

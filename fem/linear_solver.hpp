@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/case.hpp"
+#include "fem/material_motion.hpp"
 
 #include <deal.II/base/types.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -12,6 +13,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -34,6 +36,10 @@ struct ElasticProblem {
   const dealii::AffineConstraints<double>& constraints;
   BoundaryConditions boundary;
   contact::Material material;
+  MaterialMotion motion = {};  ///< of material with a density: adds inertia to K
+  /// Whether the dilatation is projected (cell_terms.hpp); unset: where Poisson's ratio asks for
+  /// it.
+  std::optional<bool> project_dilatation = {};
 };
 
 /// Hanging nodes and boundary conditions for any level of a body.

@@ -1,5 +1,6 @@
 // Collects what the matrix-free operator needs from deal.II: local numbers, constraints, geometry.
 #include "contact/errors.hpp"
+#include "fem/cell_terms.hpp"
 #include "fem/elasticity_operator.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -78,43 +79,63 @@ std::shared_ptr<const LocalDofs> make_local_dofs(
   return result;
 }
 
-std::vector<double> cell_geometry(const dealii::DoFHandler<3>& dofs,
-                                  const dealii::Mapping<3>& mapping) {
-  const dealii::QGauss<3> quadrature(dofs.get_fe().degree + 1);
-  dealii::FEValues<3> values(mapping, dofs.get_fe(), quadrature,
-                             dealii::update_inverse_jacobians | dealii::update_JxW_values);
-  std::vector<double> geometry;
+/// What the kernel reads at the quadrature points of one cell.
+void add_points(const ElasticProblem& problem, const dealii::FEValues<3>& values,
+                DilatationSpace& space, LocalCells& cells) {
+  const bool flows = has_inertia(problem), projected = projects_dilatation(problem);
+  if (projected) space.reinit(values.get_quadrature_points(), values.get_JxW_values());
+  for (const auto q : values.quadrature_point_indices()) {
+    const double root = std::sqrt(values.JxW(q));
+    const auto& inverse = values.inverse_jacobian(q);
+    for (unsigned int e = 0; e < 3; ++e)
+      for (unsigned int d = 0; d < 3; ++d) cells.geometry.push_back(root * inverse[e][d]);
+    if (flows) {
+      const auto velocity = problem.motion.at(values.quadrature_point(q));
+      const double scale = root * std::sqrt(problem.material.density);
+      for (unsigned int e = 0; e < 3; ++e)
+        cells.flow.push_back(scale * (velocity * dealii::Tensor<1, 3>(inverse[e])));
+    }
+    if (projected) {
+      const auto functions = space.values(values.quadrature_point(q));
+      for (int k = 0; k < space.size(); ++k) cells.dilatation.push_back(root * functions[k]);
+    }
+  }
+}
+
+void add_geometry(const ElasticProblem& problem, LocalCells& cells) {
+  const auto& dofs = problem.dofs;
+  dealii::FEValues<3> values(problem.mapping, dofs.get_fe(),
+                             dealii::QGauss<3>(dofs.get_fe().degree + 1),
+                             dealii::update_inverse_jacobians | dealii::update_JxW_values |
+                                 dealii::update_quadrature_points);
+  DilatationSpace space(cells.degree);
   bool valid = true;
   for (const auto& cell : dofs.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     values.reinit(cell);
-    for (const auto q : values.quadrature_point_indices()) {
-      valid = valid && values.JxW(q) > 0;
-      const double root = std::sqrt(values.JxW(q));
-      for (unsigned int e = 0; e < 3; ++e)
-        for (unsigned int d = 0; d < 3; ++d)
-          geometry.push_back(root * values.inverse_jacobian(q)[e][d]);
-    }
+    const auto& weights = values.get_JxW_values();
+    valid = valid && std::all_of(weights.begin(), weights.end(), [](double w) { return w > 0; });
+    if (valid) add_points(problem, values, space, cells);
   }
   // All processes throw or none does.
   if (dealii::Utilities::MPI::min(valid ? 1 : 0, dofs.get_communicator()) == 0)
     throw contact::InputError("the mesh has a cell that is inside out: refine or smooth it");
-  return geometry;
 }
 
 }  // namespace
 
-LocalCells make_local_cells(const dealii::DoFHandler<3>& dofs, const dealii::Mapping<3>& mapping,
-                            const dealii::AffineConstraints<double>& constraints) {
+LocalCells make_local_cells(const ElasticProblem& problem) {
+  const auto& element = problem.dofs.get_fe();
   LocalCells cells;
-  cells.degree = static_cast<int>(dofs.get_fe().degree);
-  const auto of_cells = cell_dofs(dofs);
-  cells.count = of_cells.size() / dofs.get_fe().dofs_per_cell;
-  cells.dofs = make_local_dofs(dofs, of_cells, constraints);
+  cells.degree = static_cast<int>(element.degree);
+  cells.material = problem.material;
+  const auto of_cells = cell_dofs(problem.dofs);
+  cells.count = of_cells.size() / element.dofs_per_cell;
+  cells.dofs = make_local_dofs(problem.dofs, of_cells, problem.constraints);
   cells.indices.reserve(of_cells.size());
   for (const auto dof : of_cells)
     cells.indices.push_back(cells.dofs->with_ghosts->global_to_local(dof));
-  cells.geometry = cell_geometry(dofs, mapping);
+  add_geometry(problem, cells);
   return cells;
 }
 

@@ -21,8 +21,8 @@ using Transfer = dealii::MGTwoLevelTransfer<3, FloatVector>;
 
 /// One level above the coarsest; single precision, it only preconditions.
 struct Level {
-  Level(const LocalCells& cells, const contact::Material& material, int smoother_degree)
-      : stiffness(cells, material),
+  Level(const LocalCells& cells, int smoother_degree)
+      : stiffness(cells),
         smoother(stiffness, smoother_degree),
         solution(stiffness.make_vector()),
         right(stiffness.make_vector()),
@@ -53,7 +53,8 @@ Discretisation discretise(const dealii::Triangulation<3>& mesh, const ElasticPro
   level.own->distribute_dofs(problem.dofs.get_fe());
   level.dofs = level.own.get();
   level.constraints = make_constraints(*level.dofs, problem.mapping, problem.boundary);
-  level.cells = make_local_cells(*level.dofs, problem.mapping, level.constraints);
+  level.cells = make_local_cells({*level.dofs, problem.mapping, level.constraints, problem.boundary,
+                                  problem.material, problem.motion, problem.project_dilatation});
   return level;
 }
 
@@ -61,7 +62,7 @@ Discretisation finest(const ElasticProblem& problem) {
   Discretisation level;
   level.dofs = &problem.dofs;
   level.constraints.copy_from(problem.constraints);
-  level.cells = make_local_cells(problem.dofs, problem.mapping, problem.constraints);
+  level.cells = make_local_cells(problem);
   return level;
 }
 
@@ -97,13 +98,18 @@ class Multigrid : public LinearSolver {
 
 Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& options)
     : options_(options) {
+  if (problem.material.poisson_ratio > largest_multigrid_poisson_ratio)
+    throw contact::InputError(fmt::format(
+        "poisson_ratio = {}: multigrid does not converge for nearly incompressible bodies; "
+        "allowed: up to {}; do: linear_solver = \"factorisation\", without mpirun",
+        problem.material.poisson_ratio, largest_multigrid_poisson_ratio));
   using namespace dealii::MGTransferGlobalCoarseningTools;
   const auto& mesh = problem.dofs.get_triangulation();
   const auto meshes = create_geometric_coarsening_sequence(mesh);
   Discretisation coarser =
       meshes.size() > 1 ? discretise(*meshes.front(), problem) : finest(problem);
   {
-    const ElasticityOperator<double> coarsest(coarser.cells, problem.material);
+    const ElasticityOperator<double> coarsest(coarser.cells);
     const auto owned = coarser.cells.dofs->owned_only;
     coarse_ =
         std::make_unique<CoarseSolver>(coarsest.assemble(), owned->size(),
@@ -114,12 +120,11 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
   for (std::size_t i = 1; i < meshes.size(); ++i) {
     Discretisation level =
         i + 1 < meshes.size() ? discretise(*meshes[i], problem) : finest(problem);
-    levels_.push_back(
-        std::make_unique<Level>(level.cells, problem.material, options.smoother_degree));
+    levels_.push_back(std::make_unique<Level>(level.cells, options.smoother_degree));
     connect(levels_.back()->to_coarser, level, coarser);
     coarser = std::move(level);
   }
-  stiffness_ = std::make_unique<ElasticityOperator<double>>(coarser.cells, problem.material);
+  stiffness_ = std::make_unique<ElasticityOperator<double>>(coarser.cells);
 }
 
 /// V-cycle: solution of level `level` (counted above the coarsest, which is 0) from its right side.

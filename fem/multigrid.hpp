@@ -12,7 +12,11 @@ struct MultigridOptions {
   int smoother_degree = 6;  ///< matrix products before, and again after, the coarse correction
 };
 
-/// Any number of MPI processes; collective.
+/// Bodies nearer to incompressible are refused: point smoothing fails on the nearly singular
+/// volumetric part, and iterations grow without bound (docs/verification.md).
+inline constexpr double largest_multigrid_poisson_ratio = 0.49;
+
+/// Any number of MPI processes; collective. Throws contact::InputError above that Poisson's ratio.
 std::unique_ptr<LinearSolver> make_multigrid(const ElasticProblem& problem,
                                              const MultigridOptions& options = {});
 

@@ -2,7 +2,7 @@
 // surface then have the same rule as all others, and hanging nodes need no exception.
 #include "fem/stress_recovery.hpp"
 
-#include "fem/hooke.hpp"
+#include "fem/cell_terms.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -78,6 +78,7 @@ LocalFrame local_frame(const Cell& cell) {
 struct StressRecovery::Implementation {
   /// A cell of this process or one beside it.
   struct CellData {
+    dealii::DoFHandler<3>::active_cell_iterator cell;
     std::vector<GlobalIndex> dofs;
     std::vector<Point<3>> samples;      ///< places of the superconvergent points
     std::vector<Tensor<2, 3>> inverse;  ///< d reference / d place there
@@ -116,6 +117,7 @@ struct StressRecovery::Implementation {
       if (cell->is_artificial()) continue;
       number[cell->active_cell_index()] = cells.size();
       CellData data;
+      data.cell = cell;
       data.dofs.resize(element.dofs_per_cell);
       cell->get_dof_indices(data.dofs);
       values.reinit(cell);
@@ -164,8 +166,10 @@ struct StressRecovery::Implementation {
 
   /// Stress at the superconvergent points of a cell: those of Gauss's rule with degree^3 points
   /// (Barlow 1976).
-  std::vector<Stress6> sample(const CellData& cell, const Vector& displacement) const {
+  std::vector<Stress6> sample(const CellData& cell, const Vector& displacement,
+                              CellStress& law) const {
     std::vector<Stress6> stress;
+    law.reinit(cell.cell, displacement);
     std::vector<double> u(cell.dofs.size());
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = displacement(cell.dofs[i]);
     for (unsigned int q = 0; q < gauss.size(); ++q) {
@@ -173,7 +177,7 @@ struct StressRecovery::Implementation {
       for (unsigned int i = 0; i < u.size(); ++i)
         by_reference[element.system_to_component_index(i).first] +=
             u[i] * shape_gradients[q * u.size() + i];
-      stress.push_back(hooke(body.material(), by_reference * cell.inverse[q]));
+      stress.push_back(law.at(by_reference * cell.inverse[q], cell.samples[q]));
     }
     return stress;
   }
@@ -240,7 +244,8 @@ struct StressRecovery::Implementation {
   NodalStress recover(const Vector& displacement) const {
     std::vector<std::vector<Stress6>> stress;
     stress.reserve(cells.size());
-    for (const CellData& cell : cells) stress.push_back(sample(cell, displacement));
+    CellStress law(body.problem());
+    for (const CellData& cell : cells) stress.push_back(sample(cell, displacement, law));
     NodalStress result{make_vector(body.dofs()), make_vector(body.dofs())};
     result.direct.zero_out_ghost_values();
     result.shear.zero_out_ghost_values();

@@ -29,6 +29,9 @@ struct BlockOptions {
   unsigned int degree = 2;
   double bend = 0;  ///< makes cells skew: the coarse vertices move by a smooth field of this size
   MPI_Comm communicator = MPI_COMM_WORLD;
+  contact::Material material = {};
+  fem::MaterialMotion motion = {};
+  std::optional<bool> project_dilatation = {};
 };
 
 /// Boundary ids as deal.II colours them: 2 d for the lower, 2 d + 1 for the upper face of
@@ -42,7 +45,8 @@ class Block {
         mapping_(options.degree),
         element_(dealii::FE_Q<3>(options.degree), 3),
         dofs_(mesh_),
-        boundary_(boundary) {
+        boundary_(boundary),
+        options_(options) {
     const dealii::Point<3> upper(options.size[0], options.size[1], options.size[2]);
     dealii::GridGenerator::subdivided_hyper_rectangle(
         mesh_, {options.cells[0], options.cells[1], options.cells[2]}, dealii::Point<3>(), upper,
@@ -61,7 +65,15 @@ class Block {
     constraints_ = fem::make_constraints(dofs_, mapping_, boundary_);
   }
 
-  fem::ElasticProblem problem() const { return {dofs_, mapping_, constraints_, boundary_, {}}; }
+  fem::ElasticProblem problem() const {
+    return {dofs_,
+            mapping_,
+            constraints_,
+            boundary_,
+            options_.material,
+            options_.motion,
+            options_.project_dilatation};
+  }
   const dealii::DoFHandler<3>& dofs() const { return dofs_; }
 
   /// int f . v over the body, or over the faces of one boundary id; constraints ignored.
@@ -146,6 +158,7 @@ class Block {
   dealii::FESystem<3> element_;
   dealii::DoFHandler<3> dofs_;
   fem::BoundaryConditions boundary_;
+  BlockOptions options_;
   dealii::AffineConstraints<double> constraints_;
 };
 

@@ -300,6 +300,15 @@ TEST(Abilities, ModelsRefuseWhatTheyLeaveOutAndNameThoseThatCan) {
         << model;
     EXPECT_EQ(refusal(test::small_case, model), "able") << model;
   }
+  const std::string fast = plus("[rolling]\nspeed = 5e4\n");
+  EXPECT_EQ(refusal(fast, "fem"), "able");
+  for (const char* model : {"hertz", "carter", "halfspace"})
+    EXPECT_NE(
+        refusal(fast, model)
+            .find("rolling.speed > 0: it cannot take the inertia of moving bodies; allowed: fem; "
+                  "do: run with --model fem"),
+        std::string::npos)
+        << model;
   const std::string given = pressure + "max_pressure = 1e3\n";
   EXPECT_EQ(refusal(given, "fastsim"), "able");
   EXPECT_NE(refusal(given, "fem").find("a given pressure"), std::string::npos);

@@ -53,12 +53,14 @@ rolling_radius = 460
 transverse_radius = -300.0
 young_modulus = 200e3
 poisson_ratio = 0.25
+density = 7.2e-9
 [rail]
 transverse_radius = 250
 young_modulus = 100000
 poisson_ratio = 0.0
 [rolling]
 longitudinal_creepage = [0, 0.001]
+speed = 4e4
 lateral_creepage = -0.002
 spin = [1e-4, 0.0]
 upwind_order = "first"
@@ -85,6 +87,9 @@ fields = false
   EXPECT_EQ(input.wheel.transverse_radius, -300.0);
   EXPECT_EQ(input.wheel.material.young_modulus, 200e3);
   EXPECT_EQ(input.wheel.material.poisson_ratio, 0.25);
+  EXPECT_EQ(input.wheel.material.density, 7.2e-9);
+  EXPECT_EQ(input.rail.material.density, 7.85e-9);
+  EXPECT_EQ(input.rolling.speed, 4e4);
   EXPECT_EQ(input.rail.transverse_radius, 250.0);
   EXPECT_EQ(input.rail.material.young_modulus, 100e3);
   EXPECT_EQ(input.rail.material.poisson_ratio, 0.0);

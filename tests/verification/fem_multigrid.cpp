@@ -60,6 +60,37 @@ TEST(Multigrid, EqualsTheFactorisationWithHangingNodesAndSymmetryPlane) {
   }
 }
 
+/// A body that turns about an axle along y above the block, as fast as 0.6 of the Rayleigh speed.
+fem::MaterialMotion turning() {
+  fem::MaterialMotion motion;
+  motion.centre = Point<3>(1.5, 0, 12);
+  motion.rotation[1] = 1.8e6 / 12;
+  return motion;
+}
+
+// Assembly, and the kernel on every level, with every term that a cell can have.
+TEST(Multigrid, EqualsTheFactorisationWithInertiaAndProjectedDilatation) {
+  for (const unsigned int degree : {1U, 2U})
+    for (const double poisson_ratio : {0.3, 0.48}) {
+      BlockOptions options;
+      options.degree = degree;
+      options.bend = 0.15;
+      options.local_refinements = 1;
+      options.material.poisson_ratio = poisson_ratio;
+      options.motion = turning();
+      EXPECT_LT(difference_from_factorisation(options), 1e-8)
+          << "degree " << degree << ", nu = " << poisson_ratio;
+    }
+}
+
+TEST(Multigrid, RefusesNearlyIncompressibleBodies) {
+  BlockOptions options;
+  options.local_refinements = 0;
+  options.material.poisson_ratio = 0.4999;
+  const Block block(options, test::clamped_below());
+  EXPECT_THROW(fem::make_multigrid(block.problem()), contact::InputError);
+}
+
 TEST(Multigrid, EqualsTheFactorisationOnStretchedCells) {
   BlockOptions options;
   options.cells = {4, 3, 3};
