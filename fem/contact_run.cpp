@@ -6,6 +6,7 @@
 #include "contact/geometry.hpp"
 #include "contact/patch_size.hpp"
 #include "contact/stopwatch.hpp"
+#include "fem/case_bodies.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
 #include "fem/multigrid.hpp"
@@ -87,6 +88,7 @@ BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch
   options.extent = input.fem.extent.value_or(8.0 * std::max(patch.semi_axis_x, patch.semi_axis_y));
   options.half = symmetric_about_rolling(input);
   options.degree = input.fem.degree;
+  set_segment_sizes(input, options);
   return options;
 }
 
@@ -254,10 +256,9 @@ contact::ModelResult LevelRun::run() {
   const Stopwatch mesh_watch;
   tell({}, "mesh");
   const BodyOptions options = body_options(input_, patch_, grid_, options_.cell_size);
-  const Body wheel({true, input_.wheel.rolling_radius, input_.wheel.transverse_radius},
-                   input_.wheel.material, options, MPI_COMM_WORLD);
-  const Body rail({false, contact::infinity, input_.rail.transverse_radius}, input_.rail.material,
-                  options, MPI_COMM_WORLD);
+  const CaseBodies bodies = make_bodies(input_, options, MPI_COMM_WORLD);
+  const Body& wheel = *bodies.wheel;
+  const Body& rail = *bodies.rail;
   result.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
   contact::ProgressEvent event;
   event.note = fmt::format("wheel {} + rail {} unknowns", wheel.unknowns(), rail.unknowns());
@@ -305,7 +306,7 @@ contact::ModelResult LevelRun::run() {
     result.points.push_back(solve_point(k, compliance, halfspace));
     PointResult& point = result.points.back();
     point.error_estimate["approach"] =
-        suppressed_approach(input_, point.normal_force, options.extent) / point.approach;
+        suppressed_approach(input_, point.normal_force, bodies.reach) / point.approach;
   }
   result.seconds["tangential"] = rolling_watch.seconds();
 
@@ -322,7 +323,8 @@ contact::ModelResult LevelRun::run() {
       "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the approach "
       "is "
       "that of these segments; its error estimate says how much more it may be for large bodies",
-      options.extent));
+      bodies.reach));
+  result.notes.insert(result.notes.end(), bodies.notes.begin(), bodies.notes.end());
   const double steepest = shape_.climb.cwiseAbs().maxCoeff();
   if (steepest > 0.05)
     result.notes.push_back(fmt::format(
@@ -334,7 +336,7 @@ contact::ModelResult LevelRun::run() {
     result.notes.push_back(
         "extra_slip is not added: the rolling radius of every point comes from the wheel's "
         "profile");
-  if (options.half)
+  if (wheel.options().half && rail.options().half)
     result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
                                      options.cell_size, options.degree,
@@ -348,6 +350,11 @@ double default_cell_size(const Case& input) {
   if (input.fem.cell_size) return *input.fem.cell_size;
   const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
   return std::min(patch.semi_axis_x, patch.semi_axis_y) / 8.0;
+}
+
+BodyOptions case_body_options(const Case& input, double cell) {
+  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
+  return body_options(input, patch, lattice_grid(patch.semi_axis_x, patch.semi_axis_y, cell), cell);
 }
 
 contact::ModelResult run_level(const Case& input, const LevelOptions& options,

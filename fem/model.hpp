@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/model.hpp"
+#include "fem/mesh_report.hpp"
 
 namespace rollfem::fem {
 
@@ -15,6 +16,7 @@ struct Entry {
   void (*stop)();                          ///< MPI_Finalize
   int (*process)();                        ///< rank
   contact::ModelResult (*run)(const contact::Case&, const contact::Progress&);
+  std::vector<MeshedBody> (*mesh)(const contact::Case&);
 };
 
 }  // namespace rollfem::fem
