@@ -1,6 +1,7 @@
 // The command-line program: reads the call, hands over to the command, and turns every failure
 // into one line on stderr and an exit status (0 done, 1 the solution failed, 2 input or call
 // wrong).
+#include "app/mesh.hpp"
 #include "app/processes.hpp"
 #include "app/run.hpp"
 #include "app/version.hpp"
@@ -24,6 +25,7 @@ using namespace rollfem;
 
 struct Call {
   app::RunRequest run;
+  app::MeshRequest mesh;
   std::string check_file;
   std::string new_case_file;
   std::string page;
@@ -43,7 +45,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 /// CLI11 would only say that a command is missing.
 void check_command(const CLI::App& program, int argc, char** argv) {
-  const std::string allowed = "allowed: run, check, new-case, docs; do: rollfem --help";
+  const std::string allowed = "allowed: run, mesh, check, new-case, docs; do: rollfem --help";
   if (argc < 2) throw contact::InputError("no command is given; " + allowed);
   const std::string name = argv[1];
   if (name.empty() || name.front() == '-') return;
@@ -117,6 +119,14 @@ void add_commands(CLI::App& program, Call& call) {
     app::run(call.run);
   });
 
+  CLI::App* mesh = program.add_subcommand(
+      "mesh", "write the finite-element meshes of a case and print their quality");
+  mesh->add_option("case", call.mesh.case_file, "case file (.toml)")->required();
+  mesh->add_option("-o,--output", call.mesh.directory,
+                   "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu; without it "
+                   "results/<name of the case file>_mesh");
+  mesh->callback([&call] { app::mesh(call.mesh); });
+
   CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
   check->add_option("case", call.check_file, "case file (.toml)")->required();
   check->callback([&call] { std::cout << contact::describe(contact::read_case(call.check_file)); });
@@ -133,8 +143,8 @@ void add_commands(CLI::App& program, Call& call) {
 int execute(int argc, char** argv) {
   Call call;
   call.run.command = joined(argc, argv);
-  call.run.argc = argc;
-  call.run.argv = argv;
+  call.run.argc = call.mesh.argc = argc;
+  call.run.argv = call.mesh.argv = argv;
   CLI::App program(
       "rollfem: steady rolling contact of wheel and rail by finite elements and by "
       "half-space elements",

@@ -26,12 +26,14 @@ struct Wheel {
   double rolling_radius = 0.0;          ///< mm, radius at the running circle
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
   Material material;
+  std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by the program
 };
 
 /// Lower body (2): a straight extruded rail.
 struct Rail {
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
   Material material;
+  std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by the program
 };
 
 /// Exactly one of the two is given. Where the load comes from elsewhere (a history, a given
@@ -174,12 +176,19 @@ struct SubsurfaceRequest {
 };
 
 enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
+/// How the program meshes wheel and rail: a graded box laid on the surface, or a gmsh cross-section
+/// revolved and extruded.
+enum class MeshFamily { structured, gmsh };
 
 struct FemOptions {
   std::optional<double> cell_size;    ///< mm, FE cell and contact element in the patch
   int degree = 2;                     ///< polynomial degree of the displacement
   std::optional<double> extent;       ///< mm, how far the segments reach from the patch
+  std::optional<double> width;        ///< mm, of the segments across; else twice the extent
+  std::optional<double> depth;        ///< mm, of the segments; else the extent
+  std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
   std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
+  MeshFamily mesh = MeshFamily::structured;
   LinearSolver linear_solver = LinearSolver::automatic;
 };
 

@@ -91,5 +91,6 @@ std::vector<Key> history_keys();     ///< [history]
 std::vector<Key> surface_keys();     ///< [undeformed_distance], [given_pressure]
 std::vector<Key> theory_keys();      ///< [fastsim], [strip], [carter]
 std::vector<Key> subsurface_keys();  ///< [[subsurface.*]]
+std::vector<Key> mesh_keys();        ///< meshes of [wheel], [rail] and [fem]
 
 }  // namespace rollfem::contact

@@ -1,13 +1,18 @@
-// Meshing of a body: a graded coarse box in chart coordinates, octree refinement towards the patch,
-// then degrees of freedom and constraints.
+// Meshing of a body: a coarse mesh (a graded box in chart coordinates, or one that is given),
+// octree refinement towards the patch, then degrees of freedom and constraints.
 #include "fem/body.hpp"
 
 #include "contact/errors.hpp"
 #include "fem/chart.hpp"
+#include "fem/coarse_mesh.hpp"
 #include "fem/rolling_inertia.hpp"
+#include "meshes/grading.hpp"
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <fmt/format.h>
@@ -24,50 +29,44 @@ using Triangulation = dealii::parallel::distributed::Triangulation<3>;
 
 /// Octrees much deeper than this over many coarse cells make multigrid set-up slow and wrong.
 constexpr int deepest_level = 5;
-constexpr double coarse_growth = 1.5;
+/// A given mesh may be coarser.
+constexpr int deepest_level_of_given_mesh = 7;
+
+void check_sizes(const BodyOptions& options) {
+  if (!(options.cell_size > 0) || !(options.growth > 0) || options.degree < 1)
+    throw contact::InputError("fem: cell_size, growth and degree must be positive");
+}
 
 void check(const SurfaceShape& shape, const BodyOptions& options) {
-  if (!(options.cell_size > 0) || !(options.extent > 0) || !(options.growth > 0) ||
-      options.degree < 1)
-    throw contact::InputError("fem: cell_size, extent, growth and degree must be positive");
-  const double fine = std::max(options.fine_half_length, options.fine_half_width);
-  if (!(fine <= options.extent))
-    throw contact::InputError(fmt::format(
-        "fem.extent = {} mm is less than the finely meshed region needs ({} mm): enlarge it",
-        options.extent, fine));
-  const double inwards =
-      contact::profile_drop(shape.transverse_radius, options.extent).value + options.extent;
-  if (shape.is_wheel && !(std::max(inwards, options.extent) <= 0.7 * shape.rolling_radius))
+  check_sizes(options);
+  if (!(std::min({options.reach_s(), options.reach_t(), options.reach_depth()}) > 0))
+    throw contact::InputError("fem: extent, width, depth and length must be positive");
+  const auto needs = [](const char* key, double given, double needed) {
+    if (!(needed <= given))
+      throw contact::InputError(fmt::format(
+          "fem.{} gives the segment {} mm to one side, less than the finely meshed region needs "
+          "({} mm): enlarge it",
+          key, given, needed));
+  };
+  needs(options.half_length ? "length" : "extent", options.reach_s(), options.fine_half_length);
+  needs(options.half_width ? "width" : "extent", options.reach_t(), options.fine_half_width);
+  needs(options.depth ? "depth" : "extent", options.reach_depth(),
+        options.fine_depth * options.cell_size);
+  const double inwards = contact::profile_drop(shape.transverse_radius, options.reach_t()).value +
+                         options.reach_depth();
+  if (shape.is_wheel && !(std::max(inwards, options.reach_s()) <= 0.7 * shape.rolling_radius))
     throw contact::InputError(fmt::format(
         "fem.extent = {} mm is too much for a wheel of radius {} mm: the segment would reach the "
-        "axle; take at most {:.4g} mm",
+        "axle; take at most {:.4g} mm (or smaller [fem] width, depth and length)",
         options.extent, shape.rolling_radius, 0.5 * shape.rolling_radius));
 }
 
 /// Coarse cells are cubes of cell_size * 2^level near the patch.
 int coarse_level(const BodyOptions& options) {
+  const double reach = std::min({options.reach_s(), options.reach_t(), options.reach_depth()});
   int level = 0;
-  while (level < deepest_level && options.cell_size * std::exp2(level + 1) <= options.extent / 6)
-    ++level;
+  while (level < deepest_level && options.cell_size * std::exp2(level + 1) <= reach / 6) ++level;
   return level;
-}
-
-/// Steps from 0 outwards: equal ones over the fine region, then growing to the far boundary.
-std::vector<double> outward_steps(double first, double fine, double extent) {
-  const int equal = std::max(1, static_cast<int>(std::ceil(fine / first - 1e-9)));
-  std::vector<double> steps(equal, first);
-  const double rest = extent - equal * first;
-  if (rest < 0.5 * first) return steps;
-  std::vector<double> growing;
-  double sum = 0.0;
-  for (double step = first * coarse_growth; sum < rest; step *= coarse_growth) {
-    // A last step that would have to shrink by half is left out and the others are stretched.
-    if (!growing.empty() && sum + 0.5 * step > rest) break;
-    growing.push_back(step);
-    sum += step;
-  }
-  for (const double step : growing) steps.push_back(step * rest / sum);
-  return steps;
 }
 
 double sum(const std::vector<double>& steps) {
@@ -103,11 +102,14 @@ void mark_boundaries(const BodyOptions& options, Triangulation& mesh) {
 
 /// The coarse box in (s, t, w), w = depth for the wheel and -depth for the rail so that cells stay
 /// right-handed, then placed in space.
-void make_coarse_mesh(const SurfaceShape& shape, const BodyOptions& options, Triangulation& mesh) {
+void make_structured_mesh(const SurfaceShape& shape, const BodyOptions& options,
+                          Triangulation& mesh) {
   const double first = options.cell_size * std::exp2(coarse_level(options));
-  const auto along = outward_steps(first, options.fine_half_length, options.extent);
-  const auto across = outward_steps(first, options.fine_half_width, options.extent);
-  const auto down = outward_steps(first, options.fine_depth * options.cell_size, options.extent);
+  using meshes::outward_steps;
+  const auto along = outward_steps(first, options.fine_half_length, options.reach_s());
+  const auto across = outward_steps(first, options.fine_half_width, options.reach_t());
+  const auto down =
+      outward_steps(first, options.fine_depth * options.cell_size, options.reach_depth());
   const std::vector<std::vector<double>> steps{both_ways(along),
                                                options.half ? across : both_ways(across),
                                                shape.is_wheel ? down : reversed(down)};
@@ -135,19 +137,58 @@ double distance_to_fine_region(const BodyOptions& options, const ChartBox& box) 
   return std::sqrt(squared);
 }
 
-void refine_towards_patch(const SurfaceShape& shape, const BodyOptions& options,
-                          Triangulation& mesh) {
-  for (int step = 0; step < coarse_level(options); ++step) {
-    for (const auto& cell : mesh.active_cell_iterators()) {
-      if (!cell->is_locally_owned()) continue;
-      const auto box = chart_box(shape, cell);
-      double size = 0.0;
-      for (unsigned int d = 0; d < 3; ++d) size = std::max(size, box.upper[d] - box.lower[d]);
-      const double distance = distance_to_fine_region(options, box);
-      if (size > 1.001 * (options.cell_size + options.growth * distance)) cell->set_refine_flag();
-    }
-    mesh.execute_coarsening_and_refinement();
+/// Once over the mesh; whether anything was refined anywhere.
+bool refine_once(const SurfaceShape& shape, const BodyOptions& options, Triangulation& mesh) {
+  int flagged = 0;
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const auto box = chart_box(shape, cell);
+    double size = 0.0;
+    for (unsigned int d = 0; d < 3; ++d) size = std::max(size, box.upper[d] - box.lower[d]);
+    const double distance = distance_to_fine_region(options, box);
+    if (size <= 1.001 * (options.cell_size + options.growth * distance)) continue;
+    cell->set_refine_flag();
+    ++flagged;
   }
+  if (dealii::Utilities::MPI::max(flagged, mesh.get_communicator()) == 0) return false;
+  mesh.execute_coarsening_and_refinement();
+  return true;
+}
+
+void refine_towards_patch(const SurfaceShape& shape, const BodyOptions& options, int levels,
+                          Triangulation& mesh) {
+  for (int step = 0; step < levels; ++step)
+    if (!refine_once(shape, options, mesh)) return;
+}
+
+void refine_given_mesh(const SurfaceShape& shape, const BodyOptions& options, Triangulation& mesh) {
+  for (int step = 0; step <= deepest_level_of_given_mesh; ++step)
+    if (!refine_once(shape, options, mesh)) return;
+  throw contact::InputError(fmt::format(
+      "the mesh is too coarse at the contact: its cells would have to be halved more than {} times "
+      "to reach the cell size of {:.4g} mm: make it finer there, or enlarge [fem] cell_size",
+      deepest_level_of_given_mesh, options.cell_size));
+}
+
+void check_refined_cells(const dealii::Mapping<3>& mapping, const Triangulation& mesh) {
+  const dealii::FE_Q<3> element(1);
+  dealii::FEValues<3> values(mapping, element, dealii::QGauss<3>(3), dealii::update_jacobians);
+  int inside_out = 0;
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    values.reinit(cell);
+    for (const unsigned int q : values.quadrature_point_indices())
+      if (!(values.jacobian(q).determinant() > 0)) {
+        ++inside_out;
+        break;
+      }
+  }
+  inside_out = dealii::Utilities::MPI::sum(inside_out, mesh.get_communicator());
+  if (inside_out > 0)
+    throw contact::InputError(fmt::format(
+        "{} refined cells of the mesh are inside out when its contact surface is bent to the true "
+        "one: smooth the mesh below the contact surface, or make it finer",
+        inside_out));
 }
 
 BoundaryConditions boundary_conditions(const BodyOptions& options) {
@@ -176,15 +217,23 @@ double cells_of(const BodyOptions& options, const ChartBox& box, int depth, doub
   return sum;
 }
 
+BoundaryConditions boundary_conditions(const meshes::HexMesh& mesh) {
+  BoundaryConditions conditions;
+  conditions.clamped = {far_boundary};
+  for (const auto& quad : mesh.sides)
+    if (quad.side == meshes::Side::symmetry) conditions.vanishing_component = {{symmetry_plane, 1}};
+  return conditions;
+}
+
 }  // namespace
 
 double predicted_unknowns(const BodyOptions& options, double enough) {
   const int depth = coarse_level(options);
   const double first = options.cell_size * std::exp2(depth);
   const std::vector<double> steps[3] = {
-      outward_steps(first, options.fine_half_length, options.extent),
-      outward_steps(first, options.fine_half_width, options.extent),
-      outward_steps(first, options.fine_depth * options.cell_size, options.extent)};
+      outward_steps(first, options.fine_half_length, options.reach_s()),
+      outward_steps(first, options.fine_half_width, options.reach_t()),
+      outward_steps(first, options.fine_depth * options.cell_size, options.reach_depth())};
   // degree^3 nodes a cell in a large mesh; the outside, steps between cell sizes and octree balance
   // add a quarter (measured from 1.88 to 0.47 mm on case a: 0.79 to 0.81 without).
   const double of_cell = 1.25 * 3.0 * std::pow(options.degree, 3);
@@ -221,10 +270,40 @@ Body::Body(const SurfaceShape& shape, const contact::Material& material, const B
       mapping_(std::max(2, options.degree)),
       dofs_(triangulation_) {
   check(shape, options);
-  make_coarse_mesh(shape, options, triangulation_);
-  refine_towards_patch(shape, options, triangulation_);
-  dofs_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(options.degree), 3));
+  if (options.family == MeshFamily::gmsh) {
+    create_triangulation(gmsh_mesh(shape, options, coarse_level(options), communicator), shape,
+                         triangulation_);
+    refine_given_mesh(shape, options, triangulation_);
+  } else {
+    make_structured_mesh(shape, options, triangulation_);
+    refine_towards_patch(shape, options, coarse_level(options), triangulation_);
+  }
+  distribute();
+}
+
+Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+           const meshes::HexMesh& coarse, MPI_Comm communicator)
+    : shape_(shape),
+      material_(material),
+      options_(options),
+      boundary_(boundary_conditions(coarse)),
+      triangulation_(communicator),
+      mapping_(std::max(2, options.degree)),
+      dofs_(triangulation_) {
+  check_sizes(options);
+  create_triangulation(coarse, shape, triangulation_);
+  refine_given_mesh(shape, options, triangulation_);
+  check_refined_cells(mapping_, triangulation_);
+  distribute();
+}
+
+void Body::distribute() {
+  dofs_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(options_.degree), 3));
   constraints_ = make_constraints(dofs_, mapping_, boundary_);
+}
+
+meshes::HexMesh Body::coarse_mesh() const {
+  return hex_mesh(triangulation_);
 }
 
 ElasticProblem Body::problem() const {

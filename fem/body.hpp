@@ -3,13 +3,16 @@
 #pragma once
 
 #include "fem/linear_solver.hpp"
+#include "meshes/hex_mesh.hpp"
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping_q.h>
 
+#include <functional>
 #include <memory>
 #include <mpi.h>
+#include <optional>
 
 namespace rollfem::fem {
 
@@ -17,7 +20,17 @@ namespace rollfem::fem {
 enum BoundaryId : dealii::types::boundary_id {
   far_boundary = 0,
   contact_surface = 1,
-  symmetry_plane = 2
+  symmetry_plane = 2,
+  free_surface = 3  ///< sides of a given mesh that are in none of its groups
+};
+
+/// A chart of another surface than those of wheel and rail, for bodies that are built by hand (a
+/// disc in a hole). All three are given; what they mean is what SurfaceShape says.
+struct ChartFunctions {
+  std::function<dealii::Point<3>(const dealii::Point<3>& chart)> place;
+  std::function<dealii::Point<3>(const dealii::Point<3>& place)> coordinates;
+  /// Unit vectors along rolling, lateral, normal (into the upper body) at (s, t).
+  std::function<std::array<dealii::Tensor<1, 3>, 3>(double s, double t)> frame;
 };
 
 /// Surface coordinates (s, t) = (arc length on the surface along rolling, lateral coordinate y) and
@@ -28,6 +41,8 @@ struct SurfaceShape {
   bool is_wheel = false;
   double rolling_radius = contact::infinity;     ///< wheel only
   double transverse_radius = contact::infinity;  ///< > 0 convex, < 0 concave
+  /// When given, these are the chart; the radii then say nothing of it.
+  std::shared_ptr<const ChartFunctions> functions = nullptr;
   dealii::Point<3> place(double s, double t, double depth) const;
   /// Inverse of place(): (s, t, depth).
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
@@ -35,12 +50,15 @@ struct SurfaceShape {
   /// surface at (s, t).
   void frame(double s, double t, dealii::Tensor<1, 3>& rolling, dealii::Tensor<1, 3>& lateral,
              dealii::Tensor<1, 3>& normal) const;
-  /// The same at a surface that climbs across by dz/dy = `climb` instead of the body's own slope.
+  /// The same at a surface that climbs across by dz/dy = `climb` instead of the body's own slope
+  /// (of chart functions: their own frame).
   void tilted_frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
                     dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const;
   /// Radius of the circle on which the wheel's surface runs at lateral coordinate t, mm.
   double streamline_radius(double t) const;
 };
+
+using MeshFamily = contact::MeshFamily;
 
 /// What decides the mesh.
 struct BodyOptions {
@@ -53,31 +71,51 @@ struct BodyOptions {
   double fine_depth = 2;  ///< the fine region reaches that many cells below the surface
   double growth = 1;      ///< cells may be cell_size + growth * distance from the fine region
   double speed = 0;       ///< mm/s, rolling speed: inertia in the stiffness (rolling_inertia.hpp)
+  MeshFamily family = MeshFamily::structured;
+  std::optional<double> half_length = std::nullopt;  ///< mm, in place of extent along s
+  std::optional<double> half_width = std::nullopt;   ///< mm, in place of extent along t
+  std::optional<double> depth = std::nullopt;        ///< mm, in place of extent inwards
+  double reach_s() const { return half_length.value_or(extent); }
+  double reach_t() const { return half_width.value_or(extent); }
+  double reach_depth() const { return depth.value_or(extent); }
 };
 
 /// About as many unknowns as a body of these options will have, found by counting cells without
-/// making a mesh (within 15 %). Counting stops at `enough`.
+/// making a mesh (within 15 % in the family `structured`). Counting stops at `enough`.
 double predicted_unknowns(const BodyOptions& options, double enough);
 
-/// Surface cells of the fine region lie on a lattice: lines at s = i h and t = j h with integers
-/// i, j and h = cell_size, so that a contact grid of elements h x h can be laid exactly on faces.
+/// In the family `structured` surface cells of the fine region lie on a lattice: lines at s = i h
+/// and t = j h with integers i, j and h = cell_size, so that a contact grid of elements h x h can
+/// be laid exactly on faces. Otherwise they are at most h long in s and t.
 class Body {
  public:
+  /// A segment of wheel or rail, meshed by the program.
   Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
        MPI_Comm communicator);
+  /// On a given coarse mesh, which is refined towards the patch; nodes of its `contact` faces lie
+  /// on the surface (depth 0 in the chart). `fixed` faces are clamped, on `symmetry` faces the
+  /// lateral displacement vanishes, others are free. Extents of the options are not used. Throws
+  /// contact::InputError when cells turn inside out or more than 7 octree levels were wanted.
+  Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+       const meshes::HexMesh& coarse, MPI_Comm communicator);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
   const SurfaceShape& shape() const { return shape_; }
   const BodyOptions& options() const { return options_; }
   const contact::Material& material() const { return material_; }
+  const dealii::Triangulation<3>& triangulation() const { return triangulation_; }
   const dealii::DoFHandler<3>& dofs() const { return dofs_; }
   const dealii::Mapping<3>& mapping() const { return mapping_; }
   const dealii::AffineConstraints<double>& constraints() const { return constraints_; }
   ElasticProblem problem() const;
   dealii::types::global_dof_index unknowns() const { return dofs_.n_dofs(); }
+  /// The mesh before refinement, the same on every process.
+  meshes::HexMesh coarse_mesh() const;
 
  private:
+  void distribute();
+
   SurfaceShape shape_;
   contact::Material material_;
   BodyOptions options_;

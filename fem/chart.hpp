@@ -34,13 +34,14 @@ struct ChartBox {
 };
 template <class CellOrFace>
 ChartBox chart_box(const SurfaceShape& shape, const CellOrFace& object) {
-  const unsigned int last = object->n_vertices() - 1;
-  const auto a = shape.coordinates(object->vertex(0));
-  const auto b = shape.coordinates(object->vertex(last));
   ChartBox box;
-  for (unsigned int d = 0; d < 3; ++d) {
-    box.lower[d] = std::min(a[d], b[d]);
-    box.upper[d] = std::max(a[d], b[d]);
+  box.lower = box.upper = shape.coordinates(object->vertex(0));
+  for (unsigned int v = 1; v < object->n_vertices(); ++v) {
+    const auto corner = shape.coordinates(object->vertex(v));
+    for (unsigned int d = 0; d < 3; ++d) {
+      box.lower[d] = std::min(box.lower[d], corner[d]);
+      box.upper[d] = std::max(box.upper[d], corner[d]);
+    }
   }
   return box;
 }

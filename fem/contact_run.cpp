@@ -7,6 +7,7 @@
 #include "contact/patch_size.hpp"
 #include "contact/stopwatch.hpp"
 #include "fem/algebraic_multigrid.hpp"
+#include "fem/case_bodies.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
 #include "fem/level_checkpoint.hpp"
@@ -93,6 +94,7 @@ BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch
   options.half = symmetric_about_rolling(input);
   options.degree = input.fem.degree;
   options.speed = input.rolling.speed;
+  set_segment_sizes(input, options);
   return options;
 }
 
@@ -339,7 +341,7 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
   last_traction_ = point.fields.traction;
   point.seconds = watch.seconds();
   point.error_estimate["approach"] =
-      suppressed_approach(input_, point.normal_force, body_options_.extent) / point.approach;
+      suppressed_approach(input_, point.normal_force, start_.reach) / point.approach;
   if (stresses.wanted()) add_stresses(stresses, compliance, point, result);
   checkpoint_.keep(k, point, defect_);
   tell(event, "rolling", true);
@@ -368,10 +370,12 @@ void LevelRun::solve(contact::ModelResult& result) {
   const Stopwatch mesh_watch;
   tell({}, "mesh");
   const BodyOptions& options = body_options_;
-  const Body wheel({true, input_.wheel.rolling_radius, input_.wheel.transverse_radius},
-                   input_.wheel.material, options, MPI_COMM_WORLD);
-  const Body rail({false, contact::infinity, input_.rail.transverse_radius}, input_.rail.material,
-                  options, MPI_COMM_WORLD);
+  const CaseBodies bodies = make_bodies(input_, options, MPI_COMM_WORLD);
+  const Body& wheel = *bodies.wheel;
+  const Body& rail = *bodies.rail;
+  start_.reach = bodies.reach;
+  start_.half = wheel.options().half && rail.options().half;
+  start_.notes = fmt::format("{}", fmt::join(bodies.notes, "\n"));
   result.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
   contact::ProgressEvent event;
   MemoryDemand demand =
@@ -444,7 +448,8 @@ void LevelRun::add_notes(contact::ModelResult& result) const {
       "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the approach "
       "is "
       "that of these segments; its error estimate says how much more it may be for large bodies",
-      body_options_.extent));
+      start_.reach));
+  if (!start_.notes.empty()) result.notes.push_back(start_.notes);
   const double steepest = shape_.climb.cwiseAbs().maxCoeff();
   if (steepest > 0.05)
     result.notes.push_back(fmt::format(
@@ -456,7 +461,7 @@ void LevelRun::add_notes(contact::ModelResult& result) const {
     result.notes.push_back(
         "extra_slip is not added: the rolling radius of every point comes from the wheel's "
         "profile");
-  if (body_options_.half)
+  if (start_.half)
     result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
                                      body_options_.cell_size, body_options_.degree, start_.solver));
@@ -479,6 +484,11 @@ void refuse_beyond_memory(const Case& input, double cell_size) {
   MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, input.output.fields);
   demand.factorisation = use_factorisation(input, demand);
   refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
+}
+
+BodyOptions case_body_options(const Case& input, double cell) {
+  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
+  return body_options(input, patch, lattice_grid(patch.semi_axis_x, patch.semi_axis_y, cell), cell);
 }
 
 contact::ModelResult run_level(const Case& input, const LevelOptions& options,

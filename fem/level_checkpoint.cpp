@@ -13,6 +13,7 @@ using contact::Record;
 
 void exchange(Record& record, LevelStart& start) {
   record.values(start.defect, start.contact_elements, start.unknowns, start.solver);
+  record.values(start.reach, start.half, start.notes);
 }
 
 }  // namespace

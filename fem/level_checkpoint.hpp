@@ -18,6 +18,9 @@ struct LevelStart {
   int contact_elements = 0;
   long unknowns = 0;
   std::string solver;  ///< LinearSolver::description
+  double reach = 0.0;  ///< mm, from the patch to where the nearer body is held
+  bool half = false;   ///< half of each body is modelled
+  std::string notes;   ///< on the meshes
 };
 
 /// Collective: process 0 reads and tells the others, and writes alone.

@@ -4,6 +4,7 @@
 
 #include "contact/checkpoint.hpp"
 #include "contact/model.hpp"
+#include "fem/mesh_report.hpp"
 
 namespace rollfem::fem {
 
@@ -19,6 +20,7 @@ struct Entry {
   void (*stop)();                          ///< MPI_Finalize
   int (*process)();                        ///< rank
   contact::ModelResult (*run)(const contact::Case&, const contact::Progress&, contact::Checkpoint*);
+  std::vector<MeshedBody> (*mesh)(const contact::Case&);
 };
 
 }  // namespace rollfem::fem

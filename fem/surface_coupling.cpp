@@ -1,11 +1,12 @@
-// Contact grid and FE surface: overlap of contact elements and FE faces in chart coordinates, and
-// the exact integrals of the shape functions over it.
+// Contact grid and FE surface: integrals of the shape functions over the overlap of contact
+// elements and FE faces (chart_face.hpp), the same for loading and sampling.
 #include "contact/errors.hpp"
 #include "fem/chart.hpp"
+#include "fem/chart_face.hpp"
 #include "fem/compliance.hpp"
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
 #include <fmt/format.h>
 
@@ -19,6 +20,8 @@ namespace rollfem::fem {
 namespace {
 
 constexpr double lattice_tolerance = 1e-6;
+/// Faces that follow no lattice may be larger than the contact elements by this much.
+constexpr double size_tolerance = 2e-3;
 
 /// Number of an unknown of the body and int N_i e_k dA over one contact element, e_k the local
 /// frame: rolling, lateral, normal; dA on the contact surface.
@@ -26,16 +29,6 @@ struct Entry {
   dealii::types::global_dof_index dof;
   std::array<double, 3> weight;
 };
-
-struct Interval {
-  double lower;
-  double upper;
-  double length() const { return upper - lower; }
-};
-
-Interval intersect(const Interval& a, const Interval& b) {
-  return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
-}
 
 /// Where a contact element's mirror image at -y lies in the grid.
 int mirrored(const contact::ContactGrid& grid, int element) {
@@ -87,31 +80,43 @@ struct SurfaceCoupling::Implementation {
           middle));
   }
 
-  /// `face` is the side of the reference cell on the surface: reference axes 0 and 1 run along s
-  /// and t there, by construction of the mesh.
   template <class Cell>
   void couple_face(
       const Cell& cell, unsigned int face,
       std::vector<std::map<dealii::types::global_dof_index, std::array<double, 3>>>& rows) {
-    const auto box = chart_box(body.shape(), cell->face(face));
-    const Interval s{box.lower[0], box.upper[0]};
-    const Interval t{box.lower[1], box.upper[1]};
-    const auto [i0, i1] = overlapped(s, grid.x_first, grid.dx, grid.nx);
-    const auto [j0, j1] = overlapped(t, grid.y_first, grid.dy, grid.ny);
+    const ChartFace chart(face_corners(cell, face));
+    // On a whole wheel one row of faces lies where the arc length jumps from one end to the other.
+    if (chart.s().length() > body.shape().streamline_radius(0.0)) return;
+    const auto [i0, i1] = overlapped(chart.s(), grid.x_first, grid.dx, grid.nx);
+    const auto [j0, j1] = overlapped(chart.t(), grid.y_first, grid.dy, grid.ny);
     if (i0 > i1 || j0 > j1) return;
+    distorted = distorted || !chart.is_convex();
     std::vector<dealii::types::global_dof_index> indices(cell->get_fe().dofs_per_cell);
     cell->get_dof_indices(indices);
+    std::vector<FacePoint> rule;
     for (int j = j0; j <= j1; ++j)
       for (int i = i0; i <= i1; ++i) {
-        const auto part_s = intersect(s, element_x(i));
-        const auto part_t = intersect(t, element_y(j));
-        // Slivers from rounding are no overlap.
-        if (part_s.length() < 1e-9 * grid.dx || part_t.length() < 1e-9 * grid.dy) continue;
-        largest_face = {std::max(largest_face[0], s.length()),
-                        std::max(largest_face[1], t.length())};
-        covered[grid.index(i, j)] += part_s.length() * part_t.length();
-        integrate(cell->get_fe(), face, s, t, part_s, part_t, indices, rows[grid.index(i, j)]);
+        // The shape functions are exact with degree + 1 points; one more for the turning frame.
+        const double shared =
+            chart.overlap(element_x(i), element_y(j), cell->get_fe().degree + 2, rule);
+        if (rule.empty()) continue;
+        largest_face = {std::max(largest_face[0], chart.s().length()),
+                        std::max(largest_face[1], chart.t().length())};
+        covered[grid.index(i, j)] += shared;
+        integrate(cell->get_fe(), face, rule, indices, rows[grid.index(i, j)]);
       }
+  }
+
+  /// In the standard orientation of this cell's face, whatever the neighbour's.
+  template <class Cell>
+  std::array<dealii::Point<2>, 4> face_corners(const Cell& cell, unsigned int face) const {
+    std::array<dealii::Point<2>, 4> corners;
+    for (unsigned int k = 0; k < 4; ++k) {
+      const auto vertex = dealii::GeometryInfo<3>::face_to_cell_vertices(face, k);
+      const auto chart = body.shape().coordinates(cell->vertex(vertex));
+      corners[k] = {chart[0], chart[1]};
+    }
+    return corners;
   }
 
   static std::pair<int, int> overlapped(const Interval& face, double first, double step,
@@ -123,22 +128,20 @@ struct SurfaceCoupling::Implementation {
             std::min(count - 1, static_cast<int>(std::floor(upper + lattice_tolerance)))};
   }
 
-  void integrate(const dealii::FiniteElement<3>& element, unsigned int face, const Interval& s,
-                 const Interval& t, const Interval& part_s, const Interval& part_t,
+  void integrate(const dealii::FiniteElement<3>& element, unsigned int face,
+                 const std::vector<FacePoint>& rule,
                  const std::vector<dealii::types::global_dof_index>& indices,
                  std::map<dealii::types::global_dof_index, std::array<double, 3>>& row) const {
-    // The shape functions are exact with degree + 1 points; one more for the turning frame.
-    const dealii::QGauss<2> rule(element.degree + 2);
-    for (unsigned int q = 0; q < rule.size(); ++q) {
-      const double at_s = part_s.lower + rule.point(q)[0] * part_s.length();
-      const double at_t = part_t.lower + rule.point(q)[1] * part_t.length();
-      const dealii::Point<3> reference((at_s - s.lower) / s.length(), (at_t - t.lower) / t.length(),
-                                       face % 2);
-      const double climb = surface.climb(at_t);
-      const double piece =
-          rule.weight(q) * part_s.length() * part_t.length() * std::sqrt(1.0 + climb * climb);
+    using Geometry = dealii::GeometryInfo<3>;
+    for (const FacePoint& point : rule) {
+      dealii::Point<3> reference;
+      for (unsigned int k = 0; k < 4; ++k)
+        reference += dealii::GeometryInfo<2>::d_linear_shape_function(point.reference, k) *
+                     Geometry::unit_cell_vertex(Geometry::face_to_cell_vertices(face, k));
+      const double climb = surface.climb(point.t);
+      const double piece = point.weight * std::sqrt(1.0 + climb * climb);
       std::array<dealii::Tensor<1, 3>, 3> frame;
-      body.shape().tilted_frame(at_s, at_t, climb, frame[0], frame[1], frame[2]);
+      body.shape().tilted_frame(point.s, point.t, climb, frame[0], frame[1], frame[2]);
       for (unsigned int i = 0; i < element.dofs_per_cell; ++i) {
         if (!element.has_support_on_face(i, face)) continue;
         const unsigned int component = element.system_to_component_index(i).first;
@@ -153,7 +156,11 @@ struct SurfaceCoupling::Implementation {
     const MPI_Comm communicator = body.dofs().get_communicator();
     dealii::Utilities::MPI::sum(covered, communicator, covered);
     for (double& size : largest_face) size = dealii::Utilities::MPI::max(size, communicator);
-    const double finest = 1 - lattice_tolerance;
+    if (dealii::Utilities::MPI::max(distorted ? 1 : 0, communicator) == 1)
+      throw contact::InputError(
+          "a face of the finite-element mesh under the contact is not convex in (arc length, "
+          "lateral coordinate): smooth the mesh there");
+    const double finest = 1 - size_tolerance;
     if (grid.dx < finest * largest_face[0] || grid.dy < finest * largest_face[1])
       throw contact::InputError(fmt::format(
           "contact elements of {:.4g} x {:.4g} mm are finer than the finite elements under them "
@@ -185,6 +192,7 @@ struct SurfaceCoupling::Implementation {
   std::vector<Entry> entries;
   std::vector<double> covered;
   std::array<double, 2> largest_face{0.0, 0.0};
+  bool distorted = false;
 };
 
 SurfaceCoupling::SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,

@@ -10,6 +10,21 @@ using contact::profile_drop;
 
 namespace {
 
+/// Central differences: good enough for tangents, which is all that is asked of it.
+dealii::DerivativeForm<1, 3, 3> difference_gradient(const ChartFunctions& functions,
+                                                    const dealii::Point<3>& chart) {
+  constexpr double step = 1e-4;  // mm
+  dealii::DerivativeForm<1, 3, 3> gradient;
+  for (unsigned int d = 0; d < 3; ++d) {
+    auto ahead = chart, behind = chart;
+    ahead[d] += step;
+    behind[d] -= step;
+    const auto change = (functions.place(ahead) - functions.place(behind)) / (2.0 * step);
+    for (unsigned int c = 0; c < 3; ++c) gradient[c][d] = change[c];
+  }
+  return gradient;
+}
+
 bool is_revolved(const SurfaceShape& shape) {
   return shape.is_wheel && std::isfinite(shape.rolling_radius);
 }
@@ -21,6 +36,7 @@ double SurfaceShape::streamline_radius(double t) const {
 }
 
 dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
+  if (functions) return functions->place({s, t, depth});
   const double drop = profile_drop(transverse_radius, t).value;
   if (!is_revolved(*this)) return {s, t, is_wheel ? drop + depth : -drop - depth};
   const double angle = s / (rolling_radius - drop);
@@ -32,6 +48,7 @@ dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
 }
 
 dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const {
+  if (functions) return functions->coordinates(place);
   const double t = place[1];
   const double drop = profile_drop(transverse_radius, t).value;
   if (!is_revolved(*this)) return {place[0], t, (is_wheel ? place[2] : -place[2]) - drop};
@@ -78,6 +95,7 @@ dealii::Point<3> SurfaceManifold::push_forward(const dealii::Point<3>& chart) co
 
 dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
     const dealii::Point<3>& chart) const {
+  if (shape_.functions) return difference_gradient(*shape_.functions, chart);
   const auto drop = profile_drop(shape_.transverse_radius, chart[1]);
   dealii::DerivativeForm<1, 3, 3> gradient;
   if (!is_revolved(shape_)) {

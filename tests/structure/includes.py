@@ -18,7 +18,7 @@ ALLOWED = {
     "postprocess": {"contact": VALUES | {"result", "stress_measures", "checkpoint", "record"}},
     "fem": {"contact": None, "halfspace": None, "meshes": None},
     "app": {"contact": None, "halfspace": None, "meshes": None, "postprocess": None,
-            "fem": {"model"}},
+            "fem": {"model", "mesh_report"}},
 }
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")
 

@@ -1,0 +1,152 @@
+#include "app/mesh.hpp"
+
+#include "app/fem_library.hpp"
+#include "app/processes.hpp"
+#include "contact/abilities.hpp"
+#include "contact/case_reader.hpp"
+#include "contact/errors.hpp"
+#include "fem/mesh_report.hpp"
+#include "postprocess/result_folder.hpp"
+#include "postprocess/vtu.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using fem::MeshedBody;
+
+/// Files that appear together: written under other names first, then renamed. Other files of the
+/// folder are left alone.
+class FilesTogether {
+ public:
+  explicit FilesTogether(fs::path folder) : folder_(std::move(folder)) {
+    for (fs::path p = fs::absolute(folder_).lexically_normal(); !fs::exists(p) && p.has_filename();
+         p = p.parent_path())
+      made_.push_back(p);
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error || !fs::is_directory(folder_)) {
+      remove_made();
+      throw contact::InputError(
+          fmt::format("mesh: the folder {} cannot be made: {}; do: name another with -o",
+                      folder_.string(), error ? error.message() : "it is a file"));
+    }
+  }
+  ~FilesTogether() {
+    if (done_) return;
+    std::error_code ignored;
+    for (const auto& [partial, name] : files_) fs::remove(partial, ignored);
+    remove_made();
+  }
+  FilesTogether(const FilesTogether&) = delete;
+  FilesTogether& operator=(const FilesTogether&) = delete;
+
+  void write(const std::string& name, const std::string& content) {
+    const fs::path partial = folder_ / fmt::format("{}.partial-{}", name, getpid());
+    postprocess::write_file(partial, content);
+    files_.emplace_back(partial, folder_ / name);
+  }
+
+  void commit() {
+    for (const auto& [partial, name] : files_) {
+      if (std::rename(partial.c_str(), name.c_str()) == 0) continue;
+      throw contact::InputError(
+          fmt::format("mesh: {} cannot be written: {}; do: name another "
+                      "folder with -o",
+                      name.string(), std::strerror(errno)));
+    }
+    done_ = true;
+  }
+
+ private:
+  void remove_made() {
+    std::error_code ignored;
+    for (const fs::path& p : made_) fs::remove(p, ignored);
+  }
+
+  fs::path folder_;
+  std::vector<fs::path> made_;  ///< folders that were not there, innermost first
+  std::vector<std::pair<fs::path, fs::path>> files_;
+  bool done_ = false;
+};
+
+/// The meshes that the case names are input: they are not written over.
+void spare_input(const contact::Case& input, const fs::path& folder) {
+  const fs::path case_folder = fs::path(input.file).parent_path();
+  for (const std::string& file : {input.wheel.mesh, input.rail.mesh})
+    for (const char* name : {"wheel.msh", "rail.msh"}) {
+      std::error_code error;
+      if (file.empty() || !fs::equivalent(case_folder / file, folder / name, error)) continue;
+      throw contact::InputError(
+          fmt::format("mesh: {} is the mesh that {} names and would be written over; do: name "
+                      "another folder with -o",
+                      (folder / name).string(), input.file));
+    }
+}
+
+std::string table(const std::vector<MeshedBody>& bodies) {
+  std::string text = fmt::format("{:<34}", "");
+  for (const MeshedBody& body : bodies) text += fmt::format("{:>12}", body.name);
+  const auto row = [&](const char* what, const auto& value) {
+    text += fmt::format("\n{:<34}", what);
+    for (const MeshedBody& body : bodies) text += fmt::format("{:>12.5g}", 1.0 * value(body));
+  };
+  const auto count = [&](const char* what, const auto& value) {
+    text += fmt::format("\n{:<34}", what);
+    for (const MeshedBody& body : bodies) text += fmt::format("{:>12}", value(body));
+  };
+  count("coarse cells", [](const MeshedBody& b) { return b.coarse_cells; });
+  count("times halved at the patch", [](const MeshedBody& b) { return b.levels; });
+  count("cells", [](const MeshedBody& b) { return b.cells; });
+  count("unknowns", [](const MeshedBody& b) { return b.unknowns; });
+  row("size of cells in the patch, mm", [](const MeshedBody& b) { return b.size_in_patch; });
+  row("shortest edge, mm", [](const MeshedBody& b) { return b.shortest_edge; });
+  row("longest edge, mm", [](const MeshedBody& b) { return b.longest_edge; });
+  row("smallest scaled Jacobian (1: box)",
+      [](const MeshedBody& b) { return b.smallest_scaled_jacobian; });
+  row("largest aspect ratio", [](const MeshedBody& b) { return b.largest_aspect_ratio; });
+  return text + "\n";
+}
+
+}  // namespace
+
+void mesh(const MeshRequest& request) {
+  const contact::Case input = contact::read_case(request.case_file);
+  contact::check_able(input, "fem");
+  const fs::path folder =
+      !request.directory.empty()
+          ? fs::path(request.directory)
+          : fs::path("results") / (fs::path(request.case_file).stem().string() + "_mesh");
+  spare_input(input, folder);
+
+  const fem::Entry& entry = open_fem_library("mesh");
+  int argc = request.argc;
+  char** argv = request.argv;
+  entry.start(argc, argv);
+  const std::vector<MeshedBody> bodies = entry.mesh(input);
+  if (processes().first()) {
+    FilesTogether files(folder);
+    for (const MeshedBody& body : bodies) {
+      files.write(body.name + ".msh", body.msh);
+      files.write(body.name + ".vtu", postprocess::body_vtu(body.refined));
+    }
+    files.commit();
+    std::cout << input.title << "\n\n"
+              << table(bodies) << "\nmeshes: " << folder.string()
+              << " (.msh: coarse, as [wheel] mesh and [rail] mesh take it; .vtu: refined)\n";
+  }
+  entry.stop();
+}
+
+}  // namespace rollfem::app

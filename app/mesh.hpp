@@ -1,0 +1,20 @@
+// The command `mesh`: the meshes of wheel and rail as files and a table of their quality; nothing
+// is solved.
+#pragma once
+
+#include <string>
+
+namespace rollfem::app {
+
+struct MeshRequest {
+  std::string case_file;
+  std::string directory;  ///< empty: results/<case file without .toml>_mesh
+  int argc = 0;           ///< of main, for MPI
+  char** argv = nullptr;
+};
+
+/// Writes wheel.msh, rail.msh (coarse), wheel.vtu, rail.vtu (refined) and prints the table. Throws
+/// contact::InputError; nothing is written then.
+void mesh(const MeshRequest& request);
+
+}  // namespace rollfem::app

@@ -1,0 +1,64 @@
+// Keys of the meshes of wheel and rail.
+#include "contact/case_key_parts.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+const Words family_words{"structured", "gmsh"};
+
+template <class Body>
+Key mesh_file_key(const std::string& section, Body Case::*body) {
+  Key key;
+  key.section = section;
+  key.name = "mesh";
+  key.kind = KeyKind::text;
+  key.when_absent = "meshed by the program";
+  key.sentence =
+      "Hexahedral gmsh mesh (.msh 4.1 or 2.2, mm, contact point at the origin) with the physical "
+      "surfaces `contact` and `fixed`, and `symmetry` for a half y >= 0; the path is relative to "
+      "the case file (model fem).";
+  key.get = [body](const Case& c) -> KeyValue {
+    const std::string& file = (c.*body).mesh;
+    return file.empty() ? KeyValue() : KeyValue(file);
+  };
+  key.set = [body](Case& c, const KeyValue& v) { (c.*body).mesh = std::get<std::string>(v); };
+  return key;
+}
+
+Key size_key(const std::string& name, const std::string& sentence,
+             std::optional<double> FemOptions::*member) {
+  Key key;
+  key.section = "fem";
+  key.name = name;
+  key.kind = KeyKind::number;
+  key.unit = "mm";
+  key.bounds = positive;
+  key.when_absent = name == "depth" ? "as far as extent" : "twice the extent";
+  key.sentence = sentence;
+  key.get = [member](const Case& c) { return optional_number(c.fem.*member); };
+  key.set = [member](Case& c, const KeyValue& v) { c.fem.*member = std::get<double>(v); };
+  return key;
+}
+
+}  // namespace
+
+std::vector<Key> mesh_keys() {
+  return {
+      mesh_file_key("wheel", &Case::wheel),
+      mesh_file_key("rail", &Case::rail),
+      word_key<MeshFamily>(
+          "fem", "mesh", family_words,
+          "How wheel and rail are meshed: `structured` lays a graded box on the surface; "
+          "`gmsh` meshes the cross-section in quadrilaterals and revolves or extrudes it.",
+          [](Case& c) -> MeshFamily& { return c.fem.mesh; }),
+      size_key("width", "Width of the segments of wheel and rail across rolling.",
+               &FemOptions::width),
+      size_key("depth", "Depth of the segments below the surface.", &FemOptions::depth),
+      size_key("length",
+               "Length of the segments along rolling, on the wheel the arc of its sector.",
+               &FemOptions::length),
+  };
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,84 @@
+#include "fem/case_bodies.hpp"
+
+#include "contact/errors.hpp"
+#include "fem/coarse_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// Distance from the origin to the nearest clamped node.
+double distance_to_fixed(const meshes::HexMesh& mesh) {
+  double nearest = HUGE_VAL;
+  for (const auto& quad : mesh.sides)
+    if (quad.side == meshes::Side::fixed)
+      for (const int corner : quad.corners) {
+        const auto& p = mesh.points[corner];
+        nearest = std::min(nearest, std::hypot(p[0], p[1], p[2]));
+      }
+  return nearest;
+}
+
+std::unique_ptr<Body> imported_body(const contact::Case& input, const std::string& key,
+                                    const std::string& file, const SurfaceShape& shape,
+                                    const contact::Material& material, BodyOptions options,
+                                    MPI_Comm communicator) {
+  const auto path = std::filesystem::path(input.file).parent_path() / file;
+  const std::string name = fmt::format("{}: {}.mesh = \"{}\"", input.file, key, file);
+  const bool case_is_symmetric = options.half;
+  const auto mesh = user_mesh(path.string(), name, shape, options, communicator);
+  options.half = std::any_of(mesh.sides.begin(), mesh.sides.end(),
+                             [](const auto& quad) { return quad.side == meshes::Side::symmetry; });
+  if (options.half && !case_is_symmetric)
+    throw contact::InputError(
+        fmt::format("{}: half a body (it has a group `symmetry`) cannot take lateral creepage or "
+                    "spin; do: mesh the whole body, or set both to 0",
+                    name));
+  options.extent = distance_to_fixed(mesh);
+  try {
+    return std::make_unique<Body>(shape, material, options, mesh, communicator);
+  } catch (const contact::InputError& error) {
+    throw contact::InputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace
+
+void set_segment_sizes(const contact::Case& input, BodyOptions& options) {
+  options.family = input.fem.mesh;
+  if (input.fem.width) options.half_width = 0.5 * *input.fem.width;
+  if (input.fem.length) options.half_length = 0.5 * *input.fem.length;
+  options.depth = input.fem.depth;
+}
+
+CaseBodies make_bodies(const contact::Case& input, const BodyOptions& options,
+                       MPI_Comm communicator) {
+  const SurfaceShape wheel{true, input.wheel.rolling_radius, input.wheel.transverse_radius};
+  const SurfaceShape rail{false, contact::infinity, input.rail.transverse_radius};
+  CaseBodies bodies;
+  const auto make = [&](const std::string& key, const std::string& file, const SurfaceShape& shape,
+                        const contact::Material& material) {
+    if (file.empty()) return std::make_unique<Body>(shape, material, options, communicator);
+    bodies.notes.push_back(fmt::format("the {} has the mesh of {}", key, file));
+    return imported_body(input, key, file, shape, material, options, communicator);
+  };
+  bodies.wheel = make("wheel", input.wheel.mesh, wheel, input.wheel.material);
+  bodies.rail = make("rail", input.rail.mesh, rail, input.rail.material);
+  const auto reach = [](const Body& body, bool imported) {
+    const BodyOptions& o = body.options();
+    return imported ? o.extent : std::min({o.reach_s(), o.reach_t(), o.reach_depth()});
+  };
+  bodies.reach = std::min(reach(*bodies.wheel, !input.wheel.mesh.empty()),
+                          reach(*bodies.rail, !input.rail.mesh.empty()));
+  if (options.family == MeshFamily::gmsh)
+    bodies.notes.push_back("meshes are made by gmsh: cross-sections of quadrilaterals, swept");
+  return bodies;
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,34 @@
+// Coarse meshes of bodies: made through gmsh, read from a user's file and checked, and turned into
+// a triangulation. Internal to fem/.
+#pragma once
+
+#include "fem/body.hpp"
+#include "meshes/hex_mesh.hpp"
+
+#include <deal.II/grid/tria.h>
+
+#include <string>
+
+namespace rollfem::fem {
+
+/// Cross-section by gmsh, revolved (wheel) or extruded (rail). Cells under the patch have the size
+/// options.cell_size * 2^level. Made on process 0 and sent to the others.
+meshes::HexMesh gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level,
+                          MPI_Comm communicator);
+
+/// A user's mesh, checked against what the body must be; nodes of its contact faces are moved onto
+/// the surface. `options` say where the patch is. Read on process 0 and sent to the others, where
+/// errors are thrown too. Throws contact::InputError headed by `name`.
+meshes::HexMesh user_mesh(const std::string& path, const std::string& name,
+                          const SurfaceShape& shape, const BodyOptions& options,
+                          MPI_Comm communicator);
+
+/// Cells, boundary ids, and the chart as manifold where it is one to one (not across the axle of a
+/// whole wheel).
+void create_triangulation(const meshes::HexMesh& mesh, const SurfaceShape& shape,
+                          dealii::Triangulation<3>& triangulation);
+
+/// Back again, from the coarsest level.
+meshes::HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,21 @@
+// How good a hexahedron is.
+#pragma once
+
+#include <array>
+
+namespace rollfem::meshes {
+
+struct CellQuality {
+  /// Smallest over the corners of the Jacobian over the product of the three edge lengths there: 1
+  /// for a box, 0 for a cell that is flat at a corner, negative inside out.
+  double scaled_jacobian = 1.0;
+  double shortest_edge = 0.0;  ///< mm
+  double longest_edge = 0.0;   ///< mm
+  /// Lengths of the three lines that join the middles of opposite faces: longest over shortest.
+  double aspect_ratio = 1.0;
+};
+
+/// Corners in gmsh's (VTK's) order.
+CellQuality cell_quality(const std::array<std::array<double, 3>, 8>& corners);
+
+}  // namespace rollfem::meshes

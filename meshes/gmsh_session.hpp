@@ -1,0 +1,20 @@
+// gmsh's library for as long as an object lives. Internal to meshes/.
+#pragma once
+
+#include <string>
+
+namespace rollfem::meshes {
+
+/// One at a time in a process: gmsh has one global state.
+class GmshSession {
+ public:
+  GmshSession();
+  ~GmshSession();
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+};
+
+/// What gmsh complained about last; "unknown error" when it did not say.
+std::string gmsh_complaint();
+
+}  // namespace rollfem::meshes

@@ -1,0 +1,35 @@
+// A coarse mesh of hexahedra with its named surfaces, as it goes to and comes from gmsh files and
+// into the finite-element bodies.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace rollfem::meshes {
+
+/// Surfaces that mean something; in a gmsh file they are physical groups of these names.
+enum class Side { contact, fixed, symmetry };
+inline constexpr std::array<const char*, 3> side_names{"contact", "fixed", "symmetry"};
+
+struct SideQuad {
+  std::array<int, 4> corners;
+  Side side;
+};
+
+struct HexMesh {
+  std::vector<std::array<double, 3>> points;  ///< mm
+  std::vector<std::array<int, 8>> cells;      ///< gmsh's (VTK's) order: 4 below, 4 above, both ccw
+  std::vector<SideQuad> sides;
+};
+
+/// The six faces of a cell as corner numbers, outward.
+inline constexpr std::array<std::array<int, 4>, 6> hex_faces{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+/// What a finite-element mesh must be: cells right side out, joined by whole faces into one piece,
+/// sides that are faces of cells on the outside, `contact` and `fixed` both there. `name` heads the
+/// message. Throws contact::InputError.
+void check_mesh(const HexMesh& mesh, const std::string& name);
+
+}  // namespace rollfem::meshes
