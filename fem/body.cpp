@@ -231,9 +231,9 @@ double predicted_unknowns(const BodyOptions& options, double enough) {
   const int depth = coarse_level(options);
   const double first = options.cell_size * std::exp2(depth);
   const std::vector<double> steps[3] = {
-      outward_steps(first, options.fine_half_length, options.reach_s()),
-      outward_steps(first, options.fine_half_width, options.reach_t()),
-      outward_steps(first, options.fine_depth * options.cell_size, options.reach_depth())};
+      meshes::outward_steps(first, options.fine_half_length, options.reach_s()),
+      meshes::outward_steps(first, options.fine_half_width, options.reach_t()),
+      meshes::outward_steps(first, options.fine_depth * options.cell_size, options.reach_depth())};
   // degree^3 nodes a cell in a large mesh; the outside, steps between cell sizes and octree balance
   // add a quarter (measured from 1.88 to 0.47 mm on case a: 0.79 to 0.81 without).
   const double of_cell = 1.25 * 3.0 * std::pow(options.degree, 3);
