@@ -54,12 +54,14 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
   const bool wheel = input.subsurface[request].wheel;
   const dealii::Point<3> chart =
       body.shape().coordinates(dealii::Point<3>(place[0], place[1], place[2]));
+  const double extent = body.options().extent;
+  const bool above = chart[2] < 0.0 && std::max(std::abs(chart[0]), std::abs(chart[1])) <= extent;
   const std::string where =
-      chart[2] < 0.0 ? fmt::format("{:.4g} mm above its surface", -chart[2])
-                     : fmt::format(
-                           "beyond the segment, which reaches {:.4g} mm along, across and "
-                           "down from the middle of the patch",
-                           body.options().extent);
+      above ? fmt::format("{:.4g} mm above its surface", -chart[2])
+            : fmt::format(
+                  "beyond the segment, which reaches {:.4g} mm along, across and down from "
+                  "the middle of the patch",
+                  extent);
   throw contact::InputError(fmt::format(
       "{}: {} (request {} of the case): ({:.6g}, {:.6g}, {:.6g}) mm is not in the {}, but {}; "
       "allowed: points of the segment, at most {:.3g} mm (a finite element) above a curved "
@@ -67,9 +69,9 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
       "onto which they are moved; do: {}",
       input.file, section_of(input.subsurface[request].kind), request + 1, place[0], place[1],
       place[2], wheel ? "wheel" : "rail", where, reach,
-      chart[2] < 0.0 ? "move the points into the body, or follow its surface with "
-                       "[[subsurface.surface]]"
-                     : "move the points nearer, or give a larger [fem] extent"));
+      above ? "move the points into the body, or follow its surface with "
+              "[[subsurface.surface]]"
+            : "move the points nearer, or give a larger [fem] extent"));
 }
 
 }  // namespace

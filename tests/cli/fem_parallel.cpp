@@ -4,7 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,7 +24,10 @@ std::string coarse_case(const std::string& solver) {
          "[rail]\ntransverse_radius = 500.0\n"
          "[rolling]\nlongitudinal_creepage = 0.001\nlateral_creepage = 0.0005\n"
          "[fem]\ncell_size = 1.4\nlinear_solver = \"" +
-         solver + "\"\n[output]\nfields = false\n";
+         solver +
+         "\"\n[output]\nfields = false\n[[subsurface.line]]\nfrom = [-3, -2, 0.4]\nto = [3, 2, "
+         "6]\npoints = 9\n[[subsurface.surface]]\nbody = \"rail\"\nfrom = [1, -5]\nto = [1, "
+         "5]\npoints = 9\n";
 }
 
 Json point_of(const std::filesystem::path& folder) {
@@ -35,6 +41,36 @@ void expect_same_numbers(const Json& one, const Json& other, double tolerance) {
     const double b = other[name];
     EXPECT_NEAR(a, b, tolerance * std::abs(a)) << name;
   }
+}
+
+/// Largest stresses, and displacement and stress at the points that the case asks for.
+void expect_same_stresses(const std::filesystem::path& one, const std::filesystem::path& other,
+                          double tolerance) {
+  const double scale = point_of(one)["max_pressure"];
+  const Json a = point_of(one)["stress_maxima"];
+  const Json b = point_of(other)["stress_maxima"];
+  ASSERT_EQ(a.size(), 8u);
+  ASSERT_EQ(b.size(), 8u);
+  for (std::size_t k = 0; k < a.size(); ++k)
+    EXPECT_NEAR(a[k]["value"], b[k]["value"], tolerance * scale) << a[k]["measure"];
+  const auto numbers = [](const std::filesystem::path& folder) {
+    std::string text = contents(folder / "subsurface.csv");
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::istringstream words(text.substr(text.find('\n')));
+    std::vector<double> values;
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      const double value = std::strtod(word.c_str(), &end);
+      if (*end == '\0') values.push_back(value);
+    }
+    return values;
+  };
+  const auto first = numbers(one);
+  const auto second = numbers(other);
+  ASSERT_GT(first.size(), 18u * 20u);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t k = 0; k < first.size(); ++k)
+    EXPECT_NEAR(first[k], second[k], tolerance * scale) << k;
 }
 
 std::vector<std::string> mpirun(int processes, std::vector<std::string> arguments) {
@@ -57,6 +93,7 @@ TEST(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
       execute(folder, mpirun(2, {"run", input, "-o", two.string(), "--quiet", "--no-report"}));
   ASSERT_EQ(parallel.status, 0) << parallel.err;
   expect_same_numbers(point_of(one), point_of(two), 1e-8);
+  expect_same_stresses(one, two, 1e-8);
 }
 
 TEST(FemProgram, FactorisationAndMultigridGiveTheSameNumbers) {

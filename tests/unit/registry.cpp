@@ -162,3 +162,25 @@ TEST(SubsurfaceFields, BelowTheMiddleAreHertzsAxisStress) {
 }
 
 }  // namespace
+
+TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
+  // Johnson (1985) section 3.4, nu = 0.3: largest shear 0.31002 p0 at 0.4809 a on the axis.
+  const contact::Case input = contact::parse_case(
+      "title = \"circle\"\nmodels = [\"halfspace\"]\n[load]\nnormal_force = 50e3\n[friction]\n"
+      "coefficient = 0.3\n[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n[rail]\n"
+      "transverse_radius = 405.0\n[rolling]\nproblem = \"frictionless\"\n[contact_grid]\n"
+      "elements_across = 24\n[output]\nstress_maxima = true\n",
+      "circle.toml");
+  const contact::PointResult point = halfspace::run_model("halfspace", input, {}).points.front();
+  ASSERT_EQ(point.stress_maxima.size(), 8u);
+  int found = 0;
+  for (const contact::StressMaximum& maximum : point.stress_maxima) {
+    if (maximum.measure != "tresca") continue;
+    ++found;
+    EXPECT_NEAR(0.5 * maximum.value / point.max_pressure, 0.31002, 1e-3);
+    EXPECT_NEAR(maximum.place[2] / point.semi_axis_x, maximum.body == "wheel" ? 0.4809 : -0.4809,
+                0.01);
+    EXPECT_LT(std::hypot(maximum.place[0], maximum.place[1]), 0.05 * point.semi_axis_x);
+  }
+  EXPECT_EQ(found, 2);
+}

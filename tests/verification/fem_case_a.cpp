@@ -1,6 +1,7 @@
 // The finite-element model on the thesis's case a, with cells of 0.47 mm: against exact Hertz and
 // against CONTACT's extrapolated creep curve. This is the program's main job.
 #include "contact/case_reader.hpp"
+#include "contact/stress_measures.hpp"
 #include "fem/model.hpp"
 
 #include <gtest/gtest.h>
@@ -21,10 +22,28 @@ constexpr double exact_b = 10.87295;
 constexpr double creepages[] = {0.0005, 0.001, 0.002, 0.003, 0.004, 0.006};
 constexpr double coefficients[] = {0.11562, 0.21601, 0.37267, 0.4746, 0.53029, 0.54952};
 
+/// shared/reference/contact_subsurface_a.csv: CONTACT below the middle, without friction, MPa.
+struct StressBelow {
+  double depth, xx, yy, zz, von_mises;
+};
+constexpr StressBelow stresses_below[] = {
+    {0.5, -383.311, -340.510, -573.375, 214.689}, {1.0, -276.966, -283.211, -557.459, 277.423},
+    {2.0, -137.465, -194.151, -503.644, 341.384}, {3.0, -64.6025, -132.593, -437.695, 344.171},
+    {4.0, -28.1380, -90.6904, -373.829, 319.047}, {6.0, -1.13786, -42.7999, -270.821, 251.454},
+    {8.0, 5.22582, -20.2541, -199.750, 193.498},  {12.0, 5.77334, -3.95558, -117.141, 118.350}};
+
 contact::Case case_a() {
   contact::Case input =
       contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_a.toml");
   input.output.fields = false;
+  // Below the middle, in both bodies, where CONTACT's values are.
+  for (const bool wheel : {true, false})
+    for (const StressBelow& row : stresses_below) {
+      contact::SubsurfaceRequest request;
+      request.wheel = wheel;
+      request.from = {0.0, 0.0, wheel ? row.depth : -row.depth};
+      input.subsurface.push_back(request);
+    }
   return input;
 }
 
@@ -108,6 +127,44 @@ TEST(FemCaseA, ErrorEstimatesCoverTheTrueErrorsAndAreOfTheirSize) {
   check("approach", point.approach, 0.0473108);
   check("semi_axis_x", point.semi_axis_x, exact_a);
   check("semi_axis_y", point.semi_axis_y, exact_b);
+}
+
+TEST(FemCaseA, StressBelowTheMiddleAgreesWithContactWithinOnePercentOfThePressure) {
+  // The first load point has no creepage: CONTACT's has no friction, ours all but none.
+  const contact::PointResult& point = solution().points.front();
+  ASSERT_EQ(point.subsurface.size(), 2 * std::size(stresses_below));
+  double largest = 0.0;
+  for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
+    const StressBelow& row = stresses_below[k % std::size(stresses_below)];
+    const contact::Stress s = contact::Stress::from_array(point.subsurface[k].stress.front());
+    const double differences[] = {s.xx - row.xx,
+                                  s.yy - row.yy,
+                                  s.zz - row.zz,
+                                  s.xy,
+                                  s.yz,
+                                  s.xz,
+                                  contact::von_mises(s) - row.von_mises};
+    for (const double difference : differences) {
+      EXPECT_LT(std::abs(difference), 0.01 * exact_p0)
+          << "request " << k << ", depth " << row.depth;
+      largest = std::max(largest, std::abs(difference) / exact_p0);
+    }
+  }
+  RecordProperty("largest_difference_over_p0", std::to_string(largest));
+}
+
+TEST(FemCaseA, LargestStressesAreBelowTheMiddle) {
+  // Hertz's largest von Mises stress by the half-space: 348.03 MPa at 2.532 mm.
+  int found = 0;
+  for (const contact::StressMaximum& maximum : solution().points.front().stress_maxima) {
+    if (maximum.measure != "von_mises") continue;
+    ++found;
+    EXPECT_NEAR(maximum.value, 348.03, 0.01 * exact_p0);
+    EXPECT_NEAR(std::abs(maximum.place[2]), 2.532, 0.02 * exact_a);
+    EXPECT_LT(std::abs(maximum.place[0]), 0.1 * exact_a);
+    EXPECT_EQ(maximum.place[2] > 0.0, maximum.body == "wheel");
+  }
+  EXPECT_EQ(found, 2);
 }
 
 TEST(FemCaseA, LateralForceVanishesAndTractionsMirrorInY) {

@@ -9,7 +9,6 @@
 #include "fem_manufactured.hpp"
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <random>
 
 using namespace rollfem;
@@ -155,9 +154,9 @@ class LoadedRail : public ::testing::Test {
   double difference(double depth, double y, double reach) const {
     std::vector<fem::Place> places;
     std::vector<halfspace::SubsurfacePoint> points;
-    for (int k = 0; k < 49; ++k) {
+    for (int k = 0; k < 25; ++k) {
       // Middles of elements of the fine grid: on their edges its surface stress is infinite.
-      const double x = (std::round(reach * (k / 24.0 - 1.0) / 0.05) + 0.5) * 0.05;
+      const double x = (std::round(reach * (k / 12.0 - 1.0) / 0.1) + 0.5) * 0.1;
       places.push_back({x, y, -depth});
       points.push_back({x, y, depth});
     }
@@ -178,7 +177,7 @@ class LoadedRail : public ::testing::Test {
 
   contact::Material material{210e3, 0.3};
   contact::ContactGrid grid = contact::ContactGrid::centred(20, 20, cell, cell);
-  contact::ContactGrid fine = contact::ContactGrid::centred(170, 170, 0.05, 0.05);
+  contact::ContactGrid fine = contact::ContactGrid::centred(86, 86, 0.1, 0.1);
   contact::SurfaceField traction;
   std::unique_ptr<fem::Body> body;
   fem::Vector displacement;
@@ -188,8 +187,13 @@ class LoadedRail : public ::testing::Test {
 }  // namespace
 
 TEST_F(LoadedRail, StressIsThatOfTheHalfSpace) {
-  for (const double y : {0.025, -1.325})
-    for (const double depth : {0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0, 8.0})
-      std::cout << y << " " << depth << ": " << difference(depth, y, 6.0) << "  inside "
-                << difference(depth, y, 3.0) << "\n";
+  // Elements of an eighth of the patch. What is left at depth comes with the clamped far boundary,
+  // what is at the edge of the patch with tractions that are constant on elements.
+  for (const double y : {0.05, -1.35}) {
+    EXPECT_LT(difference(0.0, y, 3.0), 0.02) << y;
+    for (const double depth : {0.25, 0.5, 1.0, 2.0, 4.0})
+      EXPECT_LT(difference(depth, y, 3.0), 0.01) << y << " " << depth;
+    for (const double depth : {1.0, 2.0, 4.0})
+      EXPECT_LT(difference(depth, y, 6.0), 0.015) << y << " " << depth;
+  }
 }
