@@ -174,6 +174,17 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
     std::cout << "report:  " << (directory / "report.html").string() << '\n';
 }
 
+/// Results that are sound but less than what was asked for are written and are a failure still.
+void refuse_shortfall(const postprocess::RunRecord& record) {
+  std::string text;
+  for (const contact::ModelResult& model : record.models)
+    if (!model.shortfall.empty())
+      text += fmt::format("{}model {}: {}", text.empty() ? "" : "; ", model.name, model.shortfall);
+  if (!text.empty())
+    throw contact::SolveError(
+        fmt::format("{}: the results are written, but {}", record.input.file, text));
+}
+
 }  // namespace
 
 std::vector<std::string> known_models() {
@@ -224,6 +235,7 @@ void run(const RunRequest& request) {
     if (here.first()) {
       write_and_tell(request, record);
       checkpoint->remove();
+      refuse_shortfall(record);
     }
   } catch (...) {
     display.clear();

@@ -203,6 +203,9 @@ struct Case {
   std::string file;  ///< as given by the user
   std::string text;  ///< the whole case file, kept for provenance
   std::vector<std::string> models;
+  std::optional<double> accuracy;  ///< relative; cells are halved until it is reached
+  std::vector<std::string> accuracy_of{"max_pressure", "semi_axis_x", "semi_axis_y",
+                                       "traction_coefficient"};
   Load load;
   double friction_coefficient = 0.0;
   Wheel wheel;

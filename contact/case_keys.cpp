@@ -558,9 +558,9 @@ const std::vector<Section>& case_sections() {
 const std::vector<Key>& case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
-    for (auto* part : {&general_keys, &load_keys, &body_keys, &rolling_keys, &problem_keys,
-                       &history_keys, &surface_keys, &grid_keys, &theory_keys, &fem_keys,
-                       &mesh_keys, &output_keys, &subsurface_keys})
+    for (auto* part : {&general_keys, &accuracy_keys, &load_keys, &body_keys, &rolling_keys,
+                       &problem_keys, &history_keys, &surface_keys, &grid_keys, &theory_keys,
+                       &fem_keys, &mesh_keys, &output_keys, &subsurface_keys})
       for (Key& key : (*part)()) all.push_back(std::move(key));
     return all;
   }();

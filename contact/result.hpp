@@ -97,6 +97,9 @@ struct ModelResult {
   std::vector<PointResult> points;
   std::vector<BodyField> bodies;   ///< of the last load point; empty but for fem
   std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
+  /// What was asked for and not reached, though the results are sound as far as they go; else
+  /// empty. The run then ends with status 1 after they are written.
+  std::string shortfall;
 };
 
 /// Fills forces, maxima, patch size and areas of `point` from its fields. On a curved patch

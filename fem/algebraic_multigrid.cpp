@@ -38,7 +38,7 @@ void assemble_matrix(const ElasticProblem& problem,
                   dofs.get_communicator());
   }
   const unsigned int n = dofs.get_fe().dofs_per_cell;
-  CellStiffness stiffness(dofs.get_fe(), problem.mapping, problem.material);
+  CellStiffness stiffness(problem);
   dealii::FullMatrix<double> cell_matrix(n, n);
   std::vector<dealii::types::global_dof_index> indices(n);
   for (const auto& cell : dofs.active_cell_iterators()) {

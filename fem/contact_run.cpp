@@ -207,6 +207,7 @@ class LevelRun {
   contact::ContactFields fields(const contact::CoupledSolution& solution) const;
   void add_stresses(const StressOutput& stresses, const FemCompliance& compliance,
                     PointResult& point, contact::ModelResult& result) const;
+  void add_no_tractions(contact::ContactFields& fields) const;
   void refuse_patch_at_border(const contact::NormalSolution& solution) const;
 
   const Case& input_;
@@ -261,7 +262,17 @@ contact::ContactFields LevelRun::fields(const contact::CoupledSolution& solution
   result.gap = solution.normal.gap;
   result.displacement = solution.displacement;
   result.state = solution.tangential.state;
+  if (result.traction.x.size() == 0) add_no_tractions(result);
   return result;
+}
+
+/// Without friction there are no tangential tractions, and nothing adheres.
+void LevelRun::add_no_tractions(contact::ContactFields& fields) const {
+  const contact::Field zero = contact::Field::Zero(grid_.size());
+  fields.traction.x = fields.traction.y = fields.traction_bound = zero;
+  fields.slip = {zero, zero};
+  for (const double p : fields.traction.n)
+    fields.state.push_back(p > 0.0 ? contact::ElementState::slip : contact::ElementState::exterior);
 }
 
 void LevelRun::refuse_patch_at_border(const contact::NormalSolution& solution) const {
@@ -326,7 +337,9 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
     tell(event, "rolling");
   };
   const contact::CoupledSolution solution = contact::solve_coupled(
-      compliance, halfspace, problem(creepage, true), {}, defect_, each_iteration);
+      compliance, halfspace,
+      problem(creepage, input_.rolling.problem != contact::Problem::frictionless), {}, defect_,
+      each_iteration);
   refuse_patch_at_border(solution.normal);
   defect_ = solution.defect;
 

@@ -1,6 +1,8 @@
 #include "fem/model.hpp"
 
+#include "contact/errors.hpp"
 #include "contact/patch_size.hpp"
+#include "contact/refinement.hpp"
 #include "fem/contact_run.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +10,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -18,6 +22,8 @@ using contact::ModelResult;
 
 /// The order in h that the two-level estimate assumes, measured on case a (docs/verification.md).
 constexpr double assumed_order = 1.5;
+/// Of the orders that three levels show.
+constexpr double least_order = 1.0;
 
 /// Error of the fine value from the change between the two levels, relative to the fine value or to
 /// `scale` where that is larger (a quantity that vanishes has no relative error).
@@ -76,6 +82,74 @@ void estimate_errors(ModelResult& fine, const ModelResult& coarse, double fricti
   }
 }
 
+/// The same from all levels so far, the finest last (the first two at least).
+void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
+  std::vector<contact::PointResult>& fine = levels.back().points;
+  for (std::size_t k = 0; k < fine.size(); ++k)
+    for (const char* name : {"max_pressure", "normal_force", "approach", "semi_axis_x",
+                             "semi_axis_y", "max_traction_x", "traction_coefficient"}) {
+      std::vector<double> values;
+      for (const ModelResult& level : levels)
+        values.push_back(contact::quantity(level.points[k], name));
+      const double scale = contact::estimate_scale(input, fine[k], name);
+      if (scale > 0.0)
+        fine[k].error_estimate[name] +=
+            contact::estimated_error(values, assumed_order, least_order) / scale;
+    }
+}
+
+/// Cells of the start when the case gives accuracy and no cell size: parts of the smaller
+/// semi-axis.
+constexpr double parts_at_start = 4.0;
+
+/// Finest cells relative to those of the start.
+constexpr int most_halvings = 5;
+
+/// Halves the cells until the estimated error is what the case asks for, or memory ends.
+ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress,
+                            contact::Checkpoint* checkpoint) {
+  Case start = input;
+  if (!input.fem.cell_size) start.fem.cell_size = 8.0 / parts_at_start * default_cell_size(input);
+  double cell = *start.fem.cell_size;
+  const auto solve = [&](double size) {
+    return run_level(
+        input, {size, fmt::format("{:.3g} mm: ", size), input.output.fields, checkpoint}, progress);
+  };
+  refuse_beyond_memory(input, cell);
+  std::vector<ModelResult> levels;
+  levels.push_back(run_level(
+      input, {2.0 * cell, fmt::format("{:.3g} mm: ", 2.0 * cell), false, checkpoint}, progress));
+  levels.push_back(solve(cell));
+  estimate_errors(input, levels);
+  contact::WorstError worst = contact::worst_error(input, levels.back().points);
+  std::string reason = fmt::format(
+      "cells of {:.3g} mm are the finest tried; do: begin with a "
+      "smaller [fem] cell_size, or ask for less",
+      cell / std::exp2(most_halvings));
+  for (int halving = 0; halving < most_halvings && worst.error > *input.accuracy; ++halving) {
+    try {
+      refuse_beyond_memory(input, 0.5 * cell);
+    } catch (const contact::SolveError& error) {
+      reason = error.what();
+      break;
+    }
+    cell *= 0.5;
+    levels.back().bodies.clear();
+    levels.push_back(solve(cell));
+    estimate_errors(input, levels);
+    worst = contact::worst_error(input, levels.back().points);
+  }
+  ModelResult result = std::move(levels.back());
+  result.notes.push_back(
+      fmt::format("accuracy {:g} asked for: cells were halved to {:.4g} mm; largest estimated "
+                  "error {:.2g} ({} at load point {}), from the changes between the last three "
+                  "levels and the order that they show",
+                  *input.accuracy, cell, worst.error, worst.quantity, worst.point));
+  if (worst.error > *input.accuracy)
+    result.shortfall = contact::shortfall_text(input, worst, reason);
+  return result;
+}
+
 }  // namespace
 
 ModelResult run_fem(const Case& input, const contact::Progress& progress,
@@ -84,6 +158,11 @@ ModelResult run_fem(const Case& input, const contact::Progress& progress,
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
+  if (input.accuracy) {
+    ModelResult result = run_to_accuracy(input, progress, checkpoint);
+    result.seconds["total"] = elapsed();
+    return result;
+  }
   const double cell = default_cell_size(input);
   refuse_beyond_memory(input, cell);
   const ModelResult coarse =

@@ -2,6 +2,7 @@
 
 #include "contact/errors.hpp"
 #include "contact/geometry.hpp"
+#include "contact/refinement.hpp"
 #include "halfspace/hertz.hpp"
 #include "halfspace/level.hpp"
 
@@ -141,6 +142,40 @@ void add_notes(const Case& input, ModelResult& result) {
         difference));
 }
 
+/// Errors of the finest level so far from the one below it.
+void estimate_level(const Case& input, LevelResult& fine, const LevelResult& coarse, int across) {
+  for (std::size_t k = 0; k < fine.points.size(); ++k) {
+    estimate_errors(fine.points[k], coarse.points[k], input.friction_coefficient, across);
+    if (k < input.rolling.forces.size())
+      estimate_found_creepages(fine.points[k], coarse.points[k], input.rolling.forces[k], across);
+  }
+}
+
+/// Beyond this many elements across nothing is refined further for an accuracy.
+constexpr int most_elements_across = 320;
+
+/// Whether another level is wanted for the accuracy of the case; says in the result when it is and
+/// cannot be had.
+bool refine_further(const Case& input, const LevelResult& fine, const Cell& cell,
+                    ModelResult& result) {
+  if (!input.accuracy) return false;
+  const contact::WorstError worst = contact::worst_error(input, fine.points);
+  if (worst.error <= *input.accuracy) {
+    result.notes.push_back(fmt::format(
+        "accuracy {:g} asked for: {} elements across; largest estimated error {:.2g} ({} at load "
+        "point {})",
+        *input.accuracy, cell.across, worst.error, worst.quantity, worst.point));
+    return false;
+  }
+  if (2 * cell.across <= most_elements_across) return true;
+  result.shortfall = contact::shortfall_text(
+      input, worst,
+      fmt::format("{} elements across are the most; do: ask for less, or give a smaller "
+                  "contact_grid.cell_size",
+                  cell.across));
+  return false;
+}
+
 }  // namespace
 
 ModelResult run_halfspace(const Case& input, const contact::Progress& progress,
@@ -148,27 +183,26 @@ ModelResult run_halfspace(const Case& input, const contact::Progress& progress,
   const auto begin = std::chrono::steady_clock::now();
   std::optional<LevelResult> coarse;
   std::optional<LevelResult> fine;
-  const std::vector<Cell> cells = cells_of_levels(input);
+  std::vector<Cell> cells = cells_of_levels(input);
   // A grid too large to have is refused before the coarser ones are computed.
   static_cast<void>(potential_area(input, cells.back().dx, cells.back().dy, 0));
   ModelResult result;
   result.name = "halfspace";
-  for (const Cell& cell : cells) {
+  for (std::size_t level = 0; level < cells.size(); ++level) {
+    const Cell cell = cells[level];
     coarse = std::move(fine);
-    const bool last = &cell == &cells.back();
-    const std::string prefix = last ? "" : fmt::format("{} across: ", cell.across);
+    const bool last = level + 1 == cells.size();
+    const std::string prefix =
+        last && !input.accuracy ? "" : fmt::format("{} across: ", cell.across);
     fine = solve_level(input, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress,
                        last ? checkpoint : nullptr);
     result.seconds["setup"] += fine->setup_seconds;
     result.seconds["normal"] += fine->normal_seconds;
     result.seconds["tangential"] += fine->tangential_seconds;
-  }
-  for (std::size_t k = 0; k < fine->points.size(); ++k) {
-    estimate_errors(fine->points[k], coarse->points[k], input.friction_coefficient,
-                    cells.back().across);
-    if (k < input.rolling.forces.size())
-      estimate_found_creepages(fine->points[k], coarse->points[k], input.rolling.forces[k],
-                               cells.back().across);
+    if (!last) continue;
+    estimate_level(input, *fine, *coarse, cell.across);
+    if (refine_further(input, *fine, cell, result))
+      cells.push_back({0.5 * cell.dx, 0.5 * cell.dy, 2 * cell.across});
   }
   result.grid = fine->grid;
   result.contact_elements = fine->contact_elements;
