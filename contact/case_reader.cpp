@@ -407,6 +407,19 @@ void read_files(const GivenCase& given, Case& input) {
   };
   fill(input.undeformed_distance.values, 1);
   fill(input.rolling.extra_slip_values, 2);
+  // Meshes are read when the bodies are made; that they are there is said at once.
+  for (const char* body : {"wheel", "rail"}) {
+    const GivenValue* mesh = given.find(body, "mesh");
+    std::error_code error;
+    if (mesh == nullptr ||
+        std::filesystem::is_regular_file(folder / std::get<std::string>(mesh->value), error))
+      continue;
+    CaseProblem problem = problem_at(std::string(body) + ".mesh", *mesh);
+    problem.wrong = "there is no such mesh file";
+    problem.allowed = "a gmsh mesh (.msh), its path relative to the case file";
+    problem.action = "check the path, or leave the key out: the program then meshes the body";
+    fail(given.file, problem);
+  }
 }
 
 }  // namespace

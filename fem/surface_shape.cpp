@@ -67,6 +67,13 @@ void SurfaceShape::frame(double s, double t, dealii::Tensor<1, 3>& rolling,
 
 void SurfaceShape::tilted_frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
                                 dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
+  if (functions) {
+    const auto axes = functions->frame(s, t);
+    rolling = axes[0];
+    lateral = axes[1];
+    normal = axes[2];
+    return;
+  }
   const double angle = is_revolved(*this) ? s / streamline_radius(t) : 0.0;
   const double length = std::sqrt(1.0 + climb * climb);
   dealii::Tensor<1, 3> up;

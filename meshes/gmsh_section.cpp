@@ -48,7 +48,7 @@ ProfileNodes profile_nodes(const SectionOptions& options) {
         fmt::format("the finely meshed region needs {:.4g} mm of the half width {:.4g} mm of the "
                     "section: enlarge [fem] width or extent",
                     begin, options.half_width));
-  const auto steps = outward_steps(1.3 * step, step, options.half_width - begin);
+  const auto steps = outward_steps(step, step, options.half_width - begin);
   double sum = 0.0, at = 0.0;
   for (const double s : steps) sum += s;
   for (const double s : steps)
@@ -76,6 +76,16 @@ class SectionGeometry {
   }
 
   const std::map<int, Side>& sides() const { return sides_; }
+
+  /// Splitting puts the new nodes of the block on chords: back to their depth below the profile.
+  void straighten_block(Section& section) const {
+    const double end = nodes_.y[nodes_.fine] * (1.0 + 1e-9);
+    for (auto& [y, v] : section.points) {
+      const double row = std::round((v - options_.drop(y)) / options_.cell_size);
+      if (std::abs(y) <= end && row * options_.cell_size <= block_depth_ * (1.0 + 1e-9))
+        v = options_.drop(y) + row * options_.cell_size;
+    }
+  }
 
  private:
   /// Points of one side of the section from the middle outwards (sign: +1 or -1).
@@ -214,7 +224,7 @@ class SectionGeometry {
 };
 
 /// Nodes and quadrilaterals of the finished mesh.
-Section collect(const SectionOptions& options, const std::map<int, Side>& sides) {
+Section collect(const SectionOptions& options, const SectionGeometry& geometry) {
   Section section;
   std::unordered_map<std::size_t, int> number;
   std::vector<std::size_t> tags;
@@ -238,7 +248,7 @@ Section collect(const SectionOptions& options, const std::map<int, Side>& sides)
   for (std::size_t k = 0; k < corners.front().size(); k += 4)
     section.quads.push_back({node(corners.front()[k]), node(corners.front()[k + 1]),
                              node(corners.front()[k + 2]), node(corners.front()[k + 3])});
-  for (const auto& [line, side] : sides) {
+  for (const auto& [line, side] : geometry.sides()) {
     std::vector<std::vector<std::size_t>> line_elements, ends;
     gmsh::model::mesh::getElements(types, line_elements, ends, 1, line);
     for (const auto& of_type : ends)
@@ -250,6 +260,7 @@ Section collect(const SectionOptions& options, const std::map<int, Side>& sides)
             section.points[end][1] = options.drop(section.points[end][0]);
       }
   }
+  geometry.straighten_block(section);
   return section;
 }
 
@@ -261,7 +272,8 @@ Section mesh_section(const SectionOptions& options) {
   // Sizes follow the edges of the boundary, which are given.
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::option::setNumber("Mesh.Algorithm", 8);  // frontal, for quadrilaterals
+  // Frontal-Delaunay; the variant for quadrilaterals (8) crashes on this section in gmsh 4.8.4.
+  gmsh::option::setNumber("Mesh.Algorithm", 6);
   gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
   gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
   gmsh::option::setNumber("Mesh.Smoothing", 10);
@@ -273,7 +285,7 @@ Section mesh_section(const SectionOptions& options) {
     throw contact::InputError("gmsh cannot mesh the cross-section (" + gmsh_complaint() +
                               "): use [fem] mesh = \"structured\", or change width and depth");
   }
-  return collect(options, geometry.sides());
+  return collect(options, geometry);
 }
 
 }  // namespace rollfem::meshes

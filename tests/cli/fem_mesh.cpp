@@ -1,0 +1,95 @@
+// The command `mesh`: its files, that a case takes them again, and what it refuses.
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+#include "unit/case_examples.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+const std::string coarse = "[fem]\ncell_size = 1.88\n";
+
+void expect_refused(const Outcome& outcome, const std::string& part) {
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("rollfem: ", 0), 0u) << outcome.err;
+  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("do: "), std::string::npos) << outcome.err;
+}
+
+/// The number after a row's name, of the wheel.
+double row(const std::string& table, const std::string& name) {
+  const auto at = table.find(name);
+  if (at == std::string::npos) return NAN;
+  return std::stod(table.substr(at + 34));
+}
+
+std::string with_mesh(const std::string& file) {
+  return with("rolling_radius = 405.0", "rolling_radius = 405.0\nmesh = \"" + file + "\"");
+}
+
+}  // namespace
+
+TEST(MeshCommand, WritesMeshesThatACaseTakesAgain) {
+  const Folder folder;
+  for (const std::string family : {"structured", "gmsh"}) {
+    const std::string file = folder.file("case.toml", plus(coarse + "mesh = \"" + family + "\"\n"));
+    const Outcome first = call(folder, {"mesh", file, "-o", family});
+    ASSERT_EQ(first.status, 0) << first.err;
+    for (const char* name : {"wheel.msh", "rail.msh", "wheel.vtu", "rail.vtu"})
+      EXPECT_TRUE(fs::exists(folder.work() / family / name)) << name;
+    EXPECT_NE(contents(folder.work() / family / "wheel.vtu").find("UnstructuredGrid"),
+              std::string::npos);
+    EXPECT_GT(row(first.out, "unknowns"), 5000);
+    EXPECT_GT(row(first.out, "smallest scaled Jacobian (1: box)"), 0.3);
+    EXPECT_LE(row(first.out, "size of cells in the patch, mm"), 1.8801);
+    EXPECT_LE(row(first.out, "times halved at the patch"), 7);
+
+    // The files are the coarse mesh: refined again they give the same cells.
+    const std::string again = folder.file(
+        "again.toml", with("rolling_radius = 405.0",
+                           "rolling_radius = 405.0\nmesh = \"work/" + family + "/wheel.msh\"") +
+                          coarse);
+    const Outcome second = call(folder, {"mesh", again, "-o", "again_" + family});
+    ASSERT_EQ(second.status, 0) << second.err;
+    for (const char* name : {"coarse cells", "cells", "unknowns", "shortest edge, mm"})
+      EXPECT_EQ(row(second.out, std::string("\n") + name), row(first.out, std::string("\n") + name))
+          << name;
+    EXPECT_EQ(contents(folder.work() / family / "wheel.msh").size(),
+              contents(folder.work() / ("again_" + family) / "wheel.msh").size());
+  }
+}
+
+TEST(MeshCommand, RefusesBadMeshesAndWritesNothing) {
+  const Folder folder;
+  expect_refused(call(folder, {"mesh", folder.file("a.toml", with_mesh("none.msh"))}),
+                 "wheel.mesh = \"none.msh\": there is no such mesh file");
+  expect_refused(call(folder, {"check", folder.file("a.toml", with_mesh("none.msh"))}),
+                 "there is no such mesh file");
+  folder.file("geo.msh", "Point(1) = {0, 0, 0};\n");
+  expect_refused(call(folder, {"mesh", folder.file("b.toml", with_mesh("geo.msh"))}),
+                 "is no gmsh mesh");
+  folder.file(
+      "tetrahedron.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 9 0 0\n3 0 9 0\n4 0 0 9\n"
+      "$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n");
+  expect_refused(
+      call(folder, {"run", folder.file("c.toml", with_mesh("tetrahedron.msh")), "--model", "fem"}),
+      "allowed: hexahedra");
+  expect_refused(
+      call(folder, {"mesh", folder.file("d.toml", small_case + coarse), "-o", "/proc/nowhere"}),
+      "cannot be made");
+  expect_refused(call(folder, {"mesh"}), "case is required");
+  EXPECT_TRUE(folder.made().empty());
+}
+
+TEST(MeshCommand, SparesTheMeshThatTheCaseNames) {
+  const Folder folder;
+  folder.file("wheel.msh", "$MeshFormat\n");
+  expect_refused(call(folder, {"mesh", folder.file("a.toml", with_mesh("wheel.msh")), "-o", ".."}),
+                 "would be written over");
+  EXPECT_EQ(contents(folder.output("wheel.msh")), "$MeshFormat\n");
+}

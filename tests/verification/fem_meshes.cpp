@@ -1,0 +1,63 @@
+// The same contact under different meshes: the program's two families, and meshes of a user whose
+// lines follow neither rolling nor the lateral direction.
+#include "contact/case_reader.hpp"
+#include "fem/contact_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh_examples.hpp"
+#include "mpi_environment.hpp"
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace rollfem;
+
+contact::Case study_case(const std::string& name, double creepage) {
+  contact::Case input =
+      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
+  input.rolling.creepages = {{creepage, 0.0, 0.0}};
+  return input;
+}
+
+/// A rail of transverse radius 2000 mm, with graded lines along and across that are turned by 20
+/// degrees about z.
+meshes::HexMesh turned_rail() {
+  const std::vector<double> along{-75, -45, -25, -11.6, 0, 11.6, 25, 45, 75};
+  return test::block(along, along, {-75, -46, -26, -11, 0}, true, [](const test::Point& p) {
+    const double c = std::cos(20.0 * M_PI / 180.0), s = std::sin(20.0 * M_PI / 180.0);
+    const double y = s * p[0] + c * p[1];
+    return test::Point{c * p[0] - s * p[1], y, p[2] - (2000.0 - std::sqrt(4e6 - y * y))};
+  });
+}
+
+}  // namespace
+
+TEST(FemMeshFamilies, AgreeOnTheCurvedCase) {
+  contact::Case input = study_case("e", 0.002);
+  const auto one = fem::run_level(input, {1.25, "", false}, {}).points.front();
+  input.fem.mesh = contact::MeshFamily::gmsh;
+  const auto other = fem::run_level(input, {1.25, "", false}, {}).points.front();
+  EXPECT_NEAR(other.max_pressure / one.max_pressure, 1.0, 5e-3);
+  EXPECT_NEAR(other.traction_coefficient / one.traction_coefficient, 1.0, 5e-3);
+  EXPECT_NEAR(other.approach / one.approach, 1.0, 5e-3);
+  std::printf("TMP %g %g  %g %g\n", one.max_pressure, other.max_pressure, one.traction_coefficient, other.traction_coefficient);
+}
+
+TEST(FemUserMeshes, GiveHertzOnTurnedLines) {
+  // The whole rail on the user's mesh under half a wheel of the program's. Cells of half of the
+  // smaller semi-axis: p0 is off by what the grid of the contact brings, and the turned mesh must
+  // not add to it.
+  const test::TemporaryFolder folder;
+  contact::Case input = study_case("a", 0.002);
+  const auto own = fem::run_level(input, {1.88, "", false}, {}).points.front();
+  input.file = folder.path("case.toml");
+  folder.file("rail.msh", meshes::msh_text(turned_rail()));
+  input.rail.mesh = "rail.msh";
+  const auto point = fem::run_level(input, {1.88, "", false}, {}).points.front();
+  EXPECT_NEAR(point.max_pressure / 578.967, 1.0, 2e-2);
+  EXPECT_NEAR(point.max_pressure / own.max_pressure, 1.0, 5e-3);
+  EXPECT_NEAR(point.traction_coefficient, own.traction_coefficient, 5e-3 * 0.55);
+  std::printf("TMP %g %g  %g %g\n", own.max_pressure, point.max_pressure, own.traction_coefficient, point.traction_coefficient);
+}
