@@ -388,7 +388,9 @@ void LevelRun::solve(contact::ModelResult& result) {
   const Body& rail = *bodies.rail;
   start_.reach = bodies.reach;
   start_.half = wheel.options().half && rail.options().half;
-  start_.notes = fmt::format("{}", fmt::join(bodies.notes, "\n"));
+  start_.notes.clear();
+  for (const std::string& note : bodies.notes)
+    start_.notes += (start_.notes.empty() ? "" : "\n") + note;
   result.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
   contact::ProgressEvent event;
   MemoryDemand demand =

@@ -11,6 +11,8 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace rollfem::fem {
@@ -25,14 +27,6 @@ constexpr double assumed_order = 1.5;
 /// Of the orders that three levels show.
 constexpr double least_order = 1.0;
 
-/// Error of the fine value from the change between the two levels, relative to the fine value or to
-/// `scale` where that is larger (a quantity that vanishes has no relative error).
-double two_level_error(double fine, double coarse, double scale) {
-  const double reference = std::max(std::abs(fine), scale);
-  const double change = std::abs(fine - coarse) / (std::pow(2.0, assumed_order) - 1.0);
-  return reference > 0.0 ? change / reference : 0.0;
-}
-
 /// What a size may be off, relative, when its ends are counted by whole elements; else 0.
 double counting_error(double semi_axis, double element) {
   const double elements = 2.0 * semi_axis / element;
@@ -42,60 +36,49 @@ double counting_error(double semi_axis, double element) {
 /// Of the largest stresses, and of the stresses at the points that the case asks for: the largest
 /// change of a component, relative to the largest pressure.
 void estimate_stress_errors(contact::PointResult& fine, const contact::PointResult& coarse) {
+  const auto change = [](double of_fine, double of_coarse) {
+    return contact::estimated_error({of_coarse, of_fine}, assumed_order, least_order);
+  };
   for (std::size_t m = 0; m < fine.stress_maxima.size(); ++m) {
     const contact::StressMaximum& maximum = fine.stress_maxima[m];
     fine.error_estimate[fmt::format("max_{}_{}", maximum.measure, maximum.body)] =
-        two_level_error(maximum.value, coarse.stress_maxima[m].value, 0.01 * fine.max_pressure);
+        change(maximum.value, coarse.stress_maxima[m].value) /
+        std::max(maximum.value, 0.01 * fine.max_pressure);
   }
   double largest = 0.0;
   for (std::size_t r = 0; r < fine.subsurface.size(); ++r)
     for (std::size_t k = 0; k < fine.subsurface[r].stress.size(); ++k)
       for (int c = 0; c < 6; ++c)
-        largest = std::max(largest,
-                           two_level_error(fine.subsurface[r].stress[k][c],
-                                           coarse.subsurface[r].stress[k][c], fine.max_pressure));
+        largest = std::max(
+            largest, change(fine.subsurface[r].stress[k][c], coarse.subsurface[r].stress[k][c]) /
+                         fine.max_pressure);
   if (!fine.subsurface.empty()) fine.error_estimate["subsurface_stress"] = largest;
 }
 
-/// Adds to what a point's estimate holds already (the finite segments' part of the approach).
-void estimate_errors(ModelResult& fine, const ModelResult& coarse, double friction) {
-  for (std::size_t k = 0; k < fine.points.size(); ++k) {
-    contact::PointResult& f = fine.points[k];
-    const contact::PointResult& c = coarse.points[k];
-    const auto set = [&](const char* name, double contact::PointResult::*quantity, double scale) {
-      f.error_estimate[name] += two_level_error(f.*quantity, c.*quantity, scale);
-    };
-    using Point = contact::PointResult;
-    set("max_pressure", &Point::max_pressure, 0.0);
-    set("normal_force", &Point::normal_force, 0.0);
-    set("approach", &Point::approach, 0.0);
-    set("semi_axis_x", &Point::semi_axis_x, 0.0);
-    set("semi_axis_y", &Point::semi_axis_y, 0.0);
-    auto& error = f.error_estimate;
-    error["semi_axis_x"] =
-        std::max(error["semi_axis_x"], counting_error(f.semi_axis_x, fine.grid.dx));
-    error["semi_axis_y"] =
-        std::max(error["semi_axis_y"], counting_error(f.semi_axis_y, fine.grid.dy));
-    set("max_traction_x", &Point::max_traction_x, 0.01 * friction * f.max_pressure);
-    set("traction_coefficient", &Point::traction_coefficient, 0.01 * friction);
-    estimate_stress_errors(f, c);
-  }
-}
-
-/// The same from all levels so far, the finest last (the first two at least).
+/// From all levels, the finest last: two at least. Adds to what a point's estimate holds already
+/// (the finite segments' part of the approach).
 void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
-  std::vector<contact::PointResult>& fine = levels.back().points;
-  for (std::size_t k = 0; k < fine.size(); ++k)
+  ModelResult& fine = levels.back();
+  const ModelResult& coarse = levels[levels.size() - 2];
+  for (std::size_t k = 0; k < fine.points.size(); ++k) {
+    contact::PointResult& point = fine.points[k];
     for (const char* name : {"max_pressure", "normal_force", "approach", "semi_axis_x",
                              "semi_axis_y", "max_traction_x", "traction_coefficient"}) {
       std::vector<double> values;
       for (const ModelResult& level : levels)
         values.push_back(contact::quantity(level.points[k], name));
-      const double scale = contact::estimate_scale(input, fine[k], name);
+      const double scale = contact::estimate_scale(input, point, name);
       if (scale > 0.0)
-        fine[k].error_estimate[name] +=
+        point.error_estimate[name] +=
             contact::estimated_error(values, assumed_order, least_order) / scale;
     }
+    auto& error = point.error_estimate;
+    for (const auto& [name, size, element] :
+         {std::tuple{"semi_axis_x", point.semi_axis_x, fine.grid.dx},
+          std::tuple{"semi_axis_y", point.semi_axis_y, fine.grid.dy}})
+      error[name] = std::max(error[name], counting_error(size, element));
+    estimate_stress_errors(point, coarse.points[k]);
+  }
 }
 
 /// Cells of the start when the case gives accuracy and no cell size: parts of the smaller
@@ -165,11 +148,12 @@ ModelResult run_fem(const Case& input, const contact::Progress& progress,
   }
   const double cell = default_cell_size(input);
   refuse_beyond_memory(input, cell);
-  const ModelResult coarse =
-      run_level(input, {2.0 * cell, "estimate: ", false, checkpoint}, progress);
+  std::vector<ModelResult> levels;
+  levels.push_back(run_level(input, {2.0 * cell, "estimate: ", false, checkpoint}, progress));
   const double estimate_seconds = elapsed();
-  ModelResult result = run_level(input, {cell, "", input.output.fields, checkpoint}, progress);
-  estimate_errors(result, coarse, input.friction_coefficient);
+  levels.push_back(run_level(input, {cell, "", input.output.fields, checkpoint}, progress));
+  estimate_errors(input, levels);
+  ModelResult result = std::move(levels.back());
   result.seconds["estimate"] = estimate_seconds;
   result.seconds["total"] = elapsed();
   result.notes.push_back(fmt::format(
