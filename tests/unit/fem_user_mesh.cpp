@@ -36,9 +36,8 @@ meshes::HexMesh turned_mesh(const fem::SurfaceShape& shape) {
 }
 
 std::unique_ptr<fem::Body> turned_body(const fem::SurfaceShape& shape) {
-  auto options = small_options();
-  options.growth = 2.0;
-  return std::make_unique<fem::Body>(shape, steel, options, turned_mesh(shape), MPI_COMM_SELF);
+  return std::make_unique<fem::Body>(shape, steel, small_options(), turned_mesh(shape),
+                                     MPI_COMM_SELF);
 }
 
 contact::ContactGrid odd_grid() {
