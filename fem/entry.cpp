@@ -22,7 +22,8 @@ int process() {
   return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
 }
 
-const rollfem::fem::Entry entry{start, stop, process, rollfem::fem::run_fem, rollfem::fem::mesh_case};
+const rollfem::fem::Entry entry{start, stop, process, rollfem::fem::run_fem,
+                                rollfem::fem::mesh_case};
 
 }  // namespace
 
