@@ -35,10 +35,10 @@ meshes::HexMesh turned_mesh(const fem::SurfaceShape& shape) {
   });
 }
 
-std::unique_ptr<fem::Body> turned_body(const fem::SurfaceShape& shape) {
-  auto options = small_options();
-  options.growth = 2.0;
-  return std::make_unique<fem::Body>(shape, steel, options, turned_mesh(shape), MPI_COMM_SELF);
+std::unique_ptr<fem::Body> turned_body(const fem::SurfaceShape& shape,
+                                       MPI_Comm communicator = MPI_COMM_SELF) {
+  return std::make_unique<fem::Body>(shape, steel, small_options(), turned_mesh(shape),
+                                     communicator);
 }
 
 contact::ContactGrid odd_grid() {
@@ -52,13 +52,16 @@ fem::Vector interpolate(const fem::Body& body, const Function& function) {
   const auto& element = body.dofs().get_fe();
   std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
   for (const auto& cell : body.dofs().active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
     cell->get_dof_indices(indices);
     for (unsigned int i = 0; i < indices.size(); ++i) {
+      if (!body.dofs().locally_owned_dofs().is_element(indices[i])) continue;
       const auto place =
           body.mapping().transform_unit_to_real_cell(cell, element.get_unit_support_points()[i]);
       u(indices[i]) = function(place)[element.system_to_component_index(i).first];
     }
   }
+  u.update_ghost_values();
   return u;
 }
 
@@ -122,7 +125,8 @@ TEST(GivenMesh, RefinedNodesLieOnTheTrueSurface) {
 }
 
 TEST(GivenMesh, CouplingIsExactOnTurnedFaces) {
-  const auto body = turned_body(rail_shape(contact::infinity));
+  // On every number of processes: each integrates its own faces.
+  const auto body = turned_body(rail_shape(contact::infinity), MPI_COMM_WORLD);
   const auto grid = odd_grid();
   const fem::SurfaceCoupling coupling(*body, grid);
   // A displacement that is linear in the place is in the space; its mean is the value in the
