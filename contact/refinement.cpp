@@ -11,18 +11,19 @@ namespace rollfem::contact {
 double estimated_error(const std::vector<double>& values, double assumed_order,
                        double least_order) {
   constexpr double best_order = 2.0;
+  constexpr double believed_fall = 16.0;  // of an error that changes its sign
   const std::size_t n = values.size();
   if (n < 2) throw std::logic_error("an error estimate takes two levels");
-  double change = std::abs(values[n - 1] - values[n - 2]);
-  double order = assumed_order;
-  if (n > 2) {
-    const double before = values[n - 2] - values[n - 3];
-    const double now = values[n - 1] - values[n - 2];
-    if (before * now > 0.0 && std::abs(before) > std::abs(now))
-      order = std::clamp(std::log2(before / now), least_order, best_order);
-    change = std::max(change, std::abs(before) / std::exp2(best_order));
+  const double now = values[n - 1] - values[n - 2];
+  if (n == 2) return std::abs(now) / (std::exp2(assumed_order) - 1.0);
+  const double before = values[n - 2] - values[n - 3];
+  if (before * now > 0.0) {
+    const double order = std::clamp(std::log2(before / now), least_order, best_order);
+    return std::max(std::abs(now), std::abs(before) / std::exp2(best_order)) /
+           (std::exp2(order) - 1.0);
   }
-  return change / (std::exp2(order) - 1.0);
+  return std::max(std::abs(now), std::abs(before) / believed_fall) /
+         (std::exp2(assumed_order) - 1.0);
 }
 
 double quantity(const PointResult& point, const std::string& name) {

@@ -13,9 +13,9 @@ namespace rollfem::contact {
 
 /// Error of the last of the values, which belong to cells of h, h/2, h/4, ... (coarsest first; two
 /// at least), absolute. The order is that which the last three show, within [`least_order`, 2];
-/// `assumed_order` when there are only two or they do not settle. Changes smaller than a fourth of
-/// the one before are not believed: no quantity here converges faster, two grids may agree by
-/// chance.
+/// `assumed_order` when there are only two or the changes have opposite signs. Two grids may agree
+/// by chance: a change is believed to be no less than a fourth of the one before, a sixteenth when
+/// they have opposite signs.
 double estimated_error(const std::vector<double>& values, double assumed_order,
                        double least_order = 1.0);
 

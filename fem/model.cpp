@@ -83,7 +83,13 @@ void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
 
 /// Cells of the start when the case gives accuracy and no cell size: parts of the smaller
 /// semi-axis.
-constexpr double parts_at_start = 4.0;
+constexpr double parts_at_start = 8.0;
+
+/// Cells larger than this part of the smaller semi-axis say nothing.
+constexpr double coarsest_part = 0.55;
+
+/// Two levels alone can agree by chance, and cannot show an order.
+constexpr std::size_t fewest_levels = 3;
 
 /// Finest cells relative to those of the start.
 constexpr int most_halvings = 5;
@@ -91,25 +97,30 @@ constexpr int most_halvings = 5;
 /// Halves the cells until the estimated error is what the case asks for, or memory ends.
 ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress,
                             contact::Checkpoint* checkpoint) {
-  Case start = input;
-  if (!input.fem.cell_size) start.fem.cell_size = 8.0 / parts_at_start * default_cell_size(input);
-  double cell = *start.fem.cell_size;
-  const auto solve = [&](double size) {
-    return run_level(
-        input, {size, fmt::format("{:.3g} mm: ", size), input.output.fields, checkpoint}, progress);
-  };
+  const double default_cell = default_cell_size([&] {
+    Case plain = input;
+    plain.fem.cell_size.reset();
+    return plain;
+  }());
+  const double smaller_semi_axis = 8.0 * default_cell;
+  double cell = input.fem.cell_size.value_or(smaller_semi_axis / parts_at_start);
   refuse_beyond_memory(input, cell);
+  const auto solve = [&](double size, bool fields) {
+    return run_level(input, {size, fmt::format("{:.3g} mm: ", size), fields, checkpoint}, progress);
+  };
   std::vector<ModelResult> levels;
-  levels.push_back(run_level(
-      input, {2.0 * cell, fmt::format("{:.3g} mm: ", 2.0 * cell), false, checkpoint}, progress));
-  levels.push_back(solve(cell));
+  if (4.0 * cell <= coarsest_part * smaller_semi_axis) levels.push_back(solve(4.0 * cell, false));
+  levels.push_back(solve(2.0 * cell, false));
+  levels.push_back(solve(cell, input.output.fields));
   estimate_errors(input, levels);
   contact::WorstError worst = contact::worst_error(input, levels.back().points);
   std::string reason = fmt::format(
       "cells of {:.3g} mm are the finest tried; do: begin with a "
       "smaller [fem] cell_size, or ask for less",
       cell / std::exp2(most_halvings));
-  for (int halving = 0; halving < most_halvings && worst.error > *input.accuracy; ++halving) {
+  for (int halving = 0;
+       halving < most_halvings && (levels.size() < fewest_levels || worst.error > *input.accuracy);
+       ++halving) {
     try {
       refuse_beyond_memory(input, 0.5 * cell);
     } catch (const contact::SolveError& error) {
@@ -118,7 +129,7 @@ ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress
     }
     cell *= 0.5;
     levels.back().bodies.clear();
-    levels.push_back(solve(cell));
+    levels.push_back(solve(cell, input.output.fields));
     estimate_errors(input, levels);
     worst = contact::worst_error(input, levels.back().points);
   }
@@ -128,7 +139,7 @@ ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress
                   "error {:.2g} ({} at load point {}), from the changes between the last three "
                   "levels and the order that they show",
                   *input.accuracy, cell, worst.error, worst.quantity, worst.point));
-  if (worst.error > *input.accuracy)
+  if (worst.error > *input.accuracy || levels.size() < fewest_levels)
     result.shortfall = contact::shortfall_text(input, worst, reason);
   return result;
 }

@@ -39,7 +39,8 @@ TEST(Refinement, TwoLevelsTakeTheAssumedOrder) {
 }
 
 TEST(Refinement, TwoGridsThatAgreeByChanceAreNotBelieved) {
-  EXPECT_NEAR(estimated_error({1.0, 1.4, 1.4}, 1.5), 0.1 / (std::exp2(1.5) - 1.0), 1e-12);
+  EXPECT_NEAR(estimated_error({1.0, 1.4, 1.4}, 1.5), 0.025 / (std::exp2(1.5) - 1.0), 1e-12);
+  EXPECT_NEAR(estimated_error({1.0, 1.4, 1.41}, 1.5), 0.1 / 3.0, 1e-12);
   EXPECT_GT(estimated_error({1.0, 1.4, 1.3}, 1.5), 0.05);
 }
 

@@ -1,0 +1,50 @@
+// The key accuracy through the program: reached, or the results are there and the status is 1.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+#include "unit/case_examples.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+
+std::string with_accuracy(const std::string& accuracy) {
+  return "models = [\"halfspace\"]\naccuracy = " + accuracy + "\n" + small_case +
+         "[rolling]\nlongitudinal_creepage = 0.001\n[contact_grid]\nelements_across = 10\n";
+}
+
+TEST(Accuracy, IsReachedByAsManyElementsAsItTakes) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", with_accuracy("0.005"));
+  const Outcome outcome = call(folder, {"run", file, "-o", "out", "--no-report"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto summary = nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"));
+  const auto& errors = summary["models"][0]["points"][0]["error_estimate"];
+  for (const char* name : {"max_pressure", "semi_axis_x", "semi_axis_y", "traction_coefficient"})
+    EXPECT_LE(errors[name].get<double>(), 0.005) << name;
+  EXPECT_GT(summary["models"][0]["contact_elements"].get<int>(), 320);
+}
+
+TEST(Accuracy, NotReachedIsAFailureWhoseResultsAreThere) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", with_accuracy("1e-4"));
+  const Outcome outcome = call(folder, {"run", file, "-o", "out", "--no-report", "-q"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("the results are written, but model halfspace: accuracy = 0.0001"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.work() / "out" / "summary.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder.work() / "out.unfinished"));
+}
+
+TEST(Accuracy, OfWhatIsNotAQuantityIsAnInputError) {
+  const Folder folder;
+  const std::string file =
+      folder.file("case.toml", "accuracy = 0.01\naccuracy_of = [\"beauty\"]\n" + small_case);
+  const Outcome outcome = call(folder, {"check", file});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("accuracy_of"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
