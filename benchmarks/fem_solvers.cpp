@@ -44,7 +44,7 @@ double peak_memory_gb() {
 }
 
 void measure(const std::string& solver_name, double cell) {
-  constexpr MPI_Comm world = MPI_COMM_WORLD;
+  const MPI_Comm world = MPI_COMM_WORLD;
   const int half_x = static_cast<int>(std::ceil(semi_axis_x / cell));
   const int half_y = static_cast<int>(std::ceil(semi_axis_y / cell));
   const auto grid = contact::ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell);
