@@ -4,6 +4,7 @@
 #include "contact/maximum_search.hpp"
 #include "contact/stress_measures.hpp"
 #include "fem/body_points.hpp"
+#include "fem/energy_error.hpp"
 #include "fem/stress_recovery.hpp"
 #include "halfspace/subsurface_fields.hpp"
 
@@ -123,6 +124,8 @@ struct StressOutput::Implementation {
 
   void fill_part(const Part& part, const Vector& displacement, contact::PointResult& point) const {
     const NodalStress stress = part.recovery.recover(displacement);
+    point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
+        energy_error(part.body, displacement, stress).relative();
     for (std::size_t k = 0; k < part.requests.size(); ++k) {
       const BodyPoints& points = part.points[k];
       SubsurfaceField& field = point.subsurface[part.requests[k]];

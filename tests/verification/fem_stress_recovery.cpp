@@ -2,6 +2,7 @@
 // the same numbers on any number of processes.
 #include "fem/body_points.hpp"
 #include "fem/compliance.hpp"
+#include "fem/energy_error.hpp"
 #include "fem/multigrid.hpp"
 #include "fem/stress_recovery.hpp"
 #include "halfspace/subsurface.hpp"
@@ -42,10 +43,35 @@ std::vector<fem::Place> scattered_points(const fem::SurfaceShape& shape) {
   return places;
 }
 
+/// Estimated over true error in the energy norm.
+double effectivity(const fem::Body& body, const Manufactured& exact, const fem::Vector& u,
+                   const fem::NodalStress& stress) {
+  dealii::FEValues<3> values(
+      body.mapping(), body.dofs().get_fe(), dealii::QGauss<3>(4),
+      dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values);
+  std::vector<dealii::Tensor<2, 3>> gradients(values.n_quadrature_points);
+  dealii::Tensor<1, 3> displacement;
+  dealii::Tensor<2, 3> gradient;
+  double squared = 0;
+  for (const auto& cell : body.dofs().active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    values.reinit(cell);
+    values[dealii::FEValuesExtractors::Vector(0)].get_function_gradients(u, gradients);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      exact.evaluate(values.quadrature_point(q), displacement, gradient);
+      const dealii::Tensor<2, 3> difference = gradients[q] - gradient;
+      squared += scalar_product(stress_of(difference), difference) * values.JxW(q);
+    }
+  }
+  return fem::energy_error(body, u, stress).error /
+         std::sqrt(dealii::Utilities::MPI::sum(squared, MPI_COMM_WORLD));
+}
+
 struct Errors {
-  double rms = 0;      ///< of all components, relative to the rms of the stress
-  double surface = 0;  ///< the same at the points on the surface
-  double largest = 0;  ///< of a component, relative to the same
+  double effectivity = 0;  ///< of the estimate in the energy norm
+  double rms = 0;          ///< of all components, relative to the rms of the stress
+  double surface = 0;      ///< the same at the points on the surface
+  double largest = 0;      ///< of a component, relative to the same
 };
 
 Errors errors(const fem::SurfaceShape& shape, double cell) {
@@ -61,6 +87,7 @@ Errors errors(const fem::SurfaceShape& shape, double cell) {
   const auto shear = points.values(stress.shear, {-1, -1, 1});
   double all = 0, scale = 0, top = 0;
   Errors result;
+  result.effectivity = effectivity(body, exact, u, stress);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto& p = points.place(k);
     dealii::Tensor<1, 3> displacement;
@@ -93,6 +120,8 @@ void expect_order(const fem::SurfaceShape& shape) {
   EXPECT_GT(std::log2(coarse.largest / fine.largest), 2.0)
       << coarse.largest << " -> " << fine.largest;
   EXPECT_LT(fine.rms, 1e-3);
+  EXPECT_NEAR(coarse.effectivity, 1.0, 0.1);
+  EXPECT_NEAR(fine.effectivity, 1.0, 0.1);
   ::testing::Test::RecordProperty("rms",
                                   std::to_string(coarse.rms) + " " + std::to_string(fine.rms));
 }
