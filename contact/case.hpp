@@ -179,6 +179,9 @@ enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
 /// How the program meshes wheel and rail: a graded box laid on the surface, or a gmsh cross-section
 /// revolved and extruded.
 enum class MeshFamily { structured, gmsh };
+/// How the far boundary of the segments is held: fixed, or displaced as a half-space under the force
+/// on the patch, taken as a point load.
+enum class FarBoundary { clamped, point_load };
 
 struct FemOptions {
   std::optional<double> cell_size;    ///< mm, FE cell and contact element in the patch
@@ -189,6 +192,7 @@ struct FemOptions {
   std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
   std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
   MeshFamily mesh = MeshFamily::structured;
+  std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
   LinearSolver linear_solver = LinearSolver::automatic;
 };
 

@@ -193,12 +193,32 @@ void fail(const std::string& file, const CaseProblem& problem) {
   throw InputError(text);
 }
 
+namespace {
+
+/// A given mesh is held where its group `fixed` says, which need not enclose it.
+void check_far_boundary(const GivenCase& given) {
+  const GivenValue* far = given.find("fem", "far_boundary");
+  if (far == nullptr || std::get<std::string>(far->value) != "point_load") return;
+  for (const char* body : {"wheel", "rail"}) {
+    if (given.find(body, "mesh") == nullptr) continue;
+    CaseProblem problem = problem_at("fem.far_boundary", *far);
+    problem.wrong = fmt::format(
+        "is for segments that the program meshes, and [{}] mesh gives one of your own", body);
+    problem.allowed = "\"clamped\"";
+    problem.action = "leave fem.far_boundary out, or the mesh";
+    fail(given.file, problem);
+  }
+}
+
+}  // namespace
+
 void check_together(const GivenCase& given) {
   check_load(given);
   check_required(given);
   check_grid(given);
   check_entries(given);
   check_list_lengths(given);
+  check_far_boundary(given);
 }
 
 void check_geometry(const GivenCase& given, const Case& input) {

@@ -6,6 +6,7 @@ namespace rollfem::contact {
 namespace {
 
 const Words family_words{"structured", "gmsh"};
+const Words far_boundary_words{"clamped", "point_load"};
 
 template <class Body>
 Key mesh_file_key(const std::string& section, Body Case::*body) {
@@ -41,6 +42,26 @@ Key size_key(const std::string& name, const std::string& sentence,
   return key;
 }
 
+Key far_boundary_key() {
+  Key key;
+  key.section = "fem";
+  key.name = "far_boundary";
+  key.kind = KeyKind::word;
+  key.words = far_boundary_words;
+  key.when_absent = "`point_load`; `clamped` with a mesh of your own";
+  key.sentence =
+      "How the far boundary of the segments is held: `clamped`, or displaced as a half-space under "
+      "the force on the patch (`point_load`), which leaves less of their size in the approach.";
+  key.get = [](const Case& c) -> KeyValue {
+    const auto& far = c.fem.far_boundary;
+    return far ? KeyValue(far_boundary_words.at(static_cast<std::size_t>(*far))) : KeyValue();
+  };
+  key.set = [](Case& c, const KeyValue& v) {
+    c.fem.far_boundary = enumerator<FarBoundary>(v, far_boundary_words);
+  };
+  return key;
+}
+
 }  // namespace
 
 std::vector<Key> mesh_keys() {
@@ -58,6 +79,7 @@ std::vector<Key> mesh_keys() {
       size_key("length",
                "Length of the segments along rolling, on the wheel the arc of its sector.",
                &FemOptions::length),
+      far_boundary_key(),
   };
 }
 

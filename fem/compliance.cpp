@@ -1,10 +1,13 @@
 #include "fem/compliance.hpp"
 
 #include "fem/factorisation.hpp"
+#include "fem/far_field.hpp"
 
 #include <deal.II/base/mpi.h>
 
+#include <array>
 #include <future>
+#include <optional>
 
 namespace rollfem::fem {
 
@@ -33,10 +36,12 @@ contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceS
 }
 
 struct FemCompliance::Implementation {
-  Implementation(const Part& wheel, const Part& rail, const contact::ContactGrid& the_grid)
+  Implementation(const Part& wheel, const Part& rail, const contact::ContactGrid& the_grid,
+                 FarBoundary far)
       : grid(the_grid),
         parts{wheel, rail},
         surface(common_surface(wheel.body->shape(), rail.body->shape())),
+        shape(contact::patch_shape(surface, the_grid)),
         coupling{{*wheel.body, the_grid, surface}, {*rail.body, the_grid, surface}} {
     for (int k = 0; k < 2; ++k) {
       loads[k] = make_vector(parts[k].body->dofs());
@@ -46,6 +51,23 @@ struct FemCompliance::Implementation {
     concurrent = dealii::Utilities::MPI::n_mpi_processes(communicator) == 1 &&
                  is_factorisation(*wheel.solver) && is_factorisation(*rail.solver) &&
                  wheel.solver != rail.solver;
+    if (far == FarBoundary::point_load)
+      for (int k = 0; k < 2; ++k)
+        far_field[k].emplace(*parts[k].body, *parts[k].solver, coupling[k]);
+  }
+
+  /// Force on body k.
+  std::array<double, 3> force_on(int k, const contact::SurfaceField& traction) const {
+    auto force = resultant_force(shape, grid, traction);
+    for (double& component : force) component *= sign_of[k];
+    return force;
+  }
+
+  /// Of body k under the tractions it was last solved for.
+  contact::SurfaceField surface_displacement(int k, const contact::SurfaceField& traction) const {
+    contact::SurfaceField result = coupling[k].sample(displacements[k]);
+    if (far_field[k]) far_field[k]->add(force_on(k, traction), result);
+    return result;
   }
 
   void solve_part(int k, const contact::SurfaceField& traction) {
@@ -68,15 +90,18 @@ struct FemCompliance::Implementation {
   contact::ContactGrid grid;
   Part parts[2];
   contact::ContactSurface surface;
+  contact::PatchShape shape;
   SurfaceCoupling coupling[2];
+  std::optional<FarField> far_field[2];  ///< none: clamped
   Vector loads[2];
   Vector displacements[2];
   bool concurrent = false;
   int solves = 0;
 };
 
-FemCompliance::FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid)
-    : implementation_(std::make_unique<Implementation>(wheel, rail, grid)) {}
+FemCompliance::FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid,
+                             FarBoundary far)
+    : implementation_(std::make_unique<Implementation>(wheel, rail, grid, far)) {}
 
 FemCompliance::~FemCompliance() = default;
 
@@ -92,8 +117,8 @@ contact::Response FemCompliance::respond(const contact::SurfaceField& traction) 
   auto& model = *implementation_;
   model.solve(traction);
   ++model.solves;
-  const auto wheel = model.coupling[0].sample(model.displacements[0]);
-  const auto rail = model.coupling[1].sample(model.displacements[1]);
+  const auto wheel = model.surface_displacement(0, traction);
+  const auto rail = model.surface_displacement(1, traction);
   return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n},
           curvature_slip(model.surface, model.grid, wheel)};
 }
@@ -103,7 +128,10 @@ std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceFiel
   model.solve(traction);
   std::vector<Vector> displacements(model.displacements, model.displacements + 2);
   // Copying a vector leaves its ghost values behind.
-  for (auto& displacement : displacements) displacement.update_ghost_values();
+  for (int k = 0; k < 2; ++k) {
+    displacements[k].update_ghost_values();
+    if (model.far_field[k]) model.far_field[k]->add(model.force_on(k, traction), displacements[k]);
+  }
   return displacements;
 }
 

@@ -50,6 +50,9 @@ contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
 /// The surface that two bodies share: the mean of their profiles.
 contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceShape& rail);
 
+/// How the far boundary of the segments is held (far_field.hpp).
+using FarBoundary = contact::FarBoundary;
+
 class FemCompliance : public contact::Compliance {
  public:
   struct Part {
@@ -58,7 +61,11 @@ class FemCompliance : public contact::Compliance {
   };
   /// Wheel and rail; both outlive the compliance. Parts are solved at the same time on two threads
   /// when there is one process and both solvers are factorisations.
-  FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid);
+  /// With FarBoundary::point_load the displacement that the far boundary brings is added, which is
+  /// linear in the resultant force (and costs three solves a body, here): then no longer exactly
+  /// symmetric, see docs/theory.md.
+  FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid,
+                FarBoundary far = FarBoundary::clamped);
   ~FemCompliance() override;
   const contact::ContactGrid& grid() const override;
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;

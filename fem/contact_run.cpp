@@ -10,6 +10,7 @@
 #include "fem/case_bodies.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
+#include "fem/far_error.hpp"
 #include "fem/level_checkpoint.hpp"
 #include "fem/memory.hpp"
 #include "fem/multigrid.hpp"
@@ -58,17 +59,6 @@ constexpr double solves_for_normal = 4.0;
 
 /// Elements of the potential contact area beyond Hertz's ellipse, each side.
 constexpr int margin = 3;
-
-/// Displacement in depth of both half-spaces under the whole force at a distance L, which clamping
-/// the segments there suppresses (Boussinesq on the axis: P (3 - 2 nu) / (4 pi G L)). The surface
-/// moves less at that distance, so this is an upper estimate of what the approach lacks, mm.
-double suppressed_approach(const Case& input, double normal_force, double extent) {
-  constexpr double pi = 3.14159265358979323846;
-  double sum = 0.0;
-  for (const contact::Material& material : {input.wheel.material, input.rail.material})
-    sum += (3.0 - 2.0 * material.poisson_ratio) / contact::shear_modulus(material);
-  return normal_force * sum / (4.0 * pi * extent);
-}
 
 /// The plane y = 0 is a symmetry plane when nothing drives the material sideways.
 bool symmetric_about_rolling(const Case& input) {
@@ -354,7 +344,7 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
   last_traction_ = point.fields.traction;
   point.seconds = watch.seconds();
   point.error_estimate["approach"] =
-      suppressed_approach(input_, point.normal_force, start_.reach) / point.approach;
+      approach_left_out(input_, point.normal_force, start_.reach) / point.approach;
   if (stresses.wanted()) add_stresses(stresses, compliance, point, result);
   checkpoint_.keep(k, point, defect_);
   tell(event, "rolling", true);
@@ -407,7 +397,8 @@ void LevelRun::solve(contact::ModelResult& result) {
   tell({}, "linear solvers");
   const Solvers solvers = make_solvers(input_, wheel, rail, demand.factorisation);
   const StressOutput stresses(input_, wheel, rail, default_cell_size(input_));
-  const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_);
+  const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_,
+                                 far_boundary_of(input_));
   start_.unknowns = result.unknowns;
   start_.solver = solvers.wheel->description();
   event.note = start_.solver;
@@ -459,11 +450,7 @@ void LevelRun::solve(contact::ModelResult& result) {
 }
 
 void LevelRun::add_notes(contact::ModelResult& result) const {
-  result.notes.push_back(fmt::format(
-      "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the approach "
-      "is "
-      "that of these segments; its error estimate says how much more it may be for large bodies",
-      start_.reach));
+  result.notes.push_back(far_boundary_note(input_, start_.reach));
   if (!start_.notes.empty()) result.notes.push_back(start_.notes);
   const double steepest = shape_.climb.cwiseAbs().maxCoeff();
   if (steepest > 0.05)

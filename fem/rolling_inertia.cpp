@@ -1,7 +1,7 @@
 #include "fem/rolling_inertia.hpp"
 
 #include "fem/compliance.hpp"
-#include "fem/elasticity_assembly.hpp"
+#include "fem/prescribed.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -27,7 +27,7 @@ void for_each_cell(const ElasticProblem& problem, const F& f) {
   }
 }
 
-/// Nodal values of the spinning disc, hanging nodes in line with their neighbours.
+/// Nodal values of the spinning disc.
 Vector interpolate_disc(const Body& wheel, const ElasticProblem& problem) {
   Vector nodal = make_vector(problem.dofs);
   const auto& element = problem.dofs.get_fe();
@@ -42,12 +42,7 @@ Vector interpolate_disc(const Body& wheel, const ElasticProblem& problem) {
                                      place)[element.system_to_component_index(i).first];
     }
   });
-  nodal.update_ghost_values();
-  auto constrained = make_vector(problem.dofs);
-  constrained.copy_locally_owned_data_from(nodal);
-  make_constraints(problem.dofs, problem.mapping, {}).distribute(constrained);
-  constrained.update_ghost_values();
-  return constrained;
+  return nodal;
 }
 
 }  // namespace
@@ -105,26 +100,8 @@ dealii::Tensor<1, 3> spinning_disc_displacement(const contact::Material& materia
 
 Vector spinning_displacement(const Body& wheel, const LinearSolver& solver) {
   const ElasticProblem problem = wheel.problem();
-  Vector result = interpolate_disc(wheel, problem);
-  // What the disc's field lacks of equilibrium here: the load less K times it, cell by cell, so
-  // that the terms of K are all in it.
-  Vector lack = centrifugal_load(problem);
-  CellStiffness stiffness(problem);
-  for_each_cell(problem, [&](const auto& cell, const auto& indices, const auto&) {
-    const auto& matrix = stiffness.compute(cell);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      double sum = 0;
-      for (std::size_t j = 0; j < indices.size(); ++j)
-        sum += matrix[i * indices.size() + j] * result(indices[j]);
-      lack(indices[i]) -= sum;
-    }
-  });
-  lack.compress(dealii::VectorOperation::add);
-  Vector correction = make_vector(problem.dofs);
-  solver.solve(correction, lack);
-  result += correction;
-  result.update_ghost_values();
-  return result;
+  return solve_with_prescribed(problem, solver, interpolate_disc(wheel, problem),
+                               centrifugal_load(problem));
 }
 
 WheelExpansion wheel_expansion(const Body& wheel, const LinearSolver& solver,

@@ -125,6 +125,8 @@ TEST(FemCaseA, ErrorEstimatesCoverTheTrueErrorsAndAreOfTheirSize) {
   };
   check("max_pressure", point.max_pressure, exact_p0);
   check("approach", point.approach, 0.0473108);
+  // The far boundary moves as a half-space's: clamped it lacked 5 %.
+  EXPECT_LT(point.error_estimate.at("approach"), 0.01);
   check("semi_axis_x", point.semi_axis_x, exact_a);
   check("semi_axis_y", point.semi_axis_y, exact_b);
 }
