@@ -396,7 +396,7 @@ void LevelRun::solve(contact::ModelResult& result) {
   const Stopwatch solver_watch;
   tell({}, "linear solvers");
   const Solvers solvers = make_solvers(input_, wheel, rail, demand.factorisation);
-  const StressOutput stresses(input_, wheel, rail, default_cell_size(input_));
+  const StressOutput stresses(input_, wheel, rail, grid_, default_cell_size(input_));
   const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_,
                                  far_boundary_of(input_));
   start_.unknowns = result.unknowns;

@@ -6,6 +6,7 @@
 #include "fem/body_points.hpp"
 #include "fem/energy_error.hpp"
 #include "fem/stress_recovery.hpp"
+#include "fem/surface_stress.hpp"
 #include "halfspace/subsurface_fields.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -100,13 +101,16 @@ struct StressOutput::Implementation {
     std::string name;
     StressRecovery recovery;
     BodyLocator locator;
-    std::vector<std::size_t> requests;  ///< of the case
-    std::vector<BodyPoints> points;     ///< of each
+    std::vector<std::size_t> requests;   ///< of the case
+    std::vector<BodyPoints> points;      ///< of each
+    std::vector<SurfaceStress> surface;  ///< of each
   };
 
-  Implementation(const contact::Case& the_input, const Body& wheel, const Body& rail, double reach)
+  Implementation(const contact::Case& the_input, const Body& wheel, const Body& rail,
+                 const contact::ContactGrid& grid, double reach)
       : input(the_input), maxima(the_input.output.stress_maxima.value_or(true)) {
     if (!wanted()) return;
+    const contact::ContactSurface shared = common_surface(wheel.shape(), rail.shape());
     parts.push_back(std::make_unique<Part>(wheel, "wheel"));
     parts.push_back(std::make_unique<Part>(rail, "rail"));
     for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
@@ -117,6 +121,7 @@ struct StressOutput::Implementation {
       for (std::size_t p = 0; p < places.size(); ++p)
         if (!std::isfinite(part.points.back().moved(p)))
           refuse_point(input, k, places[p], part.body, reach);
+      part.surface.emplace_back(part.body, part.locator, part.points.back(), grid, shared);
     }
   }
 
@@ -133,6 +138,7 @@ struct StressOutput::Implementation {
       for (std::size_t p = 0; p < points.size(); ++p) field.points.push_back(points.place(p));
       field.displacement = points.values(displacement, displacement_mirror);
       field.stress = stress_at(points, stress);
+      part.surface[k].combine(displacement, point.fields.traction, field.stress);
     }
     if (!maxima) return;
     const auto starts = largest_at_nodes(part, stress);
@@ -204,8 +210,8 @@ struct StressOutput::Implementation {
 };
 
 StressOutput::StressOutput(const contact::Case& input, const Body& wheel, const Body& rail,
-                           double reach)
-    : implementation_(std::make_unique<Implementation>(input, wheel, rail, reach)) {}
+                           const contact::ContactGrid& grid, double reach)
+    : implementation_(std::make_unique<Implementation>(input, wheel, rail, grid, reach)) {}
 
 StressOutput::~StressOutput() = default;
 

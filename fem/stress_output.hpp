@@ -13,12 +13,15 @@ class StressOutput {
  public:
   /// Finds the points of the case in the bodies, which outlive this. Points above a contact surface
   /// by up to `reach` (mm) are moved onto it; further out they are an contact::InputError that
-  /// names the request. Collective.
-  StressOutput(const contact::Case& input, const Body& wheel, const Body& rail, double reach);
+  /// names the request. `grid`: of the tractions of the load points. Collective.
+  StressOutput(const contact::Case& input, const Body& wheel, const Body& rail,
+               const contact::ContactGrid& grid, double reach);
   ~StressOutput();
   /// Whether the case asks for anything: else fill() need not be called.
   bool wanted() const;
-  /// Adds `subsurface` and `stress_maxima` for the displacements of wheel and rail. Collective.
+  /// Adds `subsurface` and `stress_maxima` for the displacements of wheel and rail, which belong to
+  /// the tractions in the fields of the point; at the surface these enter (surface_stress.hpp).
+  /// Collective.
   void fill(contact::PointResult& point, const std::vector<Vector>& displacement) const;
 
  private:

@@ -1,7 +1,7 @@
 """All figures and the report of one result folder."""
 import os
 
-from . import curves, maps, style
+from . import curves, maps, stresses, style
 from .reader import read_result
 from .report import write_report
 
@@ -24,6 +24,9 @@ def captions(result):
         yield (f"oblique_px_{model.name}.svg",
                f"Pressure and tangential traction over the patch: {style.label(model)}.",
                lambda model=model: maps.oblique(result, model))
+    for number, kind, body in stresses.lines(result):
+        yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),
+               lambda number=number: stresses.along_line(result, number))
 
 
 def build(directory, png_folder=None):

@@ -32,7 +32,10 @@ class Point:
     errors: dict = field(default_factory=dict)
     number: int = 0  # of the load point, from 0
     by_number: bool = False  # told apart by its number: steps of a history, prescribed forces
-    subsurface: list = field(default_factory=list)  # dicts: kind, body, points, displacement, stress
+    # of every [[subsurface.*]]: dicts kind, body, points [n, 3], displacement [n, 3], stress [n, 6]
+    subsurface: list = field(default_factory=list)
+    # the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm)
+    stress_maxima: list = field(default_factory=list)
 
     def __getitem__(self, name):
         return self.scalars[name]
@@ -131,12 +134,21 @@ def _texts(dataset):
     return [_plain(line) for line in dataset[()]] if dataset.shape != (0,) else []
 
 
+def _read_maxima(point):
+    if "stress_maxima" not in point:
+        return []
+    columns = {name: data[()] for name, data in point["stress_maxima"].items()}
+    return [{"body": _plain(body), "measure": _plain(measure), "value": float(value), "place": place}
+            for body, measure, value, place in zip(columns["body"], columns["measure"],
+                                                   columns["value"], columns["place"])]
+
+
 def _read_point(group, number, by_number):
     fields = {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
              for _, part in sorted(group["subsurface"].items())] if "subsurface" in group else []
     return Point(_attributes(group), fields, _attributes(group["error_estimate"]), number, by_number,
-                 below)
+                 below, _read_maxima(group))
 
 
 def _read_model(name, group, by_number):

@@ -3,7 +3,7 @@ import base64
 import os
 from html import escape
 
-from . import selection, style, tables
+from . import selection, stresses, style, tables
 
 CSS = """
 :root{color-scheme:light}
@@ -112,6 +112,15 @@ def _forces(result, creep_curve):
     return "".join(html)
 
 
+def _stresses(result, images):
+    largest = stresses.maxima_table(result)
+    if not largest and not images:
+        return ""
+    hint = ("<p class=hint>Over all load points. ±: the model's own error estimate. Places x, y, z; z "
+            "points into the wheel.</p>")
+    return "<h2>Stress in the bodies</h2>" + (largest + hint if largest else "") + images
+
+
 def _notes(result):
     rows = [f"<li><b>{escape(style.label(m))}</b>: {escape(note)}</li>"
             for m in result.models for note in m.notes]
@@ -140,7 +149,7 @@ def report_html(result, figures):
         f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(made['command'])}</code></p>",
         _asked(result), _numbers(result), images("contact_area"), _forces(result, images("creep_curve")),
         "<h2>Tractions in the patch</h2>" if images("path", "oblique") else "",
-        images("path", "oblique"), "<h2>Cost</h2>", tables.cost_table(result),
+        images("path", "oblique"), _stresses(result, images("stress_")), "<h2>Cost</h2>", tables.cost_table(result),
         _notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result),
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
