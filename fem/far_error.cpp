@@ -32,7 +32,8 @@ double curvature_error(const contact::Material& material, double force, double e
   const double first = force * free_strain * free_strain * kappa /
                        (8.0 * pi * contact::shear_modulus(material)) *
                        std::log1p(1.0 / (kappa * extent));
-  const double slope = 0.25 * kappa * extent;
+  // Profiles go on along their steepest tangent, of slope 1 in one of two directions.
+  const double slope = std::min(0.25 * kappa * extent, 0.5);
   return first + slope * slope * displacement_at(material, force, extent);
 }
 
