@@ -283,8 +283,9 @@ TEST(Subsurface, ErrorsNameSectionLineAndKey) {
 TEST(Subsurface, PointsOfAConcaveBodyMayLieBeyondTheMiddleButNotInTheHalfSpace) {
   // Wheel of -40 mm across: its surface is 40 - sqrt(40^2 - 6^2) = 0.453 mm below z = 0 at y = 6.
   const auto concave = [](const std::string& place) {
-    return with("transverse_radius = inf", "transverse_radius = -40.0") +
-           "[[subsurface.point]]\nat = " + place + "\n";
+    std::string text = with("transverse_radius = inf", "transverse_radius = -40.0");
+    text.replace(text.find("2000.0"), 6, "35.0");
+    return text + "[[subsurface.point]]\nat = " + place + "\n";
   };
   const Case input = parse_case(concave("[0, 6, -0.4]"), "case.toml");
   EXPECT_EQ(input.subsurface.at(0).from[2], -0.4);
