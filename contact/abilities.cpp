@@ -42,6 +42,20 @@ bool any_rigid(const Case& input) {
          std::isinf(input.rail.material.young_modulus);
 }
 
+/// Points of a concave body on the other body's side of z = 0, where a half-space ends.
+bool beyond_half_space(const Case& input) {
+  return std::any_of(input.subsurface.begin(), input.subsurface.end(),
+                     [](const SubsurfaceRequest& request) {
+                       double least = request.wheel ? request.from[2] : -request.from[2];
+                       for (const auto* corner : {&request.to, &request.across})
+                         least = std::min(least, request.wheel ? (*corner)[2] : -(*corner)[2]);
+                       const double fourth = request.to[2] + request.across[2] - request.from[2];
+                       if (request.kind == SubsurfaceRequest::Kind::plane)
+                         least = std::min(least, request.wheel ? fourth : -fourth);
+                       return least < 0.0;
+                     });
+}
+
 const std::vector<Demand>& demands() {
   // Hertz's theory knows no friction: it takes any problem, and gives the patch alone.
   static const std::vector<std::string> elliptic{"hertz",   "linear", "vermeulen-johnson", "carter",
@@ -69,6 +83,11 @@ const std::vector<Demand>& demands() {
        "the inertia of moving bodies",
        [](const Case& c) { return c.rolling.speed > 0.0; },
        {"fem"}},
+      {"subsurface",
+       "points of a concave body beyond z = 0, where the half-space ends ([[subsurface.surface]] "
+       "follows the surface in both)",
+       beyond_half_space,
+       {"hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip", "fem"}},
   };
   return all;
 }

@@ -167,8 +167,9 @@ struct CarterCase {
 struct SubsurfaceRequest {
   enum class Kind { point, line, plane, surface };
   Kind kind = Kind::point;
-  bool wheel = true;                ///< else the rail
-  std::array<double, 3> from{};     ///< mm, global frame: z >= 0 in the wheel, <= 0 in the rail
+  bool wheel = true;  ///< else the rail
+  std::array<double, 3>
+      from{};  ///< mm, global frame: z >= 0 in the wheel, <= 0 in the rail unless that is concave
   std::array<double, 3> to{};       ///< other end of the line; end of the first side
   std::array<double, 3> across{};   ///< end of the second side, that begins at `from`
   double depth = 0.0;               ///< mm below the surface of the body, kind surface

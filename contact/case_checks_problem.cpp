@@ -1,5 +1,6 @@
 // Checks of problem, prescribed forces, history, given pressure, distance and slip from files.
 #include "contact/case_checks.hpp"
+#include "contact/contact_surface.hpp"
 #include "contact/errors.hpp"
 #include "contact/rayleigh.hpp"
 
@@ -220,6 +221,17 @@ void check_speed(const GivenCase& given, const Case& input) {
   }
 }
 
+/// A point so much above a concave surface may still be moved onto it; its finite elements, whose
+/// size is not known yet, decide (mm).
+constexpr double most_above_surface = 1.0;
+
+/// Whether a place is outside of its body for sure: beyond z = 0, and not in a concave body.
+bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) {
+  const double depth = wheel ? place[2] : -place[2];
+  const double drop = surface_drop(contact_surface(input), wheel, place[0], place[1]);
+  return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
+}
+
 void check_places(const GivenCase& given, const Case& input) {
   long points = 0;
   for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
@@ -246,11 +258,13 @@ void check_places(const GivenCase& given, const Case& input) {
     if (request.kind != Kind::point) corners.emplace_back("to", request.to);
     if (request.kind == Kind::plane) corners.emplace_back("across", request.across);
     for (const auto& [name, corner] : corners)
-      if (request.wheel ? corner[2] < 0.0 : corner[2] > 0.0)
+      if (outside(input, request.wheel, corner))
         fail_here(
             name,
             fmt::format("z = {} is not in the {}", corner[2], request.wheel ? "wheel" : "rail"),
-            "z >= 0 in the wheel, z <= 0 in the rail",
+            "z >= 0 in the wheel, z <= 0 in the rail; beyond that only in a concave body, down to "
+            "its "
+            "surface",
             "turn the sign of z, or name the other body");
     if (request.kind == Kind::plane) {
       const GivenEntry& plane = entry;
@@ -260,9 +274,10 @@ void check_places(const GivenCase& given, const Case& input) {
           fail_here("points", fmt::format("{} is no whole number", count), "two whole numbers",
                     "write for instance `points = [41, 21]`");
       // The fourth corner may leave the body although the three others do not.
-      const double fourth = request.to[2] + request.across[2] - request.from[2];
-      if (request.wheel ? fourth < 0.0 : fourth > 0.0)
-        fail_here("across", fmt::format("the fourth corner, z = {}, leaves the body", fourth),
+      std::array<double, 3> fourth{};
+      for (int c = 0; c < 3; ++c) fourth[c] = request.to[c] + request.across[c] - request.from[c];
+      if (outside(input, request.wheel, fourth))
+        fail_here("across", fmt::format("the fourth corner, z = {}, leaves the body", fourth[2]),
                   "a parallelogram within the body", "move a corner deeper");
     }
     points += static_cast<long>(request.points[0]) * request.points[1];

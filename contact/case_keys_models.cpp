@@ -106,9 +106,11 @@ Key body_key(const std::string& section) {
   key.words = {"rail", "wheel"};
   key.when_absent = "wheel";
   key.example = "\"wheel\"";
-  key.sentence = section == surface_section
-                     ? "The body whose surface is followed."
-                     : "The body in which the points lie: z >= 0 in the wheel, z <= 0 in the rail.";
+  key.sentence =
+      section == surface_section
+          ? "The body whose surface is followed."
+          : "The body in which the points lie: z >= 0 in the wheel, z <= 0 in the rail; beyond "
+            "that in a concave body down to its surface (model fem).";
   key.get = [section](const Case& c) -> KeyValue {
     const SubsurfaceRequest* request = last_of(c, kind_of(section));
     if (request == nullptr) return {};

@@ -84,6 +84,12 @@ ContactSurface contact_surface(const Case& input) {
   return {input.wheel.rolling_radius, input.wheel.transverse_radius, input.rail.transverse_radius};
 }
 
+double surface_drop(const ContactSurface& surface, bool wheel, double x, double y) {
+  if (!wheel) return -rail_height(surface, y).value;
+  if (!(std::abs(x) < surface.local_rolling_radius(y))) return infinity;
+  return wheel_height(surface, x, y).value;
+}
+
 PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid) {
   // Gauss's rule of four points: exact to rounding on elements that are small beside the radii.
   constexpr std::array<double, 2> points{0.8611363115940526, 0.3399810435848563};

@@ -35,6 +35,10 @@ struct ContactSurface {
 
 ContactSurface contact_surface(const Case& input);
 
+/// How far inwards of z = 0 the surface of the wheel or the rail is at (x, y), mm: below 0 beside
+/// the middle of a concave body. Infinite where the wheel does not reach x.
+double surface_drop(const ContactSurface& surface, bool wheel, double x, double y);
+
 /// Means over the contact elements (equal along x): `stretch` = true area / (dx dy) and `climb`.
 PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid);
 

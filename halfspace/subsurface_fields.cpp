@@ -2,8 +2,6 @@
 
 #include "halfspace/subsurface.hpp"
 
-#include <cmath>
-
 namespace rollfem::halfspace {
 
 std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRequest& request) {
@@ -36,7 +34,7 @@ std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Case& inp
     field.points = subsurface_points(request);
     std::vector<SubsurfacePoint> points;
     for (const auto& point : field.points)
-      points.push_back({point[0], point[1], std::abs(point[2])});
+      points.push_back({point[0], point[1], request.wheel ? point[2] : 0.0 - point[2]});
     const LoadedBody body{request.wheel ? Body::wheel : Body::rail,
                           request.wheel ? input.wheel.material : input.rail.material, grid,
                           traction};

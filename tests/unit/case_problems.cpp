@@ -280,6 +280,29 @@ TEST(Subsurface, ErrorsNameSectionLineAndKey) {
                {"the fourth corner, z = -1, leaves the body"});
 }
 
+TEST(Subsurface, PointsOfAConcaveBodyMayLieBeyondTheMiddleButNotInTheHalfSpace) {
+  // Wheel of -40 mm across: its surface is 40 - sqrt(40^2 - 6^2) = 0.453 mm below z = 0 at y = 6.
+  const auto concave = [](const std::string& place) {
+    std::string text = with("transverse_radius = inf", "transverse_radius = -40.0");
+    text.replace(text.find("2000.0"), 6, "35.0");
+    return text + "[[subsurface.point]]\nat = " + place + "\n";
+  };
+  const Case input = parse_case(concave("[0, 6, -0.4]"), "case.toml");
+  EXPECT_EQ(input.subsurface.at(0).from[2], -0.4);
+  EXPECT_NO_THROW(contact::check_able(input, "fem"));
+  try {
+    contact::check_able(input, "halfspace");
+    ADD_FAILURE() << "a half-space has no points beyond z = 0";
+  } catch (const contact::InputError& error) {
+    for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model fem"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  // In the middle, and further out than any finite element, they are outside.
+  expect_error(concave("[0, 0, -0.4]"), {"z = -0.4 is not in the wheel", "in a concave body"});
+  expect_error(concave("[0, 6, -1.6]"), {"z = -1.6 is not in the wheel"});
+  expect_error(plus("[[subsurface.point]]\nat = [0, 6, -0.1]\n"), {"z = -0.1 is not in the wheel"});
+}
+
 TEST(Abilities, ModelsRefuseWhatTheyLeaveOutAndNameThoseThatCan) {
   const auto refusal = [](const std::string& text, const std::string& model) {
     try {

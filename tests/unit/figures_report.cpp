@@ -96,6 +96,64 @@ TEST_F(FiguresTest, OnePointWithoutFieldsBreaksNothing) {
   EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
 }
 
+/// Uniaxial tension that grows along a line, and the largest stresses.
+contact::SubsurfaceField tension_along(contact::SubsurfaceRequest::Kind kind, bool wheel) {
+  contact::SubsurfaceField field;
+  field.request.kind = kind;
+  field.request.wheel = wheel;
+  field.request.points = {5, 1};
+  for (int k = 0; k < 5; ++k) {
+    field.points.push_back({0.0, 0.0, wheel ? 0.5 * k : -0.5 * k});
+    field.displacement.push_back({});
+    field.stress.push_back({100.0 * k, 0.0, 0.0, 0.0, 30.0, 40.0});
+  }
+  return field;
+}
+
+TEST_F(FiguresTest, StressAlongLinesIsDrawnAndTheLargestIsTabulated) {
+  using Kind = contact::SubsurfaceRequest::Kind;
+  RunRecord run = tests::synthetic_run();
+  for (contact::ModelResult& model : run.models)
+    for (contact::PointResult& point : model.points) {
+      if (model.name == "hertz") continue;
+      point.subsurface = {tension_along(Kind::line, true), tension_along(Kind::plane, true),
+                          tension_along(Kind::surface, false)};
+      point.stress_maxima = {{"wheel", "von_mises", 345.6, {0.0, 0.0, 1.25}},
+                             {"rail", "tresca", 234.5, {-0.5, 0.0, -1.5}}};
+      point.error_estimate["max_von_mises_wheel"] = 0.01;
+    }
+  run.models[2].points[4].stress_maxima[0].value = 456.7;  // at 0.3 %
+  const fs::path folder = draw(run);
+  EXPECT_TRUE(fs::exists(folder / "figures/stress_1.svg"));
+  EXPECT_FALSE(fs::exists(folder / "figures/stress_2.svg"));  // a plane is no line
+  EXPECT_TRUE(fs::exists(folder / "figures/stress_3.svg"));
+  const std::string report = read(folder / "report.html");
+  for (const char* text :
+       {"Stress in the bodies", "wheel: von Mises", "345.6", "456.7</b>&nbsp;<span class=e>±",
+        "at (0, 0, 1.25) mm, ξ = 0.3 %", "rail: Tresca", "On the surface of the rail"})
+    EXPECT_NE(report.find(text), std::string::npos) << text;
+  // The measures of the figures are those of the result, the others by hand: uniaxial 400 MPa with
+  // a shear of 50 MPa beside it.
+  EXPECT_EQ(tests::python("import sys\nsys.path.insert(0, '" + scripts +
+                              "')\n"
+                              "import numpy as np\n"
+                              "from rollfem_figures import read_result\n"
+                              "from rollfem_figures.stresses import measures\n"
+                              "point = read_result(sys.argv[1]).model('fem').points[4]\n"
+                              "part = point.subsurface[0]\n"
+                              "got = measures(part['stress'])\n"
+                              "assert np.allclose(got['von_mises'], part['von_mises'])\n"
+                              "assert np.allclose(got['orthogonal_shear'], 50)\n"
+                              "assert np.allclose(got['hydrostatic'][4], 400 / 3)\n"
+                              "roots = np.roots([1, -400, -2500, 900 * 400])\n"
+                              "assert np.isclose(got['tresca'][4], max(roots) - min(roots))\n"
+                              "first = point.stress_maxima[0]\n"
+                              "assert (first['body'], first['measure']) == ('wheel', 'von_mises')\n"
+                              "assert first['value'] == 456.7 and first['place'][2] == 1.25\n",
+                          folder.string()),
+            "");
+}
+
 TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
   RunRecord run = tests::synthetic_run();
   run.models = {run.models[1]};
