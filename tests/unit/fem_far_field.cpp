@@ -256,8 +256,9 @@ TEST(ApproachLeftOut, CoversTheChangesBetweenExtents) {
     EXPECT_LT(moving, 0.25 * clamped) << row.name;
     // On bodies as flat as these it falls with the extent; on steep ones (e, f) the half-space fits
     // a larger segment less.
-    if (input.rail.transverse_radius > 1000.0)
+    if (input.rail.transverse_radius > 1000.0) {
       EXPECT_LT(fem::approach_left_out(input, 50e3, 1.5 * extent), moving) << row.name;
+    }
   }
 }
 
