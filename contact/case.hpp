@@ -180,8 +180,8 @@ enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
 /// How the program meshes wheel and rail: a graded box laid on the surface, or a gmsh cross-section
 /// revolved and extruded.
 enum class MeshFamily { structured, gmsh };
-/// How the far boundary of the segments is held: fixed, or displaced as a half-space under the force
-/// on the patch, taken as a point load.
+/// How the far boundary of the segments is held: fixed, or displaced as a half-space under the
+/// force on the patch, taken as a point load.
 enum class FarBoundary { clamped, point_load };
 
 struct FemOptions {
