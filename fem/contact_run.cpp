@@ -6,15 +6,13 @@
 #include "contact/geometry.hpp"
 #include "contact/patch_size.hpp"
 #include "contact/stopwatch.hpp"
-#include "fem/algebraic_multigrid.hpp"
 #include "fem/case_bodies.hpp"
 #include "fem/compliance.hpp"
-#include "fem/factorisation.hpp"
 #include "fem/far_error.hpp"
 #include "fem/level_checkpoint.hpp"
 #include "fem/memory.hpp"
-#include "fem/multigrid.hpp"
 #include "fem/rolling_inertia.hpp"
+#include "fem/solver_choice.hpp"
 #include "fem/stress_output.hpp"
 #include "halfspace/compliance.hpp"
 #include "halfspace/hertz.hpp"
@@ -24,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 
 namespace rollfem::fem {
 
@@ -35,27 +32,8 @@ using contact::ContactGrid;
 using contact::PointResult;
 using contact::Stopwatch;
 
-/// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/verification.md): a
-/// factorisation and one solve with it, one solve by multigrid. Only their ratio matters.
-double factorisation_seconds(double n) {
-  return 8.0 * std::pow(n / 105e3, 2.0);
-}
-double factor_solve_seconds(double n) {
-  return 0.1 * std::pow(n / 105e3, 4.0 / 3.0);
-}
-double multigrid_solve_seconds(double n) {
-  return 0.45 * n / 105e3;
-}
-
-/// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
-constexpr double largest_factor = 5e9;
-
 /// Finest cells reach this many semi-axes: more gains nothing (docs/verification.md).
 constexpr double default_reach = 1.1;
-
-/// FE solves per load point and for the normal problem alone, as observed.
-constexpr double solves_per_point = 6.0;
-constexpr double solves_for_normal = 4.0;
 
 /// Elements of the potential contact area beyond Hertz's ellipse, each side.
 constexpr int margin = 3;
@@ -97,72 +75,6 @@ MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies,
   demand.body_fields = body_fields;
   demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
   return demand;
-}
-
-/// The solver that is expected to be quicker for this number of solves and fits into memory.
-bool use_factorisation(const Case& input, MemoryDemand demand) {
-  switch (input.fem.linear_solver) {
-    case contact::LinearSolver::factorisation:
-      if (demand.processes > 1)
-        throw contact::InputError(
-            input.file +
-            ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
-            "mpirun: \"multigrid\", \"algebraic\" or \"automatic\"; do: change it or run without "
-            "mpirun");
-      return true;
-    case contact::LinearSolver::multigrid:
-    case contact::LinearSolver::algebraic:
-      return false;
-    case contact::LinearSolver::automatic:
-      break;
-  }
-  if (demand.processes > 1) return false;
-  if (std::max(input.wheel.material.poisson_ratio, input.rail.material.poisson_ratio) >
-      largest_multigrid_poisson_ratio)
-    return true;  // multigrid refuses it
-  const double solves =
-      solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
-  for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
-    if (predicted_factor_bytes(n) >= largest_factor ||
-        factorisation_seconds(n) + solves * factor_solve_seconds(n) >=
-            solves * multigrid_solve_seconds(n))
-      return false;
-  demand.factorisation = true;
-  return fits_memory(demand, MPI_COMM_WORLD);
-}
-
-/// Geometric multigrid factorises the coarse mesh of a body whole; an imported one may be too large
-/// for that, and then algebraic multigrid goes on coarsening.
-constexpr unsigned int most_coarse_cells = 4000;
-
-std::unique_ptr<LinearSolver> make_iterative_solver(const Case& input, const Body& body) {
-  constexpr double tolerance = 1e-10;  // the contact iteration lives on small changes
-  const bool algebraic = input.fem.linear_solver == contact::LinearSolver::algebraic ||
-                         (input.fem.linear_solver == contact::LinearSolver::automatic &&
-                          body.dofs().get_triangulation().n_cells(0) > most_coarse_cells);
-  if (algebraic) return make_algebraic_multigrid(body.problem(), {tolerance});
-  MultigridOptions options;
-  options.tolerance = tolerance;
-  return make_multigrid(body.problem(), options);
-}
-
-struct Solvers {
-  std::unique_ptr<LinearSolver> wheel;
-  std::unique_ptr<LinearSolver> rail;
-};
-
-/// Two factorisations side by side, one core each: together quicker than one after the other with
-/// two BLAS threads.
-Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, bool factorisation) {
-  if (factorisation) {
-    auto other =
-        std::async(std::launch::async, [&rail] { return make_factorisation(rail.problem()); });
-    Solvers solvers;
-    solvers.wheel = make_factorisation(wheel.problem());
-    solvers.rail = other.get();
-    return solvers;
-  }
-  return {make_iterative_solver(input, wheel), make_iterative_solver(input, rail)};
 }
 
 /// What one load point needs and what is kept between points.
@@ -386,7 +298,8 @@ void LevelRun::solve(contact::ModelResult& result) {
   MemoryDemand demand =
       memory_demand(static_cast<double>(wheel.unknowns()), static_cast<double>(rail.unknowns()),
                     options, options_.body_fields);
-  demand.factorisation = use_factorisation(input_, demand);
+  demand.algebraic = takes_algebraic(input_, wheel) || takes_algebraic(input_, rail);
+  demand.factorisation = takes_factorisation(input_, demand);
   event.note = fmt::format("wheel {} + rail {} unknowns, {}", wheel.unknowns(), rail.unknowns(),
                            memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
@@ -484,7 +397,8 @@ void refuse_beyond_memory(const Case& input, double cell_size) {
   constexpr double beyond_all_memory = 2e9;
   const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
   MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, input.output.fields);
-  demand.factorisation = use_factorisation(input, demand);
+  demand.algebraic = input.fem.linear_solver == contact::LinearSolver::algebraic;
+  demand.factorisation = takes_factorisation(input, demand);
   refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
 }
 

@@ -27,6 +27,7 @@ constexpr double mesh_per_unknown = 200.0;  ///< triangulation, numbering, const
 /// factor is made beside the matrix.
 constexpr double matrix_per_unknown = 1900.0;
 constexpr double multigrid_per_unknown = 580.0;
+constexpr double algebraic_per_unknown = 5000.0;
 constexpr double fields_per_unknown = 70.0;
 
 double number_in(const std::string& file) {
@@ -122,7 +123,7 @@ double predicted_bytes(const MemoryDemand& demand) {
     shared += predicted_factor_bytes(demand.unknowns_of_wheel) +
               predicted_factor_bytes(demand.unknowns_of_rail) + matrix_per_unknown * unknowns;
   else
-    shared += multigrid_per_unknown * unknowns;
+    shared += (demand.algebraic ? algebraic_per_unknown : multigrid_per_unknown) * unknowns;
   double bytes = program + shared / demand.processes;
   // Process 0 gathers the fields of all.
   if (demand.body_fields) bytes += fields_per_unknown * unknowns * (demand.half ? 2.0 : 1.0);
