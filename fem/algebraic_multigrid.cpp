@@ -20,12 +20,6 @@ namespace rollfem::fem {
 
 namespace {
 
-dealii::IndexSet relevant_dofs(const dealii::DoFHandler<3>& dofs) {
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-  return relevant;
-}
-
 void assemble_matrix(const ElasticProblem& problem,
                      dealii::TrilinosWrappers::SparseMatrix& matrix) {
   const auto& dofs = problem.dofs;

@@ -1,7 +1,6 @@
 // Constraints and vectors that every linear solver shares.
 #include "fem/linear_solver.hpp"
 
-#include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/component_mask.h>
 #include <deal.II/fe/fe.h>
@@ -9,15 +8,11 @@
 
 namespace rollfem::fem {
 
-namespace {
-
 dealii::IndexSet relevant_dofs(const dealii::DoFHandler<3>& dofs) {
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
   return relevant;
 }
-
-}  // namespace
 
 dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<3>& dofs,
                                                    const dealii::Mapping<3>& mapping,

@@ -5,6 +5,7 @@
 #include "contact/case.hpp"
 #include "fem/material_motion.hpp"
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/base/types.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
@@ -41,6 +42,9 @@ struct ElasticProblem {
   /// it.
   std::optional<bool> project_dilatation = {};
 };
+
+/// Unknowns of the cells of this process and of those beside it.
+dealii::IndexSet relevant_dofs(const dealii::DoFHandler<3>& dofs);
 
 /// Hanging nodes and boundary conditions for any level of a body.
 dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<3>& dofs,

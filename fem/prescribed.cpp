@@ -7,6 +7,27 @@
 
 namespace rollfem::fem {
 
+Vector nodal_values(
+    const ElasticProblem& problem,
+    const std::function<dealii::Tensor<1, 3>(const dealii::Point<3>&)>& displacement) {
+  Vector nodal = make_vector(problem.dofs);
+  const auto& element = problem.dofs.get_fe();
+  const auto& owned = problem.dofs.locally_owned_dofs();
+  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
+  for (const auto& cell : problem.dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    cell->get_dof_indices(indices);
+    for (unsigned int i = 0; i < indices.size(); ++i) {
+      if (!owned.is_element(indices[i])) continue;
+      const auto place =
+          problem.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
+      nodal(indices[i]) = displacement(place)[element.system_to_component_index(i).first];
+    }
+  }
+  nodal.update_ghost_values();
+  return nodal;
+}
+
 Vector internal_forces(const ElasticProblem& problem, const Vector& u) {
   Vector forces = make_vector(problem.dofs);
   CellStiffness stiffness(problem);

@@ -3,7 +3,16 @@
 
 #include "fem/linear_solver.hpp"
 
+#include <deal.II/base/point.h>
+
+#include <functional>
+
 namespace rollfem::fem {
+
+/// A displacement given by the place (mm), at every node. Ghost values are set. Collective.
+Vector nodal_values(
+    const ElasticProblem& problem,
+    const std::function<dealii::Tensor<1, 3>(const dealii::Point<3>&)>& displacement);
 
 /// K u, N, cell by cell, so that every term of K is in it and prescribed nodes count; constraints
 /// ignored. `u` with ghost values. Collective.

@@ -11,7 +11,7 @@ namespace rollfem::fem {
 
 namespace {
 
-/// Calls f(cell, unknowns, values at the quadrature points) for every cell of this process.
+/// Calls f(unknowns, values at the quadrature points) for every cell of this process.
 template <class F>
 void for_each_cell(const ElasticProblem& problem, const F& f) {
   const auto& element = problem.dofs.get_fe();
@@ -23,26 +23,8 @@ void for_each_cell(const ElasticProblem& problem, const F& f) {
     if (!cell->is_locally_owned()) continue;
     values.reinit(cell);
     cell->get_dof_indices(indices);
-    f(cell, indices, values);
+    f(indices, values);
   }
-}
-
-/// Nodal values of the spinning disc.
-Vector interpolate_disc(const Body& wheel, const ElasticProblem& problem) {
-  Vector nodal = make_vector(problem.dofs);
-  const auto& element = problem.dofs.get_fe();
-  const double radius = wheel.shape().rolling_radius;
-  for_each_cell(problem, [&](const auto& cell, const auto& indices, const auto&) {
-    for (unsigned int i = 0; i < indices.size(); ++i) {
-      if (!problem.dofs.locally_owned_dofs().is_element(indices[i])) continue;
-      const auto place =
-          problem.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
-      nodal(indices[i]) =
-          spinning_disc_displacement(problem.material, problem.motion, radius,
-                                     place)[element.system_to_component_index(i).first];
-    }
-  });
-  return nodal;
 }
 
 }  // namespace
@@ -62,7 +44,7 @@ Vector centrifugal_load(const ElasticProblem& problem) {
   Vector load = make_vector(problem.dofs);
   const auto& motion = problem.motion;
   const auto& element = problem.dofs.get_fe();
-  for_each_cell(problem, [&](const auto&, const auto& indices, const auto& values) {
+  for_each_cell(problem, [&](const auto& indices, const auto& values) {
     for (const auto q : values.quadrature_point_indices()) {
       // (v.grad)v = rotation x v, of which the translation along the axle is no part.
       const auto force =
@@ -100,7 +82,13 @@ dealii::Tensor<1, 3> spinning_disc_displacement(const contact::Material& materia
 
 Vector spinning_displacement(const Body& wheel, const LinearSolver& solver) {
   const ElasticProblem problem = wheel.problem();
-  return solve_with_prescribed(problem, solver, interpolate_disc(wheel, problem),
+  return solve_with_prescribed(problem, solver,
+                               nodal_values(problem,
+                                            [&](const dealii::Point<3>& place) {
+                                              return spinning_disc_displacement(
+                                                  problem.material, problem.motion,
+                                                  wheel.shape().rolling_radius, place);
+                                            }),
                                centrifugal_load(problem));
 }
 

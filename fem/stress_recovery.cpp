@@ -100,12 +100,7 @@ struct StressRecovery::Implementation {
     collect_cells();
     collect_patches();
     collect_shape_gradients();
-    const auto& dofs = body.dofs();
-    dealii::IndexSet relevant;
-    dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    hanging.reinit(relevant);
-    dealii::DoFTools::make_hanging_node_constraints(dofs, hanging);
-    hanging.close();
+    hanging.copy_from(make_constraints(body.dofs(), body.mapping(), {}));
     count_contributions();
   }
 

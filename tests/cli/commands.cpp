@@ -10,16 +10,6 @@ namespace {
 using namespace rollfem::test;
 namespace fs = std::filesystem;
 
-/// One line on stderr that starts with the program's name, nothing on stdout, exit status 2.
-void expect_refused(const Outcome& outcome, const std::string& part) {
-  EXPECT_EQ(outcome.status, 2) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.rfind("rollfem: ", 0), 0u) << outcome.err;
-  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("do: "), std::string::npos) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-}
-
 TEST(Check, AcceptsEveryCommittedCase) {
   const Folder folder;
   int cases = 0;

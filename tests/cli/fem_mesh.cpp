@@ -12,14 +12,6 @@ namespace fs = std::filesystem;
 
 const std::string coarse = "[fem]\ncell_size = 1.88\n";
 
-void expect_refused(const Outcome& outcome, const std::string& part) {
-  EXPECT_EQ(outcome.status, 2) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.rfind("rollfem: ", 0), 0u) << outcome.err;
-  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("do: "), std::string::npos) << outcome.err;
-}
-
 /// The number after a row's name, of the wheel.
 double row(const std::string& table, const std::string& name) {
   const auto at = table.find(name);

@@ -1,6 +1,8 @@
 // Runs the real program as a user does: arguments in; exit status, stdout and stderr out.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -112,6 +114,16 @@ inline Outcome call(const Folder& folder, const std::vector<std::string>& argume
   std::vector<std::string> command{ROLLFEM_PROGRAM};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return execute(folder, command, environment, interrupt_after);
+}
+
+/// One line on stderr that starts with the program's name, nothing on stdout, exit status 2.
+inline void expect_refused(const Outcome& outcome, const std::string& part) {
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("rollfem: ", 0), 0u) << outcome.err;
+  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("do: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
 }  // namespace rollfem::test

@@ -3,6 +3,7 @@
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
 #include "fem/body_points.hpp"
+#include "fem/prescribed.hpp"
 #include "fem/stress_output.hpp"
 #include "fem/stress_recovery.hpp"
 
@@ -18,23 +19,12 @@ constexpr contact::Material steel{210e3, 0.3};
 
 /// A linear displacement, which the elements hold exactly: u_i = sum_j gradient_ij x_j.
 fem::Vector linear(const fem::Body& body, const double (&gradient)[3][3]) {
-  auto u = fem::make_vector(body.dofs());
-  u.zero_out_ghost_values();
-  const auto& element = body.dofs().get_fe();
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  for (const auto& cell : body.dofs().active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    cell->get_dof_indices(indices);
-    for (unsigned int i = 0; i < indices.size(); ++i) {
-      const auto p =
-          body.mapping().transform_unit_to_real_cell(cell, element.unit_support_point(i));
-      const unsigned int c = element.system_to_component_index(i).first;
-      u(indices[i]) = gradient[c][0] * p[0] + gradient[c][1] * p[1] + gradient[c][2] * p[2];
-    }
-  }
-  u.compress(dealii::VectorOperation::insert);
-  u.update_ghost_values();
-  return u;
+  return fem::nodal_values(body.problem(), [&](const dealii::Point<3>& p) {
+    dealii::Tensor<1, 3> u;
+    for (int c = 0; c < 3; ++c)
+      u[c] = gradient[c][0] * p[0] + gradient[c][1] * p[1] + gradient[c][2] * p[2];
+    return u;
+  });
 }
 
 constexpr double gradient[3][3] = {{1e-3, 2e-4, 3e-4}, {-1e-4, 5e-4, 2e-4}, {1e-4, -3e-4, -7e-4}};

@@ -1,11 +1,9 @@
 // Coupling and compliance: resultants, transpose consistency, symmetry, the mirrored half body.
 #include "contact/errors.hpp"
-#include "fem/compliance.hpp"
-#include "fem/factorisation.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include "fem_test_support.hpp"
+#include "fem_body_pair.hpp"
 #include <cmath>
 
 using namespace rollfem;
@@ -13,47 +11,15 @@ using namespace rollfem::test;
 
 namespace {
 
-constexpr contact::Material steel{210e3, 0.3};
-constexpr contact::Material soft{70e3, 0.4};
-
-struct Pair {
-  explicit Pair(bool half)
-      : wheel(wheel_shape(100, -30), steel, options(half), MPI_COMM_SELF),
-        rail(rail_shape(20), soft, options(half), MPI_COMM_SELF),
-        wheel_solver(fem::make_factorisation(wheel.problem())),
-        rail_solver(fem::make_factorisation(rail.problem())) {}
-  static fem::BodyOptions options(bool half) {
-    auto result = small_options();
-    result.half = half;
-    return result;
-  }
-  fem::FemCompliance compliance(const contact::ContactGrid& grid) const {
-    return {{&wheel, wheel_solver.get()}, {&rail, rail_solver.get()}, grid};
-  }
-  fem::Body wheel, rail;
-  std::unique_ptr<fem::LinearSolver> wheel_solver, rail_solver;
-};
-
-/// Made once for all tests and released before MPI ends.
-class BodiesEnvironment : public ::testing::Environment {
- public:
-  void TearDown() override {
-    full.reset();
-    half.reset();
-  }
-  std::unique_ptr<Pair> full, half;
-};
-auto* const bodies = new BodiesEnvironment;
+auto* const bodies = new PairEnvironment(100);
 [[maybe_unused]] auto* const registered = ::testing::AddGlobalTestEnvironment(bodies);
 
 const Pair& full() {
-  if (!bodies->full) bodies->full = std::make_unique<Pair>(false);
-  return *bodies->full;
+  return bodies->full();
 }
 
 const Pair& half() {
-  if (!bodies->half) bodies->half = std::make_unique<Pair>(true);
-  return *bodies->half;
+  return bodies->half();
 }
 
 /// Elements that neither match nor divide the 1 mm faces.
@@ -72,10 +38,6 @@ contact::ContactSurface own_surface(const fem::Body& body) {
   const double radius = body.shape().transverse_radius;
   return body.shape().is_wheel ? fem::common_surface(body.shape(), rail_shape(-radius))
                                : fem::common_surface(wheel_shape(405, -radius), body.shape());
-}
-
-contact::ContactSurface surface_of(const Pair& pair) {
-  return fem::common_surface(pair.wheel.shape(), pair.rail.shape());
 }
 
 dealii::Tensor<1, 3> resultant(const fem::Body& body, const fem::Vector& b) {
@@ -118,7 +80,7 @@ TEST(SurfaceCoupling, LoadsOfWheelAndRailAreEqualAndOpposite) {
   // Bodies of different slopes: only on a common surface do the same tractions give the same force,
   // which is the closed sum over the elements.
   const auto grid = contact::ContactGrid::centred(2, 4, 1.0, 1.1, 0.0, -0.15);
-  const auto surface = surface_of(full());
+  const auto surface = full().surface();
   const auto shape = contact::patch_shape(surface, grid);
   auto p = random_field(grid, 4);
   // Along rolling each body keeps its own frame: what turns with the wheel is made symmetric.
@@ -221,7 +183,7 @@ TEST(FemCompliance, IsSymmetricAndPositive) {
   for (const Pair* pair : {&full(), &half()}) {
     const auto grid = pair == &full() ? odd_grid() : contact::ContactGrid::centred(4, 5, 1.1, 1.0);
     const auto compliance = pair->compliance(grid);
-    const auto surface = surface_of(*pair);
+    const auto surface = pair->surface();
     for (unsigned int seed = 0; seed < 3; ++seed) {
       const auto p = random_field(grid, 10 + seed);
       const auto q = random_field(grid, 20 + seed);
@@ -272,7 +234,7 @@ TEST(FemCompliance, WorkOfTheTractionsIsTwiceTheStrainEnergy) {
   const auto u = compliance.body_displacements(p);
   auto b = fem::make_vector(full().wheel.dofs());
   auto r = fem::make_vector(full().rail.dofs());
-  const auto surface = surface_of(full());
+  const auto surface = full().surface();
   fem::SurfaceCoupling(full().wheel, grid, surface).load(p, b);
   fem::SurfaceCoupling(full().rail, grid, surface).load(p, r);
   const double energy = b * u[0] - r * u[1];

@@ -2,13 +2,12 @@
 // wheel and rail, linearity, symmetry, and that surface and body show the same displacement.
 #include "contact/case_reader.hpp"
 #include "contact/geometry.hpp"
-#include "fem/factorisation.hpp"
 #include "fem/far_error.hpp"
 #include "fem/far_field.hpp"
 #include "fem/prescribed.hpp"
 #include "halfspace/point_loads.hpp"
 
-#include "fem_test_support.hpp"
+#include "fem_body_pair.hpp"
 #include <cmath>
 #include <functional>
 #include <string>
@@ -18,50 +17,15 @@ using namespace rollfem::test;
 
 namespace {
 
-constexpr contact::Material steel{210e3, 0.3};
-constexpr contact::Material soft{70e3, 0.4};
-
-struct Pair {
-  Pair(bool half, double wheel_radius, double rail_radius)
-      : wheel(wheel_shape(405, wheel_radius), steel, options(half), MPI_COMM_SELF),
-        rail(rail_shape(rail_radius), soft, options(half), MPI_COMM_SELF),
-        wheel_solver(fem::make_factorisation(wheel.problem())),
-        rail_solver(fem::make_factorisation(rail.problem())) {}
-  static fem::BodyOptions options(bool half) {
-    auto result = small_options();
-    result.half = half;
-    return result;
-  }
-  fem::FemCompliance compliance(const contact::ContactGrid& grid, fem::FarBoundary far) const {
-    return {{&wheel, wheel_solver.get()}, {&rail, rail_solver.get()}, grid, far};
-  }
-  contact::ContactSurface surface() const {
-    return fem::common_surface(wheel.shape(), rail.shape());
-  }
-  fem::Body wheel, rail;
-  std::unique_ptr<fem::LinearSolver> wheel_solver, rail_solver;
-};
-
-/// Made once for all tests and released before MPI ends.
-class BodiesEnvironment : public ::testing::Environment {
- public:
-  void TearDown() override {
-    full.reset();
-    half.reset();
-  }
-  std::unique_ptr<Pair> full, half;
-};
-auto* const bodies = new BodiesEnvironment;
+auto* const bodies = new PairEnvironment(405);
 [[maybe_unused]] auto* const registered = ::testing::AddGlobalTestEnvironment(bodies);
 
 const Pair& full() {
-  if (!bodies->full) bodies->full = std::make_unique<Pair>(false, -30, 20);
-  return *bodies->full;
+  return bodies->full();
 }
 
 const Pair& half() {
-  if (!bodies->half) bodies->half = std::make_unique<Pair>(true, -30, 20);
-  return *bodies->half;
+  return bodies->half();
 }
 
 double largest(const contact::SurfaceField& u) {
@@ -75,25 +39,11 @@ contact::SurfaceField difference(const contact::SurfaceField& a, const contact::
 
 using Motion = std::function<dealii::Tensor<1, 3>(const dealii::Point<3>&)>;
 
-/// The motion at every node.
-fem::Vector at_nodes(const fem::Body& body, const Motion& motion) {
-  auto u = fem::make_vector(body.dofs());
-  const auto& element = body.dofs().get_fe();
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  for (const auto& cell : body.dofs().active_cell_iterators()) {
-    cell->get_dof_indices(indices);
-    for (unsigned int i = 0; i < indices.size(); ++i)
-      u(indices[i]) = motion(body.mapping().transform_unit_to_real_cell(
-          cell, element.unit_support_point(i)))[element.system_to_component_index(i).first];
-  }
-  return u;
-}
-
 /// Prescribes the motion on what the solver's conditions hold; the inside has to follow, across
 /// hanging nodes.
 void expect_to_follow(const fem::Body& body, const fem::LinearSolver& solver,
                       const Motion& motion) {
-  const auto everywhere = at_nodes(body, motion);
+  const auto everywhere = fem::nodal_values(body.problem(), motion);
   const auto hanging = fem::make_constraints(body.dofs(), body.mapping(), {});
   auto held = fem::make_vector(body.dofs());
   unsigned int count = 0;

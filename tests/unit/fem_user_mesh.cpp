@@ -5,6 +5,7 @@
 #include "fem/coarse_mesh.hpp"
 #include "fem/compliance.hpp"
 #include "fem/factorisation.hpp"
+#include "fem/prescribed.hpp"
 
 #include "fem_test_support.hpp"
 #include "mesh_examples.hpp"
@@ -43,26 +44,6 @@ std::unique_ptr<fem::Body> turned_body(const fem::SurfaceShape& shape,
 
 contact::ContactGrid odd_grid() {
   return contact::ContactGrid::centred(5, 4, 1.3, 1.1, 0.2, -0.1);
-}
-
-/// A displacement given by a function of the place, at the nodes.
-template <class Function>
-fem::Vector interpolate(const fem::Body& body, const Function& function) {
-  auto u = fem::make_vector(body.dofs());
-  const auto& element = body.dofs().get_fe();
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  for (const auto& cell : body.dofs().active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    cell->get_dof_indices(indices);
-    for (unsigned int i = 0; i < indices.size(); ++i) {
-      if (!body.dofs().locally_owned_dofs().is_element(indices[i])) continue;
-      const auto place =
-          body.mapping().transform_unit_to_real_cell(cell, element.get_unit_support_points()[i]);
-      u(indices[i]) = function(place)[element.system_to_component_index(i).first];
-    }
-  }
-  u.update_ghost_values();
-  return u;
 }
 
 }  // namespace
@@ -131,9 +112,10 @@ TEST(GivenMesh, CouplingIsExactOnTurnedFaces) {
   const fem::SurfaceCoupling coupling(*body, grid);
   // A displacement that is linear in the place is in the space; its mean is the value in the
   // middle.
-  const auto sampled = coupling.sample(interpolate(*body, [](const dealii::Point<3>& p) {
-    return dealii::Tensor<1, 3>({1.0 + 0.3 * p[0] - 0.2 * p[1], 2.0 * p[1], 3.0 - p[0]});
-  }));
+  const auto sampled =
+      coupling.sample(fem::nodal_values(body->problem(), [](const dealii::Point<3>& p) {
+        return dealii::Tensor<1, 3>({1.0 + 0.3 * p[0] - 0.2 * p[1], 2.0 * p[1], 3.0 - p[0]});
+      }));
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const int e = grid.index(i, j);
@@ -145,7 +127,7 @@ TEST(GivenMesh, CouplingIsExactOnTurnedFaces) {
   auto b = fem::make_vector(body->dofs());
   coupling.load(p, b);
   const auto one = [&](unsigned int axis) {
-    return interpolate(*body, [axis](const dealii::Point<3>&) {
+    return fem::nodal_values(body->problem(), [axis](const dealii::Point<3>&) {
       dealii::Tensor<1, 3> unit;
       unit[axis] = 1.0;
       return unit;
@@ -211,10 +193,11 @@ TEST(GivenMesh, OfAnyChartIsAccepted) {
   const auto grid = contact::ContactGrid::centred(6, 4, 1.0, 1.0);
   const fem::SurfaceCoupling coupling(body, grid);
   // A displacement along the hole's own normal is sampled as such, to the curvature of a cell.
-  const auto sampled = coupling.sample(interpolate(body, [](const dealii::Point<3>& p) {
-    const double angle = std::atan2(p[0], 10 - p[2]);
-    return dealii::Tensor<1, 3>({-std::sin(angle), 0.0, std::cos(angle)});
-  }));
+  const auto sampled =
+      coupling.sample(fem::nodal_values(body.problem(), [](const dealii::Point<3>& p) {
+        const double angle = std::atan2(p[0], 10 - p[2]);
+        return dealii::Tensor<1, 3>({-std::sin(angle), 0.0, std::cos(angle)});
+      }));
   for (int e = 0; e < grid.size(); ++e) {
     EXPECT_NEAR(sampled.n[e], 1.0, 1e-5);
     EXPECT_NEAR(sampled.x[e], 0.0, 1e-5);

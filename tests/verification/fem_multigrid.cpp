@@ -1,12 +1,11 @@
 // Multigrid against a direct solver and a closed form; its convergence. The same program runs on
 // one process and under mpirun on two.
 #include "contact/errors.hpp"
-#include "fem/factorisation.hpp"
 #include "fem/multigrid.hpp"
 
 #include <gtest/gtest.h>
 
-#include "fem_elastic_block.hpp"
+#include "fem_against_factorisation.hpp"
 #include "mpi_environment.hpp"
 #include <cmath>
 
@@ -17,38 +16,19 @@ using dealii::Point;
 using dealii::Tensor;
 using test::Block;
 using test::BlockOptions;
-
-Tensor<1, 3> uneven_load(const Point<3>& p) {
-  Tensor<1, 3> f;
-  f[0] = 10 * std::sin(2 * p[1]) + p[2];
-  f[1] = 5 * p[0] - 3;
-  f[2] = -20 * std::cos(p[0] + p[1]);
-  return f;
-}
+using test::uneven_load;
 
 double all_processes_max(double value) {
   return dealii::Utilities::MPI::max(value, MPI_COMM_WORLD);
 }
 
-/// Largest difference from the factorisation of the same body on this process alone, relative to
-/// the largest displacement.
 double difference_from_factorisation(const BlockOptions& options, int* iterations = nullptr) {
-  const Block block(options, test::clamped_below());
-  auto u = fem::make_vector(block.dofs());
-  const auto solver = fem::make_multigrid(block.problem(), {1e-11, 100});
-  solver->solve(u, block.body_load(uneven_load));
-  if (iterations != nullptr) *iterations = solver->last_iterations();
-
-  auto alone = options;
-  alone.communicator = MPI_COMM_SELF;
-  const Block reference(alone, test::clamped_below());
-  auto v = fem::make_vector(reference.dofs());
-  fem::make_factorisation(reference.problem())->solve(v, reference.body_load(uneven_load));
-  const auto exact = reference.by_place(v);
-  double difference = 0;
-  for (const auto& [place, value] : block.by_place(u))
-    difference = std::max(difference, std::abs(value - exact.at(place)));
-  return all_processes_max(difference / v.linfty_norm());
+  return test::difference_from_factorisation(
+      options,
+      [](const fem::ElasticProblem& problem) {
+        return fem::make_multigrid(problem, {1e-11, 100});
+      },
+      iterations);
 }
 
 TEST(Multigrid, EqualsTheFactorisationWithHangingNodesAndSymmetryPlane) {

@@ -3,6 +3,7 @@
 // recovered stress alone.
 #include "fem/compliance.hpp"
 #include "fem/multigrid.hpp"
+#include "fem/prescribed.hpp"
 #include "fem/stress_recovery.hpp"
 #include "fem/surface_stress.hpp"
 #include "halfspace/subsurface.hpp"
@@ -161,21 +162,8 @@ struct UniformStrain {
   }
 
   fem::Vector displacement(const fem::Body& body) const {
-    auto u = fem::make_vector(body.dofs());
-    u.zero_out_ghost_values();
-    const auto& element = body.dofs().get_fe();
-    std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-    for (const auto& one : body.dofs().active_cell_iterators()) {
-      one->get_dof_indices(indices);
-      for (unsigned int i = 0; i < indices.size(); ++i) {
-        const auto p =
-            body.mapping().transform_unit_to_real_cell(one, element.unit_support_point(i));
-        u(indices[i]) = gradient[element.system_to_component_index(i).first] * p;
-      }
-    }
-    u.compress(dealii::VectorOperation::insert);
-    u.update_ghost_values();
-    return u;
+    return fem::nodal_values(body.problem(),
+                             [this](const dealii::Point<3>& p) { return gradient * p; });
   }
 
   contact::SurfaceField tractions(const fem::SurfaceShape& shape,
