@@ -3,9 +3,12 @@
 #pragma once
 
 #include "contact/compliance.hpp"
+#include "contact/patch_geometry.hpp"
+#include "contact/track.hpp"
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,22 +29,32 @@ struct Wheel {
   double rolling_radius = 0.0;          ///< mm, radius at the running circle
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
   Material material;
-  std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by the program
+  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
+  ProfileSource profile;  ///< in place of the transverse radius
 };
 
 /// Lower body (2): a straight extruded rail.
 struct Rail {
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
   Material material;
-  std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by the program
+  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
+  ProfileSource profile;  ///< in place of the transverse radius
 };
 
-/// Exactly one of the two is given. Where the load comes from elsewhere (a history, a given
-/// pressure) the reader puts the largest normal force or approach of that here, which is what grids
-/// are sized by.
+/// Exactly one of the first three is given; vertical_force with profiles only. Where the load comes
+/// from elsewhere (a history, a given pressure) the reader puts the largest normal force or
+/// approach of that here, which is what grids are sized by.
 struct Load {
-  std::optional<double> normal_force;  ///< N
-  std::optional<double> approach;      ///< mm
+  std::optional<double> normal_force;    ///< N
+  std::optional<double> approach;        ///< mm
+  std::optional<double> vertical_force;  ///< N, on each wheel, friction included
+  /// N, of each load point where they differ: a patch that is tilted, whose friction carries a part
+  /// of the vertical force. Empty: normal_force for all. Not read from a file.
+  std::vector<double> normal_forces;
+  /// Load of load point k: normal_forces, else normal_force.
+  std::optional<double> normal_force_of(std::size_t k) const {
+    return k < normal_forces.size() ? std::optional<double>(normal_forces[k]) : normal_force;
+  }
 };
 
 /// Rigid slip that comes from the shape of the contact surface rather than from the creepages.
@@ -93,11 +106,19 @@ enum class LeadingEdge {
   plain,   ///< wherever the elements put it
 };
 
+/// Which creepages the case file gives; with profiles the others follow from the motion.
+struct GivenCreepages {
+  bool longitudinal = false;
+  bool lateral = false;
+  bool spin = false;
+};
+
 struct Rolling {
   Problem problem = Problem::steady;
   double speed = 0.0;  ///< mm/s; 0: quasi-static, no inertia
   /// Lists in the file are broadcast to one length: that of the load points (steps of a history).
   std::vector<Creepage> creepages{Creepage{}};
+  GivenCreepages given;
   std::vector<PrescribedForce> forces;  ///< as long as `creepages`, or empty: none prescribed
   UpwindOrder upwind_order = UpwindOrder::second;
   LeadingEdge leading_edge = LeadingEdge::fitted;
@@ -215,6 +236,8 @@ struct Case {
   double friction_coefficient = 0.0;
   Wheel wheel;
   Rail rail;
+  Track track;        ///< with profiles
+  Wheelset wheelset;  ///< with profiles
   Rolling rolling;
   std::vector<HistoryStep>
       history;  ///< as long as rolling.creepages for shift and transient, else empty
@@ -227,6 +250,13 @@ struct Case {
   std::vector<SubsurfaceRequest> subsurface;
   FemOptions fem;
   OutputOptions output;
+  /// Set in the scenes that are made of a case with profiles, one for each patch: the models take
+  /// undeformed distance and slip from it instead of from radii, `load.normal_force` and
+  /// `rolling.creepages` are those of the patch.
+  std::shared_ptr<const PatchGeometry> patch;
+  std::optional<ContactPlace> place;  ///< of `patch`
+  /// Wheel and rail are given by profiles: not to be solved as it is, but made into scenes.
+  bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
 };
 
 }  // namespace rollfem::contact

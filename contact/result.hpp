@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,7 @@ struct ModelResult {
   /// What was asked for and not reached, though the results are sound as far as they go; else
   /// empty. The run then ends with status 1 after they are written.
   std::string shortfall;
+  std::optional<ContactPlace> place;  ///< with profiles: the patch, one ModelResult for each
 };
 
 /// Fills forces, maxima, patch size and areas of `point` from its fields. On a curved patch

@@ -1,0 +1,36 @@
+// A smooth curve z(y) through knots with slopes: the section of a rail or wheel in some frame, or
+// the wheel's radius along its axle. Corners of curvature stay sharp, because every piece is its
+// own cubic.
+#pragma once
+
+#include <vector>
+
+namespace rollfem::contact {
+
+/// Height, slope and second derivative of a curve at a place.
+struct CurveValue {
+  double value = 0.0;   ///< mm
+  double slope = 0.0;   ///< dz/dy
+  double second = 0.0;  ///< d2z/dy2, 1/mm; of the piece on the right at a knot
+};
+
+/// Cubic Hermite pieces between knots; beyond the first and the last knot the tangent goes on.
+class HeightCurve {
+ public:
+  HeightCurve() = default;
+  /// Knots in mm with y rising; lists of one length, at least 2. Throws std::invalid_argument.
+  HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope);
+
+  CurveValue at(double y) const;
+  double first() const { return y_.front(); }  ///< mm, lower end of what is known
+  double last() const { return y_.back(); }    ///< mm, upper end
+  bool contains(double y) const { return !y_.empty() && y >= first() && y <= last(); }
+  const std::vector<double>& knots() const { return y_; }
+
+ private:
+  std::vector<double> y_;
+  std::vector<double> z_;
+  std::vector<double> slope_;
+};
+
+}  // namespace rollfem::contact
