@@ -73,7 +73,9 @@ TEST(PatchGeometry, SphereIsTheSameAboutAnyAxle) {
       EXPECT_NEAR(plain.distance(x, y), exact, 1e-9) << x << ' ' << y;
       EXPECT_NEAR(turned.distance(x, y), exact, 1e-9) << x << ' ' << y;
     }
-  EXPECT_NEAR(turned.local_rolling_radius(0.0), 460.0, 1e-9);
+  // The axle passes the centre, 460 above the origin.
+  EXPECT_NEAR(turned.local_rolling_radius(0.0),
+              460.0 * std::sqrt(1.0 - std::pow(std::cos(yaw) * std::sin(tilt), 2)), 1e-9);
   EXPECT_NEAR(turned.tilt(), tilt, 1e-12);
 }
 
