@@ -102,6 +102,9 @@ struct ModelResult {
   /// empty. The run then ends with status 1 after they are written.
   std::string shortfall;
   std::optional<ContactPlace> place;  ///< with profiles: the patch, one ModelResult for each
+  /// What tells the results of a run apart: "halfspace", "halfspace_left_3_1" for the first patch
+  /// of the left wheel at position 3.
+  std::string key() const;
 };
 
 /// Fills forces, maxima, patch size and areas of `point` from its fields. On a curved patch
