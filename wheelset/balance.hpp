@@ -1,0 +1,39 @@
+// Wheels of true profiles in balance: every patch of a case with its share of the vertical load,
+// friction included, and with the creepages of the wheelset's motion, free rolling solved for. What
+// comes out are scenes that any model can solve; half-space solutions on a coarse grid are what the
+// balance is found with.
+#pragma once
+
+#include "contact/case.hpp"
+#include "contact/progress.hpp"
+#include "meshes/contact_search.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::wheelset {
+
+/// A wheel at one position, as it touches its rail.
+struct PlacedWheel {
+  bool left = true;
+  int position = 1;
+  std::vector<meshes::WheelRailContact> contacts;  ///< patches, then near misses
+};
+
+struct BalancedCase {
+  /// One for each patch that carries load, in the order of positions, left before right, the most
+  /// loaded patch first.
+  std::vector<contact::Case> scenes;
+  std::vector<PlacedWheel> wheels;  ///< all that were placed, for drawings and `check`
+  std::vector<std::string> notes;   ///< what a reader must know
+};
+
+/// The wheels of all positions on their rails; nothing is solved. Throws contact::InputError and
+/// contact::SolveError as meshes::find_contacts does.
+std::vector<PlacedWheel> place_wheels(const contact::Case& input);
+
+/// Throws contact::SolveError when there is no balance (friction that would lift the wheel, no
+/// rotation without torque).
+BalancedCase balance(const contact::Case& input, const contact::Progress& progress = {});
+
+}  // namespace rollfem::wheelset
