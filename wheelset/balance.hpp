@@ -6,7 +6,7 @@
 
 #include "contact/case.hpp"
 #include "contact/progress.hpp"
-#include "meshes/contact_search.hpp"
+#include "meshes/scenes.hpp"
 
 #include <string>
 #include <vector>
@@ -24,8 +24,8 @@ struct BalancedCase {
   /// One for each patch that carries load, in the order of positions, left before right, the most
   /// loaded patch first.
   std::vector<contact::Case> scenes;
-  std::vector<PlacedWheel> wheels;  ///< all that were placed, for drawings and `check`
-  std::vector<std::string> notes;   ///< what a reader must know
+  std::vector<meshes::Scene> placed;  ///< as they were placed, for drawings
+  std::vector<std::string> notes;     ///< what a reader must know
 };
 
 /// The wheels of all positions on their rails; nothing is solved. Throws contact::InputError and
