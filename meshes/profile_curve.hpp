@@ -48,10 +48,11 @@ class ProfileCurve {
 
  private:
   ProfileKnots knots_;
+  std::vector<double> highest_y_, lowest_y_;  ///< mm, of the knots up to each
 };
 
 /// Height z over y of the part of the curve about `parameter` that is single valued and not steeper
-/// than `steepest` (dz/dy).
+/// than `steepest` (dz/dy). Throws std::invalid_argument when it is steeper at `parameter` itself.
 contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter,
                                    double steepest = 12.0);
 
