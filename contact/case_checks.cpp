@@ -57,6 +57,7 @@ void check_required(const GivenCase& given) {
     if (key.section.find('.') != std::string::npos) continue;  // repeated: check_entries
     const bool is_radius = key.section == "wheel" || key.section == "rail";
     if (radii_replaced && is_radius) continue;
+    if (key.name == "transverse_radius" && given.find(key.section, "profile") != nullptr) continue;
     CaseProblem problem;
     problem.line = section_line(given, key.section);
     problem.column = problem.line > 0 ? 1 : 0;
@@ -139,6 +140,8 @@ void check_list_lengths(const GivenCase& given) {
     const GivenValue& value = found->second;
     const bool steps = key.path() == "history.steps";
     if (key.kind != KeyKind::numbers && !steps) continue;
+    // Lists of a profile are not lists of load points.
+    if (key.section == "wheel_profile" || key.section == "rail_profile") continue;
     const std::size_t length = steps ? static_cast<std::size_t>(std::get<double>(value.value))
                                      : std::get<std::vector<double>>(value.value).size();
     if (length == 1 && !steps) continue;
@@ -214,6 +217,7 @@ void check_far_boundary(const GivenCase& given) {
 
 void check_together(const GivenCase& given) {
   check_load(given);
+  check_profiles(given);
   check_required(given);
   check_grid(given);
   check_entries(given);
@@ -223,7 +227,7 @@ void check_together(const GivenCase& given) {
 
 void check_geometry(const GivenCase& given, const Case& input) {
   check_approach(given, input);
-  if (replaces_radii(given)) return;
+  if (replaces_radii(given) || has_profiles(given)) return;
   const double wheel = input.wheel.transverse_radius;
   const double rail = input.rail.transverse_radius;
   // Not only B > 0: radii that cancel to rounding would pass that and overflow later.

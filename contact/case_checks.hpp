@@ -50,6 +50,13 @@ struct CaseProblem {
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
 
+/// One shape for each body, and only keys of [wheel_profile] and [rail_profile] that are read.
+/// Throws InputError.
+void check_profiles(const GivenCase& given);
+
+/// Wheel or rail is given by a profile.
+bool has_profiles(const GivenCase& given);
+
 /// What the case asks for and what it gives must fit: problem, forces, history, given pressure,
 /// distance and slip from files. Throws InputError.
 void check_problem(const GivenCase& given);

@@ -93,5 +93,6 @@ std::vector<Key> surface_keys();     ///< [undeformed_distance], [given_pressure
 std::vector<Key> theory_keys();      ///< [fastsim], [strip], [carter]
 std::vector<Key> subsurface_keys();  ///< [[subsurface.*]]
 std::vector<Key> mesh_keys();        ///< meshes of [wheel], [rail] and [fem]
+std::vector<Key> profile_keys();  ///< profile of [wheel], [rail]; [wheel_profile], [rail_profile]
 
 }  // namespace rollfem::contact
