@@ -76,7 +76,10 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
   const double profile_y = gap.wheel().at(first->y).profile_y;
   // A profile without a flange is highest at its own end.
   const bool has_flange = tip > 0 && knots.y[tip] < 0.0 && knots.z[tip] > 10.0;
-  if (has_flange && profile_y < knots.y[tip] + 1.0)
+  // Further down the flange the wheel climbs, which is a position like another.
+  constexpr double tip_height = 2.0;
+  const double height = gap.wheel().at(first->y).radius - input.wheel.rolling_radius;
+  if (has_flange && profile_y < 0.0 && height > knots.z[tip] - tip_height)
     throw contact::SolveError(fmt::format(
         "{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm), it has left the "
         "rail; do: check gauge, flange_back_distance and lateral_shift",
