@@ -172,6 +172,14 @@ struct FastsimCase {
   int strip_elements = 100;
 };
 
+/// Where the elements of the model halfspace lie: in the tangent plane, or along the arc of the
+/// common surface across.
+enum class SurfaceForm { planar, curved };
+
+struct HalfspaceCase {
+  SurfaceForm surface = SurfaceForm::planar;
+};
+
 struct StripCase {
   int strips = 100;
   int strip_elements = 100;
@@ -245,6 +253,7 @@ struct Case {
   DistanceOptions undeformed_distance;
   std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;
+  HalfspaceCase halfspace;
   FastsimCase fastsim;
   StripCase strip;
   CarterCase carter;

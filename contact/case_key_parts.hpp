@@ -86,7 +86,8 @@ Key file_key(const std::string& section, const std::string& name, const std::str
              const std::string& sentence, std::optional<Lattice>& (*member)(Case&));
 
 /// The declarations, by part.
-std::vector<Key> accuracy_keys();    ///< accuracy, accuracy_of
+std::vector<Key> accuracy_keys();  ///< accuracy, accuracy_of
+std::vector<Key> halfspace_keys();
 std::vector<Key> problem_keys();     ///< [rolling] problem, forces
 std::vector<Key> history_keys();     ///< [history]
 std::vector<Key> surface_keys();     ///< [undeformed_distance], [given_pressure]

@@ -544,6 +544,7 @@ const std::vector<Section>& case_sections() {
       {"undeformed_distance", "Distance of the undeformed bodies, in place of that of the radii"},
       {"given_pressure", "Hertz's pressure on a given ellipse in place of the normal problem"},
       {"contact_grid", "Elements of the contact area of the half-space model"},
+      {"halfspace", "Model `halfspace`"},
       {"fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse"},
       {"strip", "Model `strip`: strips along rolling, each after Hertz, with brushes"},
       {"carter", "Model `carter`: strips along rolling, each a line contact"},
@@ -566,7 +567,7 @@ const std::vector<Key>& case_keys() {
     for (auto* part :
          {&general_keys, &accuracy_keys, &load_keys, &body_keys, &profile_keys, &track_keys,
           &wheelset_keys, &rolling_keys, &problem_keys, &history_keys, &surface_keys, &grid_keys,
-          &theory_keys, &fem_keys, &mesh_keys, &output_keys, &subsurface_keys})
+          &halfspace_keys, &theory_keys, &fem_keys, &mesh_keys, &output_keys, &subsurface_keys})
       for (Key& key : (*part)()) all.push_back(std::move(key));
     return all;
   }();
