@@ -10,7 +10,7 @@ import re
 import sys
 
 # What each folder may include of the others; None: everything.
-VALUES = {"case", "grid", "geometry", "errors", "progress"}
+VALUES = {"case", "grid", "geometry", "errors", "progress", "height_curve", "patch_geometry", "track"}
 ALLOWED = {
     "contact": {},
     "halfspace": {"contact": None},
