@@ -5,6 +5,7 @@
 #include "app/processes.hpp"
 #include "app/profile.hpp"
 #include "app/run.hpp"
+#include "app/scenes.hpp"
 #include "app/version.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
@@ -96,6 +97,13 @@ void new_case(const std::string& file) {
         fmt::format("new-case: {} cannot be written; do: name another file", file));
 }
 
+void check_case(const std::string& file) {
+  const contact::Case input = contact::read_case(file);
+  std::cout << contact::describe(input);
+  if (input.has_profiles())
+    std::cout << "\nwhere wheel and rail touch\n" << app::contacts_text(input);
+}
+
 void add_commands(CLI::App& program, Call& call) {
   program.set_version_flag("--version",
                            fmt::format("rollfem {} ({})", app::version(), app::commit()));
@@ -145,7 +153,7 @@ void add_commands(CLI::App& program, Call& call) {
 
   CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
   check->add_option("case", call.check_file, "case file (.toml)")->required();
-  check->callback([&call] { std::cout << contact::describe(contact::read_case(call.check_file)); });
+  check->callback([&call] { check_case(call.check_file); });
 
   CLI::App* fresh = program.add_subcommand("new-case", "print a commented case file");
   fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");

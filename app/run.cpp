@@ -5,11 +5,14 @@
 #include "app/processes.hpp"
 #include "app/progress_display.hpp"
 #include "app/run_table.hpp"
+#include "app/scene_checkpoint.hpp"
+#include "app/scenes.hpp"
 #include "app/version.hpp"
 #include "contact/abilities.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
 #include "halfspace/registry.hpp"
+#include "meshes/scenes.hpp"
 #include "postprocess/checkpoint_folder.hpp"
 #include "postprocess/output.hpp"
 
@@ -28,6 +31,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 #include <unistd.h>
 
 namespace rollfem::app {
@@ -100,7 +104,8 @@ fs::path output_directory(const RunRequest& request) {
 /// that cannot take the case.
 void check_before(const RunRequest& request, const contact::Case& input) {
   postprocess::check_directory(output_directory(request).string());
-  for (const std::string& name : input.models) contact::check_able(input, name);
+  if (!input.has_profiles())
+    for (const std::string& name : input.models) contact::check_able(input, name);
   const auto runs = [&](const char* model) {
     return std::find(input.models.begin(), input.models.end(), model) != input.models.end();
   };
@@ -143,6 +148,26 @@ void tell_about(const RunRequest& request, const postprocess::CheckpointFolder* 
       checkpoint->folder().string());
 }
 
+/// Progress of a scene says which patch it is.
+contact::Progress told(const contact::Case& scene, const contact::Progress& progress) {
+  if (!scene.place) return progress;
+  return [label = scene.place->label(), progress](contact::ProgressEvent event) {
+    event.stage = label + ": " + event.stage;
+    contact::report(progress, event);
+  };
+}
+
+/// What the result of a patch says beyond what the model knows.
+void finish(const contact::Case& scene, const std::vector<std::string>& notes,
+            contact::ModelResult& result) {
+  if (!scene.place) return;
+  result.place = scene.place;
+  result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+  for (contact::PointResult& point : result.points)
+    point.derived["vertical_force"] =
+        meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
+}
+
 /// Runs one model; an error that does not say so gets the name of the model.
 template <class Model>
 contact::ModelResult run_model(const std::string& name, const contact::Case& input,
@@ -150,7 +175,9 @@ contact::ModelResult run_model(const std::string& name, const contact::Case& inp
   try {
     return model();
   } catch (const contact::SolveError& error) {
-    throw contact::SolveError(fmt::format("{}: model {}: {}", input.file, name, error.what()));
+    const std::string patch = input.place ? input.place->label() + ": " : "";
+    throw contact::SolveError(
+        fmt::format("{}: {}model {}: {}", input.file, patch, name, error.what()));
   }
 }
 
@@ -167,8 +194,10 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
     std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n" << run_table(record.models);
+  std::set<std::string> said;  // patches share most notes
   for (const contact::ModelResult& model : record.models)
-    for (const std::string& note : model.notes) std::cout << '\n' << model.name << ": " << note;
+    for (const std::string& note : model.notes)
+      if (said.insert(model.name + note).second) std::cout << '\n' << model.name << ": " << note;
   std::cout << "\n\nresults: " << directory.string() << '\n';
   if (request.report && problem.empty())
     std::cout << "report:  " << (directory / "report.html").string() << '\n';
@@ -223,14 +252,23 @@ void run(const RunRequest& request) {
   std::unique_ptr<postprocess::CheckpointFolder> checkpoint;
   try {
     if (here.first()) checkpoint = open_checkpoint(request, record.input);
-    for (const std::string& name : names) {
-      const auto run_it = [&] {
-        return name == "fem" ? session->entry().run(record.input, progress, checkpoint.get())
-                             : halfspace::run_model(name, record.input, progress, checkpoint.get());
-      };
-      if (name == "fem" || here.first())
-        record.models.push_back(run_model(name, record.input, run_it));
+    Scenes scenes = scenes_of(record.input, progress);
+    for (const contact::Case& scene : scenes.cases)
+      for (const std::string& name : names) contact::check_able(scene, name);
+    for (const contact::Case& scene : scenes.cases) {
+      SceneCheckpoint kept(checkpoint.get(), scene.place);
+      contact::Checkpoint* keep = checkpoint ? &kept : nullptr;
+      for (const std::string& name : names) {
+        if (name != "fem" && !here.first()) continue;
+        const auto run_it = [&] {
+          return name == "fem" ? session->entry().run(scene, told(scene, progress), keep)
+                               : halfspace::run_model(name, scene, told(scene, progress), keep);
+        };
+        record.models.push_back(run_model(name, scene, run_it));
+        finish(scene, scenes.notes, record.models.back());
+      }
     }
+    record.pairs = std::move(scenes.pairs);
     display.clear();
     if (here.first()) {
       write_and_tell(request, record);

@@ -78,9 +78,8 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
   return text + "\n";
 }
 
-}  // namespace
-
-std::string run_table(const std::vector<ModelResult>& models) {
+/// Everything about one patch.
+std::string scene_table(const std::vector<ModelResult>& models) {
   std::string text = patch_table(models);
   std::vector<const ModelResult*> with_friction;
   for (const ModelResult& model : models)
@@ -94,6 +93,66 @@ std::string run_table(const std::vector<ModelResult>& models) {
     text += curve_table(
         with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
         [](const PointResult& point) { return -point.lateral_force / point.normal_force; });
+  return text;
+}
+
+std::string place_line(const contact::ContactPlace& place) {
+  return fmt::format(
+      "{} wheel, position {}{}: y = {:.4f} mm on the track, {:.4f} on the rail, {:.4f} on the "
+      "wheel; "
+      "angle {:.5f} rad, rolling radius {:.4f} mm\n",
+      place.left ? "left" : "right", place.position,
+      place.patches > 1 ? fmt::format(", patch {} of {}", place.patch, place.patches) : "",
+      place.y_track, place.y_rail, place.y_wheel, place.contact_angle, place.rolling_radius);
+}
+
+/// More patches than this are told in a line each.
+constexpr std::size_t most_told = 3;
+
+/// One line for each result: place and the first load point.
+std::string row_table(const std::vector<ModelResult>& models) {
+  std::string text =
+      fmt::format("{:<7}{:>4}{:>6}{:>9}{:>11}{:>11}{:>10}  {:<18}{:>10}{:>11}{:>12}{:>9}\n",
+                  "wheel", "pos", "patch", "shift mm", "y rail mm", "y wheel mm", "angle rad",
+                  "model", "F_n N", "p0 MPa", "xi", "-F_x/F_z");
+  for (const ModelResult& model : models) {
+    if (model.points.empty() || !model.place) continue;
+    const contact::ContactPlace& place = *model.place;
+    const PointResult& point = model.points.front();
+    text += fmt::format(
+        "{:<7}{:>4}{:>6}{:>9.3g}{:>11.4f}{:>11.4f}{:>10.4f}  {:<18}{:>10.5g}{:>11.2f}{:>12.4e}"
+        "{:>9.4f}\n",
+        place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
+        place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
+        point.max_pressure, point.creepage.longitudinal, point.traction_coefficient);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string run_table(const std::vector<ModelResult>& models) {
+  std::vector<std::vector<ModelResult>> scenes;
+  for (const ModelResult& model : models) {
+    const auto same = [&](const std::vector<ModelResult>& scene) {
+      const auto& place = scene.front().place;
+      return !place || !model.place ||
+             (place->left == model.place->left && place->position == model.place->position &&
+              place->patch == model.place->patch);
+    };
+    const auto found = std::find_if(scenes.begin(), scenes.end(), same);
+    if (found == scenes.end())
+      scenes.push_back({model});
+    else
+      found->push_back(model);
+  }
+  if (scenes.size() > most_told) return row_table(models);
+  std::string text;
+  for (const auto& scene : scenes) {
+    if (!text.empty()) text += '\n';
+    if (scene.front().place) text += place_line(*scene.front().place);
+    text += scene_table(scene);
+  }
   return text;
 }
 

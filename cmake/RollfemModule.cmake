@@ -5,12 +5,11 @@ function(rollfem_warnings target)
     -Woverloaded-virtual $<$<BOOL:${ROLLFEM_WERROR}>:-Werror>)
 endfunction()
 
-function(rollfem_module name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
+# A library of the given sources, with what all of them share.
+function(rollfem_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   set(target rollfem_${name})
-  add_library(${target} SHARED ${sources} ${headers})
+  add_library(${target} SHARED ${ARG_SOURCES})
   add_library(rollfem::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
@@ -23,5 +22,15 @@ function(rollfem_module name)
   target_link_libraries(${target} PUBLIC ${ARG_LIBRARIES} PRIVATE ${ARG_PRIVATE_LIBRARIES})
   rollfem_warnings(${target})
   install(TARGETS ${target} EXPORT rollfem-targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()
+
+# EXCEPT: sources of the folder that belong to another library of it.
+function(rollfem_module name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES;PRIVATE_LIBRARIES;EXCEPT" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
+  list(REMOVE_ITEM sources "" ${ARG_EXCEPT})
+  rollfem_library(${name} SOURCES ${sources} ${headers} DEPENDS ${ARG_DEPENDS}
+    LIBRARIES ${ARG_LIBRARIES} PRIVATE_LIBRARIES ${ARG_PRIVATE_LIBRARIES})
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollfem/${name})
 endfunction()

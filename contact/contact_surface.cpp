@@ -51,6 +51,61 @@ double way_along_normal(const ContactSurface& surface, double y, HeightAt&& heig
   return way;
 }
 
+/// Where a ray goes on about the axle: distance from it, and what a way along `direction` changes.
+struct RayPlace {
+  double axial;
+  double radius;
+  double radius_by_way;
+  double axial_by_way;
+};
+
+RayPlace ray_place(const Axle& axle, const Vector3& place, const Vector3& direction) {
+  RayPlace at{0.0, 0.0, 0.0, 0.0};
+  for (int d = 0; d < 3; ++d) {
+    at.axial += (place[d] - axle.point[d]) * axle.direction[d];
+    at.axial_by_way += direction[d] * axle.direction[d];
+  }
+  double square = 0.0, along = 0.0;
+  for (int d = 0; d < 3; ++d) {
+    const double across = place[d] - axle.point[d] - at.axial * axle.direction[d];
+    square += across * across;
+    along += across * direction[d];
+  }
+  at.radius = std::sqrt(square);
+  at.radius_by_way = along / at.radius;
+  return at;
+}
+
+/// Way along the normal of the common surface at (x, y) to the wheel as a surface of revolution, by
+/// Newton's method; infinite where there is none.
+double way_to_profile(const ContactSurface& surface, double x, double y) {
+  const PatchGeometry& profiles = *surface.profiles;
+  const double climb = surface.climb(y);
+  const double stretch = stretch_of(climb);
+  const double start = surface.height(y);
+  const Vector3 normal{0.0, -climb / stretch, 1.0 / stretch};
+  double way = (profiles.wheel().at(y).value - start) / stretch +
+               0.5 * x * x / (surface.rolling_radius * stretch);
+  for (int step = 0; step < 40; ++step) {
+    const RayPlace at =
+        ray_place(profiles.axle(), {x, y + way * normal[1], start + way * normal[2]}, normal);
+    const CurveValue wheel = profiles.wheel_radius().at(at.axial);
+    const double by_way = at.radius_by_way - wheel.slope * at.axial_by_way;
+    if (!(by_way < -1e-3)) return infinity;
+    const double change = (at.radius - wheel.value) / by_way;
+    way -= change;
+    // A radius of 500 mm is known to 1e-13 mm.
+    if (std::abs(change) < 1e-11 * (1.0 + std::abs(way))) return way;
+  }
+  return infinity;
+}
+
+/// dR/dy of the wheel's surface at the origin, R its distance from the axle.
+double radius_slope(const PatchGeometry& profiles) {
+  const CurveValue wheel = profiles.wheel().at(0.0);
+  return ray_place(profiles.axle(), {0.0, 0.0, wheel.value}, {0.0, 1.0, wheel.slope}).radius_by_way;
+}
+
 }  // namespace
 
 ProfileDrop profile_drop(double transverse_radius, double y) {
@@ -67,24 +122,38 @@ ProfileDrop profile_drop(double transverse_radius, double y) {
 }
 
 double ContactSurface::climb(double y) const {
+  if (profiles) return 0.5 * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);
   return 0.5 * (profile_drop(wheel_transverse_radius, y).slope -
                 profile_drop(rail_transverse_radius, y).slope);
 }
 
 double ContactSurface::height(double y) const {
+  if (profiles) return 0.5 * (profiles->wheel().at(y).value + profiles->rail().at(y).value);
   return 0.5 * (profile_drop(wheel_transverse_radius, y).value -
                 profile_drop(rail_transverse_radius, y).value);
 }
 
 double ContactSurface::local_rolling_radius(double y) const {
+  if (profiles) return profiles->local_rolling_radius(y);
   return rolling_radius - profile_drop(wheel_transverse_radius, y).value;
 }
 
+double ContactSurface::axle_tilt() const {
+  return profiles ? profiles->tilt() : 0.0;
+}
+
+bool ContactSurface::known(double y) const {
+  return !profiles || profiles->known(y);
+}
+
 ContactSurface contact_surface(const Case& input) {
+  if (input.patch) return {input.patch->local_rolling_radius(0.0), infinity, infinity, input.patch};
   return {input.wheel.rolling_radius, input.wheel.transverse_radius, input.rail.transverse_radius};
 }
 
 double surface_drop(const ContactSurface& surface, bool wheel, double x, double y) {
+  if (surface.profiles)
+    return wheel ? surface.profiles->wheel_height(x, y) : -surface.profiles->rail().at(y).value;
   if (!wheel) return -rail_height(surface, y).value;
   if (!(std::abs(x) < surface.local_rolling_radius(y))) return infinity;
   return wheel_height(surface, x, y).value;
@@ -110,6 +179,13 @@ PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid) {
 }
 
 double undeformed_distance(const ContactSurface& surface, double x, double y) {
+  if (surface.profiles) {
+    const double rail = way_along_normal(surface, y, [&](double at) {
+      const CurveValue height = surface.profiles->rail().at(at);
+      return Height{height.value, height.slope};
+    });
+    return way_to_profile(surface, x, y) - rail;
+  }
   const double wheel =
       way_along_normal(surface, y, [&](double at) { return wheel_height(surface, x, at); });
   const double rail =
@@ -117,8 +193,30 @@ double undeformed_distance(const ContactSurface& surface, double x, double y) {
   return wheel - rail;
 }
 
+namespace {
+
+TangentialField profile_slip(const ContactSurface& surface, const Creepage& creepage,
+                             const ContactGrid& grid) {
+  const double omega = (1.0 - creepage.longitudinal) / surface.rolling_radius;
+  const double spin_by_hand = creepage.spin - omega * radius_slope(*surface.profiles);
+  const double descent = omega * std::cos(surface.axle_tilt());
+  TangentialField slip;
+  slip.x = grid.sample([&](double, double y) {
+    const double drop = surface.rolling_radius - surface.local_rolling_radius(y);
+    return creepage.longitudinal + omega * drop - spin_by_hand * y;
+  });
+  slip.y = grid.sample([&](double x, double y) {
+    const double climb = surface.climb(y);
+    return (creepage.lateral + (creepage.spin - descent * climb) * x) / stretch_of(climb);
+  });
+  return slip;
+}
+
+}  // namespace
+
 TangentialField rigid_slip(const ContactSurface& surface, const Creepage& creepage,
                            const ContactGrid& grid) {
+  if (surface.profiles) return profile_slip(surface, creepage, grid);
   // omega R(y) = (1 - xi) (1 - drop / R0); 1 less it without cancellation.
   const double turning = 1.0 - creepage.longitudinal;
   TangentialField slip;

@@ -17,7 +17,8 @@ struct CombinedMaterial {
 double shear_modulus(const Material& material);
 CombinedMaterial combine(const Material& wheel, const Material& rail);
 
-/// Undeformed distance h = A x^2 + B y^2 of the case's radii, or as the case gives it.
+/// Undeformed distance h = A x^2 + B y^2 of the case's radii, or as the case gives it; with `patch`
+/// that of the osculating paraboloids at the contact point.
 struct Curvatures {
   double A = 0.0;  ///< 1/mm, 1/(2 R_x), along rolling
   double B = 0.0;  ///< 1/mm, (1/R_wheel,y + 1/R_rail,y) / 2, lateral
@@ -27,14 +28,15 @@ Curvatures relative_curvatures(const Case& input);
 /// Undeformed distance h(x, y) >= 0 in mm at touching (approach 0).
 double undeformed_distance(const Curvatures& curvatures, double x, double y);
 
-/// Undeformed distance of the case at the element centres, mm: of its radii, its quadratic form or
-/// its file. Throws InputError when the grid reaches beyond the points of the file.
+/// Undeformed distance of the case at the element centres, mm: of its radii, its quadratic form,
+/// its file or its patch (along z of the patch frame). Throws InputError when the grid reaches
+/// beyond the points of the file.
 Field undeformed_distance(const Case& input, const ContactGrid& grid);
 
 /// Rigid slip of the wheel surface relative to the rail, V = 1:
 /// (xi - phi y, eta + phi x) + extra rigid slip: (-z(y)/R, 0) with the drop z of the rail surface,
-/// or that of a file, when the case asks for it. Throws InputError when the grid reaches beyond the
-/// points of the file.
+/// with a patch that of the local rolling radius beyond the geometric spin, or that of a file, when
+/// the case asks for it. Throws InputError when the grid reaches beyond the points of the file.
 TangentialField rigid_slip(const Case& input, const Creepage& creepage, const ContactGrid& grid);
 
 /// Extra rigid slip alone.

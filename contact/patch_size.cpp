@@ -83,7 +83,8 @@ double largest_between_lines(const Line& values) {
 }
 
 struct Extent {
-  double length = 0.0;   ///< in elements
+  double first = 0.0;    ///< in elements, from the middle of element 0
+  double last = 0.0;     ///< in elements
   double covered = 0.0;  ///< in elements, summed over the lines
 };
 
@@ -100,7 +101,10 @@ Extent extent_of(const std::vector<Line>& lines) {
     extent.covered += chord.covered;
     any = any || chord.any;
   }
-  if (any) extent.length = largest_between_lines(last) + largest_between_lines(minus_first);
+  if (any) {
+    extent.first = -largest_between_lines(minus_first);
+    extent.last = largest_between_lines(last);
+  }
   return extent;
 }
 
@@ -118,8 +122,12 @@ PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
   const Extent along_x = extent_of(rows);
   const Extent along_y = extent_of(columns);
   PatchSize size;
-  size.length = along_x.length * grid.dx;
-  size.width = along_y.length * grid.dy;
+  size.length = (along_x.last - along_x.first) * grid.dx;
+  size.width = (along_y.last - along_y.first) * grid.dy;
+  size.x_lower = grid.x_first + along_x.first * grid.dx;
+  size.x_upper = grid.x_first + along_x.last * grid.dx;
+  size.y_lower = grid.y_first + along_y.first * grid.dy;
+  size.y_upper = grid.y_first + along_y.last * grid.dy;
   size.area = 0.5 * (along_x.covered + along_y.covered) * grid.element_area();
   return size;
 }

@@ -10,6 +10,8 @@ struct PatchSize {
   double length = 0.0;  ///< mm, extent in x
   double width = 0.0;   ///< mm, extent in y
   double area = 0.0;    ///< mm^2
+  /// Ends of the patch, mm; of the outermost ones where it falls into several regions.
+  double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;
 };
 
 /// The edge along every row and column of elements is the root of a parabola through p^2 of the

@@ -2,6 +2,8 @@
 
 #include "contact/patch_size.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,12 @@ double mean_stretch(const PatchShape& shape, const Field& pressure) {
 }
 
 }  // namespace
+
+std::string ModelResult::key() const {
+  if (!place) return name;
+  return fmt::format("{}_{}_{}_{}", name, place->left ? "left" : "right", place->position,
+                     place->patch);
+}
 
 void integrate_tractions(const ContactGrid& grid, PointResult& point, const PatchShape& shape) {
   const Field& pressure = point.fields.traction.n;

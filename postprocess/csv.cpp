@@ -21,6 +21,22 @@ std::string header(const std::string& name, const std::string& unit) {
   return fmt::format(",{} [{}]", name, unit);
 }
 
+/// With profiles every row says to which patch it belongs; else there are no such columns.
+bool has_places(const RunRecord& run) {
+  return std::any_of(run.models.begin(), run.models.end(),
+                     [](const ModelResult& model) { return model.place.has_value(); });
+}
+
+std::string place_head(const RunRecord& run) {
+  return has_places(run) ? "wheel,position,patch," : "";
+}
+
+std::string place_cells(const ModelResult& model) {
+  if (!model.place) return "";
+  return fmt::format("{},{},{},", model.place->left ? "left" : "right", model.place->position,
+                     model.place->patch);
+}
+
 /// Mean over the middle rows or columns at position k along the path.
 double along_path(const ContactGrid& grid, const Field& field, Path path,
                   const std::vector<int>& lines, int k) {
@@ -38,8 +54,8 @@ void append_path(std::string& text, const ModelResult& model, std::size_t number
   if (lines.empty()) return;
   const int count = path == Path::x ? grid.nx : grid.ny;
   for (int k = 0; k < count; ++k) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}", model.name, number,
-                   point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin,
+    fmt::format_to(std::back_inserter(text), "{}{},{},{},{},{},{}", place_cells(model), model.name,
+                   number, point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin,
                    path == Path::x ? grid.x(k) : grid.y(k));
     for (const PointField& field : point_fields()) {
       const Field& values = field.value(point.fields);
@@ -67,13 +83,13 @@ std::vector<int> middle_lines(double first, double step, int count) {
 }
 
 std::string creep_curve_csv(const RunRecord& run) {
-  std::string text = "model,point";
+  std::string text = place_head(run) + "model,point";
   for (const PointScalar& scalar : point_scalars()) text += header(scalar.name, scalar.unit);
   text += ",iterations [-],residual [-],seconds [s],converged\n";
   for (const ModelResult& model : run.models)
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       const PointResult& point = model.points[k];
-      text += fmt::format("{},{}", model.name, k);
+      text += fmt::format("{}{},{}", place_cells(model), model.name, k);
       for (const PointScalar& scalar : point_scalars())
         text += fmt::format(",{}", scalar.value(point));
       text += fmt::format(",{},{},{},{}\n", point.iterations, point.residual, point.seconds,
@@ -114,18 +130,44 @@ std::string subsurface_csv(const RunRecord& run) {
       const auto& fields = model.points[k].subsurface;
       for (std::size_t set = 0; set < fields.size(); ++set)
         if (fields[set].request.kind != contact::SubsurfaceRequest::Kind::plane)
-          append_subsurface(text, model.name, k, set, fields[set]);
+          append_subsurface(text, place_cells(model) + model.name, k, set, fields[set]);
     }
   if (text.empty()) return text;
-  return "model,point,set,body,distance [mm],x [mm],y [mm],z [mm],displacement_x "
+  return place_head(run) +
+         "model,point,set,body,distance [mm],x [mm],y [mm],z [mm],displacement_x "
          "[mm],displacement_y [mm],displacement_z [mm],xx [MPa],yy [MPa],zz [MPa],xy [MPa],yz "
          "[MPa],xz [MPa],hydrostatic [MPa],von_mises [MPa],tresca [MPa],orthogonal_shear "
          "[MPa],principal_1 [MPa],principal_2 [MPa],principal_3 [MPa]\n" +
          text;
 }
 
+std::string contacts_csv(const RunRecord& run) {
+  if (!has_places(run)) return {};
+  std::string text = "wheel";
+  for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
+  text +=
+      ",model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm],normal_force "
+      "[N],longitudinal_force [N],lateral_force [N],max_pressure [MPa],contact_length "
+      "[mm],contact_width [mm],approach [mm],contact_elements [-]\n";
+  for (const ModelResult& model : run.models) {
+    if (!model.place) continue;
+    std::string place = model.place->left ? "left" : "right";
+    for (const PlaceScalar& scalar : place_scalars())
+      place += fmt::format(",{}", scalar.value(*model.place));
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      const PointResult& p = model.points[k];
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", place, model.name, k,
+                          p.creepage.longitudinal, p.creepage.lateral, p.creepage.spin,
+                          p.normal_force, p.longitudinal_force, p.lateral_force, p.max_pressure,
+                          p.contact_length, p.contact_width, p.approach, model.contact_elements);
+    }
+  }
+  return text;
+}
+
 std::string path_csv(const RunRecord& run, Path path) {
-  std::string text = "model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm]";
+  std::string text =
+      place_head(run) + "model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm]";
   text += header(path == Path::x ? "x" : "y", "mm");
   for (const PointField& field : point_fields()) text += header(field.name, field.unit);
   text += '\n';

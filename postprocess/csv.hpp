@@ -22,6 +22,10 @@ std::string path_csv(const RunRecord& run, Path path);
 /// the case asks for; empty when there are none. Planes are in results.h5 alone.
 std::string subsurface_csv(const RunRecord& run);
 
+/// Where every patch is on track and profiles, and its main results: one row per patch, model and
+/// load point. Empty without profiles.
+std::string contacts_csv(const RunRecord& run);
+
 /// The one or two rows (or columns) of elements nearest to 0, for elements at first + k * step.
 std::vector<int> middle_lines(double first, double step, int count);
 

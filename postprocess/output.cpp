@@ -14,9 +14,9 @@ namespace {
 
 void write_fields(ResultFolder& folder, const contact::ModelResult& model) {
   for (const contact::BodyField& body : model.bodies)
-    folder.write("fields/" + model.name + "_" + body.name + ".vtu", body_vtu(body));
+    folder.write("fields/" + model.key() + "_" + body.name + ".vtu", body_vtu(body));
   if (!model.points.empty() && model.points.back().fields.traction.n.size() > 0)
-    folder.write("fields/" + model.name + "_contact.vtu",
+    folder.write("fields/" + model.key() + "_contact.vtu",
                  contact_vtu(model.grid, model.points.back()));
 }
 
@@ -35,6 +35,8 @@ void write_results(const std::string& directory, const RunRecord& run) {
     folder.write("path_y.csv", path_csv(run, Path::y));
   const std::string below = subsurface_csv(run);
   if (!below.empty()) folder.write("subsurface.csv", below);
+  const std::string contacts = contacts_csv(run);
+  if (!contacts.empty()) folder.write("contacts.csv", contacts);
   if (run.input.output.fields)
     for (const contact::ModelResult& model : run.models) write_fields(folder, model);
   folder.write("results.h5", results_hdf5(run));

@@ -4,6 +4,7 @@
 
 #include "contact/result.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,20 @@ struct Provenance {
   int processes = 1;
 };
 
+/// Wheel and rail as they stand on the track at one position, for drawings: y to the right and z
+/// down, mm.
+struct PlacedPair {
+  bool left = true;
+  int position = 1;
+  std::vector<std::array<double, 2>> rail;
+  std::vector<std::array<double, 2>> wheel;
+};
+
 struct RunRecord {
   contact::Case input;
   Provenance provenance;
   std::vector<contact::ModelResult> models;
+  std::vector<PlacedPair> pairs;  ///< with profiles: of every wheel and position
 };
 
 /// Throws contact::InputError when write_results could not write to `directory`: a file, a folder

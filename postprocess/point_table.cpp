@@ -47,6 +47,41 @@ const std::vector<PointScalar>& point_scalars() {
   return scalars;
 }
 
+const std::vector<PlaceScalar>& place_scalars() {
+  using P = const contact::ContactPlace&;
+  static const std::vector<PlaceScalar> scalars{
+      {"position", "-", "number of the wheelset's position, from 1",
+       [](P p) { return static_cast<double>(p.position); }},
+      {"patch", "-", "number of the patch of this wheel at this position, from 1",
+       [](P p) { return static_cast<double>(p.patch); }},
+      {"patches", "-", "how many patches this wheel has at this position",
+       [](P p) { return static_cast<double>(p.patches); }},
+      {"lateral_shift", "mm", "of the wheelset, positive to the right",
+       [](P p) { return p.lateral_shift; }},
+      {"yaw", "rad", "of the wheelset, positive from x to y of the track (to the right)",
+       [](P p) { return p.yaw; }},
+      {"roll", "rad", "of the wheelset, positive from y to z of the track (right wheel down)",
+       [](P p) { return p.roll; }},
+      {"height", "mm", "z of the middle of the axle (down) plus the nominal rolling radius",
+       [](P p) { return p.height; }},
+      {"y_track", "mm", "contact point in the track frame, y to the right",
+       [](P p) { return p.y_track; }},
+      {"z_track", "mm", "contact point in the track frame, z down from the top of the rails",
+       [](P p) { return p.z_track; }},
+      {"y_rail", "mm", "contact point in the rail's profile coordinates",
+       [](P p) { return p.y_rail; }},
+      {"y_wheel", "mm", "contact point in the wheel's profile coordinates",
+       [](P p) { return p.y_wheel; }},
+      {"contact_angle", "rad", "of the rail's tangent, positive where it rises to the flange",
+       [](P p) { return p.contact_angle; }},
+      {"rolling_radius", "mm", "distance of the contact point from the axle",
+       [](P p) { return p.rolling_radius; }},
+      {"separation", "mm", "distance along the normal at first contact of the wheel",
+       [](P p) { return p.separation; }},
+  };
+  return scalars;
+}
+
 const std::vector<PointField>& point_fields() {
   using F = const ContactFields&;
   static const std::vector<PointField> fields{

@@ -30,4 +30,13 @@ struct PointField {
 /// All floating-point fields of a load point. A field of size 0 is one the model does not give.
 const std::vector<PointField>& point_fields();
 
+/// A number of the place of a patch on track and profiles, the same in every file.
+struct PlaceScalar {
+  const char* name;
+  const char* unit;
+  const char* description;
+  double (*value)(const contact::ContactPlace&);
+};
+const std::vector<PlaceScalar>& place_scalars();
+
 }  // namespace rollfem::postprocess

@@ -95,18 +95,22 @@ void check_body(const std::string& where, const contact::BodyField& body) {
 void check_record(const RunRecord& run) {
   std::set<std::string> names;
   for (const contact::ModelResult& model : run.models) {
-    check_model_name(model.name, names);
+    const std::string key = model.key();
+    check_model_name(key, names);
     for (const auto& [stage, seconds] : model.seconds)
-      require_finite(seconds, fmt::format("{}/seconds/{}", model.name, stage));
+      require_finite(seconds, fmt::format("{}/seconds/{}", key, stage));
     for (const double value :
          {model.grid.dx, model.grid.dy, model.grid.x_first, model.grid.y_first})
-      require_finite(value, model.name + "/grid");
+      require_finite(value, key + "/grid");
     for (std::size_t k = 0; k < model.points.size(); ++k)
-      check_point(fmt::format("{}/points[{}]", model.name, k), model.grid, model.points[k]);
+      check_point(fmt::format("{}/points[{}]", key, k), model.grid, model.points[k]);
+    if (model.place)
+      for (const PlaceScalar& scalar : place_scalars())
+        require_finite(scalar.value(*model.place), fmt::format("{}/place/{}", key, scalar.name));
     std::set<std::string> bodies;
     for (const contact::BodyField& body : model.bodies) {
       check_model_name(body.name, bodies);
-      check_body(fmt::format("{}/{}", model.name, body.name), body);
+      check_body(fmt::format("{}/{}", key, body.name), body);
     }
   }
 }

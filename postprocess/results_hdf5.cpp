@@ -43,6 +43,8 @@ void write_case(hid_t file, const contact::Case& input) {
   write_attribute(group, "file", input.file);
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
   if (input.load.normal_force) write_attribute(group, "normal_force", *input.load.normal_force);
+  if (input.load.vertical_force)
+    write_attribute(group, "vertical_force", *input.load.vertical_force);
   if (input.load.approach) write_attribute(group, "approach", *input.load.approach);
   static const char* const problems[] = {"steady", "shift", "transient", "frictionless"};
   write_attribute(group, "problem", std::string(problems[static_cast<int>(input.rolling.problem)]));
@@ -60,6 +62,10 @@ void write_case(hid_t file, const contact::Case& input) {
     write_attribute(group, "distance_file", input.undeformed_distance.values->file);
   write_attribute(group, "wheel_rolling_radius", input.wheel.rolling_radius);
   write_attribute(group, "wheel_transverse_radius", input.wheel.transverse_radius);
+  if (!input.wheel.profile.name.empty())
+    write_attribute(group, "wheel_profile", input.wheel.profile.name);
+  if (!input.rail.profile.name.empty())
+    write_attribute(group, "rail_profile", input.rail.profile.name);
   write_attribute(group, "wheel_young_modulus", input.wheel.material.young_modulus);
   write_attribute(group, "wheel_poisson_ratio", input.wheel.material.poisson_ratio);
   write_attribute(group, "rail_transverse_radius", input.rail.transverse_radius);
@@ -84,6 +90,8 @@ void write_documentation(hid_t file) {
   std::vector<std::string> lines;
   for (const PointScalar& scalar : point_scalars())
     lines.push_back(fmt::format("{} [{}]: {}", scalar.name, scalar.unit, scalar.description));
+  for (const PlaceScalar& scalar : place_scalars())
+    lines.push_back(fmt::format("place/{} [{}]: {}", scalar.name, scalar.unit, scalar.description));
   lines.emplace_back("iterations [-]: outer iterations (FE solves) or Newton steps");
   lines.emplace_back("residual [-]: relative residual at which the iteration stopped");
   lines.emplace_back("seconds [s]: time of this load point");
@@ -212,8 +220,18 @@ void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
   write_stress_maxima(group, point.stress_maxima);
 }
 
+void write_place(hid_t model, const contact::ContactPlace& place) {
+  const Handle group = create_group(
+      model, "place", "Attributes: where the patch is on the track and on the profiles");
+  write_attribute(group, "wheel", std::string(place.left ? "left" : "right"));
+  for (const PlaceScalar& scalar : place_scalars())
+    write_attribute(group, scalar.name, scalar.value(place));
+}
+
 void write_model(hid_t models, const ModelResult& model, long order) {
-  const Handle group = create_group(models, model.name, "Result of the model " + model.name);
+  const Handle group = create_group(models, model.key(), "Result of the model " + model.name);
+  write_attribute(group, "model", model.name);
+  if (model.place) write_place(group, *model.place);
   write_attribute(group, "order", order);
   write_attribute(group, "unknowns", model.unknowns);
   write_attribute(group, "contact_elements", static_cast<long>(model.contact_elements));
@@ -227,6 +245,20 @@ void write_model(hid_t models, const ModelResult& model, long order) {
     write_point(points, k, model.grid, model.points[k]);
 }
 
+void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
+  if (pairs.empty()) return;
+  const Handle all = create_group(file, "profiles", "Wheel and rail as they stand on the track");
+  for (const PlacedPair& pair : pairs) {
+    const std::string side = pair.left ? "left" : "right";
+    const Handle group = create_group(all, fmt::format("{}_{}", side, pair.position),
+                                      "Sections at x = 0 of the track");
+    write_attribute(group, "wheel", side);
+    write_attribute(group, "position", static_cast<long>(pair.position));
+    write_rows(group, "rail", pair.rail, "mm", "y to the right, z down");
+    write_rows(group, "wheel", pair.wheel, "mm", "y to the right, z down");
+  }
+}
+
 }  // namespace
 
 std::string results_hdf5(const RunRecord& run) {
@@ -238,6 +270,7 @@ std::string results_hdf5(const RunRecord& run) {
   write_documentation(file);
   write_case(file, run.input);
   write_provenance(file, run.provenance);
+  write_pairs(file, run.pairs);
   {
     const Handle models = create_group(file, "models", "One group per model");
     for (std::size_t k = 0; k < run.models.size(); ++k)

@@ -31,6 +31,11 @@ ordered_json point_json(const contact::PointResult& point) {
 ordered_json model_json(const contact::ModelResult& model) {
   ordered_json json;
   json["name"] = model.name;
+  if (model.place) {
+    json["place"] = {{"wheel", model.place->left ? "left" : "right"}};
+    for (const PlaceScalar& scalar : place_scalars())
+      json["place"][scalar.name] = scalar.value(*model.place);
+  }
   json["seconds"] = ordered_json::object();
   for (const auto& [stage, seconds] : model.seconds) json["seconds"][stage] = seconds;
   json["unknowns"] = model.unknowns;

@@ -1,7 +1,7 @@
 """All figures and the report of one result folder."""
 import os
 
-from . import curves, maps, stresses, style
+from . import curves, maps, places, stresses, style
 from .reader import read_result
 from .report import write_report
 
@@ -29,6 +29,37 @@ def captions(result):
                lambda number=number: stresses.along_line(result, number))
 
 
+def place_captions(result):
+    """The same for what comes before the patches when wheel and rail have profiles."""
+    numbers = places.positions(result)
+    for (wheel, position) in result.profiles:
+        if position in (numbers[0], numbers[-1]):
+            yield (f"pair_{wheel}_{position:.0f}.svg",
+                   f"The {wheel} wheel on its rail at position {position:.0f}, with the points of first "
+                   "contact. Right: the same at the contact.",
+                   lambda wheel=wheel, position=position: places.pair(result, wheel, position))
+    yield ("positions.svg", "Along the row of positions: where wheel and rail touch, and what comes of "
+           "it at the first load point. Lines: the most loaded patch; single points: further patches. "
+           "Full: left wheel, open: right wheel.", lambda: places.sweep(result))
+
+
+# Of a row of positions, so many patches get figures of their own; the table has all.
+MOST_DRAWN = 4
+
+
+def all_captions(result):
+    """Of a whole run: the places of the patches, then the figures of each patch, whose names begin
+    with s1_, s2_, ... when there are several."""
+    scenes = result.scenes()
+    if result.models and result.models[0].place:
+        yield from place_captions(result)
+    for number, (label, scene) in enumerate(scenes[:MOST_DRAWN], 1):
+        for name, caption, draw in captions(scene):
+            if len(scenes) > 1:
+                name, caption = f"s{number}_{name}", f"{label[0].upper()}{label[1:]}. {caption}"
+            yield name, caption, draw
+
+
 def build(directory, png_folder=None):
     """Draws what the result has and writes the report; figures for which it has no data are left
     out."""
@@ -39,7 +70,7 @@ def build(directory, png_folder=None):
     if png_folder:
         os.makedirs(png_folder, exist_ok=True)
     figures = []
-    for name, caption, draw in captions(result):
+    for name, caption, draw in all_captions(result):
         figure = draw()
         if figure is not None:
             style.save(figure, os.path.join(folder, name), png_folder)

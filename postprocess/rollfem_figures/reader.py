@@ -4,7 +4,7 @@ Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx]; x is the ro
 material enters the patch at large x. Tractions and forces act on the wheel.
 """
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import h5py
 import numpy as np
@@ -66,6 +66,10 @@ class Model:
     dx: float
     dy: float
     points: list
+    key: str = ""  # name of its group in results.h5: the name, and with profiles the patch
+    # with profiles: where the patch is, a dict of wheel, position, patch, y_track (mm),
+    # contact_angle (rad), ...; else None
+    place: dict = None
 
     @property
     def has_friction(self):
@@ -110,13 +114,34 @@ class Result:
     case: dict
     provenance: dict
     models: list
+    # with profiles: {(wheel, position): {"rail": [n, 2], "wheel": [n, 2]}}, y and z on the track
+    profiles: dict = field(default_factory=dict)
+
+    def scenes(self):
+        """(label, Result) of every patch, in the order of the run; ("", self) without profiles."""
+        found = {}
+        for model in self.models:
+            found.setdefault(place_label(model.place), []).append(model)
+        if list(found) == [""]:
+            return [("", self)]
+        return [(label, replace(self, models=models)) for label, models in found.items()]
 
     def model(self, name):
-        """The model of that name; KeyError when it is not part of the result."""
+        """The (first) model of that name; KeyError when it is not part of the result."""
         for model in self.models:
             if model.name == name:
                 return model
         raise KeyError(name)
+
+
+def place_label(place):
+    """What tells a patch from the others of a run; empty without profiles."""
+    if not place:
+        return ""
+    text = f"{place['wheel']} wheel, position {place['position']:.0f}"
+    if place["patches"] > 1:
+        text += f", patch {place['patch']:.0f} of {place['patches']:.0f}"
+    return text
 
 
 def _plain(value):
@@ -151,15 +176,25 @@ def _read_point(group, number, by_number):
                  below, _read_maxima(group))
 
 
-def _read_model(name, group, by_number):
+def _read_model(key, group, by_number):
     grid = group["grid"]
+    name = _plain(group.attrs.get("model", key))
+    place = _attributes(group["place"]) if "place" in group else None
     # Hertz has one point whatever the case asks for.
     points = [_read_point(group["points"][key], number, by_number and name != "hertz")
               for number, key in enumerate(sorted(group["points"]))]
     return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
                  _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
                  grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
-                 points)
+                 points, key, place)
+
+
+def _read_profiles(file):
+    if "profiles" not in file:
+        return {}
+    return {(_plain(group.attrs["wheel"]), _plain(group.attrs["position"])):
+            {part: group[part][()] for part in ("rail", "wheel")}
+            for group in file["profiles"].values()}
 
 
 def _read_file(path, directory):
@@ -177,7 +212,8 @@ def _read_file(path, directory):
                          or case.get("prescribed_forces", ""))
         return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
                       case, _attributes(file["provenance"]),
-                      [_read_model(name, group, by_number) for name, group in groups])
+                      [_read_model(name, group, by_number) for name, group in groups],
+                      _read_profiles(file))
 
 
 def read_result(path):

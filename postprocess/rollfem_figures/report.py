@@ -3,7 +3,8 @@ import base64
 import os
 from html import escape
 
-from . import selection, stresses, style, tables
+from . import places, selection, stresses, style, tables
+from .reader import place_label
 
 CSS = """
 :root{color-scheme:light}
@@ -46,8 +47,12 @@ def _image(result, name, caption):
 
 def _asked(result):
     case = result.case
-    load = (f"F<sub>z</sub> = {tables.plain(case['normal_force'])} N" if "normal_force" in case
-            else f"approach {tables.plain(case['approach'])} mm")
+    if "vertical_force" in case:
+        load = f"{tables.plain(case['vertical_force'])} N vertically on each wheel"
+    elif "normal_force" in case:
+        load = f"F<sub>z</sub> = {tables.plain(case['normal_force'])} N"
+    else:
+        load = f"approach {tables.plain(case['approach'])} mm"
 
     def radius(value):
         return "flat" if abs(value) == float("inf") else f"{tables.plain(value)} mm"
@@ -69,6 +74,12 @@ def _asked(result):
                 f"B = {tables.plain(case['distance_B'])} 1/mm; {load}, {friction}")
     if "distance_file" in case:
         return (f"<p>Undeformed distance from {escape(case['distance_file'])}; {load}, {friction}")
+    if "wheel_profile" in case or "rail_profile" in case:
+        wheel = case.get("wheel_profile", "of a circle")
+        rail = case.get("rail_profile", "of a circle")
+        return (f"<p>Wheel profile {escape(wheel)}, nominal radius "
+                f"{tables.plain(case['wheel_rolling_radius'])} mm, on rail profile {escape(rail)}; "
+                f"{load}, {friction}")
     return (f"<p>Wheel of rolling radius {tables.plain(case['wheel_rolling_radius'])} mm "
             f"(transverse {radius(case['wheel_transverse_radius'])}) on a rail of transverse radius "
             f"{radius(case['rail_transverse_radius'])}; {load}, {friction}")
@@ -122,14 +133,45 @@ def _stresses(result, images):
 
 
 def _notes(result):
-    rows = [f"<li><b>{escape(style.label(m))}</b>: {escape(note)}</li>"
-            for m in result.models for note in m.notes]
+    said = dict.fromkeys((style.label(m), note) for m in result.models for note in m.notes)
+    rows = [f"<li><b>{escape(name)}</b>: {escape(note)}</li>" for name, note in said]
     return "<h2>What to know about the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
 
 
 def _details(result):
-    return "".join(f"<details><summary>all numbers of {escape(style.label(m))}</summary>"
+    return "".join(f"<details><summary>all numbers of {escape(style.label(m))}"
+                   f"{', ' if m.place else ''}{escape(place_label(m.place))}</summary>"
                    f"{tables.points_table(m)}</details>" for m in result.models if m.points)
+
+
+def _patch(result, images, heading):
+    """Everything about one patch; `images(start)` gives its figures whose names begin so."""
+    html = [_numbers(result), images("contact_area"), _forces(result, images("creep_curve")),
+            "<h2>Tractions in the patch</h2>" if images("path", "oblique") else "",
+            images("path", "oblique"), _stresses(result, images("stress_"))]
+    text = "".join(html)
+    if heading:
+        text = f"<h2>{escape(heading)}</h2>" + text.replace("<h2>", "<h3>").replace("</h2>", "</h3>")
+    return text
+
+
+def _patches(result, figures):
+    """The patches one after the other; of a long row of positions the first ones."""
+    scenes = result.scenes()
+    drawn = {name.split("_", 1)[0] for name, _ in figures if name[0] == "s" and name[1].isdigit()}
+    html = []
+    for number, (label, scene) in enumerate(scenes, 1):
+        prefix = f"s{number}_" if len(scenes) > 1 else ""
+        if prefix and f"s{number}" not in drawn:
+            break
+
+        def images(*starts, prefix=prefix):
+            return "".join(_image(result, n, c) for n, c in figures
+                           if n.startswith(tuple(prefix + s for s in starts)))
+
+        heading = label[0].upper() + label[1:] if label else ""
+        html.append(_patch(scene, images, heading if len(scenes) > 1 else ""))
+    return "".join(html)
 
 
 def report_html(result, figures):
@@ -138,22 +180,25 @@ def report_html(result, figures):
     meta = f"rollfem {made['version']} ({made['commit']}), {made['started']}, {made['host']}"
     if made["processes"] > 1:
         meta += f", {made['processes']} processes"
-    def images(*starts):
-        return "".join(_image(result, n, c) for n, c in figures if n.startswith(starts))
-
+    touching = ""
+    if result.models and result.models[0].place:
+        touching = ("<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
+                    + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
+                    "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
+                    + "".join(_image(result, n, c) for n, c in figures
+                              if n.startswith(("pair_", "positions"))))
     title = escape(result.title or result.case_file or "rollfem result")
     return "".join([
         "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
         '<meta name=viewport content="width=device-width,initial-scale=1">'
         f"<title>{title}</title><style>{CSS}</style></head><body>",
         f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(made['command'])}</code></p>",
-        _asked(result), _numbers(result), images("contact_area"), _forces(result, images("creep_curve")),
-        "<h2>Tractions in the patch</h2>" if images("path", "oblique") else "",
-        images("path", "oblique"), _stresses(result, images("stress_")), "<h2>Cost</h2>", tables.cost_table(result),
+        _asked(result), touching, _patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
         _notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result),
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
-        "path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ (for ParaView), figures/.</p></div></body></html>\n"])
+        "contacts.csv with profiles, path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ "
+        "(for ParaView), figures/.</p></div></body></html>\n"])
 
 
 def write_report(result, figures):

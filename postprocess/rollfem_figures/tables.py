@@ -4,6 +4,7 @@ from html import escape
 
 from . import selection, style
 from .curves import relative_error
+from .reader import place_label
 
 
 def number(value, digits=5):
@@ -125,7 +126,10 @@ def cost_table(result):
         other = {k: v for k, v in model.seconds.items() if k != "total"}
         parts = ", ".join(f"{escape(k)} {number(v, 3)}" for k, v in
                           sorted(other.items(), key=lambda item: -item[1]))
-        rows.append([escape(style.label(model)), f"<b>{number(model.seconds.get('total'), 3)}</b>",
+        name = escape(style.label(model))
+        if model.place:
+            name += f"<br><span class=d>{escape(place_label(model.place))}</span>"
+        rows.append([name, f"<b>{number(model.seconds.get('total'), 3)}</b>",
                      parts or "–", f"{model.unknowns:,}".replace(",", " "),
                      f"{model.contact_elements:,}".replace(",", " "), str(len(model.points))])
     return table(["model", "seconds", "of which", "unknowns", "contact elements", "load points"], rows,

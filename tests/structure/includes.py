@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks that includes between the folders run one way (design.md section 2).
 
-contact <- halfspace <- fem; meshes knows contact's case and grid only; postprocess knows results,
+contact <- halfspace <- fem; meshes knows contact's case and grid only; wheelset, which balances
+loads and rotation over the patches that meshes finds, knows halfspace too; postprocess knows results,
 never solvers; app knows all; deal.II is seen in fem only. Call: includes.py SOURCE_DIR
 """
 
@@ -16,8 +17,10 @@ ALLOWED = {
     "halfspace": {"contact": None},
     "meshes": {"contact": VALUES},
     "postprocess": {"contact": VALUES | {"result", "stress_measures", "checkpoint", "record"}},
+    "wheelset": {"contact": None, "halfspace": None, "meshes": None},
     "fem": {"contact": None, "halfspace": None, "meshes": None},
-    "app": {"contact": None, "halfspace": None, "meshes": None, "postprocess": None,
+    "app": {"contact": None, "halfspace": None, "meshes": None, "wheelset": None,
+            "postprocess": None,
             "fem": {"model", "mesh_report"}},
 }
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")

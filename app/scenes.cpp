@@ -1,0 +1,92 @@
+#include "app/scenes.hpp"
+
+#include "meshes/placement.hpp"
+#include "meshes/profiles.hpp"
+
+#include <fmt/format.h>
+
+#include "wheelset/balance.hpp"
+#include <array>
+#include <cmath>
+
+namespace rollfem::app {
+
+namespace {
+
+using contact::Case;
+
+/// Points of a curve for drawing, in the track frame, from the side frame (Y outward).
+std::vector<std::array<double, 2>> on_track(const meshes::ProfileCurve& curve, bool left) {
+  constexpr int pieces = 600;
+  std::vector<std::array<double, 2>> points;
+  for (int k = 0; k <= pieces; ++k) {
+    const auto at = curve.at(curve.first() + (curve.last() - curve.first()) * k / pieces);
+    points.push_back({meshes::side_sign(left) * at.y, at.z});
+  }
+  return points;
+}
+
+/// Section of the wheel through its axle, leaning as the axle does.
+std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
+                                                  const meshes::ProfileCurve& wheel,
+                                                  const meshes::WheelRailContact& contact) {
+  const bool left = contact.place.left;
+  const contact::Axle axle =
+      meshes::place_axle(contact.pose, input.wheelset, input.wheel.rolling_radius, left);
+  // Downwards from the axle, at a right angle to it.
+  const double length = std::hypot(axle.direction[1], axle.direction[2]);
+  const std::array<double, 2> along{axle.direction[1] / length, axle.direction[2] / length};
+  const std::array<double, 2> down{-along[1], along[0]};
+  constexpr int pieces = 800;
+  std::vector<std::array<double, 2>> points;
+  for (int k = 0; k <= pieces; ++k) {
+    const auto at = wheel.at(wheel.first() + (wheel.last() - wheel.first()) * k / pieces);
+    const double radius = input.wheel.rolling_radius + at.z;
+    const double y = axle.point[1] + along[0] * at.y + down[0] * radius;
+    const double z = axle.point[2] + along[1] * at.y + down[1] * radius;
+    points.push_back({meshes::side_sign(left) * y, z});
+  }
+  return points;
+}
+
+std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
+                                                 const std::vector<meshes::Scene>& scenes) {
+  const auto wheel = meshes::make_profile(input.wheel.profile, true, input.file);
+  const auto rail = meshes::make_profile(input.rail.profile, false, input.file);
+  const auto placed = meshes::place_rail(rail, meshes::rail_place(rail, input.track));
+  std::vector<postprocess::PlacedPair> pairs;
+  for (const meshes::Scene& scene : scenes) {
+    const contact::ContactPlace& place = scene.contact.place;
+    if (place.patch == 1)
+      pairs.push_back({place.left, place.position, on_track(placed, place.left),
+                       wheel_on_track(input, wheel, scene.contact)});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+Scenes scenes_of(const Case& input, const contact::Progress& progress) {
+  if (!input.has_profiles()) return {{input}, {}, {}};
+  wheelset::BalancedCase balanced = wheelset::balance(input, progress);
+  return {std::move(balanced.scenes), drawn_pairs(input, balanced.placed),
+          std::move(balanced.notes)};
+}
+
+std::string contacts_text(const Case& input) {
+  std::string text =
+      fmt::format("{:<7}{:>9}{:>7}{:>11}{:>12}{:>12}{:>12}{:>11}{:>12}{:>15}\n", "wheel",
+                  "position", "patch", "roll mrad", "y track mm", "y rail mm", "y wheel mm",
+                  "angle rad", "radius mm", "separation mm");
+  for (const meshes::WheelRailContact& contact : wheelset::place_wheels(input)) {
+    const contact::ContactPlace& at = contact.place;
+    text += fmt::format(
+        "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",
+        at.left ? "left" : "right", at.position,
+        at.patch > 0 ? std::to_string(at.patch) : std::string("near"), 1e3 * at.roll, at.y_track,
+        at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius, at.separation);
+  }
+  return text;
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,26 @@
+// What a case is computed as: itself, or with profiles one scene for each patch in balance; and
+// what of that is drawn and said.
+#pragma once
+
+#include "contact/case.hpp"
+#include "contact/progress.hpp"
+#include "postprocess/output.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::app {
+
+struct Scenes {
+  std::vector<contact::Case> cases;
+  std::vector<postprocess::PlacedPair> pairs;
+  std::vector<std::string> notes;
+};
+
+/// Throws contact::InputError and contact::SolveError.
+Scenes scenes_of(const contact::Case& input, const contact::Progress& progress);
+
+/// Where the wheels of a case with profiles touch their rails, as a table; nothing is solved.
+std::string contacts_text(const contact::Case& input);
+
+}  // namespace rollfem::app

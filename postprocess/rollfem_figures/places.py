@@ -1,0 +1,124 @@
+"""With profiles: where the wheels touch the rails, and how that goes along a row of positions."""
+import math
+
+from matplotlib import pyplot as plt
+
+from . import style, tables
+
+# Colours of the patches of one wheel, the most loaded first.
+PATCH_COLOURS = ["#D55E00", "#0072B2", "#009E73", "#CC79A7"]
+
+
+def first_of_scenes(result):
+    """The first model of every patch."""
+    return [scene.models[0] for _, scene in result.scenes()]
+
+
+def positions(result):
+    """Numbers of the positions in the result."""
+    return sorted({m.place["position"] for m in result.models if m.place})
+
+
+def pair(result, wheel, position):
+    """Wheel on rail at one position with the contact points; None without profiles."""
+    drawn = result.profiles.get((wheel, position))
+    if drawn is None:
+        return None
+    touching = [m.place for m in first_of_scenes(result)
+                if m.place["wheel"] == wheel and m.place["position"] == position]
+    figure, panels = plt.subplots(1, 2, figsize=(9.2, 3.9), gridspec_kw={"width_ratios": [1.25, 1]})
+    for panel in panels:
+        for name, ink in (("rail", "black"), ("wheel", "#0072B2")):
+            y, z = drawn[name].T
+            panel.plot(y, -z, color=ink, linewidth=1.3, label=name)
+        for k, place in enumerate(touching):
+            ink = PATCH_COLOURS[k % len(PATCH_COLOURS)]
+            panel.plot(place["y_track"], -place["z_track"], "o", color=ink, markersize=5, zorder=5)
+        panel.set_aspect("equal")
+        panel.set_xlabel("$y$ on the track, to the right [mm]")
+    panels[0].set_ylabel("height over the rails [mm]")
+    lower = min(p["y_track"] for p in touching) - 14
+    upper = max(p["y_track"] for p in touching) + 14
+    heights = [-p["z_track"] for p in touching]
+    panels[1].set_xlim(lower, upper)
+    panels[1].set_ylim(min(heights) - 7, max(heights) + 7)
+    for k, place in enumerate(touching):
+        panels[1].annotate(
+            f"patch {place['patch']:.0f}: angle {math.degrees(place['contact_angle']):.2f}°\n"
+            f"radius {place['rolling_radius']:.3f} mm",
+            (place["y_track"], -place["z_track"]), textcoords="offset points",
+            xytext=(0, 16 if k == 0 else -28), ha="center", fontsize=8,
+            color=PATCH_COLOURS[k % len(PATCH_COLOURS)])
+    panels[0].legend(loc="best")
+    panels[0].set_title(f"{wheel} wheel at position {position:.0f}")
+    panels[1].set_title("at the contact")
+    figure.tight_layout()
+    return figure
+
+
+def _curves(result):
+    """Panels of the sweep: (label, value of a model's first point and place)."""
+    return [("contact point on the rail\n$y$ of its profile [mm]", lambda m: m.place["y_rail"]),
+            ("contact point on the wheel\n$y$ of its profile [mm]", lambda m: m.place["y_wheel"]),
+            ("contact angle [°]", lambda m: math.degrees(m.place["contact_angle"])),
+            ("normal force [kN]", lambda m: m.points[0]["normal_force"] / 1e3),
+            ("largest pressure [MPa]", lambda m: m.points[0]["max_pressure"]),
+            (r"longitudinal creepage $\xi$ [%]",
+             lambda m: 100 * m.points[0]["longitudinal_creepage"])]
+
+
+def sweep(result):
+    """Contact point, angle, load, pressure and creepage over the positions; None for fewer than 3."""
+    numbers = positions(result)
+    if len(numbers) < 3:
+        return None
+    shifts = {m.place["position"]: m.place["lateral_shift"] for m in result.models}
+    by_shift = len({round(s, 9) for s in shifts.values()}) == len(shifts)
+    figure, panels = plt.subplots(2, 3, figsize=(9.4, 5.2), sharex=True)
+    models = [m for m in result.models if m.points and "vermeulen" not in m.name]
+    reference = models[0].name
+    for panel, (label, value) in zip(panels.flat, _curves(result)):
+        per_model = label.startswith("largest")
+        for wheel, fill in (("left", "full"), ("right", "none")):
+            for name in sorted({m.name for m in models}) if per_model else [reference]:
+                for patch in (1, 2, 3):
+                    chosen = [m for m in models if m.name == name and m.place["wheel"] == wheel
+                              and m.place["patch"] == patch]
+                    if not chosen:
+                        continue
+                    x = [shifts[m.place["position"]] if by_shift else m.place["position"] for m in chosen]
+                    panel.plot(x, [value(m) for m in chosen], linestyle="-" if patch == 1 else "none",
+                               linewidth=0.9, color=style.colour(chosen[0]), fillstyle=fill,
+                               marker=style.marker(chosen[0]) if per_model else "o", markersize=4.5,
+                               label=f"{style.label(chosen[0])}, {wheel}" if patch == 1 else None)
+        panel.set_ylabel(label)
+    for panel in panels[1]:
+        panel.set_xlabel("lateral shift of the wheelset [mm]" if by_shift else "position")
+    handles, labels = panels[1, 1].get_legend_handles_labels()
+    figure.tight_layout(rect=(0, 0, 1, 0.94))
+    figure.legend(handles, labels, loc="upper center", ncol=min(5, max(1, len(labels))))
+    return figure
+
+
+def contact_table(result):
+    """One row for every patch: where it is and what the models make of it."""
+    models = result.models
+    names = list(dict.fromkeys(m.name for m in models))
+    head = ["patch", "shift [mm]", "yaw [mrad]", "roll [mrad]", "y track [mm]", "y rail [mm]",
+            "y wheel [mm]", "angle [°]", "radius [mm]", "F<sub>n</sub> [N]"]
+    head += [f"p<sub>0</sub> {style.label(next(m for m in models if m.name == n))} [MPa]" for n in names]
+    rows = []
+    for label, scene in result.scenes():
+        place = scene.models[0].place
+        point = scene.models[0].points[0]
+        row = [label, tables.plain(place["lateral_shift"]), tables.plain(1e3 * place["yaw"]),
+               tables.number(1e3 * place["roll"], 4)]
+        row += [tables.number(place[k], d) for k, d in
+                (("y_track", 7), ("y_rail", 5), ("y_wheel", 5))]
+        row += [tables.number(math.degrees(place["contact_angle"]), 4),
+                tables.number(place["rolling_radius"], 7), tables.number(point["normal_force"], 5)]
+        for name in names:
+            found = [m for m in scene.models if m.name == name and m.points]
+            row.append(tables.number(found[0].points[0]["max_pressure"], 5) if found else "–")
+        rows.append(row)
+    return tables.table(head, rows)

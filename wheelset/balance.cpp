@@ -1,0 +1,99 @@
+#include "wheelset/balance.hpp"
+
+#include "contact/errors.hpp"
+#include "meshes/profiles.hpp"
+
+#include <fmt/format.h>
+
+#include "wheelset/position.hpp"
+#include <iterator>
+#include <utility>
+
+namespace rollfem::wheelset {
+
+using contact::Case;
+using contact::FreeRolling;
+using contact::WheelSide;
+
+namespace {
+
+bool asked_for(const Case& input, bool left) {
+  return input.wheelset.side == WheelSide::both || (input.wheelset.side == WheelSide::left) == left;
+}
+
+meshes::SearchScene search_scene(const Case& input) {
+  return meshes::make_search_scene(input,
+                                   {meshes::make_profile(input.wheel.profile, true, input.file),
+                                    meshes::make_profile(input.rail.profile, false, input.file)});
+}
+
+/// A long row says where it failed.
+template <class Work>
+auto at_position(const Case& input, int position, const Work& work) {
+  const auto where = [&](const std::exception& error) {
+    return input.wheelset.positions() > 1 ? fmt::format("position {}: {}", position, error.what())
+                                          : std::string(error.what());
+  };
+  try {
+    return work();
+  } catch (const contact::SolveError& error) {
+    throw contact::SolveError(where(error));
+  } catch (const contact::InputError& error) {
+    throw contact::InputError(where(error));
+  }
+}
+
+std::vector<std::string> notes_of(const Case& input) {
+  std::vector<std::string> notes;
+  if (input.load.vertical_force)
+    notes.emplace_back(
+        "the vertical force of each wheel includes friction; shares of patches, and lateral forces "
+        "in the balance, are from the half-space at 24 elements across");
+  if (input.wheelset.free_rolling == FreeRolling::torque)
+    notes.emplace_back("the rotation is that at which the wheelset has no torque about its axle");
+  if (input.wheelset.free_rolling == FreeRolling::force)
+    notes.emplace_back("each wheel turns so that it transmits no longitudinal force");
+  return notes;
+}
+
+}  // namespace
+
+std::vector<meshes::WheelRailContact> place_wheels(const Case& input) {
+  const meshes::SearchScene scene = search_scene(input);
+  std::vector<meshes::WheelRailContact> all;
+  for (int position = 1; position <= static_cast<int>(input.wheelset.positions()); ++position) {
+    auto contacts =
+        at_position(input, position, [&] { return meshes::find_contacts(input, scene, position); });
+    std::move(contacts.begin(), contacts.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+BalancedCase balance(const Case& input, const contact::Progress& progress) {
+  BalancedCase result;
+  result.notes = notes_of(input);
+  const int count = static_cast<int>(input.wheelset.positions());
+  Case all_sides = input;
+  if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
+  const std::vector<meshes::Scene> placed = meshes::make_scenes(all_sides);
+  for (int position = 1; position <= count; ++position) {
+    contact::ProgressEvent event;
+    event.model = "wheelset";
+    event.stage = "balance";
+    event.note = fmt::format("position {} of {}", position, count);
+    contact::report(progress, event);
+    std::vector<meshes::Scene> here;
+    for (const meshes::Scene& scene : placed)
+      if (scene.contact.place.position == position) here.push_back(scene);
+    auto scenes = at_position(input, position, [&] { return balanced_position(input, here); });
+    for (Case& patch : scenes)
+      if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));
+    for (const meshes::Scene& scene : here)
+      if (asked_for(input, scene.contact.place.left)) result.placed.push_back(scene);
+    event.finished = position == count;
+    if (event.finished) contact::report(progress, event);
+  }
+  return result;
+}
+
+}  // namespace rollfem::wheelset

@@ -1,0 +1,14 @@
+// Tangential forces of a scene from the half-space on a coarse grid: what loads and rotation are
+// balanced with.
+#pragma once
+
+#include "meshes/wheelset_motion.hpp"
+
+#include <vector>
+
+namespace rollfem::wheelset {
+
+/// One for each load point of the scene. Throws contact::SolveError.
+std::vector<meshes::PatchForce> patch_forces(const contact::Case& scene);
+
+}  // namespace rollfem::wheelset

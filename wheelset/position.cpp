@@ -1,0 +1,286 @@
+#include "wheelset/position.hpp"
+
+#include "contact/errors.hpp"
+#include "halfspace/load_sharing.hpp"
+#include "meshes/scenes.hpp"
+#include "meshes/wheelset_motion.hpp"
+
+#include <fmt/format.h>
+
+#include "wheelset/patch_forces.hpp"
+#include "wheelset/root.hpp"
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace rollfem::wheelset {
+
+using contact::Case;
+using contact::FreeRolling;
+
+namespace {
+
+/// Changes of the normal forces below this part of the load end the balance.
+constexpr double load_tolerance = 1e-4;
+/// Torque below this part of mu F_z R is none.
+constexpr double torque_tolerance = 1e-5;
+
+struct Patch {
+  meshes::WheelRailContact contact;
+  Case scene;
+  std::vector<meshes::PatchForce> force;  ///< per load point, at the scene as it is
+};
+
+struct Wheel {
+  bool left = true;
+  std::vector<Patch> patches;
+};
+
+class Position {
+ public:
+  Position(const Case& input, const std::vector<meshes::Scene>& scenes)
+      : input_(input),
+        rotation_(input.rolling.creepages.size(), 0.0),
+        free_(input.wheelset.free_rolling) {
+    const auto& given = input.wheelset.rotation_change;
+    for (std::size_t k = 0; k < rotation_.size() && !given.empty(); ++k)
+      rotation_[k] = given[std::min(k, given.size() - 1)];
+    for (const meshes::Scene& scene : scenes) {
+      const bool left = scene.contact.place.left;
+      if (wheels_.empty() || wheels_.back().left != left) wheels_.push_back({left, {}});
+      wheels_.back().patches.push_back({scene.contact, scene.input, {}});
+    }
+  }
+
+  std::vector<Case> balanced() {
+    for (Wheel& wheel : wheels_) share(wheel, false);
+    turn(rotation_, wheels_);
+    if (!needs_forces()) return scenes();
+    constexpr int most_rounds = 30;
+    for (int round = 0; round < most_rounds; ++round) {
+      if (free_ == FreeRolling::torque) find_rotation(wheels_);
+      if (free_ == FreeRolling::force)
+        for (Wheel& wheel : wheels_) find_rotation(wheel);
+      if (free_ == FreeRolling::none) solve(wheels_);
+      if (!input_.load.vertical_force) return scenes();
+      double change = 0.0;
+      for (Wheel& wheel : wheels_) change = std::max(change, share(wheel, true));
+      if (change < load_tolerance) return scenes();
+    }
+    throw contact::SolveError(
+        fmt::format("the normal forces under {:g} N and friction do not settle in {} rounds",
+                    *input_.load.vertical_force, most_rounds));
+  }
+
+ private:
+  bool needs_forces() const {
+    const bool friction =
+        input_.friction_coefficient > 0.0 && input_.rolling.problem == contact::Problem::steady;
+    return friction && (input_.load.vertical_force || free_ != FreeRolling::none);
+  }
+
+  /// Normal forces of all patches of a wheel under its load; returns the largest change relative to
+  /// the load. With friction, the lateral force keeps its ratio to the normal force.
+  double share(Wheel& wheel, bool friction) {
+    if (!input_.load.vertical_force) {
+      if (input_.load.approach) drop_untouched(wheel);
+      return 0.0;
+    }
+    const double load = *input_.load.vertical_force;
+    double change = 0.0;
+    std::vector<double> forces;
+    for (std::size_t k = 0; k < rotation_.size(); ++k) {
+      if (k == 0 || friction) forces = shares(wheel, load, friction ? &k : nullptr);
+      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+        auto& of_patch = wheel.patches[i].scene.load.normal_forces;
+        of_patch.resize(rotation_.size(), 0.0);
+        change = std::max(change, std::abs(of_patch[k] - forces[i]) / load);
+        of_patch[k] = forces[i];
+      }
+    }
+    drop_unloaded(wheel, load);
+    for (Patch& patch : wheel.patches) {
+      const auto& all = patch.scene.load.normal_forces;
+      patch.scene.load.normal_force = *std::max_element(all.begin(), all.end());
+    }
+    return change;
+  }
+
+  /// A sinking that is given reaches some patches only.
+  static void drop_untouched(Wheel& wheel) {
+    auto& all = wheel.patches;
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [](const Patch& p) { return !(*p.scene.load.approach > 0.0); }),
+              all.end());
+  }
+
+  /// Vertical force that a normal force brings with it, friction at load point k included.
+  double lift(const Patch& patch, double normal_force, const std::size_t* k) const {
+    double lateral = 0.0;
+    if (k != nullptr && *k < patch.force.size() && patch.force[*k].normal > 0.0)
+      lateral = patch.force[*k].lateral / patch.force[*k].normal * normal_force;
+    return meshes::vertical_force(normal_force, lateral, patch.contact.place);
+  }
+
+  /// Normal forces of the patches that add up to `load` vertically.
+  std::vector<double> shares(const Wheel& wheel, double load, const std::size_t* k) const {
+    std::vector<Case> scenes;
+    for (const Patch& patch : wheel.patches) scenes.push_back(patch.scene);
+    const auto carried = [&](const std::vector<double>& normal) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < normal.size(); ++i) sum += lift(wheel.patches[i], normal[i], k);
+      return sum;
+    };
+    if (wheel.patches.size() == 1) {
+      const double unit = carried({1.0});
+      if (!(unit > 0.0)) refuse_lift(wheel);
+      return {load / unit};
+    }
+    // The sharing is a matter of geometry and elasticity; friction changes what has to be shared.
+    double to_share = load;
+    constexpr int most_steps = 50;
+    for (int step = 0; step < most_steps; ++step) {
+      const std::vector<double> normal = halfspace::share_load(scenes, to_share).normal_forces;
+      const double sum = carried(normal);
+      if (!(sum > 0.0)) refuse_lift(wheel);
+      if (std::abs(sum - load) < 0.1 * load_tolerance * load) return normal;
+      to_share *= load / sum;
+    }
+    throw contact::SolveError(fmt::format("the {} wheel: the load is not shared in {} steps",
+                                          wheel.left ? "left" : "right", most_steps));
+  }
+
+  [[noreturn]] static void refuse_lift(const Wheel& wheel) {
+    throw contact::SolveError(fmt::format(
+        "the {} wheel: friction on the flange carries it upwards whatever the load (the limit of "
+        "Nadal is passed): there is no equilibrium; do: less friction, lateral_shift or yaw",
+        wheel.left ? "left" : "right"));
+  }
+
+  static void drop_unloaded(Wheel& wheel, double load) {
+    auto& all = wheel.patches;
+    const auto loaded = [&](const Patch& patch) {
+      const auto& forces = patch.scene.load.normal_forces;
+      return std::count_if(forces.begin(), forces.end(),
+                           [&](double force) { return force > load_tolerance * load; });
+    };
+    for (const Patch& patch : all)
+      if (const auto count = loaded(patch);
+          count > 0 && count < static_cast<long>(patch.scene.load.normal_forces.size()))
+        throw contact::SolveError(fmt::format(
+            "the {} wheel: a second patch carries load at {} of {} load points only; do: compute "
+            "these load points in cases of their own",
+            wheel.left ? "left" : "right", count, patch.scene.load.normal_forces.size()));
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const Patch& patch) { return loaded(patch) == 0; }),
+              all.end());
+  }
+
+  /// Creepages of the patches at these rotations.
+  void turn(const std::vector<double>& rotation, std::vector<Wheel>& wheels) {
+    for (Wheel& wheel : wheels) turn(rotation, wheel);
+  }
+  void turn(const std::vector<double>& rotation, Wheel& wheel) {
+    for (Patch& patch : wheel.patches)
+      for (std::size_t k = 0; k < rotation.size(); ++k)
+        patch.scene.rolling.creepages[k] = creepage(patch, k, rotation[k]);
+  }
+
+  /// What the case gives stands; the rest is the motion's.
+  contact::Creepage creepage(const Patch& patch, std::size_t k, double rotation) const {
+    contact::Creepage result =
+        meshes::creepage_of(patch.contact, meshes::motion_of(input_, rotation));
+    const contact::Creepage& given = input_.rolling.creepages[k];
+    if (input_.rolling.given.longitudinal) result.longitudinal = given.longitudinal;
+    if (input_.rolling.given.lateral) result.lateral = given.lateral;
+    if (input_.rolling.given.spin) result.spin = given.spin;
+    // A prescribed force stands in place of the creepage of its direction.
+    if (k < input_.rolling.forces.size()) {
+      if (input_.rolling.forces[k].longitudinal) result.longitudinal = 0.0;
+      if (input_.rolling.forces[k].lateral) result.lateral = 0.0;
+    }
+    return result;
+  }
+
+  static void solve(std::vector<Wheel>& wheels) {
+    for (Wheel& wheel : wheels) solve(wheel);
+  }
+  static void solve(Wheel& wheel) {
+    for (Patch& patch : wheel.patches) patch.force = patch_forces(patch.scene);
+  }
+
+  double torque(const Wheel& wheel, std::size_t k) const {
+    double sum = 0.0;
+    for (const Patch& patch : wheel.patches)
+      sum += meshes::driving_moment(patch.contact, patch.force[k]);
+    return sum;
+  }
+  double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
+    double sum = 0.0;
+    for (const Wheel& wheel : wheels) sum += torque(wheel, k);
+    return sum;
+  }
+
+  /// A wheel that turns faster is held back more by the rail: the moment about the axle falls.
+  template <class Driven>
+  void find_rotation(Driven& driven) {
+    RootOptions options;
+    options.step = 2e-4;
+    options.value_tolerance =
+        torque_tolerance * input_.friction_coefficient * load_scale() * input_.wheel.rolling_radius;
+    const auto torques = [&](const std::vector<double>& rotation) {
+      turn(rotation, driven);
+      solve(driven);
+      std::vector<double> values;
+      for (std::size_t k = 0; k < rotation.size(); ++k) values.push_back(torque(driven, k));
+      return values;
+    };
+    rotation_ = falling_roots(torques, rotation_, options, "rotation without torque");
+    turn(rotation_, driven);
+  }
+
+  double load_scale() const {
+    double sum = 0.0;
+    for (const Wheel& wheel : wheels_)
+      for (const Patch& patch : wheel.patches)
+        sum += patch.scene.load.normal_force.value_or(patch.contact.normal_force);
+    return sum;
+  }
+
+  std::vector<Case> scenes() const {
+    std::vector<Case> all;
+    for (const Wheel& wheel : wheels_) {
+      std::vector<const Patch*> order;
+      for (const Patch& patch : wheel.patches) order.push_back(&patch);
+      std::stable_sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
+        return a->scene.load.normal_force.value_or(0.0) > b->scene.load.normal_force.value_or(0.0);
+      });
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        Case scene = order[i]->scene;
+        scene.place->patch = static_cast<int>(i) + 1;
+        scene.place->patches = static_cast<int>(order.size());
+        auto& forces = scene.load.normal_forces;
+        const bool alike = std::all_of(forces.begin(), forces.end(), [&](double force) {
+          return std::abs(force - forces.front()) < 1e-12 * forces.front();
+        });
+        if (alike) forces.clear();
+        all.push_back(std::move(scene));
+      }
+    }
+    return all;
+  }
+
+  const Case& input_;
+  std::vector<Wheel> wheels_;
+  std::vector<double> rotation_;  ///< relative change per load point
+  FreeRolling free_;
+};
+
+}  // namespace
+
+std::vector<Case> balanced_position(const Case& input, const std::vector<meshes::Scene>& scenes) {
+  return Position(input, scenes).balanced();
+}
+
+}  // namespace rollfem::wheelset
