@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "wheel_rail_cases.hpp"
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace {
 
@@ -205,11 +205,11 @@ TEST(Speed, PositionOfTwoWheelsTakesMilliseconds) {
   const auto scene = meshes::make_search_scene(input, test::manchester_pair());
   double least = 1e9;
   for (int run = 0; run < 5; ++run) {
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     EXPECT_GE(find_contacts(input, scene, 1).size(), 2u);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    least = std::min(least, seconds.count());
+    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
+  // Time of the processor, which other work on the machine does not lengthen.
   RecordProperty("milliseconds", static_cast<int>(1e3 * least));
   EXPECT_LT(least, 0.05);
 }

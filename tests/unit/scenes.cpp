@@ -48,7 +48,7 @@ TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
   double sum = 0.0;
   for (const Scene& scene : scenes)
     sum += *scene.input.load.normal_force * std::cos(scene.input.place->contact_angle);
-  EXPECT_NEAR(sum, 10e3, 30.0);
+  EXPECT_NEAR(sum, 10e3, 1e-6);
   EXPECT_GT(*scenes[0].input.load.normal_force, *scenes[1].input.load.normal_force);
   // One of them touches first, the other after some sinking.
   EXPECT_NEAR(std::min(scenes[0].contact.place.separation, scenes[1].contact.place.separation), 0.0,
