@@ -14,7 +14,7 @@ VALUES = {"case", "grid", "geometry", "errors", "progress"}
 ALLOWED = {
     "contact": {},
     "halfspace": {"contact": None},
-    "meshes": {"contact": VALUES},
+    "meshes": {"contact": VALUES | {"track", "height_curve", "patch_geometry"}},
     "postprocess": {"contact": VALUES | {"result", "stress_measures", "checkpoint", "record"}},
     "fem": {"contact": None, "halfspace": None, "meshes": None},
     "app": {"contact": None, "halfspace": None, "meshes": None, "postprocess": None,
