@@ -209,7 +209,7 @@ void profile(const ProfileRequest& request) {
       throw contact::InputError(fmt::format(
           "profile: {} is the input and would be written over; do: name another folder with -o",
           file.string()));
-    postprocess::write_file(file, table(profile));
+    postprocess::replace_file(file, table(profile));
     std::cout << described(profile) << list(profile.curve);
     const std::string problem =
         postprocess::draw_profile(file.string(), script_directory().string());

@@ -181,6 +181,10 @@ void add_mending(std::vector<Key>& keys) {
                                    &ProfileSource::drop_duplicates));
   keys.push_back(switch_key<wheel>("drop_zigzag", "Leave out points at which the curve goes back.",
                                    &ProfileSource::drop_zigzag));
+  keys.push_back(number_key<wheel>("thinning", "mm", Bounds{0.0, 10.0},
+                                   "Points within this distance become one, their mean; 0: all "
+                                   "are kept.",
+                                   &ProfileSource::thinning));
   keys.push_back(number_key<wheel>("longest_gap", "mm", positive,
                                    "Points further apart than this are an error; up to it the "
                                    "curve bridges them.",

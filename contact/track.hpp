@@ -37,6 +37,7 @@ struct ProfileSource {
   bool reverse = false;          ///< the file's last point first
   bool sort = false;             ///< by rising y
   bool drop_duplicates = false;  ///< points on the one before
+  double thinning = 0.0;         ///< mm; points within it become their mean; 0: all are kept
   bool drop_zigzag = false;      ///< points that go back
   double longest_gap = 5.0;      ///< mm between two points
   double largest_kink = 20.0;    ///< degrees between two chords

@@ -222,6 +222,41 @@ void drop_zigzag(ProfilePoints& points) {
   keep(points, kept);
 }
 
+/// Every stretch of this length becomes the mean of its points; the last, shorter one too.
+void thin(ProfilePoints& points, double length) {
+  std::size_t n = 0;
+  for (std::size_t first = 0; first < points.y.size();) {
+    std::size_t end = first;
+    double y = 0.0, z = 0.0;
+    // As the crow flies: the way along noisy points is much longer than the profile.
+    for (; end < points.y.size() &&
+           std::hypot(points.y[end] - points.y[first], points.z[end] - points.z[first]) < length;
+         ++end) {
+      y += points.y[end];
+      z += points.z[end];
+    }
+    const auto count = static_cast<double>(end - first);
+    points.line[n] = points.line[first];
+    points.y[n] = y / count;
+    points.z[n] = z / count;
+    ++n;
+    first = end;
+  }
+  points.y.resize(n);
+  points.z.resize(n);
+  points.line.resize(n);
+}
+
+/// Smoothing so many points at once takes seconds and loses digits.
+void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) {
+  constexpr std::size_t most = 100000;
+  if (smoothing == 0.0 || points.y.size() <= most) return;
+  throw InputError(fmt::format(
+      "{}: smoothing of {} points; allowed: {}; do: put `thinning = 0.1` (mm, means of the points "
+      "in such stretches) under {}",
+      points.file, points.y.size(), most, section(wheel)));
+}
+
 void check_gaps(const ProfilePoints& points, double longest, bool wheel) {
   for (std::size_t k = 1; k < points.y.size(); ++k) {
     const double gap = std::hypot(points.y[k] - points.y[k - 1], points.z[k] - points.z[k - 1]);
@@ -245,12 +280,18 @@ std::vector<char> corners(const ProfilePoints& points, double largest_kink) {
   }
   // A step smaller than the kinks allowed still stands out from what the points do elsewhere.
   const double step = std::min(largest_kink * degree, std::max(5.0 * degree, 10.0 * median(sizes)));
+  const auto size = [&](std::size_t k) { return k < n ? std::abs(turns[k]) : 0.0; };
   std::vector<char> found(n, 0);
   for (std::size_t k = 1; k + 1 < n; ++k) {
-    if (std::abs(turns[k]) > largest_kink * degree && found[k] == 0) found[k] = 1;
-    if (k + 2 < n && turns[k] * turns[k + 1] < 0.0 &&
-        std::min(std::abs(turns[k]), std::abs(turns[k + 1])) > step)
-      found[k] = found[k + 1] = 2;
+    if (size(k) > largest_kink * degree && found[k] == 0) found[k] = 1;
+    if (k + 2 >= n) continue;
+    const double both = size(k) + size(k + 1);
+    if (turns[k] * turns[k + 1] < 0.0) {
+      if (std::min(size(k), size(k + 1)) > step) found[k] = found[k + 1] = 2;
+    } else if (both > largest_kink * degree && 4.0 * std::max(size(k - 1), size(k + 2)) < both) {
+      // A kink between two points is shared by both.
+      found[k] = found[k + 1] = 1;
+    }
   }
   return found;
 }
@@ -261,14 +302,21 @@ void treat_corners(ProfilePoints& points, const ProfileSource& source, bool whee
   if (first == found.end()) return;
   if (source.rounding == 0.0) {
     const auto k = static_cast<std::size_t>(first - found.begin());
-    const bool step = *first == 2;
-    const double angle = std::abs(turn(points, k - 1, k, k + 1)) / degree;
+    const double turned = turn(points, k - 1, k, k + 1);
+    const double chord = std::hypot(points.y[k + 1] - points.y[k], points.z[k + 1] - points.z[k]);
+    const bool shared = k + 2 < found.size() && found[k + 1] == 1 && turned != 0.0;
+    const double whole = turned + (shared ? turn(points, k, k + 1, k + 2) : 0.0);
+    const std::string what =
+        *first == 2 ? fmt::format("step of {:.2g} mm", chord * std::abs(std::sin(turned)))
+                    : fmt::format("kink of {:.3g} degrees", std::abs(whole) / degree);
+    const std::string allowed =
+        *first == 2 ? "points of one smooth curve"
+                    : fmt::format("{:.4g} degrees between two chords", source.largest_kink);
     throw InputError(fmt::format(
-        "{}:{}: {} of {:.3g} degrees at y = {:.6g}, z = {:.6g} mm; allowed: {:.4g} degrees between "
-        "two chords; do: correct the points, or put `rounding = 2.0` (mm to both sides) or a "
-        "larger `largest_kink` under {}",
-        points.file, points.line[k], step ? "step" : "kink", angle, points.y[k], points.z[k],
-        source.largest_kink, section(wheel)));
+        "{}:{}: {} at y = {:.6g}, z = {:.6g} mm; allowed: {}; do: correct the points, or put "
+        "`rounding = 2.0` (mm to both sides that are bridged){} under {}",
+        points.file, points.line[k], what, points.y[k], points.z[k], allowed,
+        *first == 2 ? "" : " or a larger `largest_kink`", section(wheel)));
   }
   std::vector<double> length(points.y.size(), 0.0);
   for (std::size_t k = 1; k < length.size(); ++k)
@@ -298,9 +346,11 @@ void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool whe
   if (source.sort) sort(points);
   // Mirroring turns the direction around, so that neither way is wrong then.
   check_direction(points, points.any_direction || source.mirror, wheel);
+  if (source.thinning > 0.0) thin(points, source.thinning);
   treat_duplicates(points, source.drop_duplicates, wheel);
   if (source.drop_zigzag) drop_zigzag(points);
   check_order(points, wheel);
+  check_smoothing(points, source.smoothing, wheel);
   check_gaps(points, source.longest_gap, wheel);
   check_count(points);
   treat_corners(points, source, wheel);
