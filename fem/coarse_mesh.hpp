@@ -24,6 +24,11 @@ meshes::HexMesh gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options,
 CoarseBody true_section_mesh(const meshes::TrueSection& outline, const SurfaceShape& shape,
                              const BodyOptions& options, MPI_Comm communicator);
 
+/// The same on this process alone. Blocks of coarse cells from the largest that fit down to the
+/// finest cells are tried: the first good mesh, else the best.
+CoarseBody make_true_section_mesh(const meshes::TrueSection& outline, const SurfaceShape& shape,
+                                  const BodyOptions& options);
+
 /// A user's mesh, checked against what the body must be; nodes of its contact faces are moved onto
 /// the surface. `options` say where the patch is. Read on process 0 and sent to the others, where
 /// errors are thrown too. Throws contact::InputError headed by `name`.
