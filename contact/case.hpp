@@ -221,7 +221,7 @@ struct FemOptions {
   std::optional<double> depth;        ///< mm, of the segments; else the extent
   std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
   std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
-  std::optional<MeshFamily> mesh;     ///< not given: structured, with profiles gmsh
+  std::optional<MeshFamily> mesh;     ///< not given: structured where it fits
   std::optional<double> rim_thickness;      ///< mm, of the wheel's true section below the tread
   std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
   LinearSolver linear_solver = LinearSolver::automatic;
