@@ -1,5 +1,5 @@
 """python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html;
---profile NAME.csv: draws NAME.svg of a wheel or rail profile."""
+--profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail."""
 import argparse
 import sys
 
@@ -8,10 +8,11 @@ def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
     parser.add_argument("directory", nargs="?", help="a result folder of rollfem")
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
+    parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
-    if (options.directory is None) == (options.profile is None):
-        parser.error("one of DIR and --profile is needed")
+    if sum(o is not None for o in (options.directory, options.profile, options.pair)) != 1:
+        parser.error("one of DIR, --profile and --pair is needed")
     try:
         from .build import build
         from .reader import ResultError
@@ -22,6 +23,9 @@ def main():
         if options.profile:
             from .profile import draw
             draw(options.profile, options.png)
+        elif options.pair:
+            from .places import draw_pair_file
+            draw_pair_file(options.pair, options.png)
         else:
             build(options.directory, options.png)
     except (ResultError, OSError) as error:
