@@ -24,7 +24,7 @@ using contact::WheelSide;
 constexpr double load = 60e3;
 constexpr double friction = 0.3;
 
-Case wheelset(double shift, double yaw) {
+Case scene_at(double shift, double yaw) {
   Case input;
   input.file = "wheelset";
   input.load.vertical_force = load;
@@ -66,7 +66,7 @@ TEST(WheelsetBalance, VerticalForcesAddUpToTheLoadAlsoOnTheFlange) {
   // At 8 mm the right wheel stands on its flange at 54 degrees and slides: 27 % of its normal force
   // more than the load. What the two grids' lateral forces differ by is below 0.3 % there.
   for (const double shift : {3.0, 8.0}) {
-    const auto wheels = solved(wheelset::balance(wheelset(shift, 0.0024 * shift)).scenes);
+    const auto wheels = solved(wheelset::balance(scene_at(shift, 0.0024 * shift)).scenes);
     ASSERT_EQ(wheels.size(), 2U);
     for (const auto& [left, wheel] : wheels)
       EXPECT_NEAR(wheel.vertical, load, 3e-3 * load) << shift << ' ' << left;
@@ -74,38 +74,47 @@ TEST(WheelsetBalance, VerticalForcesAddUpToTheLoadAlsoOnTheFlange) {
 }
 
 TEST(WheelsetBalance, TwoPatchesOfOneWheelShareItsLoad) {
-  const auto balanced = wheelset::balance(wheelset(5.4, 0.0));
+  // Tread and flange root of the right wheel; under 60 kN they would be one patch.
+  constexpr double light = 10e3;
+  Case input = scene_at(5.0, 0.012);
+  input.rail.profile.name = "UIC60-manchester";
+  input.load.vertical_force = light;
+  const auto balanced = wheelset::balance(input);
   const auto wheels = solved(balanced.scenes);
   EXPECT_EQ(wheels.at(false).patches, 2);
-  EXPECT_NEAR(wheels.at(false).vertical, load, 3e-3 * load);
+  EXPECT_NEAR(wheels.at(false).vertical, light, 3e-3 * light);
   // The more loaded one comes first.
   double last = 0.0;
-  for (const Case& scene : balanced.scenes)
-    if (!scene.place->left) {
-      if (scene.place->patch == 2) EXPECT_LT(*scene.load.normal_force, last);
-      last = *scene.load.normal_force;
+  for (const Case& scene : balanced.scenes) {
+    if (scene.place->left) continue;
+    if (scene.place->patch == 2) {
+      EXPECT_LT(*scene.load.normal_force, last);
     }
+    last = *scene.load.normal_force;
+  }
 }
 
 TEST(WheelsetBalance, FreeRollingHasNoTorqueOfTheWheelset) {
-  Case input = wheelset(3.0, 0.004);
+  Case input = scene_at(3.0, 0.004);
   input.wheelset.free_rolling = FreeRolling::torque;
   const auto wheels = solved(wheelset::balance(input).scenes);
   const double scale = friction * load * 460.0;
   // Each wheel alone has one: the radii differ.
   EXPECT_GT(std::abs(wheels.at(true).torque), 0.05 * scale);
-  EXPECT_NEAR(wheels.at(true).torque + wheels.at(false).torque, 0.0, 5e-3 * scale);
+  // Forces at 24 elements across, with which the rotation was found, are good to half a percent of
+  // mu F_z on each wheel.
+  EXPECT_NEAR(wheels.at(true).torque + wheels.at(false).torque, 0.0, 1e-2 * scale);
 }
 
 TEST(WheelsetBalance, FreeRollingByForceHasNoneOnEachWheel) {
-  Case input = wheelset(3.0, 0.004);
+  Case input = scene_at(3.0, 0.004);
   input.wheelset.free_rolling = FreeRolling::force;
   for (const auto& [left, wheel] : solved(wheelset::balance(input).scenes))
     EXPECT_NEAR(wheel.torque, 0.0, 5e-3 * friction * load * 460.0) << left;
 }
 
 TEST(WheelsetBalance, CreepagesThatAreGivenStand) {
-  Case input = wheelset(2.0, 0.003);
+  Case input = scene_at(2.0, 0.003);
   input.rolling.creepages = {{0.001, 0.0, 0.0}, {0.002, 0.0, 0.0}};
   input.rolling.given.longitudinal = true;
   for (const Case& scene : wheelset::balance(input).scenes) {
@@ -118,15 +127,16 @@ TEST(WheelsetBalance, CreepagesThatAreGivenStand) {
 }
 
 TEST(WheelsetBalance, FrictionThatCarriesTheWheelUpIsSaid) {
-  // Sliding up the flange at 54 degrees with mu = 1.2: cos - mu sin < 0.
-  Case input = wheelset(8.0, -0.02);
+  // A flange at 54 degrees that slides down is carried upwards by friction: cos - mu sin < 0.
+  Case input = scene_at(8.0, 0.02);
   input.wheelset.side = WheelSide::right;
-  input.friction_coefficient = 1.2;
+  input.friction_coefficient = 2.0;
+  // The other way round friction holds the wheel down, and there is a balance.
+  const auto balanced = wheelset::balance(input);
+  ASSERT_EQ(balanced.scenes.size(), 1U);
+  EXPECT_LT(*balanced.scenes.front().load.normal_force, load);
+  input.wheelset.yaw = {-0.02};
   try {
-    const auto balanced = wheelset::balance(input);
-    // The other way round friction holds the wheel down instead, and there is a balance.
-    for (const Case& scene : balanced.scenes) EXPECT_LT(*scene.load.normal_force, 2.0 * load);
-    input.wheelset.yaw = {0.02};
     static_cast<void>(wheelset::balance(input));
     FAIL() << "a wheel that friction carries upwards was balanced";
   } catch (const contact::SolveError& error) {
