@@ -378,7 +378,8 @@ std::vector<Key> grid_keys() {
        false,
        "",
        "",
-       "Middle of the potential contact area, [x, y].",
+       "Middle of the potential contact area, [x, y]; with profiles from the contact point, and "
+       "without an extent from the middle of the patch.",
        [](const Case& c) -> KeyValue {
          return Numbers(c.contact_grid.middle.begin(), c.contact_grid.middle.end());
        },
