@@ -78,15 +78,14 @@ std::string contacts_text(const Case& input) {
       fmt::format("{:<7}{:>9}{:>7}{:>11}{:>12}{:>12}{:>12}{:>11}{:>12}{:>15}\n", "wheel",
                   "position", "patch", "roll mrad", "y track mm", "y rail mm", "y wheel mm",
                   "angle rad", "radius mm", "separation mm");
-  for (const wheelset::PlacedWheel& wheel : wheelset::place_wheels(input))
-    for (const meshes::WheelRailContact& contact : wheel.contacts) {
-      const contact::ContactPlace& at = contact.place;
-      text += fmt::format(
-          "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",
-          at.left ? "left" : "right", at.position,
-          at.patch > 0 ? std::to_string(at.patch) : std::string("near"), 1e3 * at.roll, at.y_track,
-          at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius, at.separation);
-    }
+  for (const meshes::WheelRailContact& contact : wheelset::place_wheels(input)) {
+    const contact::ContactPlace& at = contact.place;
+    text += fmt::format(
+        "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",
+        at.left ? "left" : "right", at.position,
+        at.patch > 0 ? std::to_string(at.patch) : std::string("near"), 1e3 * at.roll, at.y_track,
+        at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius, at.separation);
+  }
   return text;
 }
 

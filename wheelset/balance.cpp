@@ -17,11 +17,6 @@ using contact::WheelSide;
 
 namespace {
 
-std::vector<bool> sides(const Case& input) {
-  if (input.wheelset.side == WheelSide::both) return {true, false};
-  return {input.wheelset.side == WheelSide::left};
-}
-
 bool asked_for(const Case& input, bool left) {
   return input.wheelset.side == WheelSide::both || (input.wheelset.side == WheelSide::left) == left;
 }
@@ -30,14 +25,6 @@ meshes::SearchScene search_scene(const Case& input) {
   return meshes::make_search_scene(input,
                                    {meshes::make_profile(input.wheel.profile, true, input.file),
                                     meshes::make_profile(input.rail.profile, false, input.file)});
-}
-
-std::vector<PlacedWheel> wheels_at(const Case& input, const meshes::SearchScene& scene,
-                                   int position) {
-  std::vector<PlacedWheel> wheels;
-  for (const bool left : sides(input))
-    wheels.push_back({left, position, meshes::find_contacts(input, scene, position, left)});
-  return wheels;
 }
 
 /// A long row says where it failed.
@@ -71,12 +58,13 @@ std::vector<std::string> notes_of(const Case& input) {
 
 }  // namespace
 
-std::vector<PlacedWheel> place_wheels(const Case& input) {
+std::vector<meshes::WheelRailContact> place_wheels(const Case& input) {
   const meshes::SearchScene scene = search_scene(input);
-  std::vector<PlacedWheel> all;
+  std::vector<meshes::WheelRailContact> all;
   for (int position = 1; position <= static_cast<int>(input.wheelset.positions()); ++position) {
-    auto wheels = at_position(input, position, [&] { return wheels_at(input, scene, position); });
-    std::move(wheels.begin(), wheels.end(), std::back_inserter(all));
+    auto contacts =
+        at_position(input, position, [&] { return meshes::find_contacts(input, scene, position); });
+    std::move(contacts.begin(), contacts.end(), std::back_inserter(all));
   }
   return all;
 }

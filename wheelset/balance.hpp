@@ -13,13 +13,6 @@
 
 namespace rollfem::wheelset {
 
-/// A wheel at one position, as it touches its rail.
-struct PlacedWheel {
-  bool left = true;
-  int position = 1;
-  std::vector<meshes::WheelRailContact> contacts;  ///< patches, then near misses
-};
-
 struct BalancedCase {
   /// One for each patch that carries load, in the order of positions, left before right, the most
   /// loaded patch first.
@@ -28,9 +21,9 @@ struct BalancedCase {
   std::vector<std::string> notes;     ///< what a reader must know
 };
 
-/// The wheels of all positions on their rails; nothing is solved. Throws contact::InputError and
-/// contact::SolveError as meshes::find_contacts does.
-std::vector<PlacedWheel> place_wheels(const contact::Case& input);
+/// Patches and near misses of the wheels at all positions; nothing is solved. Throws
+/// contact::InputError and contact::SolveError as meshes::find_contacts does.
+std::vector<meshes::WheelRailContact> place_wheels(const contact::Case& input);
 
 /// Throws contact::SolveError when there is no balance (friction that would lift the wheel, no
 /// rotation without torque).

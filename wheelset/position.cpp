@@ -195,6 +195,11 @@ class Position {
     if (input_.rolling.given.longitudinal) result.longitudinal = given.longitudinal;
     if (input_.rolling.given.lateral) result.lateral = given.lateral;
     if (input_.rolling.given.spin) result.spin = given.spin;
+    // A prescribed force stands in place of the creepage of its direction.
+    if (k < input_.rolling.forces.size()) {
+      if (input_.rolling.forces[k].longitudinal) result.longitudinal = 0.0;
+      if (input_.rolling.forces[k].lateral) result.lateral = 0.0;
+    }
     return result;
   }
 
@@ -217,26 +222,21 @@ class Position {
     return sum;
   }
 
-  /// Faster rotation drives: the force on the wheel's surface grows with it, and a torque that
-  /// rises is a falling function of the slowing down.
+  /// A wheel that turns faster is held back more by the rail: the moment about the axle falls.
   template <class Driven>
   void find_rotation(Driven& driven) {
-    std::vector<double> slowing;
-    for (const double change : rotation_) slowing.push_back(-change);
     RootOptions options;
     options.step = 2e-4;
     options.value_tolerance =
         torque_tolerance * input_.friction_coefficient * load_scale() * input_.wheel.rolling_radius;
-    const auto torques = [&](const std::vector<double>& at) {
-      std::vector<double> rotation, values;
-      for (const double value : at) rotation.push_back(-value);
+    const auto torques = [&](const std::vector<double>& rotation) {
       turn(rotation, driven);
       solve(driven);
-      for (std::size_t k = 0; k < at.size(); ++k) values.push_back(torque(driven, k));
+      std::vector<double> values;
+      for (std::size_t k = 0; k < rotation.size(); ++k) values.push_back(torque(driven, k));
       return values;
     };
-    slowing = falling_roots(torques, slowing, options, "rotation without torque");
-    for (std::size_t k = 0; k < slowing.size(); ++k) rotation_[k] = -slowing[k];
+    rotation_ = falling_roots(torques, rotation_, options, "rotation without torque");
     turn(rotation_, driven);
   }
 
