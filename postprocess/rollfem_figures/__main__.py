@@ -1,21 +1,30 @@
-"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html."""
+"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html or
+study.html in the folder of a comparison or a study."""
 import argparse
+import os
 import sys
 
 
 def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
-    parser.add_argument("directory", help="a result folder of rollfem")
+    parser.add_argument("directory", help="a result folder of rollfem run, compare or study")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
     try:
         from .build import build
+        from .compare import build_comparison
+        from .study import build_study
         from .reader import ResultError
     except ImportError as error:
         sys.exit(f"figures need matplotlib, numpy and h5py: {error}\n"
                  "apt install python3-matplotlib python3-h5py")
     try:
-        build(options.directory, options.png)
+        if os.path.exists(os.path.join(options.directory, "compare.json")):
+            build_comparison(options.directory, options.png)
+        elif os.path.exists(os.path.join(options.directory, "study.json")):
+            build_study(options.directory, options.png)
+        else:
+            build(options.directory, options.png)
     except (ResultError, OSError) as error:
         sys.exit(str(error))
 

@@ -1,0 +1,2 @@
+def build_study(d, p=None):
+    pass
