@@ -6,6 +6,7 @@
 #include "app/processes.hpp"
 #include "app/run.hpp"
 #include "app/scenes.hpp"
+#include "app/study.hpp"
 #include "app/version.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
@@ -28,6 +29,7 @@ using namespace rollfem;
 struct Call {
   app::RunRequest run;
   app::CompareRequest compare;
+  app::StudyRequest study;
   app::MeshRequest mesh;
   std::string check_file;
   std::string new_case_file;
@@ -49,7 +51,7 @@ std::string listed(const std::vector<std::string>& names) {
 /// CLI11 would only say that a command is missing.
 void check_command(const CLI::App& program, int argc, char** argv) {
   const std::string allowed =
-      "allowed: run, compare, mesh, check, new-case, docs; do: rollfem --help";
+      "allowed: run, compare, study, mesh, check, new-case, docs; do: rollfem --help";
   if (argc < 2) throw contact::InputError("no command is given; " + allowed);
   const std::string name = argv[1];
   if (name.empty() || name.front() == '-') return;
@@ -104,6 +106,20 @@ void settle_compare(app::CompareRequest& request) {
   request.models = checked_models(request.models);
   if (!request.reference.empty() && !is_model(request.reference))
     no_such_model("--reference", request.reference);
+}
+
+/// `study --models all CASE`: as settle_run, and "all" stands alone.
+void settle_study(app::StudyRequest& request) {
+  for (std::vector<std::string>* list : {&request.models, &request.vary, &request.references})
+    if (request.case_file.empty() && !list->empty() &&
+        std::filesystem::path(list->back()).extension() == ".toml") {
+      request.case_file = list->back();
+      list->pop_back();
+    }
+  if (request.case_file.empty())
+    throw contact::InputError("study: no case file is named; do: rollfem study CASE.toml");
+  if (request.models != std::vector<std::string>{"all"})
+    request.models = checked_models(request.models);
 }
 
 void new_case(const std::string& file) {
@@ -180,6 +196,44 @@ void add_commands(CLI::App& program, Call& call) {
     app::compare(call.compare);
   });
 
+  CLI::App* study = program.add_subcommand(
+      "study", "compute a case on ever finer grids: errors, observed orders, cost");
+  study->add_option("case", call.study.case_file, "case file (.toml)");
+  study
+      ->add_option("-m,--model,--models", call.study.models,
+                   listed(app::known_models()) + ", or all; without it halfspace")
+      ->delimiter(',');
+  study
+      ->add_option(
+          "--vary", call.study.vary,
+          "what is refined: grid (contact grid, strips), cell (of the finite elements and "
+          "the contact grid with them), degree, domain; several in a row; without it grid, "
+          "in finite elements cell")
+      ->delimiter(',');
+  study->add_flag("--together", call.study.together,
+                  "refine all of --vary at once; without it one at a time");
+  study->add_option(
+      "--levels", call.study.levels,
+      "how many levels, 2 to 8; without it 5 grids (a fourth of the case's elements "
+      "to four times as many), 3 cells (four times the case's to the case's), 3 domains "
+      "(half to twice the case's)");
+  study
+      ->add_option("--reference", call.study.references,
+                   "what errors are measured against: exact (Hertz), finest, extrapolated, or "
+                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722; without it "
+                   "exact where there is such a value, else extrapolated")
+      ->delimiter(',');
+  study->add_option("-o,--output", call.study.directory,
+                    "folder for the study; without it results/<name of the case file>_study");
+  study->add_flag("-q,--quiet", call.study.quiet, "print errors and warnings only");
+  study->add_flag("!--no-report", call.study.report,
+                  "write results only, no figures and no report");
+  study->footer("example: rollfem study cases/thesis_a.toml --models all");
+  study->callback([&call] {
+    settle_study(call.study);
+    app::study(call.study);
+  });
+
   CLI::App* mesh = program.add_subcommand(
       "mesh", "write the finite-element meshes of a case and print their quality");
   mesh->add_option("case", call.mesh.case_file, "case file (.toml)")->required();
@@ -203,9 +257,9 @@ void add_commands(CLI::App& program, Call& call) {
 
 int execute(int argc, char** argv) {
   Call call;
-  call.run.command = call.compare.command = joined(argc, argv);
-  call.run.argc = call.compare.argc = call.mesh.argc = argc;
-  call.run.argv = call.compare.argv = call.mesh.argv = argv;
+  call.run.command = call.compare.command = call.study.command = joined(argc, argv);
+  call.run.argc = call.compare.argc = call.study.argc = call.mesh.argc = argc;
+  call.run.argv = call.compare.argv = call.study.argv = call.mesh.argv = argv;
   CLI::App program(
       "rollfem: steady rolling contact of wheel and rail by finite elements and by "
       "half-space elements",
