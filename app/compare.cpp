@@ -235,8 +235,10 @@ void compare(const CompareRequest& request) {
         fmt::format("--reference {}: it is not one of the models compared; do: name it with "
                     "--model too, or take one of them",
                     request.reference));
-  const bool parallel = std::find(models.begin(), models.end(), "fem") != models.end();
   const std::vector<Task> tasks = tasks_of(request, models);
+  const bool anything =
+      std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.done; });
+  const bool parallel = anything && std::find(models.begin(), models.end(), "fem") != models.end();
   if (!here.first() && !parallel) return;
   if (here.first()) check_folders(request, tasks);
 

@@ -200,12 +200,16 @@ std::vector<Standing> standings(const std::vector<ComparedNumber>& numbers) {
       return standing.model == number.model && standing.quantity == number.quantity;
     });
     if (found == all.end()) {
-      all.push_back({number.model, number.reference, number.quantity, 0, 0, number});
+      all.push_back({number.model, number.reference, number.quantity, 0, 0, number, number});
       found = std::prev(all.end());
     }
     ++found->compared;
     if (number.differs()) ++found->differ;
     if (std::abs(number.difference()) > std::abs(found->worst.difference())) found->worst = number;
+    const auto excess = [](const ComparedNumber& n) {
+      return std::abs(n.difference()) - n.allowed();
+    };
+    if (excess(number) > excess(found->beyond)) found->beyond = number;
   }
   return all;
 }

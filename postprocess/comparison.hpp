@@ -70,9 +70,10 @@ struct Standing {
   std::string model;
   std::string reference;
   std::string quantity;
-  int compared = 0;      ///< numbers
-  int differ = 0;        ///< of these, by more than their error bars
-  ComparedNumber worst;  ///< the largest difference
+  int compared = 0;       ///< numbers
+  int differ = 0;         ///< of these, by more than their error bars
+  ComparedNumber worst;   ///< the largest difference
+  ComparedNumber beyond;  ///< where the difference exceeds what the error bars allow the most
 };
 std::vector<Standing> standings(const std::vector<ComparedNumber>& numbers);
 

@@ -27,6 +27,11 @@ const std::vector<Spoken>& spoken() {
   return all;
 }
 
+/// Seconds for reading, without an exponent.
+std::string seconds_words(double seconds) {
+  return seconds >= 10.0 ? fmt::format("{:.0f}", seconds) : fmt::format("{:.2g}", seconds);
+}
+
 /// Percent with two digits that mean something.
 std::string percent(double value) {
   const double size = std::abs(100.0 * value);
@@ -39,7 +44,7 @@ std::string percent(double value) {
 
 /// Where on the creep curve; empty with one load point.
 std::string place(const Standing& standing) {
-  const ComparedNumber& worst = standing.worst;
+  const ComparedNumber& worst = standing.beyond;
   if (standing.compared < 2) return {};
   std::string text = worst.patch.empty() ? "" : worst.patch + ", ";
   return fmt::format("{}load point {}, xi = {:.4g} %", text, worst.point,
@@ -68,16 +73,20 @@ std::string list(const std::vector<std::string>& parts, const char* separator) {
 }
 
 std::string difference_words(const Standing& standing, const Spoken& about) {
-  const ComparedNumber& worst = standing.worst;
-  std::string text = fmt::format("the {} is {} by up to {}{}", about.name,
-                                 worst.difference() > 0.0 ? "higher" : "lower",
-                                 percent(worst.difference()), about.unit);
+  const ComparedNumber& worst = standing.beyond;
+  std::string text =
+      fmt::format("the {} is {} by {}{}", about.name, worst.difference() > 0.0 ? "higher" : "lower",
+                  percent(worst.difference()), about.unit);
   const std::string at = place(standing);
   if (!at.empty()) text += fmt::format(" ({})", at);
   text += fmt::format(", where the error bars allow {}{}", percent(worst.allowed()), about.unit);
   if (standing.compared > 1)
     text +=
         fmt::format("; beyond them at {} of {} load points", standing.differ, standing.compared);
+  if (std::abs(standing.worst.difference()) > std::abs(worst.difference()))
+    text +=
+        fmt::format(" (the largest difference is {}{}, {})", percent(standing.worst.difference()),
+                    about.unit, standing.worst.differs() ? "with larger bars" : "within them");
   return text;
 }
 
@@ -150,8 +159,9 @@ std::vector<std::string> summary_words(const std::vector<CaseStandings>& cases) 
       parts.push_back(range_words(found, about));
     }
     const auto [least, most] = std::minmax_element(seconds[model].begin(), seconds[model].end());
-    std::string cost = fmt::format("{:.2g} s", *most);
-    if (seconds[model].size() > 1) cost = fmt::format("{:.2g} to {:.2g} s a case", *least, *most);
+    std::string cost = seconds_words(*most) + " s";
+    if (seconds[model].size() > 1)
+      cost = fmt::format("{} to {} s a case", seconds_words(*least), seconds_words(*most));
     sentences.push_back(parts.empty() ? fmt::format("{} ({}): the reference.", model, cost)
                                       : fmt::format("{} ({}), largest differences to {}: {}.",
                                                     model, cost, reference, list(parts, "; ")));

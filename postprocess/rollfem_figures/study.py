@@ -85,8 +85,8 @@ def _order_guide(axis, curve):
     ends = np.array([at[0], at[-1]]) * 1.6
     axis.plot(ends, 1.6 * high[0] * (ends / ends[0]) ** -1, color=style.GREY, linewidth=0.8,
               linestyle=(0, (1, 1.5)))
-    axis.annotate("order 2", (ends[1], 1.6 * high[0] * ends[0] / ends[1]), color=style.GREY,
-                  fontsize=8, ha="right", va="bottom")
+    axis.annotate("order 2", (ends[0], 1.6 * high[0]), color=style.GREY, fontsize=8, ha="left",
+                  va="bottom")
 
 
 def _panel(axis, study, key, across, guide):
