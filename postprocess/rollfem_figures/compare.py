@@ -41,6 +41,18 @@ def _size(value):
     return tables.number(abs(value), 2)
 
 
+def _difference_cell(standing):
+    """The largest difference with what the error bars allow there, bold where any is beyond them."""
+    if standing is None:
+        return "–"
+    value = tables.percent(100 * standing["largest_difference"])
+    beyond = standing["differ"] > 0
+    note = f"bars ±{_size(100 * standing['allowed_there'])}"
+    if beyond and standing["compared"] > 1:
+        note += f"<br>at {standing['differ']} of {standing['compared']}"
+    return (f"<b>{value}</b>" if beyond else value) + f"<br><span class=d>{note}</span>"
+
+
 def _difference_table(cases, quantity, heading, of):
     """Largest difference of every model in every case; empty when nothing was compared."""
     models = [m for m in _models(cases) if any(_standing(c, m, quantity) for c in cases)]
@@ -48,23 +60,24 @@ def _difference_table(cases, quantity, heading, of):
         return ""
     rows = []
     for model in models:
-        row = [escape(style.label(_model(model)))]
-        for case in cases:
-            standing = _standing(case, model, quantity)
-            if standing is None:
-                row.append("–")
-                continue
-            value = tables.percent(100 * standing["largest_difference"])
-            allowed = _size(100 * standing["allowed_there"])
-            beyond = standing["differ"] > 0
-            html = f"<b>{value}</b>" if beyond else value
-            note = f"bars ±{allowed}"
-            if beyond and standing["compared"] > 1:
-                note += f"<br>at {standing['differ']} of {standing['compared']}"
-            row.append(f"{html}<br><span class=d>{note}</span>")
-        rows.append(row)
+        rows.append([escape(style.label(_model(model)))]
+                    + [_difference_cell(_standing(case, model, quantity)) for case in cases])
     head = [f"{heading}<br><span class=d>percent {of}</span>"] + [escape(c["name"]) for c in cases]
     return tables.table(head, rows)
+
+
+def _differences(cases):
+    """The tables of differences; of a single case one table with a column for each quantity."""
+    if len(cases) != 1:
+        return "".join(_difference_table(cases, *row) for row in DIFFERENCES)
+    models = [m for m in _models(cases) if any(s["model"] == m for s in cases[0]["standings"])]
+    columns = [row for row in DIFFERENCES if any(_standing(cases[0], m, row[0]) for m in models)]
+    if not columns:
+        return ""
+    rows = [[escape(style.label(_model(m)))] + [_difference_cell(_standing(cases[0], m, q))
+                                                for q, _, _ in columns] for m in models]
+    return tables.table(["largest difference"] + [f"{heading}<br><span class=d>percent {of}</span>"
+                                                  for _, heading, of in columns], rows)
 
 
 def _cost_table(cases):
@@ -100,7 +113,7 @@ def cost_figure(cases):
                 if s["quantity"] == quantity and s["allowed_there"] > 0]
         if bars:
             axis.axhline(np.median(bars), color=style.GREY, linewidth=0.9, linestyle=(0, (1, 1.5)))
-            axis.annotate("error bars, median", (0.99, np.median(bars)), ha="right", va="bottom",
+            axis.annotate("error bars, median", (0.01, np.median(bars)), ha="left", va="top",
                           xycoords=("axes fraction", "data"), color=style.GREY, fontsize=8)
         axis.set_xscale("log")
         axis.set_yscale("log")
@@ -172,7 +185,7 @@ def build_comparison(directory, png_folder=None):
                                "What a model differs from the reference by, and what it costs: one marker "
                                "for each case. Differences below 0.0001 % are drawn there.")
     words = "".join(f"<li>{escape(sentence)}</li>" for sentence in comparison["words"])
-    found = "".join(_difference_table(cases, *row) for row in DIFFERENCES)
+    found = _differences(cases)
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
     made = comparison["program"]
