@@ -1,5 +1,6 @@
 """python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html or
-study.html in the folder of a comparison or a study."""
+study.html in the folder of a comparison or a study.
+--profile NAME.csv: draws NAME.svg of a wheel or rail profile."""
 import argparse
 import os
 import sys
@@ -7,9 +8,12 @@ import sys
 
 def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
-    parser.add_argument("directory", help="a result folder of rollfem run, compare or study")
+    parser.add_argument("directory", nargs="?", help="a result folder of rollfem run, compare or study")
+    parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
+    if (options.directory is None) == (options.profile is None):
+        parser.error("one of DIR and --profile is needed")
     try:
         from .build import build
         from .compare import build_comparison
@@ -19,7 +23,10 @@ def main():
         sys.exit(f"figures need matplotlib, numpy and h5py: {error}\n"
                  "apt install python3-matplotlib python3-h5py")
     try:
-        if os.path.exists(os.path.join(options.directory, "compare.json")):
+        if options.profile:
+            from .profile import draw
+            draw(options.profile, options.png)
+        elif os.path.exists(os.path.join(options.directory, "compare.json")):
             build_comparison(options.directory, options.png)
         elif os.path.exists(os.path.join(options.directory, "study.json")):
             build_study(options.directory, options.png)

@@ -11,7 +11,8 @@ import re
 import sys
 
 # What each folder may include of the others; None: everything.
-VALUES = {"case", "grid", "geometry", "errors", "progress", "height_curve", "patch_geometry", "track"}
+VALUES = {"case", "grid", "geometry", "errors", "progress", "height_curve", "patch_geometry",
+          "track"}
 ALLOWED = {
     "contact": {},
     "halfspace": {"contact": None},
