@@ -1,6 +1,6 @@
 """python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html or
 study.html in the folder of a comparison or a study.
---profile NAME.csv: draws NAME.svg of a wheel or rail profile."""
+--profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail."""
 import argparse
 import os
 import sys
@@ -10,10 +10,11 @@ def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
     parser.add_argument("directory", nargs="?", help="a result folder of rollfem run, compare or study")
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
+    parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
-    if (options.directory is None) == (options.profile is None):
-        parser.error("one of DIR and --profile is needed")
+    if sum(o is not None for o in (options.directory, options.profile, options.pair)) != 1:
+        parser.error("one of DIR, --profile and --pair is needed")
     try:
         from .build import build
         from .compare import build_comparison
@@ -26,6 +27,9 @@ def main():
         if options.profile:
             from .profile import draw
             draw(options.profile, options.png)
+        elif options.pair:
+            from .places import draw_pair_file
+            draw_pair_file(options.pair, options.png)
         elif os.path.exists(os.path.join(options.directory, "compare.json")):
             build_comparison(options.directory, options.png)
         elif os.path.exists(os.path.join(options.directory, "study.json")):

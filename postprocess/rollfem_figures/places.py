@@ -1,5 +1,7 @@
 """With profiles: where the wheels touch the rails, and how that goes along a row of positions."""
+import csv
 import math
+import os
 
 import numpy as np
 from matplotlib import pyplot as plt
@@ -54,6 +56,12 @@ def pair(result, wheel, position):
                 if m.place["wheel"] == wheel and m.place["position"] == position]
     if drawn is None or not touching:
         return None
+    return draw_pair(drawn, touching, f"{wheel} wheel at position {position:.0f}")
+
+
+def draw_pair(drawn, touching, title):
+    """`drawn`: points y, z [n, 2] of "rail" and "wheel" on the track; `touching`: dicts with patch,
+    y_track, z_track (mm), contact_angle (rad), rolling_radius (mm)."""
     figure, panels = plt.subplots(1, 2, figsize=(9.4, 3.4), gridspec_kw={"width_ratios": [1.5, 1]})
     for name, ink in (("rail", "black"), ("wheel", "#0072B2")):
         y, z = drawn[name].T
@@ -67,9 +75,24 @@ def pair(result, wheel, position):
     _draw_gap(panels[1], drawn, touching)
     for panel in panels:
         panel.set_xlabel("$y$ on the track, to the right [mm]")
-    panels[0].set_title(f"{wheel} wheel at position {position:.0f}")
+    panels[0].set_title(title)
     figure.tight_layout()
     return figure
+
+
+def draw_pair_file(path, png_folder=None):
+    """Draws NAME.svg of a table NAME.csv that `rollfem profile CASE.toml` wrote."""
+    style.use()
+    with open(path, encoding="utf-8") as table:
+        title = table.readline().lstrip("# ").strip()
+        rows = list(csv.DictReader(table))
+    drawn = {part: np.array([[float(r["y [mm]"]), float(r["z [mm]"])] for r in rows if r["part"] == part])
+             for part in ("rail", "wheel")}
+    touching = [{"patch": float(r["part"].split()[1]), "y_track": float(r["y [mm]"]),
+                 "z_track": float(r["z [mm]"]), "contact_angle": float(r["angle [rad]"]),
+                 "rolling_radius": float(r["radius [mm]"])}
+                for r in rows if r["part"].startswith("patch")]
+    style.save(draw_pair(drawn, touching, title), os.path.splitext(path)[0] + ".svg", png_folder)
 
 
 def _curves(result):
