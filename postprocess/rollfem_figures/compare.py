@@ -113,7 +113,7 @@ def cost_figure(cases):
                 if s["quantity"] == quantity and s["allowed_there"] > 0]
         if bars:
             axis.axhline(np.median(bars), color=style.GREY, linewidth=0.9, linestyle=(0, (1, 1.5)))
-            axis.annotate("error bars, median", (0.01, np.median(bars)), ha="left", va="top",
+            axis.annotate("error bars, median", (0.5, np.median(bars)), ha="center", va="bottom",
                           xycoords=("axes fraction", "data"), color=style.GREY, fontsize=8)
         axis.set_xscale("log")
         axis.set_yscale("log")
