@@ -1,11 +1,13 @@
 // The command-line program: reads the call, hands over to the command, and turns every failure
 // into one line on stderr and an exit status (0 done, 1 the solution failed, 2 input or call
 // wrong).
+#include "app/compare.hpp"
 #include "app/mesh.hpp"
 #include "app/processes.hpp"
 #include "app/profile.hpp"
 #include "app/run.hpp"
 #include "app/scenes.hpp"
+#include "app/study.hpp"
 #include "app/version.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
@@ -27,6 +29,8 @@ using namespace rollfem;
 
 struct Call {
   app::RunRequest run;
+  app::CompareRequest compare;
+  app::StudyRequest study;
   app::MeshRequest mesh;
   app::ProfileRequest profile;
   std::string check_file;
@@ -49,7 +53,7 @@ std::string listed(const std::vector<std::string>& names) {
 /// CLI11 would only say that a command is missing.
 void check_command(const CLI::App& program, int argc, char** argv) {
   const std::string allowed =
-      "allowed: run, mesh, profile, check, new-case, docs; do: rollfem --help";
+      "allowed: run, compare, study, mesh, profile, check, new-case, docs; do: rollfem --help";
   if (argc < 2) throw contact::InputError("no command is given; " + allowed);
   const std::string name = argv[1];
   if (name.empty() || name.front() == '-') return;
@@ -58,27 +62,66 @@ void check_command(const CLI::App& program, int argc, char** argv) {
     throw contact::InputError(fmt::format("{}: there is no such command; {}", name, allowed));
 }
 
+bool is_model(const std::string& name) {
+  const std::vector<std::string> known = app::known_models();
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+[[noreturn]] void no_such_model(const std::string& option, const std::string& name) {
+  throw contact::InputError(
+      fmt::format("{} {}: there is no such model; allowed: {}; do: name one of them", option, name,
+                  listed(app::known_models())));
+}
+
+/// Every name once, in order; throws for one that is no model.
+std::vector<std::string> checked_models(const std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names) {
+    if (!is_model(name)) no_such_model("--model", name);
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  }
+  return once;
+}
+
 /// `run --model hertz CASE`: a list option also takes the case file, which is given back here.
 void settle_run(app::RunRequest& request) {
-  const std::vector<std::string> known = app::known_models();
-  const auto is_known = [&](const std::string& name) {
-    return std::find(known.begin(), known.end(), name) != known.end();
-  };
-  if (request.case_file.empty() && !request.models.empty() && !is_known(request.models.back())) {
+  if (request.case_file.empty() && !request.models.empty() && !is_model(request.models.back())) {
     request.case_file = request.models.back();
     request.models.pop_back();
   }
   if (request.case_file.empty())
     throw contact::InputError("run: no case file is named; do: rollfem run CASE.toml");
-  std::vector<std::string> once;
-  for (const std::string& name : request.models) {
-    if (!is_known(name))
-      throw contact::InputError(
-          fmt::format("--model {}: there is no such model; allowed: {}; do: name one of them", name,
-                      listed(known)));
-    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
-  }
-  request.models = once;
+  request.models = checked_models(request.models);
+}
+
+/// The same where several case files may follow the models.
+void settle_compare(app::CompareRequest& request) {
+  const auto is_file = [](const std::string& name) {
+    return !is_model(name) && std::filesystem::path(name).extension() == ".toml";
+  };
+  const auto first = std::find_if(request.models.begin(), request.models.end(), is_file);
+  request.case_files.insert(request.case_files.end(), first, request.models.end());
+  request.models.erase(first, request.models.end());
+  if (request.case_files.empty())
+    throw contact::InputError(
+        "compare: no case file is named; do: rollfem compare CASE.toml [CASE.toml ...]");
+  request.models = checked_models(request.models);
+  if (!request.reference.empty() && !is_model(request.reference))
+    no_such_model("--reference", request.reference);
+}
+
+/// `study --models all CASE`: as settle_run, and "all" stands alone.
+void settle_study(app::StudyRequest& request) {
+  for (std::vector<std::string>* list : {&request.models, &request.vary, &request.references})
+    if (request.case_file.empty() && !list->empty() &&
+        std::filesystem::path(list->back()).extension() == ".toml") {
+      request.case_file = list->back();
+      list->pop_back();
+    }
+  if (request.case_file.empty())
+    throw contact::InputError("study: no case file is named; do: rollfem study CASE.toml");
+  if (request.models != std::vector<std::string>{"all"})
+    request.models = checked_models(request.models);
 }
 
 void new_case(const std::string& file) {
@@ -130,6 +173,69 @@ void add_commands(CLI::App& program, Call& call) {
     app::run(call.run);
   });
 
+  CLI::App* compare = program.add_subcommand(
+      "compare", "compute cases with several models and lay the results beside each other");
+  compare->add_option("case", call.compare.case_files, "case files (.toml), one or more");
+  compare
+      ->add_option("-m,--model", call.compare.models,
+                   listed(app::known_models()) +
+                       "; several in a row or with the option repeated; without it hertz, fastsim, "
+                       "strip, halfspace and fem, whatever models the case files name")
+      ->delimiter(',');
+  compare->add_option("--reference", call.compare.reference,
+                      "the model that the others are compared with; without it halfspace");
+  compare->add_option("-o,--output", call.compare.directory,
+                      "folder for the comparison; without it results/compare_<name of the case "
+                      "file>, results/compare for several");
+  compare->add_flag("--resume", call.compare.resume,
+                    "keep the cases that an earlier call finished and go on with the others");
+  compare->add_flag("-q,--quiet", call.compare.quiet, "print errors and warnings only");
+  compare->add_flag("!--no-report", call.compare.report,
+                    "write results only, no figures and no report");
+  compare->footer("example: rollfem compare cases/thesis_*.toml --reference halfspace");
+  compare->callback([&call] {
+    settle_compare(call.compare);
+    app::compare(call.compare);
+  });
+
+  CLI::App* study = program.add_subcommand(
+      "study", "compute a case on ever finer grids: errors, observed orders, cost");
+  study->add_option("case", call.study.case_file, "case file (.toml)");
+  study
+      ->add_option("-m,--model,--models", call.study.models,
+                   listed(app::known_models()) + ", or all; without it halfspace")
+      ->delimiter(',');
+  study
+      ->add_option(
+          "--vary", call.study.vary,
+          "what is refined: grid (contact grid, strips), cell (of the finite elements and "
+          "the contact grid with them), degree, domain; several in a row; without it grid, "
+          "in finite elements cell")
+      ->delimiter(',');
+  study->add_flag("--together", call.study.together,
+                  "refine all of --vary at once; without it one at a time");
+  study->add_option(
+      "--levels", call.study.levels,
+      "how many levels, 2 to 8; without it 5 grids (a fourth of the case's elements "
+      "to four times as many), 3 cells (four times the case's to the case's), 3 domains "
+      "(half to twice the case's)");
+  study
+      ->add_option("--reference", call.study.references,
+                   "what errors are measured against: exact (Hertz), finest, extrapolated, or "
+                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722; without it "
+                   "exact where there is such a value, else extrapolated")
+      ->delimiter(',');
+  study->add_option("-o,--output", call.study.directory,
+                    "folder for the study; without it results/<name of the case file>_study");
+  study->add_flag("-q,--quiet", call.study.quiet, "print errors and warnings only");
+  study->add_flag("!--no-report", call.study.report,
+                  "write results only, no figures and no report");
+  study->footer("example: rollfem study cases/thesis_a.toml --models all");
+  study->callback([&call] {
+    settle_study(call.study);
+    app::study(call.study);
+  });
+
   CLI::App* mesh = program.add_subcommand(
       "mesh", "write the finite-element meshes of a case and print their quality");
   mesh->add_option("case", call.mesh.case_file, "case file (.toml)")->required();
@@ -167,9 +273,9 @@ void add_commands(CLI::App& program, Call& call) {
 
 int execute(int argc, char** argv) {
   Call call;
-  call.run.command = joined(argc, argv);
-  call.run.argc = call.mesh.argc = argc;
-  call.run.argv = call.mesh.argv = argv;
+  call.run.command = call.compare.command = call.study.command = joined(argc, argv);
+  call.run.argc = call.compare.argc = call.study.argc = call.mesh.argc = argc;
+  call.run.argv = call.compare.argv = call.study.argv = call.mesh.argv = argv;
   CLI::App program(
       "rollfem: steady rolling contact of wheel and rail by finite elements and by "
       "half-space elements",

@@ -1,12 +1,14 @@
-"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html;
+"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html or
+study.html in the folder of a comparison or a study.
 --profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail."""
 import argparse
+import os
 import sys
 
 
 def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
-    parser.add_argument("directory", nargs="?", help="a result folder of rollfem")
+    parser.add_argument("directory", nargs="?", help="a result folder of rollfem run, compare or study")
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
     parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
@@ -15,6 +17,8 @@ def main():
         parser.error("one of DIR, --profile and --pair is needed")
     try:
         from .build import build
+        from .compare import build_comparison
+        from .study import build_study
         from .reader import ResultError
     except ImportError as error:
         sys.exit(f"figures need matplotlib, numpy and h5py: {error}\n"
@@ -26,6 +30,10 @@ def main():
         elif options.pair:
             from .places import draw_pair_file
             draw_pair_file(options.pair, options.png)
+        elif os.path.exists(os.path.join(options.directory, "compare.json")):
+            build_comparison(options.directory, options.png)
+        elif os.path.exists(os.path.join(options.directory, "study.json")):
+            build_study(options.directory, options.png)
         else:
             build(options.directory, options.png)
     except (ResultError, OSError) as error:

@@ -18,6 +18,9 @@ def captions(result):
                "its bound (thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two "
                "coincide the surfaces slip.",
                lambda axis=axis: curves.path(result, axis))
+    yield ("strip_force.svg",
+           "Force per strip: pressure and tangential traction summed along rolling, for each mm of "
+           "width. Thin: the same strip sliding fully.", lambda: curves.strip_forces(result))
     yield ("contact_area.svg", "Contact area of every model, and its zones of adhesion and slip. "
            "Material enters on the right.", lambda: maps.contact_area(result))
     for model in result.models:
@@ -60,10 +63,12 @@ def all_captions(result):
             yield name, caption, draw
 
 
-def build(directory, png_folder=None):
+def build(directory, png_folder=None, reference=""):
     """Draws what the result has and writes the report; figures for which it has no data are left
-    out."""
+    out. `reference`: name of the model that the others are compared with, where it is there. Returns
+    the result and the figures, (file name, caption)."""
     result = read_result(directory)
+    result.reference = reference
     style.use()
     folder = os.path.join(result.directory, "figures")
     os.makedirs(folder, exist_ok=True)
@@ -76,3 +81,4 @@ def build(directory, png_folder=None):
             style.save(figure, os.path.join(folder, name), png_folder)
             figures.append((name, caption))
     write_report(result, figures)
+    return result, figures

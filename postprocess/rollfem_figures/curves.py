@@ -4,7 +4,7 @@ import math
 import numpy as np
 from matplotlib import pyplot as plt
 
-from . import selection, style
+from . import published, selection, style
 from .outline import extent, loaded_runs
 
 
@@ -60,6 +60,10 @@ def creep_curve(result):
                 gaps += [g for _, g in pairs if model.has_bound]
                 axes[1, 0].plot(*zip(*pairs), marker=style.marker(model), markersize=4.5,
                                 **style.line(model))
+    for number, row in enumerate([] if lateral else published.creep_curves(result)):
+        top.plot([100 * xi for xi in row["xi"]], row["traction_coefficient"], linestyle="none",
+                 marker="s^*"[number % 3], markersize=8, markerfacecolor="none",
+                 markeredgecolor="black", markeredgewidth=0.9, zorder=5, label=row["name"])
     top.set_ylabel(f"traction coefficient {ratio} [-]")
     shared = style.key_texts(selection.all_keys(models))[1]
     if shared:
@@ -188,3 +192,77 @@ def path(result, axis):
     figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * rows_of_legend) / figure.get_figheight()))
     figure.legend(handles, labels, loc="upper center", ncol=math.ceil(len(labels) / rows_of_legend))
     return figure
+
+
+def _strip_force(model, field):
+    """Force per strip, N per mm of width: a traction summed over the elements of each row along
+    rolling."""
+    return field.sum(axis=1) * model.dx
+
+
+def strip_forces(result):
+    """Forces of the strips along rolling, over y: p_n, and -p_x at several creepages with the full
+    sliding of the same strips. None when no model has a pressure field."""
+    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    if not models:
+        return None
+    chosen = selection.chosen_keys(models, 5)
+    texts, shared = style.key_texts(chosen)
+    columns = min(3, 1 + len(chosen))
+    rows = math.ceil((1 + len(chosen)) / columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
+                                squeeze=False, sharex=True)
+    panels = list(axes.flat)
+    for model in models:
+        panels[0].plot(model.y, _strip_force(model, model.points[0].fields["pressure"]),
+                       label=style.label(model), **style.line(model))
+    panels[0].set_title("normal force per strip")
+    panels[0].set_ylabel(r"$\int p_n\,dx$ [N/mm]")
+    for panel, key in zip(panels[1:], chosen):
+        for model in models:
+            point = model.at(key)
+            if point is None or not model.has_friction or "traction_x" not in point.fields:
+                continue
+            if "traction_bound" in point.fields:
+                panel.plot(model.y, _strip_force(model, point.fields["traction_bound"]), linewidth=0.7,
+                           alpha=0.7, color=style.colour(model))
+            panel.plot(model.y, -_strip_force(model, point.fields["traction_x"]), **style.line(model))
+        panel.set_title(texts[key])
+        panel.set_ylabel(r"$-\int p_x\,dx$ [N/mm]")
+    _same_limits(panels[1:1 + len(chosen)], models, chosen)
+    for panel in panels[1 + len(chosen):]:
+        panel.set_visible(False)
+    half = extent(models)[1]
+    panels[0].set_xlim(-half, half)
+    for k, panel in enumerate(panels[:1 + len(chosen)]):
+        if k + columns >= 1 + len(chosen):
+            panel.set_xlabel(r"$y$ [mm], lateral")
+            panel.tick_params(labelbottom=True)
+    handles, labels = panels[0].get_legend_handles_labels()
+    if chosen:
+        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
+        labels.append("full sliding of the strip")
+    if shared:
+        handles.append(plt.Line2D([], [], linestyle="none"))
+        labels.append(shared)
+    rows_of_legend = math.ceil(len(labels) / 5)
+    figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * rows_of_legend) / figure.get_figheight()))
+    figure.legend(handles, labels, loc="upper center", ncol=math.ceil(len(labels) / rows_of_legend))
+    return figure
+
+
+def _same_limits(panels, models, chosen):
+    """One scale for all creepages, that of the models that friction bounds."""
+    values = [0.0]
+    for key in chosen:
+        for model in models:
+            point = model.at(key)
+            if point is None or not model.has_friction or not model.has_bound:
+                continue
+            for name, sign in (("traction_bound", 1), ("traction_x", -1)):
+                if name in point.fields:
+                    strip = sign * _strip_force(model, point.fields[name])
+                    values += [strip.min(), strip.max()]
+    room = 0.05 * (max(values) - min(values)) or 1.0
+    for panel in panels:
+        panel.set_ylim(min(values) - room, max(values) + room)

@@ -147,9 +147,11 @@ def _strips(panel, view, model, values, state, count=26):
         inks = np.where(both == 1, "#0072B2", np.where(both == 2, "#D55E00", "#aaaaaa"))
         if state is None:
             inks = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, "#333333", "#aaaaaa")
-        panel.add_collection(LineCollection(np.stack([ends[:-1], ends[1:]], 1), colors=list(inks),
-                                            linewidths=0.9, capstyle="round", snap=False,
-                                            zorder=2 + depth))
+        starts = np.flatnonzero(np.concatenate([[True], inks[1:] != inks[:-1]]))
+        runs = list(zip(starts, [*starts[1:], len(inks)]))  # segments of one colour are one line
+        panel.add_collection(LineCollection([ends[a:b + 1] for a, b in runs],
+                                            colors=[inks[a] for a, _ in runs], linewidths=0.9,
+                                            capstyle="round", snap=False, zorder=2 + depth))
 
 
 def _ticks(half):

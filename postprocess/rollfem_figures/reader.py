@@ -116,6 +116,8 @@ class Result:
     models: list
     # with profiles: {(wheel, position): {"rail": [n, 2], "wheel": [n, 2]}}, y and z on the track
     profiles: dict = field(default_factory=dict)
+    # name of the model that the others are compared with, where the user has chosen one
+    reference: str = ""
 
     def scenes(self):
         """(label, Result) of every patch, in the order of the run; ("", self) without profiles."""

@@ -36,8 +36,9 @@ coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises wit
 −p<sub>x</sub> for the same reason. Slip is that of the wheel's surface relative to the rail."""
 
 
-def _image(result, name, caption):
-    with open(os.path.join(result.directory, "figures", name), "rb") as file:
+def image(directory, name, caption):
+    """A figure of a folder with its caption, as part of the page."""
+    with open(os.path.join(directory, "figures", name), "rb") as file:
         data = base64.b64encode(file.read()).decode("ascii")
     kind = "fits" if name == "creep_curve.svg" else "scroll"  # what a phone shows whole
     return (f'<figure><div class={kind}><img alt="{escape(caption)}" '
@@ -45,7 +46,8 @@ def _image(result, name, caption):
             "</figure>")
 
 
-def _asked(result):
+def asked(result):
+    """What was asked for, from the case."""
     case = result.case
     if "vertical_force" in case:
         load = f"{tables.plain(case['vertical_force'])} N vertically on each wheel"
@@ -89,7 +91,7 @@ def _numbers(result):
     reference = selection.reference_for_patch(result)
     if reference is None:
         return "<p>No model was run.</p>"
-    html = ["<h2>Patch and pressure</h2>", tables.patch_table(result),
+    html = ["<h2>Patch and pressure</h2>", tables.patch_table(result), tables.published_table(result),
             f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}. "
             "±: the model's own error estimate.</p>"]
     failed = [f"{style.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
@@ -97,7 +99,9 @@ def _numbers(result):
     if failed:
         html.insert(0, f"<p class=bad><b>Not converged:</b> {escape('; '.join(failed))}. These numbers "
                     "cannot be trusted.</p>")
-    return "".join(html + [f"<p class=say>{s}</p>" for s in tables.disagreements(result)])
+    # A comparison with a chosen reference has its own words.
+    said = [] if result.reference else tables.disagreements(result)
+    return "".join(html + [f"<p class=say>{s}</p>" for s in said])
 
 
 def _forces(result, creep_curve):
@@ -132,7 +136,7 @@ def _stresses(result, images):
     return "<h2>Stress in the bodies</h2>" + (largest + hint if largest else "") + images
 
 
-def _notes(result):
+def notes(result):
     said = dict.fromkeys((style.label(m), note) for m in result.models for note in m.notes)
     rows = [f"<li><b>{escape(name)}</b>: {escape(note)}</li>" for name, note in said]
     return "<h2>What to know about the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
@@ -147,15 +151,15 @@ def _details(result):
 def _patch(result, images, heading):
     """Everything about one patch; `images(start)` gives its figures whose names begin so."""
     html = [_numbers(result), images("contact_area"), _forces(result, images("creep_curve")),
-            "<h2>Tractions in the patch</h2>" if images("path", "oblique") else "",
-            images("path", "oblique"), _stresses(result, images("stress_"))]
+            "<h2>Tractions in the patch</h2>" if images("path", "strip_force", "oblique") else "",
+            images("path", "strip_force", "oblique"), _stresses(result, images("stress_"))]
     text = "".join(html)
     if heading:
         text = f"<h2>{escape(heading)}</h2>" + text.replace("<h2>", "<h3>").replace("</h2>", "</h3>")
     return text
 
 
-def _patches(result, figures):
+def patches(result, figures):
     """The patches one after the other; of a long row of positions the first ones."""
     scenes = result.scenes()
     drawn = {name.split("_", 1)[0] for name, _ in figures if name[0] == "s" and name[1].isdigit()}
@@ -166,7 +170,7 @@ def _patches(result, figures):
             break
 
         def images(*starts, prefix=prefix):
-            return "".join(_image(result, n, c) for n, c in figures
+            return "".join(image(result.directory, n, c) for n, c in figures
                            if n.startswith(tuple(prefix + s for s in starts)))
 
         heading = label[0].upper() + label[1:] if label else ""
@@ -185,30 +189,39 @@ def report_html(result, figures):
         touching = ("<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
                     + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
                     "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
-                    + "".join(_image(result, n, c) for n, c in figures
+                    + "".join(image(result.directory, n, c) for n, c in figures
                               if n.startswith(("pair_", "positions"))))
     title = escape(result.title or result.case_file or "rollfem result")
-    return "".join([
-        "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
-        '<meta name=viewport content="width=device-width,initial-scale=1">'
-        f"<title>{title}</title><style>{CSS}</style></head><body>",
+    return page(title, [
         f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(made['command'])}</code></p>",
-        _asked(result), touching, _patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
-        _notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
+        asked(result), touching, patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
+        notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result),
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
         "contacts.csv with profiles, path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ "
-        "(for ParaView), figures/.</p></div></body></html>\n"])
+        "(for ParaView), figures/.</p></div>"])
 
 
-def write_report(result, figures):
-    """Writes report.html whole or not at all."""
-    path = os.path.join(result.directory, "report.html")
+def page(title, parts):
+    """A whole page from its parts; the title is HTML."""
+    return "".join([
+        "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
+        '<meta name=viewport content="width=device-width,initial-scale=1">'
+        f"<title>{title}</title><style>{CSS}</style></head><body>", *parts, "</body></html>\n"])
+
+
+def write_page(path, text):
+    """Writes a page whole or not at all."""
     part = f"{path}.part-{os.getpid()}"
     try:
         with open(part, "w", encoding="utf-8") as file:
-            file.write(report_html(result, figures))
+            file.write(text)
         os.replace(part, path)
     finally:
         if os.path.exists(part):
             os.remove(part)
+
+
+def write_report(result, figures):
+    """Writes report.html whole or not at all."""
+    write_page(os.path.join(result.directory, "report.html"), report_html(result, figures))

@@ -7,12 +7,12 @@ def friction_models(result):
 
 
 def reference_for_patch(result):
-    """Hertz where there is one: it is exact for what it describes."""
-    return _first_of(result.models, ("hertz", "halfspace"))
+    """The wished one, else Hertz where there is one: it is exact for what it describes."""
+    return _first_of(result.models, (result.reference, "hertz", "halfspace"))
 
 
 def reference_for_forces(result):
-    return _first_of(friction_models(result), ("halfspace", "fem"))
+    return _first_of(friction_models(result), (result.reference, "halfspace", "fem"))
 
 
 def _first_of(models, names):

@@ -2,7 +2,7 @@
 import math
 from html import escape
 
-from . import selection, style
+from . import published, selection, style
 from .curves import relative_error
 from .reader import place_label
 
@@ -82,6 +82,23 @@ def patch_table(result):
             row.append(cell(point[quantity], relative_error(point, quantity), against, 6))
         rows.append(row)
     return table(["first load point"] + [escape(style.label(m)) for m in models], rows)
+
+
+def published_table(result):
+    """What others give for the patch of this case; empty without any."""
+    rows = published.patches(result)
+    if not rows:
+        return ""
+    quantities = [(name, heading) for name, heading in PATCH if any(name in row for row in rows)]
+    html = table(["published"] + [escape(row["name"]) for row in rows],
+                 [[heading] + [plain(row[name]) if name in row else "–" for row in rows]
+                  for name, heading in quantities]
+                 + [["largest |p<sub>x</sub>| [MPa]"]
+                    + [f"{plain(row['max_traction_x']['value'])}<br><span class=d>ξ = "
+                       f"{plain(100 * row['max_traction_x']['xi'])} %</span>"
+                       if "max_traction_x" in row else "–" for row in rows]]
+                 * any("max_traction_x" in row for row in rows))
+    return html + f"<p class=hint>{escape(published.sources(result))}</p>"
 
 
 def _creepage_head(models):

@@ -49,7 +49,7 @@ class FiguresTest : public ::testing::Test {
 
 TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   const fs::path folder = draw(tests::synthetic_run());
-  for (const char* name : {"creep_curve", "path_x", "path_y", "contact_area",
+  for (const char* name : {"creep_curve", "path_x", "path_y", "contact_area", "strip_force",
                            "oblique_px_halfspace", "oblique_px_fem"}) {
     const fs::path figure = folder / "figures" / (std::string(name) + ".svg");
     ASSERT_TRUE(fs::exists(figure)) << name;
@@ -66,7 +66,7 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   for (std::size_t at = report.find("data:image/svg"); at != std::string::npos;
        at = report.find("data:image/svg", at + 1))
     ++images;
-  EXPECT_EQ(images, 6U);
+  EXPECT_EQ(images, 7U);
   for (const char* text :
        {"thesis case a: conforming plane", "578.7", "0.51136", "half-space", "FEM", "446 000",
         "symmetry plane y = 0 used", "normal_force = 50e3", "not converged"})

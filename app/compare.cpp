@@ -1,0 +1,280 @@
+#include "app/compare.hpp"
+
+#include "app/places.hpp"
+#include "app/processes.hpp"
+#include "app/progress_display.hpp"
+#include "app/run.hpp"
+#include "app/solving.hpp"
+#include "app/version.hpp"
+#include "contact/case_reader.hpp"
+#include "contact/errors.hpp"
+#include "postprocess/comparison.hpp"
+#include "postprocess/result_folder.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using postprocess::ComparedCase;
+
+/// What the theories cost is nothing beside what they tell; the case's own list is for `run`.
+const std::vector<std::string> default_models{"hertz", "fastsim", "strip", "halfspace", "fem"};
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A case with the folder of its results, and what was there before.
+struct Task {
+  contact::Case input;
+  std::string name;
+  fs::path folder;
+  bool done = false;  ///< an earlier call has finished it
+  /// Models that an earlier call found not to take it.
+  std::vector<postprocess::MissingModel> missing;
+};
+
+fs::path directory_of(const CompareRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  if (request.case_files.size() > 1) return fs::path("results") / "compare";
+  return fs::path("results") / ("compare_" + fs::path(request.case_files.front()).stem().string());
+}
+
+/// The result of an earlier call stands: the same case, program and models, written to the end.
+bool is_done(const Task& task) {
+  if (contents(task.folder / "case.toml") != task.input.text) return false;
+  if (!fs::exists(task.folder / "results.h5")) return false;
+  const auto summary =
+      nlohmann::json::parse(contents(task.folder / "summary.json"), nullptr, false);
+  if (!summary.is_object() || !summary.contains("program")) return false;
+  if (summary["program"].value("version", "") != version() ||
+      summary["program"].value("commit", "") != commit())
+    return false;
+  std::vector<std::string> there;
+  for (const auto& model : summary["models"]) there.push_back(model.value("name", ""));
+  for (const postprocess::MissingModel& missing : task.missing) there.push_back(missing.model);
+  return std::all_of(task.input.models.begin(), task.input.models.end(),
+                     [&](const std::string& name) {
+                       return std::find(there.begin(), there.end(), name) != there.end();
+                     });
+}
+
+/// What an earlier call says about models that cannot take a case: compare.json is written anew
+/// after every case.
+std::vector<postprocess::MissingModel> left_out_before(const nlohmann::json& before,
+                                                       const std::string& name) {
+  std::vector<postprocess::MissingModel> all;
+  if (!before.is_object() || before.value("kind", "") != "compare") return all;
+  for (const auto& compared : before["cases"])
+    if (compared.value("name", "") == name)
+      for (const auto& missing : compared["missing"])
+        if (!missing.value("failed", true))
+          all.push_back({missing.value("model", ""), missing.value("reason", ""), false});
+  return all;
+}
+
+std::vector<Task> tasks_of(const CompareRequest& request, const std::vector<std::string>& models) {
+  std::vector<Task> tasks;
+  std::map<std::string, std::string> names;
+  const auto before =
+      nlohmann::json::parse(contents(directory_of(request) / "compare.json"), nullptr, false);
+  for (const std::string& file : request.case_files) {
+    Task task;
+    task.input = contact::read_case(file);
+    task.input.models = models;
+    task.name = fs::path(file).stem().string();
+    task.folder = directory_of(request) / task.name;
+    const auto [found, fresh] = names.emplace(task.name, file);
+    if (!fresh)
+      throw contact::InputError(fmt::format(
+          "compare: {} and {} would both be written to {}; do: give one of them another name",
+          found->second, file, task.folder.string()));
+    task.missing = left_out_before(before, task.name);
+    task.done = request.resume && is_done(task);
+    tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+/// What would only come out after the computing.
+void check_folders(const CompareRequest& request, const std::vector<Task>& tasks) {
+  const fs::path directory = directory_of(request);
+  for (const char* other : {"summary.json", "study.json"})
+    if (fs::exists(directory / other))
+      throw contact::InputError(
+          fmt::format("compare: {} holds the result of another command ({}); do: name another "
+                      "folder with -o",
+                      directory.string(), other));
+  for (const Task& task : tasks) postprocess::check_directory(task.folder.string());
+}
+
+/// A message of InputError without what to do: nothing is to be done about a model left out.
+std::string reason_alone(const std::string& message) {
+  return message.substr(0, std::min(message.find("; allowed:"), message.find("; do:")));
+}
+
+/// Computes one case and writes its folder; what it has found, or why there is nothing.
+ComparedCase compare_case(const CompareRequest& request, const Task& task, Solving how) {
+  ComparedCase compared;
+  compared.name = task.name;
+  compared.title = task.input.title;
+  compared.case_file = task.input.file;
+  compared.friction = task.input.friction_coefficient;
+  if (task.done) {
+    compared.summary = contents(task.folder / "summary.json");
+    compared.missing = task.missing;
+    return compared;
+  }
+  std::unique_ptr<postprocess::CheckpointFolder> checkpoint;
+  try {
+    if (how.first)
+      checkpoint = open_checkpoint(task.folder.string(), task.input, request.resume, request.quiet);
+    how.checkpoint = checkpoint.get();
+    postprocess::RunRecord record;
+    record.input = task.input;
+    record.provenance = provenance_of(
+        request.command, how.session != nullptr && !how.together ? processes().count : 1);
+    Solved solved = solve(task.input, how);
+    bool failed = false;
+    for (Missing& missing : solved.missing) {
+      failed = failed || missing.failed;
+      compared.missing.push_back({missing.model,
+                                  missing.failed ? missing.reason : reason_alone(missing.reason),
+                                  missing.failed});
+    }
+    for (const contact::ModelResult& model : solved.results)
+      if (!model.shortfall.empty()) compared.missing.push_back({model.name, model.shortfall, true});
+    if (solved.results.empty() || !how.first) return compared;
+    record.models = std::move(solved.results);
+    record.pairs = std::move(solved.pairs);
+    write_whole(task.folder.string(), record);
+    if (!failed) checkpoint->remove();
+    compared.summary = contents(task.folder / "summary.json");
+  } catch (const contact::SolveError& error) {
+    if (!how.together && how.session != nullptr) throw;
+    compared.missing.push_back({"every model", error.what(), true});
+  }
+  return compared;
+}
+
+/// The data, whole or as before.
+void write_data(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
+  const fs::path directory = directory_of(request);
+  std::error_code error;
+  fs::create_directories(directory, error);
+  postprocess::replace_file(directory / "compare.json", postprocess::comparison_json(record));
+  postprocess::replace_file(directory / "compare.csv", postprocess::comparison_csv(record));
+}
+
+void report_and_tell(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
+  const fs::path directory = directory_of(request);
+  std::string problem;
+  if (request.report)
+    problem = postprocess::make_report(directory.string(), script_directory().string());
+  if (!problem.empty())
+    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+  if (request.quiet) return;
+  std::vector<postprocess::CaseStandings> all;
+  for (const ComparedCase& compared : record.cases) {
+    all.push_back(postprocess::case_standings(compared, record.reference));
+    std::cout << compared.name << ": " << compared.title << '\n';
+    for (const std::string& words : postprocess::comparison_words(all.back().standings))
+      std::cout << "  " << words << '\n';
+    for (const postprocess::MissingModel& missing : compared.missing)
+      std::cout << fmt::format("  {}: {}: {}\n", missing.model,
+                               missing.failed ? "failed" : "left out", missing.reason);
+    std::cout << '\n';
+  }
+  std::cout << "all cases\n";
+  for (const std::string& words : postprocess::summary_words(all))
+    std::cout << "  " << words << '\n';
+  std::cout << "\nresults: " << directory.string() << '\n';
+  if (request.report && problem.empty())
+    std::cout << "report:  " << (directory / "compare.html").string() << '\n';
+}
+
+/// A failure is told at the end, when everything else is safe.
+void refuse_failures(const postprocess::ComparisonRecord& record) {
+  std::string text;
+  for (const ComparedCase& compared : record.cases)
+    for (const postprocess::MissingModel& missing : compared.missing)
+      if (missing.failed)
+        text += fmt::format("{}{}, {}: {}", text.empty() ? "" : "; ", compared.name, missing.model,
+                            missing.reason);
+  if (!text.empty())
+    throw contact::SolveError("the comparison is written without what failed: " + text);
+}
+
+}  // namespace
+
+void compare(const CompareRequest& request) {
+  const Processes here = processes();
+  const bool named = !request.models.empty();
+  std::vector<std::string> models = named ? request.models : default_models;
+#if !ROLLFEM_WITH_FEM
+  if (!named) models.pop_back();
+#endif
+  if (!request.reference.empty() &&
+      std::find(models.begin(), models.end(), request.reference) == models.end())
+    throw contact::InputError(
+        fmt::format("--reference {}: it is not one of the models compared; do: name it with "
+                    "--model too, or take one of them",
+                    request.reference));
+  const std::vector<Task> tasks = tasks_of(request, models);
+  const bool anything =
+      std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.done; });
+  const bool parallel = anything && std::find(models.begin(), models.end(), "fem") != models.end();
+  if (!here.first() && !parallel) return;
+  if (here.first()) check_folders(request, tasks);
+
+  std::unique_ptr<FemSession> session;
+  if (parallel) session = std::make_unique<FemSession>("--model fem", request.argc, request.argv);
+  ProgressDisplay display(request.quiet || !here.first() ? ProgressDisplay::Mode::silent
+                                                         : ProgressDisplay::mode_of_stderr());
+  Solving how;
+  how.session = session.get();
+  how.progress = [&](const contact::ProgressEvent& event) { display.show(event); };
+  how.first = here.first();
+  how.together = here.count == 1;
+  how.go_on = true;
+  postprocess::ComparisonRecord record;
+  record.provenance = provenance_of(request.command, parallel ? here.count : 1);
+  record.models = models;
+  record.reference = request.reference;
+  try {
+    for (const Task& task : tasks) {
+      record.cases.push_back(compare_case(request, task, how));
+      display.clear();
+      if (here.first()) write_data(request, record);
+      if (here.first() && !request.quiet)
+        std::cerr << fmt::format("compare: {} {}\n", task.name,
+                                 task.done ? "was done before" : "done");
+    }
+    if (here.first()) {
+      report_and_tell(request, record);
+      refuse_failures(record);
+    }
+  } catch (...) {
+    display.clear();
+    // As in run: finalising MPI would wait for processes that may not have failed.
+    static_cast<void>(session.release());
+    throw;
+  }
+}
+
+}  // namespace rollfem::app

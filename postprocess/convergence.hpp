@@ -1,0 +1,41 @@
+// What a sequence of values on ever finer levels tells: the observed order of convergence, the
+// limit after Richardson and how far both can be trusted. P. J. Roache, Verification and Validation
+// in Computational Science and Engineering (1998); L. Eca, M. Hoekstra, J. Comput. Phys. 262
+// (2014), for sequences without an order.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollfem::postprocess {
+
+/// f(h) = limit + C h^p, from the three finest of the values.
+struct Limit {
+  /// Observed order p; none where the three values allow none, `reason` says why.
+  std::optional<double> order;
+  std::string reason;
+  /// Richardson value with an order; the finest value without.
+  double value = 0.0;
+  /// Of `value`, absolute. With an order and four values or more: the change of the Richardson
+  /// value from the level before, at least a fourth of its distance to the finest value; with three
+  /// values grid_uncertainty; without an order three times the largest change.
+  double uncertainty = 0.0;
+  /// Of the finest value itself, absolute: Roache's grid convergence index with the factor 1.25 and
+  /// an order of at most 2 (what the methods of this program have); without an order as above.
+  double grid_uncertainty = 0.0;
+};
+
+/// Orders outside of this are not those of a method: changes that fall too slowly or vanish by
+/// chance.
+inline constexpr double least_order = 0.5;
+inline constexpr double largest_order = 6.0;
+
+/// `values` coarsest first, each on cells smaller by `ratio` > 1 than the one before; two at least
+/// (two give no order). Throws std::logic_error otherwise.
+Limit limit_of(const std::vector<double>& values, double ratio);
+
+/// Order that two errors show on cells that are smaller by `ratio`; none where one is 0.
+std::optional<double> order_of_errors(double coarse, double fine, double ratio);
+
+}  // namespace rollfem::postprocess

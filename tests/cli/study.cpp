@@ -1,0 +1,89 @@
+// The command study: levels, orders, references, what it refuses.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+#include "unit/case_examples.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+
+const std::string quick = small_case +
+                          "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
+                          "[contact_grid]\nelements_across = 20\n";
+
+nlohmann::json read(const std::filesystem::path& file) {
+  return nlohmann::json::parse(contents(file));
+}
+
+TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
+  const Folder folder;
+  const Outcome outcome = call(folder, {"study", folder.file("quick.toml", quick)});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+  const auto folder_of_study = folder.work() / "results" / "quick_study";
+  for (const char* name : {"study.csv", "study.html", "figures/speed_error.svg"})
+    EXPECT_TRUE(std::filesystem::exists(folder_of_study / name)) << name;
+  const auto all = read(folder_of_study / "study.json");
+  EXPECT_EQ(all.at("references").at("max_pressure").at("kind"), "exact");
+  const auto& levels = all.at("series")[0].at("levels");
+  ASSERT_EQ(levels.size(), 5U);
+  EXPECT_EQ(levels[0].at("label"), "5 across");
+  EXPECT_EQ(levels[4].at("label"), "80 across");
+  // docs/accuracy.md: p0 converges with order 2; the error at 80 across is 1.4e-4.
+  for (int k = 2; k < 5; ++k)
+    EXPECT_NEAR(levels[k].at("orders").at("max_pressure").get<double>(), 2.0, 0.35) << k;
+  EXPECT_NEAR(levels[4].at("errors").at("max_pressure").get<double>(), 1.4e-4, 0.4e-4);
+  EXPECT_NE(outcome.out.find("80 across"), std::string::npos) << outcome.out;
+}
+
+TEST(Study, AllModelsAndGivenReferences) {
+  const Folder folder;
+  std::vector<std::string> arguments{"study",
+                                     "--levels",
+                                     "2",
+                                     "--no-report",
+                                     "-o",
+                                     "out",
+                                     "--reference",
+                                     "max_pressure=1000",
+                                     "traction_coefficient:2=0.1",
+                                     "--models"};
+  // With finite elements all models take minutes.
+  if (ROLLFEM_WITH_FEM)
+    arguments.insert(arguments.end(), {"hertz", "linear", "fastsim", "strip", "halfspace"});
+  else
+    arguments.emplace_back("all");
+  arguments.push_back(folder.file("quick.toml", quick));
+  const Outcome outcome = call(folder, arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto all = read(folder.work() / "out" / "study.json");
+  EXPECT_EQ(all.at("references").at("max_pressure").at("kind"), "given");
+  std::vector<std::string> models;
+  for (const auto& series : all.at("series")) {
+    models.push_back(series.at("model"));
+    const auto& level = series.at("levels").back();
+    EXPECT_NEAR(level.at("errors").at("max_pressure").get<double>(),
+                std::abs(level.at("values").at("max_pressure").get<double>() / 1000.0 - 1.0), 1e-9);
+  }
+  for (const char* name : {"hertz", "linear", "fastsim", "strip", "halfspace"})
+    EXPECT_EQ(std::count(models.begin(), models.end(), name), 1) << name;
+}
+
+TEST(Study, RefusesWhatMakesNoSense) {
+  const Folder folder;
+  const std::string file = folder.file("quick.toml", quick);
+  expect_refused(call(folder, {"study"}), "no case file is named");
+  expect_refused(call(folder, {"study", file, "--vary", "degrees"}), "not something to refine");
+  expect_refused(call(folder, {"study", file, "--vary", "domain"}), "none of the models");
+  expect_refused(call(folder, {"study", file, "--levels", "1"}), "allowed: 2 to 8");
+  expect_refused(call(folder, {"study", file, "--reference", "best"}), "not a reference");
+  expect_refused(call(folder, {"study", file, "--reference", "max_pressure=abc"}), "not a number");
+  expect_refused(call(folder, {"study", file, "--reference", "traction_coefficient:3=0.1"}),
+                 "no such quantity in this case");
+  expect_refused(call(folder, {"study", file, "--model", "nope"}), "there is no such model");
+  EXPECT_TRUE(folder.made().empty());
+}
+
+}  // namespace

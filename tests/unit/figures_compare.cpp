@@ -1,0 +1,159 @@
+// The pages of compare and study, made by Debian's Python from written data: self-contained, with
+// every case, model and figure. Skipped with a message where matplotlib or h5py is not installed.
+#include "postprocess/comparison.hpp"
+#include "postprocess/output.hpp"
+#include "postprocess/result_folder.hpp"
+#include "postprocess/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/output_python.hpp"
+#include "unit/output_synthetic_run.hpp"
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+const std::string scripts = std::string(ROLLFEM_SOURCE_DIR) + "/postprocess";
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::size_t count(const std::string& text, const std::string& piece) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
+    ++found;
+  return found;
+}
+
+void expect_self_contained(const std::string& page) {
+  for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url("})
+    EXPECT_EQ(page.find(link), std::string::npos) << link;
+  EXPECT_EQ(count(page, "<img"), count(page, "src=\"data:image/svg+xml;base64,"));
+  EXPECT_NE(page.find("name=viewport"), std::string::npos);
+  EXPECT_NE(page.find("@media print"), std::string::npos);
+}
+
+class PagesTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!tests::python_can_import("matplotlib, h5py, numpy"))
+      GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
+    std::string name = (fs::path(::testing::TempDir()) / "rollfem_pages_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    base_ = name;
+  }
+  void TearDown() override { fs::remove_all(base_); }
+
+  ComparedCase written(const std::string& name, const RunRecord& run) {
+    write_results((base_ / name).string(), run);
+    ComparedCase compared;
+    compared.name = name;
+    compared.title = run.input.title;
+    compared.case_file = name + ".toml";
+    compared.friction = run.input.friction_coefficient;
+    compared.summary = read(base_ / name / "summary.json");
+    return compared;
+  }
+
+  fs::path base_;
+};
+
+TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
+  RunRecord run = tests::synthetic_run();
+  ComparisonRecord record;
+  record.models = {"hertz", "halfspace", "fem", "strip"};
+  record.cases.push_back(written("one", run));
+  run.input.title = "second <case>";
+  run.models.erase(run.models.begin());
+  record.cases.push_back(written("two", run));
+  record.cases[1].missing = {{"strip", "it cannot take this & that", false}};
+  ComparedCase failed;
+  failed.name = "three";
+  failed.title = "third";
+  failed.missing = {{"every model", "no contact", true}};
+  record.cases.push_back(failed);
+  replace_file(base_ / "compare.json", comparison_json(record));
+  ASSERT_EQ(make_report(base_.string(), scripts), "");
+  const std::string page = read(base_ / "compare.html");
+  expect_self_contained(page);
+  for (const char* text :
+       {"Comparison of models on 3 cases", "second &lt;case&gt;", "it cannot take this &amp; that",
+        "is left out", "no contact", "failed", "Which models agree where", "Cost",
+        "hertz against halfspace", "Force per strip", "id=\"one\""})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  // Seven figures in the first case, as many in the second, and differences against cost.
+  EXPECT_EQ(count(page, "<img"), 15U);
+  EXPECT_TRUE(fs::exists(base_ / "one" / "report.html"));
+}
+
+TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
+  StudyRecord study;
+  study.title = "a <study>";
+  study.friction = 0.5;
+  study.creepages = {{0.0, 0.0, 0.0}, {0.002, 0.0, 0.0}};
+  study.exact = {{"max_pressure", 100.0}};
+  StudySeries fine{"halfspace", "grid", "contact grid", 2.0, {}, ""};
+  StudySeries jumpy{"fem", "cell", "FE cell", 2.0, {}, "ran out of memory"};
+  for (int k = 0; k < 4; ++k) {
+    StudyLevel level;
+    level.label = std::to_string(10 << k);
+    level.unknowns = 100L << (2 * k);
+    level.seconds = 0.1 * std::exp2(2 * k);
+    level.values = {{"max_pressure", 100.0 + std::exp2(-2 * k)},
+                    {"traction_coefficient:2", 0.3 - 0.01 * std::exp2(-k)}};
+    fine.levels.push_back(level);
+    level.values["traction_coefficient:2"] = 0.31 + (k % 2 == 0 ? 0.002 : -0.001);
+    jumpy.levels.push_back(level);
+  }
+  StudySeries theory{"hertz", "", "", 0.0, {fine.levels[0]}, ""};
+  theory.levels[0].values = {{"max_pressure", 100.0}};
+  study.series = {fine, jumpy, theory};
+  replace_file(base_ / "study.json", study_json(study));
+  ASSERT_EQ(make_report(base_.string(), scripts), "");
+  const std::string page = read(base_ / "study.html");
+  expect_self_contained(page);
+  for (const char* text : {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
+                           "ran out of memory", "order 2", "no order", "exact", "extrapolated"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_EQ(count(page, "<img"), 2U);
+  for (const char* name : {"speed_error.svg", "error_unknowns.svg"})
+    EXPECT_NE(read(base_ / "figures" / name).find("</svg>"), std::string::npos) << name;
+}
+
+TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
+  RunRecord run = tests::synthetic_run();
+  run.input.load.normal_force = 50e3;
+  run.input.friction_coefficient = 0.55;
+  run.input.wheel.rolling_radius = 405.0;
+  run.input.wheel.transverse_radius = contact::infinity;
+  run.input.rail.transverse_radius = 2000.0;
+  const auto report = [&](const char* name) {
+    write_results((base_ / name).string(), run);
+    EXPECT_EQ(make_report((base_ / name).string(), scripts), "");
+    return read(base_ / name / "report.html");
+  };
+  EXPECT_NE(report("thesis").find("Hertz, from a diagram"), std::string::npos);
+  run.input.load.normal_force = 60e3;
+  EXPECT_EQ(report("other").find("Hertz, from a diagram"), std::string::npos);
+}
+
+TEST_F(PagesTest, DataOfAnotherKindIsRefusedInALine) {
+  std::ofstream(base_ / "compare.json") << "{\"format\": 2, \"kind\": \"compare\"}";
+  const std::string message = make_report(base_.string(), scripts);
+  EXPECT_NE(message.find("not a comparison that this program reads"), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess
