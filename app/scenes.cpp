@@ -50,15 +50,17 @@ std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
 }
 
 std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
-                                                 const std::vector<wheelset::PlacedWheel>& wheels) {
+                                                 const std::vector<meshes::Scene>& scenes) {
   const auto wheel = meshes::make_profile(input.wheel.profile, true, input.file);
   const auto rail = meshes::make_profile(input.rail.profile, false, input.file);
   const auto placed = meshes::place_rail(rail, meshes::rail_place(rail, input.track));
   std::vector<postprocess::PlacedPair> pairs;
-  for (const wheelset::PlacedWheel& at : wheels)
-    if (!at.contacts.empty())
-      pairs.push_back({at.left, at.position, on_track(placed, at.left),
-                       wheel_on_track(input, wheel, at.contacts.front())});
+  for (const meshes::Scene& scene : scenes) {
+    const contact::ContactPlace& place = scene.contact.place;
+    if (place.patch == 1)
+      pairs.push_back({place.left, place.position, on_track(placed, place.left),
+                       wheel_on_track(input, wheel, scene.contact)});
+  }
   return pairs;
 }
 
@@ -67,7 +69,7 @@ std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
 Scenes scenes_of(const Case& input, const contact::Progress& progress) {
   if (!input.has_profiles()) return {{input}, {}, {}};
   wheelset::BalancedCase balanced = wheelset::balance(input, progress);
-  return {std::move(balanced.scenes), drawn_pairs(input, balanced.wheels),
+  return {std::move(balanced.scenes), drawn_pairs(input, balanced.placed),
           std::move(balanced.notes)};
 }
 
@@ -76,15 +78,14 @@ std::string contacts_text(const Case& input) {
       fmt::format("{:<7}{:>9}{:>7}{:>11}{:>12}{:>12}{:>12}{:>11}{:>12}{:>15}\n", "wheel",
                   "position", "patch", "roll mrad", "y track mm", "y rail mm", "y wheel mm",
                   "angle rad", "radius mm", "separation mm");
-  for (const wheelset::PlacedWheel& wheel : wheelset::place_wheels(input))
-    for (const meshes::WheelRailContact& contact : wheel.contacts) {
-      const contact::ContactPlace& at = contact.place;
-      text += fmt::format(
-          "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",
-          at.left ? "left" : "right", at.position,
-          at.patch > 0 ? std::to_string(at.patch) : std::string("near"), 1e3 * at.roll, at.y_track,
-          at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius, at.separation);
-    }
+  for (const meshes::WheelRailContact& contact : wheelset::place_wheels(input)) {
+    const contact::ContactPlace& at = contact.place;
+    text += fmt::format(
+        "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",
+        at.left ? "left" : "right", at.position,
+        at.patch > 0 ? std::to_string(at.patch) : std::string("near"), 1e3 * at.roll, at.y_track,
+        at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius, at.separation);
+  }
   return text;
 }
 

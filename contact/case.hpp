@@ -199,7 +199,7 @@ struct SubsurfaceRequest {
 
 enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
 /// How the program meshes wheel and rail: a graded box laid on the surface, or a gmsh cross-section
-/// revolved and extruded.
+/// revolved and extruded, with profiles the true section of rail and rim.
 enum class MeshFamily { structured, gmsh };
 /// How the far boundary of the segments is held: fixed, or displaced as a half-space under the
 /// force on the patch, taken as a point load.
@@ -213,7 +213,8 @@ struct FemOptions {
   std::optional<double> depth;        ///< mm, of the segments; else the extent
   std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
   std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
-  MeshFamily mesh = MeshFamily::structured;
+  std::optional<MeshFamily> mesh;     ///< not given: structured, with profiles gmsh
+  std::optional<double> rim_thickness;      ///< mm, of the wheel's true section below the tread
   std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
   LinearSolver linear_solver = LinearSolver::automatic;
 };

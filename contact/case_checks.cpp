@@ -57,6 +57,7 @@ void check_required(const GivenCase& given) {
     if (key.section.find('.') != std::string::npos) continue;  // repeated: check_entries
     const bool is_radius = key.section == "wheel" || key.section == "rail";
     if (radii_replaced && is_radius) continue;
+    if (key.name == "transverse_radius" && given.find(key.section, "profile") != nullptr) continue;
     CaseProblem problem;
     problem.line = section_line(given, key.section);
     problem.column = problem.line > 0 ? 1 : 0;
@@ -79,10 +80,16 @@ void check_load(const GivenCase& given) {
   else if (given.find("history", "normal_force") != nullptr ||
            given.find("history", "approach") != nullptr)
     sources = {"history.normal_force", "history.approach"};
+  const bool plain = sources[0] == std::string("load.normal_force") && !pressure;
+  const bool profiles = plain && has_profiles(given);
+  if (profiles) sources.push_back("load.vertical_force");
+  const char* one_of = profiles ? "exactly one of normal_force, approach and vertical_force"
+                                : "exactly one of normal_force and approach";
   const GivenValue* first = nullptr;
   std::string first_path;
-  for (const char* path : {"load.normal_force", "load.approach", "given_pressure.max_pressure",
-                           "history.normal_force", "history.approach"}) {
+  for (const char* path :
+       {"load.normal_force", "load.approach", "load.vertical_force", "given_pressure.max_pressure",
+        "history.normal_force", "history.approach"}) {
     const std::string text = path;
     const GivenValue* value =
         given.find(text.substr(0, text.find('.')), text.substr(text.find('.') + 1));
@@ -93,14 +100,13 @@ void check_load(const GivenCase& given) {
       first_path = text;
       continue;
     }
-    const bool plain = sources[0] == std::string("load.normal_force") && !pressure;
     CaseProblem problem = problem_at(text, *value);
     problem.wrong = first != nullptr ? fmt::format("contradicts {} = {} of line {}", first_path,
                                                    first->text, first->line)
                                      : fmt::format("does not go together with [{}]",
                                                    pressure ? "given_pressure" : "history");
-    problem.allowed = plain ? "exactly one of normal_force and approach"
-                            : fmt::format("exactly one of {} and {}", sources[0], sources[1]);
+    problem.allowed =
+        plain ? one_of : fmt::format("exactly one of {} and {}", sources[0], sources[1]);
     problem.action = "remove one of the two";
     fail(given.file, problem);
   }
@@ -111,9 +117,10 @@ void check_load(const GivenCase& given) {
   problem.key = "load.normal_force";
   problem.wrong = pressure ? "is missing, and given_pressure.max_pressure too"
                            : "is missing, and load.approach too";
-  problem.allowed = pressure ? "exactly one of load.normal_force and given_pressure.max_pressure"
-                             : "exactly one of normal_force and approach";
-  problem.action = "add `normal_force = 50e3` under [load]";
+  problem.allowed =
+      pressure ? "exactly one of load.normal_force and given_pressure.max_pressure" : one_of;
+  problem.action = profiles ? "add `vertical_force = 50e3` under [load]"
+                            : "add `normal_force = 50e3` under [load]";
   fail(given.file, problem);
 }
 
@@ -129,7 +136,7 @@ void check_grid(const GivenCase& given) {
   fail(given.file, problem);
 }
 
-void check_list_lengths(const GivenCase& given) {
+void check_list_lengths(const GivenCase& given, const std::string& group) {
   std::string first_path;
   const GivenValue* first = nullptr;
   std::size_t expected = 0;
@@ -138,7 +145,7 @@ void check_list_lengths(const GivenCase& given) {
     if (found == given.values.end()) continue;
     const GivenValue& value = found->second;
     const bool steps = key.path() == "history.steps";
-    if (key.kind != KeyKind::numbers && !steps) continue;
+    if ((key.kind != KeyKind::numbers && !steps) || list_group(key) != group) continue;
     const std::size_t length = steps ? static_cast<std::size_t>(std::get<double>(value.value))
                                      : std::get<std::vector<double>>(value.value).size();
     if (length == 1 && !steps) continue;
@@ -152,7 +159,7 @@ void check_list_lengths(const GivenCase& given) {
     CaseProblem problem = problem_at(key.path(), value);
     problem.wrong = fmt::format("has {} entries, but {} of line {} has {}", length, first_path,
                                 first->line, expected);
-    problem.allowed = "lists of one common length, or a single number for all load points";
+    problem.allowed = "lists of one common length, or a single number for all " + group;
     problem.action = "make the lists equally long";
     fail(given.file, problem);
   }
@@ -213,17 +220,18 @@ void check_far_boundary(const GivenCase& given) {
 }  // namespace
 
 void check_together(const GivenCase& given) {
+  check_track(given);
   check_load(given);
   check_required(given);
   check_grid(given);
   check_entries(given);
-  check_list_lengths(given);
+  for (const char* group : {"load points", "positions"}) check_list_lengths(given, group);
   check_far_boundary(given);
 }
 
 void check_geometry(const GivenCase& given, const Case& input) {
   check_approach(given, input);
-  if (replaces_radii(given)) return;
+  if (replaces_radii(given) || input.has_profiles()) return;
   const double wheel = input.wheel.transverse_radius;
   const double rail = input.rail.transverse_radius;
   // Not only B > 0: radii that cancel to rounding would pass that and overflow later.

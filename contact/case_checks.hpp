@@ -50,6 +50,19 @@ struct CaseProblem {
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
 
+/// Whether wheel or rail is given by a profile.
+bool has_profiles(const GivenCase& given);
+
+/// Profiles, track and wheelset must fit each other and the rest. Throws InputError.
+void check_track(const GivenCase& given);
+
+/// Lists of one group have one length: "load points", "positions" of the wheelset; empty: a list of
+/// its own.
+std::string list_group(const Key& key);
+
+/// Which creepages are given; positions of the wheelset at one length.
+void complete_track(const GivenCase& given, Case& input);
+
 /// What the case asks for and what it gives must fit: problem, forces, history, given pressure,
 /// distance and slip from files. Throws InputError.
 void check_problem(const GivenCase& given);

@@ -28,7 +28,7 @@ std::string describe_key(const Key& key, const Case& input) {
                              key.section == "given_pressure" || key.section == "rolling";
     return alternative ? "" : fmt::format("  {} {}\n", pad(key.name, 22), key.when_absent);
   }
-  const bool is_default = !key.required && value == key.get(defaults());
+  const bool is_default = !key.required && key.when_absent.empty() && value == key.get(defaults());
   std::string line = fmt::format("  {} {}", pad(key.name, 22), text);
   if (!key.unit.empty()) line += " " + key.unit;
   if (is_default) line += "  (default)";
@@ -55,8 +55,14 @@ std::string describe_entries(const Section& section, const Case& input) {
   return text;
 }
 
-/// Sections that say nothing when nothing is given in them.
+/// Sections that belong to profiles, which a case may do without.
+bool is_of_profiles(const Section& section) {
+  return section.name == "track" || section.name == "wheelset";
+}
+
+/// Sections that say nothing when nothing is given in them, or without profiles.
 bool is_silent(const Section& section, const Case& input) {
+  if (is_of_profiles(section)) return !input.has_profiles();
   if (section.name != "history" && section.name != "undeformed_distance" &&
       section.name != "given_pressure")
     return false;
@@ -73,7 +79,7 @@ std::string describe_derived(const Case& input) {
     text += fmt::format("  {} {}\n", pad(name, 22),
                         fmt::format("{:.6g}{}  ({})", value, unit, meaning));
   };
-  if (!input.given_pressure && !input.undeformed_distance.values) {
+  if (!input.given_pressure && !input.undeformed_distance.values && !input.has_profiles()) {
     line("A", curvatures.A, " 1/mm", "undeformed distance h = A x^2 + B y^2");
     line("B", curvatures.B, " 1/mm",
          input.undeformed_distance.quadratic ? "as given"
@@ -136,7 +142,8 @@ std::string case_template() {
       text += section.name.empty() ? "\n"
                                    : fmt::format("\n# {}\n[{}]\n", section.sentence, section.name);
     for (const Key& key : case_keys())
-      if (key.section == section.name) text += template_key(key, section.repeated);
+      if (key.section == section.name)
+        text += template_key(key, section.repeated || is_of_profiles(section));
   }
   return text;
 }

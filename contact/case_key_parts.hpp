@@ -93,5 +93,7 @@ std::vector<Key> surface_keys();     ///< [undeformed_distance], [given_pressure
 std::vector<Key> theory_keys();      ///< [fastsim], [strip], [carter]
 std::vector<Key> subsurface_keys();  ///< [[subsurface.*]]
 std::vector<Key> mesh_keys();        ///< meshes of [wheel], [rail] and [fem]
+std::vector<Key> track_keys();       ///< [track], vertical_force
+std::vector<Key> wheelset_keys();    ///< [wheelset]
 
 }  // namespace rollfem::contact

@@ -378,7 +378,8 @@ std::vector<Key> grid_keys() {
        false,
        "",
        "",
-       "Middle of the potential contact area, [x, y].",
+       "Middle of the potential contact area, [x, y]; with profiles from the contact point, and "
+       "without an extent from the middle of the patch.",
        [](const Case& c) -> KeyValue {
          return Numbers(c.contact_grid.middle.begin(), c.contact_grid.middle.end());
        },
@@ -530,6 +531,8 @@ const std::vector<Section>& case_sections() {
       {"friction", "Friction between wheel and rail"},
       {"wheel", "Upper body (1): a surface of revolution about the axle"},
       {"rail", "Lower body (2): a straight extruded rail"},
+      {"track", "The track under wheels with profiles"},
+      {"wheelset", "Where the wheelset with profiles stands on the track and how it moves"},
       {"rolling",
        "Rolling along x; lists have one length, that of the load points; numbers serve all"},
       {"history",
@@ -558,9 +561,10 @@ const std::vector<Section>& case_sections() {
 const std::vector<Key>& case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
-    for (auto* part : {&general_keys, &accuracy_keys, &load_keys, &body_keys, &rolling_keys,
-                       &problem_keys, &history_keys, &surface_keys, &grid_keys, &theory_keys,
-                       &fem_keys, &mesh_keys, &output_keys, &subsurface_keys})
+    for (auto* part :
+         {&general_keys, &accuracy_keys, &load_keys, &body_keys, &track_keys, &wheelset_keys,
+          &rolling_keys, &problem_keys, &history_keys, &surface_keys, &grid_keys, &theory_keys,
+          &fem_keys, &mesh_keys, &output_keys, &subsurface_keys})
       for (Key& key : (*part)()) all.push_back(std::move(key));
     return all;
   }();

@@ -92,6 +92,7 @@ void grow_load_points(Case& input, std::size_t count) {
     if (!entries.empty()) entries.resize(creepages.size(), entries.front());
   };
   follow(input.rolling.forces);
+  follow(input.wheelset.rotation_change);
   follow(input.history);
 }
 

@@ -442,6 +442,7 @@ Case parse_case(const std::string& text, const std::string& name) {
   input.text = text;
   if (input.title.empty()) input.title = std::filesystem::path(name).stem().string();
   complete(given, input);
+  complete_track(given, input);
   check_geometry(given, input);
   check_values(given, input);
   read_files(given, input);

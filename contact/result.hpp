@@ -73,7 +73,8 @@ struct PointResult {
   std::map<std::string, double> error_estimate;  ///< quantity -> relative error
   std::map<std::string, double> richardson;      ///< quantity -> value extrapolated to cells of 0
   /// What follows from the fields: elastic_energy (N mm); in steady rolling frictional_work and
-  /// creepage_work (N mm per mm rolled), which agree but for the discretisation.
+  /// creepage_work (N mm per mm rolled), which agree but for the discretisation; with profiles
+  /// patch_x_middle and patch_y_middle (mm), of the extents of the patch, which is off the origin.
   std::map<std::string, double> derived;
   ContactFields fields;
   std::vector<SubsurfaceField> subsurface;   ///< as the case asks for, models halfspace and fem

@@ -5,6 +5,7 @@
 #include "contact/errors.hpp"
 #include "fem/chart.hpp"
 #include "fem/coarse_mesh.hpp"
+#include "fem/profile_shape.hpp"
 #include "fem/rolling_inertia.hpp"
 #include "meshes/grading.hpp"
 
@@ -52,6 +53,16 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
   needs(options.half_width ? "width" : "extent", options.reach_t(), options.fine_half_width);
   needs(options.depth ? "depth" : "extent", options.reach_depth(),
         options.fine_depth * options.cell_size);
+  if (options.middle - options.reach_t() < shape.lower_t() - 1e-9 ||
+      options.middle + options.reach_t() > shape.upper_t() + 1e-9)
+    throw contact::InputError(fmt::format(
+        "fem: the segment reaches from y = {:.4g} to {:.4g} mm; the profile of the {} can be "
+        "meshed "
+        "from {:.4g} to {:.4g} mm (beyond it ends or is steeper than {}): take a smaller [fem] "
+        "width, or true sections ([fem] mesh = \"gmsh\")",
+        options.middle - options.reach_t(), options.middle + options.reach_t(),
+        shape.is_wheel ? "wheel" : "rail", shape.lower_t(), shape.upper_t(),
+        ProfileShape::steepest));
   const double inwards = contact::profile_drop(shape.transverse_radius, options.reach_t()).value +
                          options.reach_depth();
   if (shape.is_wheel && !(std::max(inwards, options.reach_s()) <= 0.7 * shape.rolling_radius))
@@ -113,9 +124,10 @@ void make_structured_mesh(const SurfaceShape& shape, const BodyOptions& options,
   const std::vector<std::vector<double>> steps{both_ways(along),
                                                options.half ? across : both_ways(across),
                                                shape.is_wheel ? down : reversed(down)};
-  const dealii::Point<3> lower(-sum(along), options.half ? 0.0 : -sum(across),
+  const double middle = options.middle;
+  const dealii::Point<3> lower(-sum(along), options.half ? 0.0 : middle - sum(across),
                                shape.is_wheel ? 0.0 : -sum(down));
-  const dealii::Point<3> upper(sum(along), sum(across), shape.is_wheel ? sum(down) : 0.0);
+  const dealii::Point<3> upper(sum(along), middle + sum(across), shape.is_wheel ? sum(down) : 0.0);
   dealii::GridGenerator::subdivided_hyper_rectangle(mesh, steps, lower, upper);
   mark_boundaries(options, mesh);
   dealii::GridTools::transform(
@@ -129,9 +141,11 @@ void make_structured_mesh(const SurfaceShape& shape, const BodyOptions& options,
 double distance_to_fine_region(const BodyOptions& options, const ChartBox& box) {
   const double fine[3] = {options.fine_half_length, options.fine_half_width,
                           options.fine_depth * options.cell_size};
+  const double middle[3] = {0.0, options.middle, 0.0};
   double squared = 0.0;
   for (unsigned int d = 0; d < 3; ++d) {
-    const double gap = std::max({0.0, box.lower[d] - fine[d], -fine[d] - box.upper[d]});
+    const double gap =
+        std::max({0.0, box.lower[d] - middle[d] - fine[d], middle[d] - fine[d] - box.upper[d]});
     squared += gap * gap;
   }
   return std::sqrt(squared);
@@ -227,7 +241,9 @@ BoundaryConditions boundary_conditions(const meshes::HexMesh& mesh) {
 
 }  // namespace
 
-double predicted_unknowns(const BodyOptions& options, double enough) {
+double predicted_unknowns(const BodyOptions& given, double enough) {
+  BodyOptions options = given;
+  options.middle = 0.0;  // a body and its mirror image are counted as one
   const int depth = coarse_level(options);
   const double first = options.cell_size * std::exp2(depth);
   const std::vector<double> steps[3] = {
@@ -283,15 +299,19 @@ Body::Body(const SurfaceShape& shape, const contact::Material& material, const B
 
 Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
            const meshes::HexMesh& coarse, MPI_Comm communicator)
+    : Body(shape, material, options, CoarseBody{coarse, {}}, communicator) {}
+
+Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+           const CoarseBody& coarse, MPI_Comm communicator)
     : shape_(shape),
       material_(material),
       options_(options),
-      boundary_(boundary_conditions(coarse)),
+      boundary_(boundary_conditions(coarse.mesh)),
       triangulation_(communicator),
       mapping_(std::max(2, options.degree)),
       dofs_(triangulation_) {
   check_sizes(options);
-  create_triangulation(coarse, shape, triangulation_);
+  create_triangulation(coarse.mesh, shape, triangulation_, coarse.follows_surface);
   refine_given_mesh(shape, options, triangulation_);
   check_refined_cells(mapping_, triangulation_);
   distribute();

@@ -13,6 +13,7 @@
 #include <memory>
 #include <mpi.h>
 #include <optional>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -33,6 +34,8 @@ struct ChartFunctions {
   std::function<std::array<dealii::Tensor<1, 3>, 3>(double s, double t)> frame;
 };
 
+class ProfileShape;
+
 /// Surface coordinates (s, t) = (arc length on the surface along rolling, lateral coordinate y) and
 /// depth d below the surface (along z on the rail, towards the axle on the wheel) -> place in
 /// space. s points along +x, the contact reference point is (0, 0, 0). For the wheel the material
@@ -43,6 +46,9 @@ struct SurfaceShape {
   double transverse_radius = contact::infinity;  ///< > 0 convex, < 0 concave
   /// When given, these are the chart; the radii then say nothing of it.
   std::shared_ptr<const ChartFunctions> functions = nullptr;
+  /// When given, the chart of a true profile about an axle that may be tilted; the transverse
+  /// radius then says nothing, the rolling radius is that of t = 0.
+  std::shared_ptr<const ProfileShape> profile = nullptr;
   dealii::Point<3> place(double s, double t, double depth) const;
   /// Inverse of place(): (s, t, depth).
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
@@ -56,7 +62,15 @@ struct SurfaceShape {
                     dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const;
   /// Radius of the circle on which the wheel's surface runs at lateral coordinate t, mm.
   double streamline_radius(double t) const;
+  /// A wheel of finite radius: its streamlines are circles.
+  bool is_revolved() const;
+  /// Where the surface can be meshed between; infinite but for profiles.
+  double lower_t() const;
+  double upper_t() const;
 };
+
+/// Wheel or rail of a patch with true profiles.
+SurfaceShape profile_surface(std::shared_ptr<const contact::PatchGeometry> geometry, bool is_wheel);
 
 using MeshFamily = contact::MeshFamily;
 
@@ -64,7 +78,8 @@ using MeshFamily = contact::MeshFamily;
 struct BodyOptions {
   double cell_size = 0.5;       ///< mm, cells in the fine region (s and t), exactly
   double fine_half_length = 5;  ///< mm, the fine region reaches at least so far in s
-  double fine_half_width = 5;   ///< mm, and so far in t
+  double fine_half_width = 5;   ///< mm, and so far in t to both sides of `middle`
+  double middle = 0;            ///< mm, t of the middle of the patch; a whole number of cells
   double extent = 60;           ///< mm, half length, half width and depth of the segment
   bool half = false;            ///< only t >= 0, symmetry plane t = 0
   int degree = 2;
@@ -84,6 +99,13 @@ struct BodyOptions {
 /// making a mesh (within 15 % in the family `structured`). Counting stops at `enough`.
 double predicted_unknowns(const BodyOptions& options, double enough);
 
+/// Of a coarse mesh that is given: which of its cells are bent to the surface. In the others new
+/// nodes lie on straight lines, of a wheel on circles about its axle.
+struct CoarseBody {
+  meshes::HexMesh mesh;
+  std::vector<bool> follows_surface;  ///< of each cell; empty: all of them
+};
+
 /// In the family `structured` surface cells of the fine region lie on a lattice: lines at s = i h
 /// and t = j h with integers i, j and h = cell_size, so that a contact grid of elements h x h can
 /// be laid exactly on faces. Otherwise they are at most h long in s and t.
@@ -98,6 +120,9 @@ class Body {
   /// contact::InputError when cells turn inside out or more than 7 octree levels were wanted.
   Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
        const meshes::HexMesh& coarse, MPI_Comm communicator);
+  /// The same of a mesh of which only a part follows the surface: a true section of wheel or rail.
+  Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+       const CoarseBody& coarse, MPI_Comm communicator);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 

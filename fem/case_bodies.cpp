@@ -51,7 +51,7 @@ std::unique_ptr<Body> imported_body(const contact::Case& input, const std::strin
 }  // namespace
 
 void set_segment_sizes(const contact::Case& input, BodyOptions& options) {
-  options.family = input.fem.mesh;
+  options.family = input.fem.mesh.value_or(MeshFamily::structured);
   if (input.fem.width) options.half_width = 0.5 * *input.fem.width;
   if (input.fem.length) options.half_length = 0.5 * *input.fem.length;
   options.depth = input.fem.depth;
@@ -59,8 +59,12 @@ void set_segment_sizes(const contact::Case& input, BodyOptions& options) {
 
 CaseBodies make_bodies(const contact::Case& input, const BodyOptions& options,
                        MPI_Comm communicator) {
-  const SurfaceShape wheel{true, input.wheel.rolling_radius, input.wheel.transverse_radius};
-  const SurfaceShape rail{false, contact::infinity, input.rail.transverse_radius};
+  const SurfaceShape wheel =
+      input.patch ? profile_surface(input.patch, true)
+                  : SurfaceShape{true, input.wheel.rolling_radius, input.wheel.transverse_radius};
+  const SurfaceShape rail =
+      input.patch ? profile_surface(input.patch, false)
+                  : SurfaceShape{false, contact::infinity, input.rail.transverse_radius};
   CaseBodies bodies;
   const auto make = [&](const std::string& key, const std::string& file, const SurfaceShape& shape,
                         const contact::Material& material) {

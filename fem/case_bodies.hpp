@@ -20,9 +20,6 @@ struct CaseBodies {
 /// Width, depth, length and mesh family of the case.
 void set_segment_sizes(const contact::Case& input, BodyOptions& options);
 
-/// What `run` would make of the case at this cell size (contact_run.cpp).
-BodyOptions case_body_options(const contact::Case& input, double cell);
-
 /// Collective. Throws contact::InputError.
 CaseBodies make_bodies(const contact::Case& input, const BodyOptions& options,
                        MPI_Comm communicator);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -25,6 +26,20 @@ class SurfaceManifold : public dealii::ChartManifold<3, 3, 3> {
 
  private:
   SurfaceShape shape_;
+};
+
+/// Circles about the axle of a wheel, straight lines in its section: for the parts of a body that
+/// do not follow the chart of its surface.
+class AxleManifold : public dealii::ChartManifold<3, 3, 3> {
+ public:
+  explicit AxleManifold(std::shared_ptr<const ProfileShape> wheel) : wheel_(std::move(wheel)) {}
+  std::unique_ptr<dealii::Manifold<3, 3>> clone() const override;
+  /// Angle about the axle (rad), y and z of the place turned back to x = 0 (mm).
+  dealii::Point<3> pull_back(const dealii::Point<3>& place) const override;
+  dealii::Point<3> push_forward(const dealii::Point<3>& chart) const override;
+
+ private:
+  std::shared_ptr<const ProfileShape> wheel_;
 };
 
 /// Extent of a cell in chart coordinates, lower and upper corner.

@@ -178,7 +178,7 @@ void project(HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
     const auto& p = mesh.points[worst_node];
     fail(name,
          fmt::format("a node of the group `contact` at ({:.5g}, {:.5g}, {:.5g}) mm is {:.3g} mm "
-                     "beside the surface that the radii of the case give; allowed: {:.3g} mm",
+                     "beside the surface that the case gives; allowed: {:.3g} mm",
                      p[0], p[1], p[2], worst, tolerance),
          fmt::format("mesh the true profile and put only the running surface into `contact`; {}",
                      frame_advice));
@@ -197,14 +197,15 @@ void check_covers_patch(const HexMesh& mesh, const std::string& name, const Surf
     }
   }
   const std::array<double, 2> needed{options.fine_half_length, options.fine_half_width};
-  const bool covered = lower[0] <= -needed[0] && upper[0] >= needed[0] && upper[1] >= needed[1] &&
-                       lower[1] <= (options.half ? 1e-6 : -needed[1]);
+  const bool covered = lower[0] <= -needed[0] && upper[0] >= needed[0] &&
+                       upper[1] >= options.middle + needed[1] &&
+                       lower[1] <= (options.half ? 1e-6 : options.middle - needed[1]);
   if (!covered)
     fail(name,
          fmt::format("its group `contact` reaches x = {:.4g} to {:.4g} mm and y = {:.4g} to {:.4g} "
                      "mm; the contact needs {:.4g} mm along x and {:.4g} mm along y to each side "
-                     "of the origin",
-                     lower[0], upper[0], lower[1], upper[1], needed[0], needed[1]),
+                     "of (0, {:.4g}) mm",
+                     lower[0], upper[0], lower[1], upper[1], needed[0], needed[1], options.middle),
          fmt::format("enlarge the contact group or move the mesh: {}", frame_advice));
 }
 
@@ -231,6 +232,36 @@ void check_symmetry(const HexMesh& mesh, const std::string& name, const BodyOpti
            "mesh the half y >= 0, or leave the group out");
 }
 
+/// Whether the chart is one to one over a cell: round a whole wheel it is not, behind the axle
+/// cells stay straight.
+bool is_charted(const SurfaceShape& shape, const dealii::CellAccessor<3>& cell) {
+  if (!shape.is_revolved()) return true;
+  for (const unsigned int v : cell.vertex_indices()) {
+    const auto chart = shape.coordinates(cell.vertex(v));
+    if (!(std::abs(chart[0]) < 1.5 * shape.streamline_radius(chart[1]) &&
+          chart[2] < 0.8 * shape.rolling_radius))
+      return false;
+  }
+  return true;
+}
+
+constexpr dealii::types::manifold_id on_surface = 0, about_axle = 1;
+
+/// Faces between cells of two kinds belong to the surface's.
+void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_surface,
+                   dealii::Triangulation<3>& triangulation) {
+  const bool everywhere = follows_surface.empty();
+  if (!everywhere && shape.is_revolved() && shape.profile) {
+    triangulation.set_all_manifold_ids(about_axle);
+    triangulation.set_manifold(about_axle, AxleManifold(shape.profile));
+  }
+  triangulation.set_manifold(on_surface, SurfaceManifold(shape));
+  for (const auto& cell : triangulation.cell_iterators_on_level(0))
+    if (everywhere ? is_charted(shape, *cell)
+                   : follows_surface[static_cast<std::size_t>(cell->index())])
+      cell->set_all_manifold_ids(on_surface);
+}
+
 }  // namespace
 
 HexMesh gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level,
@@ -255,7 +286,8 @@ HexMesh user_mesh(const std::string& path, const std::string& name, const Surfac
 }
 
 void create_triangulation(const HexMesh& mesh, const SurfaceShape& shape,
-                          dealii::Triangulation<3>& triangulation) {
+                          dealii::Triangulation<3>& triangulation,
+                          const std::vector<bool>& follows_surface) {
   std::vector<dealii::Point<3>> points;
   for (const auto& p : mesh.points) points.push_back(as_point(p));
   std::vector<dealii::CellData<3>> cells;
@@ -293,17 +325,8 @@ void create_triangulation(const HexMesh& mesh, const SurfaceShape& shape,
       for (unsigned int k = 0; k < 4; ++k) key[k] = face->vertex_index(k);
       face->set_boundary_id(id.at(sorted(key)));
     }
-    // Round a whole wheel the chart is not one to one: behind the axle cells stay straight.
-    bool charted = true;
-    for (const unsigned int v : cell->vertex_indices()) {
-      const auto chart = shape.coordinates(cell->vertex(v));
-      if (shape.is_wheel && std::isfinite(shape.rolling_radius))
-        charted = charted && std::abs(chart[0]) < 1.5 * shape.streamline_radius(chart[1]) &&
-                  chart[2] < 0.8 * shape.rolling_radius;
-    }
-    if (charted) cell->set_all_manifold_ids(0);
   }
-  triangulation.set_manifold(0, SurfaceManifold(shape));
+  set_manifolds(shape, follows_surface, triangulation);
 }
 
 HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation) {

@@ -8,6 +8,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <string>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -24,9 +25,10 @@ meshes::HexMesh user_mesh(const std::string& path, const std::string& name,
                           MPI_Comm communicator);
 
 /// Cells, boundary ids, and the chart as manifold where it is one to one (not across the axle of a
-/// whole wheel).
+/// whole wheel) and, unless `follows_surface` is empty, in the cells that it names.
 void create_triangulation(const meshes::HexMesh& mesh, const SurfaceShape& shape,
-                          dealii::Triangulation<3>& triangulation);
+                          dealii::Triangulation<3>& triangulation,
+                          const std::vector<bool>& follows_surface = {});
 
 /// Back again, from the coarsest level.
 meshes::HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation);

@@ -2,10 +2,12 @@
 
 #include "fem/factorisation.hpp"
 #include "fem/far_field.hpp"
+#include "fem/profile_shape.hpp"
 
 #include <deal.II/base/mpi.h>
 
 #include <array>
+#include <cmath>
 #include <future>
 #include <optional>
 
@@ -24,14 +26,21 @@ contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
   const contact::PatchShape shape = contact::patch_shape(surface, grid);
   const contact::Field radius =
       grid.sample([&](double, double y) { return surface.local_rolling_radius(y); });
-  const contact::Field sine = shape.climb.cwiseQuotient(shape.stretch);
+  // Lateral tangent and normal along the way from the contact to the axle.
+  const double tilt_sine = std::sin(surface.axle_tilt());
+  const double tilt_cosine = std::cos(surface.axle_tilt());
+  const contact::Field sine =
+      (shape.climb.array() * tilt_cosine - tilt_sine).matrix().cwiseQuotient(shape.stretch);
+  const contact::Field cosine =
+      (tilt_cosine + shape.climb.array() * tilt_sine).matrix().cwiseQuotient(shape.stretch);
   const contact::Field towards_axle =
-      displacement.n.cwiseQuotient(shape.stretch) + displacement.y.cwiseProduct(sine);
+      displacement.n.cwiseProduct(cosine) + displacement.y.cwiseProduct(sine);
   return {towards_axle.cwiseQuotient(radius),
           -displacement.x.cwiseProduct(sine).cwiseQuotient(radius)};
 }
 
 contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceShape& rail) {
+  if (wheel.profile) return profile_contact(*wheel.profile);
   return {wheel.rolling_radius, wheel.transverse_radius, rail.transverse_radius};
 }
 

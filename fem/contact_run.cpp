@@ -12,12 +12,11 @@
 #include "fem/level_checkpoint.hpp"
 #include "fem/memory.hpp"
 #include "fem/rolling_inertia.hpp"
+#include "fem/run_layout.hpp"
 #include "fem/solver_choice.hpp"
 #include "fem/stress_output.hpp"
 #include "halfspace/compliance.hpp"
-#include "halfspace/hertz.hpp"
 
-#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,51 +31,6 @@ using contact::ContactGrid;
 using contact::PointResult;
 using contact::Stopwatch;
 
-/// Finest cells reach this many semi-axes: more gains nothing (docs/verification.md).
-constexpr double default_reach = 1.1;
-
-/// Elements of the potential contact area beyond Hertz's ellipse, each side.
-constexpr int margin = 3;
-
-/// The plane y = 0 is a symmetry plane when nothing drives the material sideways.
-bool symmetric_about_rolling(const Case& input) {
-  return std::all_of(input.rolling.creepages.begin(), input.rolling.creepages.end(),
-                     [](const contact::Creepage& c) { return c.lateral == 0.0 && c.spin == 0.0; });
-}
-
-/// Square elements on the lattice of the FE faces, an even number each way.
-ContactGrid lattice_grid(double a, double b, double cell) {
-  const int half_x = static_cast<int>(std::ceil(a / cell)) + margin;
-  const int half_y = static_cast<int>(std::ceil(b / cell)) + margin;
-  return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell);
-}
-
-BodyOptions body_options(const Case& input, const halfspace::HertzContact& patch,
-                         const ContactGrid& grid, double cell) {
-  const double reach = input.fem.fine_extent.value_or(default_reach);
-  BodyOptions options;
-  options.cell_size = cell;
-  options.fine_half_length = std::max(reach * patch.semi_axis_x, 0.5 * grid.nx * grid.dx);
-  options.fine_half_width = std::max(reach * patch.semi_axis_y, 0.5 * grid.ny * grid.dy);
-  options.extent = input.fem.extent.value_or(8.0 * std::max(patch.semi_axis_x, patch.semi_axis_y));
-  options.half = symmetric_about_rolling(input);
-  options.degree = input.fem.degree;
-  options.speed = input.rolling.speed;
-  set_segment_sizes(input, options);
-  return options;
-}
-
-/// Of a body with half of it or all modelled.
-MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, bool body_fields) {
-  MemoryDemand demand;
-  demand.unknowns_of_wheel = wheel;
-  demand.unknowns_of_rail = rail;
-  demand.half = bodies.half;
-  demand.body_fields = body_fields;
-  demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-  return demand;
-}
-
 /// What one load point needs and what is kept between points.
 class LevelRun {
  public:
@@ -84,11 +38,11 @@ class LevelRun {
       : input_(input),
         options_(options),
         progress_(progress),
-        patch_(halfspace::hertz_of_case(input)),
-        grid_(lattice_grid(patch_.semi_axis_x, patch_.semi_axis_y, options.cell_size)),
+        layout_(run_layout(input, options.cell_size)),
+        grid_(layout_.grid),
         surface_(contact::contact_surface(input)),
         shape_(contact::patch_shape(surface_, grid_)),
-        body_options_(body_options(input, patch_, grid_, options.cell_size)),
+        body_options_(layout_.bodies),
         checkpoint_(options.checkpoint, options.cell_size, MPI_COMM_WORLD) {}
 
   contact::ModelResult run();
@@ -102,7 +56,7 @@ class LevelRun {
   void solve_normal(const FemCompliance& compliance, const contact::Preconditioner& halfspace,
                     contact::ModelResult& result);
   void add_notes(contact::ModelResult& result) const;
-  contact::CoupledProblem problem(const contact::Creepage& creepage, bool friction) const;
+  contact::CoupledProblem problem(std::size_t k, bool friction) const;
   PointResult solve_point(std::size_t k, const FemCompliance& compliance,
                           const contact::Preconditioner& halfspace, const StressOutput& stresses,
                           contact::ModelResult& result);
@@ -115,7 +69,7 @@ class LevelRun {
   const Case& input_;
   const LevelOptions& options_;
   const contact::Progress& progress_;
-  halfspace::HertzContact patch_;
+  RunLayout layout_;
   ContactGrid grid_;
   contact::ContactSurface surface_;
   contact::PatchShape shape_;
@@ -136,17 +90,17 @@ void LevelRun::tell(contact::ProgressEvent event, const std::string& stage, bool
   contact::report(progress_, event);
 }
 
-contact::CoupledProblem LevelRun::problem(const contact::Creepage& creepage, bool friction) const {
+contact::CoupledProblem LevelRun::problem(std::size_t k, bool friction) const {
   contact::CoupledProblem result;
   result.undeformed_distance = grid_.sample(
       [&](double x, double y) { return contact::undeformed_distance(surface_, x, y); });
   result.shape = shape_;
-  result.normal_force = input_.load.normal_force;
+  result.normal_force = input_.load.normal_force_of(k);
   result.approach = input_.load.approach;
   if (expansion_) result.undeformed_distance += expansion_->distance;
   if (friction) {
     result.friction_coefficient = input_.friction_coefficient;
-    result.rigid_slip = contact::rigid_slip(surface_, creepage, grid_);
+    result.rigid_slip = contact::rigid_slip(surface_, input_.rolling.creepages[k], grid_);
     if (expansion_) {
       result.rigid_slip.x += expansion_->slip.x;
       result.rigid_slip.y += expansion_->slip.y;
@@ -190,7 +144,7 @@ void LevelRun::solve_normal(const FemCompliance& compliance,
                             contact::ModelResult& result) {
   tell({}, "normal");
   const contact::CoupledSolution frictionless =
-      contact::solve_coupled(compliance, halfspace, problem({}, false));
+      contact::solve_coupled(compliance, halfspace, problem(0, false));
   refuse_patch_at_border(frictionless.normal);
   contact::ProgressEvent event;
   event.iteration = frictionless.outer_iterations;
@@ -239,9 +193,8 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
     tell(event, "rolling");
   };
   const contact::CoupledSolution solution = contact::solve_coupled(
-      compliance, halfspace,
-      problem(creepage, input_.rolling.problem != contact::Problem::frictionless), {}, defect_,
-      each_iteration);
+      compliance, halfspace, problem(k, input_.rolling.problem != contact::Problem::frictionless),
+      {}, defect_, each_iteration);
   refuse_patch_at_border(solution.normal);
   defect_ = solution.defect;
 
@@ -376,6 +329,11 @@ void LevelRun::add_notes(contact::ModelResult& result) const {
     result.notes.push_back(
         "extra_slip is not added: the rolling radius of every point comes from the wheel's "
         "profile");
+  if (input_.patch && std::abs(input_.patch->axle().direction[0]) > 1e-9)
+    result.notes.push_back(fmt::format(
+        "the wheel is yawed by {:.3g} mrad: that is in undeformed distance and slip; its "
+        "finite-element body is turned about the axle without yaw",
+        1e3 * std::asin(input_.patch->axle().direction[0])));
   if (start_.half)
     result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
@@ -383,29 +341,6 @@ void LevelRun::add_notes(contact::ModelResult& result) const {
 }
 
 }  // namespace
-
-double default_cell_size(const Case& input) {
-  if (input.fem.cell_size) return *input.fem.cell_size;
-  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
-  return std::min(patch.semi_axis_x, patch.semi_axis_y) / 8.0;
-}
-
-void refuse_beyond_memory(const Case& input, double cell_size) {
-  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
-  const ContactGrid grid = lattice_grid(patch.semi_axis_x, patch.semi_axis_y, cell_size);
-  const BodyOptions bodies = body_options(input, patch, grid, cell_size);
-  constexpr double beyond_all_memory = 2e9;
-  const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
-  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, input.output.fields);
-  demand.algebraic = input.fem.linear_solver == contact::LinearSolver::algebraic;
-  demand.factorisation = takes_factorisation(input, demand);
-  refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
-}
-
-BodyOptions case_body_options(const Case& input, double cell) {
-  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
-  return body_options(input, patch, lattice_grid(patch.semi_axis_x, patch.semi_axis_y, cell), cell);
-}
 
 contact::ModelResult run_level(const Case& input, const LevelOptions& options,
                                const contact::Progress& progress) {

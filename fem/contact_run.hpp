@@ -14,13 +14,6 @@ struct LevelOptions {
   contact::Checkpoint* checkpoint = nullptr;  ///< of process 0; null: none
 };
 
-/// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
-double default_cell_size(const contact::Case& input);
-
-/// Throws contact::SolveError when the level will not fit into memory, without making a mesh.
-/// Collective.
-void refuse_beyond_memory(const contact::Case& input, double cell_size);
-
 /// Collective over all MPI processes. Throws contact::SolveError, contact::InputError.
 contact::ModelResult run_level(const contact::Case& input, const LevelOptions& options,
                                const contact::Progress& progress);

@@ -1,7 +1,7 @@
 #include "fem/far_error.hpp"
 
 #include "contact/geometry.hpp"
-#include "halfspace/hertz.hpp"
+#include "fem/run_layout.hpp"
 
 #include <fmt/format.h>
 
@@ -40,14 +40,14 @@ double curvature_error(const contact::Material& material, double force, double e
 }  // namespace
 
 contact::FarBoundary far_boundary_of(const contact::Case& input) {
-  const bool given_mesh = !input.wheel.mesh.empty() || !input.rail.mesh.empty();
+  const bool given_mesh =
+      has_true_sections(input) || !input.wheel.mesh.empty() || !input.rail.mesh.empty();
   return input.fem.far_boundary.value_or(given_mesh ? contact::FarBoundary::clamped
                                                     : contact::FarBoundary::point_load);
 }
 
 double approach_left_out(const contact::Case& input, double normal_force, double extent) {
-  const halfspace::HertzContact patch = halfspace::hertz_of_case(input);
-  const double spread = std::max(patch.semi_axis_x, patch.semi_axis_y) / extent;
+  const double spread = patch_box(input).larger() / extent;
   const auto of_body = [&](const contact::Material& material, double curvature) {
     const double clamped = displacement_at(material, normal_force, extent);
     if (far_boundary_of(input) == contact::FarBoundary::clamped) return clamped;
@@ -55,6 +55,10 @@ double approach_left_out(const contact::Case& input, double normal_force, double
     return std::min(clamped, 0.2 * spread * spread * clamped +
                                  curvature_error(material, normal_force, extent, curvature));
   };
+  if (input.patch)
+    return of_body(input.wheel.material, 1.0 / input.patch->local_rolling_radius(0.0) +
+                                             std::abs(input.patch->wheel().at(0.0).second)) +
+           of_body(input.rail.material, input.patch->rail().at(0.0).second);
   return of_body(input.wheel.material,
                  1.0 / input.wheel.rolling_radius + 1.0 / input.wheel.transverse_radius) +
          of_body(input.rail.material, 1.0 / input.rail.transverse_radius);

@@ -8,7 +8,8 @@
 namespace rollfem::fem {
 
 /// As the case says; if it does not, that of a half-space under a point load where the program
-/// meshes both bodies, and clamped otherwise.
+/// meshes both bodies as boxes on the surface or around it, and clamped otherwise (true sections
+/// have free sides, which a half-space has not).
 contact::FarBoundary far_boundary_of(const contact::Case& input);
 
 /// Upper estimate, mm, of what the approach at this force (N) would change by in segments that

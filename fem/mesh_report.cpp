@@ -2,7 +2,7 @@
 
 #include "fem/case_bodies.hpp"
 #include "fem/chart.hpp"
-#include "fem/contact_run.hpp"
+#include "fem/run_layout.hpp"
 #include "meshes/cell_quality.hpp"
 #include "meshes/msh_file.hpp"
 
@@ -40,7 +40,7 @@ double size_in_patch(const Body& body) {
       if (!face->at_boundary() || face->boundary_id() != contact_surface) continue;
       const auto box = chart_box(body.shape(), face);
       const double middle[2] = {0.5 * (box.lower[0] + box.upper[0]),
-                                0.5 * (box.lower[1] + box.upper[1])};
+                                0.5 * (box.lower[1] + box.upper[1]) - options.middle};
       if (std::abs(middle[0]) > options.fine_half_length ||
           std::abs(middle[1]) > options.fine_half_width)
         continue;
@@ -105,7 +105,7 @@ MeshedBody report(const Body& body, const std::string& name) {
 
 std::vector<MeshedBody> mesh_case(const contact::Case& input) {
   const CaseBodies bodies =
-      make_bodies(input, case_body_options(input, default_cell_size(input)), MPI_COMM_WORLD);
+      make_bodies(input, run_layout(input, default_cell_size(input)).bodies, MPI_COMM_WORLD);
   return {report(*bodies.wheel, "wheel"), report(*bodies.rail, "rail")};
 }
 

@@ -4,6 +4,7 @@
 #include "contact/patch_size.hpp"
 #include "contact/refinement.hpp"
 #include "fem/contact_run.hpp"
+#include "fem/run_layout.hpp"
 
 #include <fmt/format.h>
 

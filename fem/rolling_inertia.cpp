@@ -2,6 +2,7 @@
 
 #include "fem/compliance.hpp"
 #include "fem/prescribed.hpp"
+#include "fem/profile_shape.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -33,6 +34,11 @@ MaterialMotion material_motion(const SurfaceShape& shape, double speed) {
   MaterialMotion motion;
   if (!shape.is_wheel || !std::isfinite(shape.rolling_radius)) {
     motion.velocity[0] = -speed;
+    return motion;
+  }
+  if (shape.profile) {
+    motion.centre = shape.profile->axle_point();
+    motion.rotation = speed / shape.rolling_radius * shape.profile->axle_direction();
     return motion;
   }
   motion.centre = dealii::Point<3>(0, 0, shape.rolling_radius);

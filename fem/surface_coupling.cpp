@@ -4,6 +4,7 @@
 #include "fem/chart.hpp"
 #include "fem/chart_face.hpp"
 #include "fem/compliance.hpp"
+#include "fem/profile_shape.hpp"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
@@ -36,8 +37,10 @@ int mirrored(const contact::ContactGrid& grid, int element) {
   return grid.index(element % grid.nx, grid.ny - 1 - j);
 }
 
-/// What a body shares with another of exactly its shape.
+/// What a body shares with another of exactly its shape; of a profile what it shares with the other
+/// body of its patch.
 contact::ContactSurface own_surface(const SurfaceShape& shape) {
+  if (shape.profile) return profile_contact(*shape.profile);
   const double radius = shape.transverse_radius;
   return shape.is_wheel ? contact::ContactSurface{shape.rolling_radius, radius, -radius}
                         : contact::ContactSurface{contact::infinity, -radius, radius};

@@ -1,8 +1,10 @@
 // Surfaces of wheel and rail: chart coordinates to places and back, local frames, the manifold.
 #include "fem/chart.hpp"
+#include "fem/profile_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -25,20 +27,39 @@ dealii::DerivativeForm<1, 3, 3> difference_gradient(const ChartFunctions& functi
   return gradient;
 }
 
-bool is_revolved(const SurfaceShape& shape) {
-  return shape.is_wheel && std::isfinite(shape.rolling_radius);
-}
-
 }  // namespace
 
+SurfaceShape profile_surface(std::shared_ptr<const contact::PatchGeometry> geometry,
+                             bool is_wheel) {
+  SurfaceShape shape;
+  shape.is_wheel = is_wheel;
+  shape.profile = std::make_shared<ProfileShape>(std::move(geometry), is_wheel);
+  shape.rolling_radius = shape.profile->radius(0.0);
+  return shape;
+}
+
+bool SurfaceShape::is_revolved() const {
+  return is_wheel && std::isfinite(rolling_radius);
+}
+
+double SurfaceShape::lower_t() const {
+  return profile ? profile->lower() : -contact::infinity;
+}
+
+double SurfaceShape::upper_t() const {
+  return profile ? profile->upper() : contact::infinity;
+}
+
 double SurfaceShape::streamline_radius(double t) const {
+  if (profile) return profile->radius(t);
   return rolling_radius - profile_drop(transverse_radius, t).value;
 }
 
 dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
   if (functions) return functions->place({s, t, depth});
+  if (profile) return profile->place(s, t, depth);
   const double drop = profile_drop(transverse_radius, t).value;
-  if (!is_revolved(*this)) return {s, t, is_wheel ? drop + depth : -drop - depth};
+  if (!is_revolved()) return {s, t, is_wheel ? drop + depth : -drop - depth};
   const double angle = s / (rolling_radius - drop);
   const double inwards = drop + depth;  // towards the axle at z = rolling_radius
   const double half_sine = std::sin(0.5 * angle);
@@ -49,9 +70,10 @@ dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
 
 dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const {
   if (functions) return functions->coordinates(place);
+  if (profile) return profile->coordinates(place);
   const double t = place[1];
   const double drop = profile_drop(transverse_radius, t).value;
-  if (!is_revolved(*this)) return {place[0], t, (is_wheel ? place[2] : -place[2]) - drop};
+  if (!is_revolved()) return {place[0], t, (is_wheel ? place[2] : -place[2]) - drop};
   const double below_axle = rolling_radius - place[2];
   const double radius = std::hypot(place[0], below_axle);
   const double angle = std::atan2(place[0], below_axle);
@@ -60,6 +82,10 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
 
 void SurfaceShape::frame(double s, double t, dealii::Tensor<1, 3>& rolling,
                          dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
+  if (profile) {
+    profile->frame(s, t, profile->height(t).slope, rolling, lateral, normal);
+    return;
+  }
   // Climb of the surface along t in the direction towards the wheel.
   const double drop_slope = profile_drop(transverse_radius, t).slope;
   tilted_frame(s, t, is_wheel ? drop_slope : -drop_slope, rolling, lateral, normal);
@@ -74,7 +100,11 @@ void SurfaceShape::tilted_frame(double s, double t, double climb, dealii::Tensor
     normal = axes[2];
     return;
   }
-  const double angle = is_revolved(*this) ? s / streamline_radius(t) : 0.0;
+  if (profile) {
+    profile->frame(s, t, climb, rolling, lateral, normal);
+    return;
+  }
+  const double angle = is_revolved() ? s / streamline_radius(t) : 0.0;
   const double length = std::sqrt(1.0 + climb * climb);
   dealii::Tensor<1, 3> up;
   up[0] = -std::sin(angle);
@@ -103,9 +133,10 @@ dealii::Point<3> SurfaceManifold::push_forward(const dealii::Point<3>& chart) co
 dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
     const dealii::Point<3>& chart) const {
   if (shape_.functions) return difference_gradient(*shape_.functions, chart);
+  if (shape_.profile) return shape_.profile->gradient(chart);
   const auto drop = profile_drop(shape_.transverse_radius, chart[1]);
   dealii::DerivativeForm<1, 3, 3> gradient;
-  if (!is_revolved(shape_)) {
+  if (!shape_.is_revolved()) {
     const double sign = shape_.is_wheel ? 1.0 : -1.0;
     gradient[0][0] = gradient[1][1] = 1.0;
     gradient[2][1] = sign * drop.slope;
@@ -128,6 +159,18 @@ dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
   gradient[2][1] = drop.slope * cosine + turn * sine;
   gradient[2][2] = cosine;
   return gradient;
+}
+
+std::unique_ptr<dealii::Manifold<3, 3>> AxleManifold::clone() const {
+  return std::make_unique<AxleManifold>(wheel_);
+}
+
+dealii::Point<3> AxleManifold::pull_back(const dealii::Point<3>& place) const {
+  return wheel_->turned_back(place);
+}
+
+dealii::Point<3> AxleManifold::push_forward(const dealii::Point<3>& chart) const {
+  return wheel_->turned(chart[1], chart[2], chart[0]);
 }
 
 }  // namespace rollfem::fem

@@ -34,7 +34,7 @@ StripSample sample(const StripTractions& strip, const BrushStrip& place, double 
     const int edge = position <= 0.0 ? 0 : last;
     const bool vanishing = edge == 0 || std::isfinite(place.bound);
     const double weight =
-        vanishing ? (place.half_length - std::abs(x)) / (0.5 * elements.step) : 1.0;
+        vanishing ? (place.half_length - std::abs(x - place.middle)) / (0.5 * elements.step) : 1.0;
     return {weight * strip.traction_x[edge], weight * strip.traction_y[edge], nearest};
   }
   const int k = static_cast<int>(position);
@@ -50,7 +50,7 @@ void fill_row(const Row& row, const BrushStrip& strip, const StripTractions& tra
   for (int i = 0; i < row.grid.nx; ++i) {
     const double x = row.grid.x(i);
     const int k = row.grid.index(i, row.j);
-    if (std::abs(x) >= strip.half_length) continue;
+    if (std::abs(x - strip.middle) >= strip.half_length) continue;
     const StripSample at = sample(tractions, strip, x);
     fields.traction.x[k] = at.traction_x;
     fields.traction.y[k] = at.traction_y;
@@ -85,7 +85,7 @@ BrushFlexibilities single_flexibility(const BrushFlexibilities& three,
 }
 
 double BrushStrip::bound_at(double x) const {
-  const double t = x / half_length;
+  const double t = (x - middle) / half_length;
   const double remainder = std::max(0.0, (1.0 - t) * (1.0 + t));
   return bound * (shape == BoundShape::parabolic ? remainder : std::sqrt(remainder));
 }
@@ -95,12 +95,12 @@ BrushStrip ellipse_strip(const HertzContact& ellipse, double y, double bound, Bo
   const double remainder = std::max(0.0, (1.0 - t) * (1.0 + t));
   const double root = std::sqrt(remainder);
   const double factor = shape == BoundShape::parabolic ? remainder : root;
-  return {y, ellipse.semi_axis_x * root, factor > 0.0 ? bound * factor : 0.0, shape};
+  return {y, ellipse.semi_axis_x * root, factor > 0.0 ? bound * factor : 0.0, shape, 0.0};
 }
 
 StripElements chord_elements(const BrushStrip& strip, int count) {
   const double step = 2.0 * strip.half_length / count;
-  return {strip.half_length - 0.5 * step, 0.5 * step, step, count};
+  return {strip.middle + strip.half_length - 0.5 * step, 0.5 * step, step, count};
 }
 
 StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& flexibilities,

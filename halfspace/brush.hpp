@@ -37,9 +37,10 @@ enum class BoundShape {
 /// A line along x through the patch.
 struct BrushStrip {
   double y = 0.0;            ///< mm
-  double half_length = 0.0;  ///< mm, 0 outside of the patch; its middle is at x = 0
+  double half_length = 0.0;  ///< mm, 0 outside of the patch
   double bound = 0.0;        ///< MPa, largest traction bound of the strip; may be infinite
   BoundShape shape = BoundShape::parabolic;
+  double middle = 0.0;  ///< mm, x halfway between its ends; off 0 where the wheel has a yaw
   double bound_at(double x) const;
 };
 

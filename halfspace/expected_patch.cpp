@@ -70,8 +70,8 @@ struct Found {
   ContactGrid grid;
 };
 
-Found solve_in(const Case& input, const Box& box, const std::optional<double>& force) {
-  constexpr int n = elements_of_box;
+Found solve_in(const Case& input, const Box& box, const std::optional<double>& force,
+               int n = elements_of_box) {
   const double dx = (box.x_upper - box.x_lower) / n;
   const double dy = (box.y_upper - box.y_lower) / n;
   Found found;
@@ -91,18 +91,17 @@ Found solve_in(const Case& input, const Box& box, const std::optional<double>& f
   return found;
 }
 
-/// Box of the next round; the box itself when the patch has enough elements in it and keeps clear
-/// of its borders.
-Box next_box(const Found& found, const Box& box) {
-  const auto grown = [](double& lower, double& upper, double first, double last, double step) {
-    const double extent = std::max(last - first, 2.0 * step);
-    lower = first - margin * extent;
-    upper = last + margin * extent;
+/// The patch with a margin.
+Box next_box(const Found& found) {
+  const auto grow = [](double& lower, double& upper, double step) {
+    const double extent = std::max(upper - lower, 2.0 * step);
+    lower -= margin * extent;
+    upper += margin * extent;
   };
-  Box next = box;
-  const ContactGrid& grid = found.grid;
-  grown(next.x_lower, next.x_upper, found.size.x_lower, found.size.x_upper, grid.dx);
-  grown(next.y_lower, next.y_upper, found.size.y_lower, found.size.y_upper, grid.dy);
+  const contact::PatchSize& size = found.size;
+  Box next{size.x_lower, size.x_upper, size.y_lower, size.y_upper};
+  grow(next.x_lower, next.x_upper, found.grid.dx);
+  grow(next.y_lower, next.y_upper, found.grid.dy);
   return next;
 }
 
@@ -112,7 +111,26 @@ bool fine_enough(const Found& found) {
          !contact::touches_border(found.grid, found.normal.pressure);
 }
 
-ExpectedPatch patch_of_profiles(const Case& input) {
+ExpectedPatch summary(const Found& found) {
+  const contact::Field& pressure = found.normal.pressure;
+  const auto centre = [&](auto&& coordinate) {
+    return found.grid.sample(coordinate).dot(pressure) / pressure.sum();
+  };
+  ExpectedPatch patch;
+  patch.x_lower = found.size.x_lower;
+  patch.x_upper = found.size.x_upper;
+  patch.y_lower = found.size.y_lower;
+  patch.y_upper = found.size.y_upper;
+  patch.x_centre = centre([](double x, double) { return x; });
+  patch.y_centre = centre([](double, double y) { return y; });
+  patch.approach = found.normal.approach;
+  patch.max_pressure = pressure.maxCoeff();
+  patch.normal_force = found.normal.normal_force;
+  patch.area = found.size.area;
+  return patch;
+}
+
+ExpectedPatch patch_of_profiles(const Case& input, int elements) {
   const Ridge ridge(*input.patch);
   const std::optional<double> force = largest_force(input);
   const double A = contact::relative_curvatures(input).A;
@@ -136,26 +154,30 @@ ExpectedPatch patch_of_profiles(const Case& input) {
     found = solve_in(input, box, force);
   }
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
-    box = next_box(found, box);
+    box = next_box(found);
     found = solve_in(input, box, force);
   }
   check_profiles_reach(input, found.size.y_lower, found.size.y_upper);
-  return {found.size.x_lower,        found.size.x_upper,    found.size.y_lower,
-          found.size.y_upper,        found.normal.approach, found.normal.pressure.maxCoeff(),
-          found.normal.normal_force, found.size.area};
+  if (elements > elements_of_box) found = solve_in(input, next_box(found), force, elements);
+  return summary(found);
 }
 
 }  // namespace
 
-ExpectedPatch expected_patch(const Case& input) {
-  if (input.patch) return patch_of_profiles(input);
+ExpectedPatch expected_patch(const Case& input, int elements) {
+  if (input.patch) return patch_of_profiles(input, elements);
   constexpr double pi = 3.14159265358979323846;
   const HertzContact hertz = hertz_of_case(input);
-  const auto [x, y] = input.contact_grid.middle;
-  return {x - hertz.semi_axis_x, x + hertz.semi_axis_x,
-          y - hertz.semi_axis_y, y + hertz.semi_axis_y,
-          hertz.approach,        hertz.max_pressure,
-          hertz.normal_force,    pi * hertz.semi_axis_x * hertz.semi_axis_y};
+  ExpectedPatch patch;
+  patch.x_lower = -hertz.semi_axis_x;
+  patch.x_upper = hertz.semi_axis_x;
+  patch.y_lower = -hertz.semi_axis_y;
+  patch.y_upper = hertz.semi_axis_y;
+  patch.approach = hertz.approach;
+  patch.max_pressure = hertz.max_pressure;
+  patch.normal_force = hertz.normal_force;
+  patch.area = pi * hertz.semi_axis_x * hertz.semi_axis_y;
+  return patch;
 }
 
 void check_profiles_reach(const Case& input, double y_lower, double y_upper) {

@@ -122,7 +122,16 @@ contact::Curvatures curvatures_of_case(const contact::Case& input) {
         "Hertz's; allowed: radii or undeformed_distance.quadratic; do: run with --model "
         "halfspace",
         input.file));
-  return contact::relative_curvatures(input);
+  const contact::Curvatures curvatures = contact::relative_curvatures(input);
+  if (input.patch && !(curvatures.A > 0.0 && curvatures.B > 0.0))
+    throw contact::InputError(fmt::format(
+        "{}: {}Hertz: at the contact point the profiles have the relative curvatures A = {:.4g} "
+        "/mm "
+        "along rolling and B = {:.4g} /mm across, which make no ellipse; allowed: both above 0; "
+        "do: run with --model halfspace or strip, which take the profiles as they are",
+        input.file, input.place ? input.place->label() + ": " : std::string(), curvatures.A,
+        curvatures.B));
+  return curvatures;
 }
 
 HertzContact hertz_of_case(const contact::Case& input) {

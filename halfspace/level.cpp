@@ -8,6 +8,7 @@
 #include "contact/stopwatch.hpp"
 #include "halfspace/contact_problem.hpp"
 #include "halfspace/derived.hpp"
+#include "halfspace/expected_patch.hpp"
 #include "halfspace/force_search.hpp"
 #include "halfspace/hertz.hpp"
 #include "halfspace/interpolation.hpp"
@@ -186,13 +187,13 @@ class Level {
       const HistoryStep& step = input_.history[k];
       if (step.normal_force || step.approach) return {step.normal_force, step.approach};
     }
-    return {input_.load.normal_force, input_.load.approach};
+    return {input_.load.normal_force_of(k), input_.load.approach};
   }
 
   bool pressed(const NormalLoad& load) {
     const Stopwatch watch;
     const bool first = state_.normal.pressure.size() == 0;
-    const bool solved_anew = first || has_history(input_);
+    const bool solved_anew = first || has_history(input_) || !input_.load.normal_forces.empty();
     if (solved_anew) tell({}, "normal", false);
     const Field start = !first     ? state_.normal.pressure
                         : coarser_ ? interpolated(coarser_->grid, coarser_->pressure, result_.grid)
@@ -204,6 +205,10 @@ class Level {
     event.residual = normal.residual;
     event.contact_elements = normal.contact_elements;
     if (solved_anew) tell(event, "normal", true);
+    if (input_.patch && solved_anew) {
+      const contact::PatchSize size = contact::patch_size(result_.grid, normal.pressure);
+      check_profiles_reach(input_, size.y_lower, size.y_upper);
+    }
     result_.normal_seconds += watch.seconds();
     return !touches_border(result_.grid, normal.pressure);
   }
@@ -413,6 +418,11 @@ class Level {
     point.fields.state = state_.tangential.state;
     contact::integrate_tractions(result_.grid, point);
     point.derived = derived(point);
+    if (input_.patch) {
+      const contact::PatchSize size = contact::patch_size(result_.grid, state_.normal.pressure);
+      point.derived["patch_x_middle"] = 0.5 * (size.x_lower + size.x_upper);
+      point.derived["patch_y_middle"] = 0.5 * (size.y_lower + size.y_upper);
+    }
     point.approach = state_.normal.approach;
     point.iterations = state_.iterations;
     point.residual = state_.residual;

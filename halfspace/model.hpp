@@ -6,7 +6,7 @@
 
 namespace rollfem::halfspace {
 
-/// Extent in which elements_across are counted: that of Hertz's ellipse; for bodies given point by
+/// Extent in which elements_across are counted: that of expected_patch; for bodies given point by
 /// point that of the potential contact area.
 struct PatchExtent {
   double length = 0.0;  ///< mm, along x
@@ -14,9 +14,9 @@ struct PatchExtent {
 };
 PatchExtent expected_extent(const contact::Case& input);
 
-/// Potential contact area from the case: Hertz's ellipse plus a margin, with elements by
+/// Potential contact area from the case: the box of expected_patch plus a margin, with elements by
 /// [contact_grid]; or as many elements as fit into contact_grid.extent, or into the points of the
-/// undeformed distance. `margin`: elements beyond the ellipse on each side.
+/// undeformed distance. `margin`: elements beyond the box on each side.
 contact::ContactGrid potential_area(const contact::Case& input, int margin = 3);
 
 /// The same with square or given elements of dx by dy.

@@ -79,6 +79,12 @@ Ridge::Ridge(const contact::PatchGeometry& patch) {
       moved = true;
     }
   }
+  // The contact point may lie between two regions of one contact: the deeper one counts.
+  constexpr double just_below = 1e-6;  // mm
+  const auto joined = contact_regions(points_[foot_].distance + just_below);
+  if (joined.empty()) return;
+  for (std::size_t k = 0; k < y_.size(); ++k)
+    if (y_[k] >= joined.front().y_lower && y_[k] <= joined.back().y_upper && downhill(k)) foot_ = k;
 }
 
 std::vector<RidgeRegion> Ridge::regions(double level) const {

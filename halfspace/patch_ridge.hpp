@@ -38,7 +38,8 @@ class Ridge {
   /// (beyond that they are patches of their own, each with its own frame). Empty when nothing is
   /// below the level.
   std::vector<RidgeRegion> contact_regions(double level) const;
-  /// The least distance about the contact point: where one walks downhill from y = 0, mm.
+  /// The least distance about the contact point, mm: where one walks downhill from y = 0, or in a
+  /// region that makes one contact with that.
   double least_distance() const { return points_[foot_].distance; }
   double first() const { return y_.front(); }  ///< mm, end of what is known
   double last() const { return y_.back(); }    ///< mm

@@ -1,5 +1,5 @@
 #include "contact/errors.hpp"
-#include "halfspace/hertz.hpp"
+#include "halfspace/expected_patch.hpp"
 #include "halfspace/model.hpp"
 
 #include <fmt/format.h>
@@ -47,21 +47,24 @@ PatchExtent expected_extent(const contact::Case& input) {
       return {(*input.contact_grid.extent)[0], (*input.contact_grid.extent)[1]};
     return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
   }
-  const HertzContact hertz = hertz_of_case(input);
-  return {2.0 * hertz.semi_axis_x, 2.0 * hertz.semi_axis_y};
+  const ExpectedPatch patch = expected_patch(input);
+  return {patch.length(), patch.width()};
 }
 
 ContactGrid potential_area(const contact::Case& input, double dx, double dy, int margin) {
   const contact::GridOptions& options = input.contact_grid;
   const auto& values = input.undeformed_distance.values;
-  PatchExtent extent = expected_extent(input);
   if (!options.extent && !values) {
+    const ExpectedPatch patch = expected_patch(input);
+    const PatchExtent extent{patch.length(), patch.width()};
     check_cells(input, extent, dx, dy, margin);
-    return ContactGrid::centred(elements(extent.length, dx, margin),
-                                elements(extent.width, dy, margin), dx, dy, options.middle[0],
-                                options.middle[1]);
+    return ContactGrid::centred(
+        elements(extent.length, dx, margin), elements(extent.width, dy, margin), dx, dy,
+        options.middle[0] + patch.x_middle(), options.middle[1] + patch.y_middle());
   }
-  if (options.extent) extent = {(*options.extent)[0], (*options.extent)[1]};
+  const PatchExtent extent = options.extent
+                                 ? PatchExtent{(*options.extent)[0], (*options.extent)[1]}
+                                 : expected_extent(input);
   std::array<double, 2> middle = options.middle;
   if (values && !options.extent)
     middle = {values->x_first + 0.5 * extent.length, values->y_first + 0.5 * extent.width};

@@ -3,6 +3,7 @@
 #include "contact/abilities.hpp"
 #include "contact/errors.hpp"
 #include "halfspace/carter.hpp"
+#include "halfspace/equivalent_ellipse.hpp"
 #include "halfspace/fastsim.hpp"
 #include "halfspace/hertz.hpp"
 #include "halfspace/linear_theory.hpp"
@@ -57,18 +58,31 @@ ModelResult run_halfspace_with_depth(const Case& input, const Progress& progress
   return result;
 }
 
+/// A theory of an elliptic patch, on the equivalent ellipse where the case has true profiles.
+contact::Model elliptic(contact::Model theory, bool no_spin = false) {
+  const auto model = [theory = std::move(theory), no_spin](const Case& c, const Progress& p) {
+    return c.patch ? run_on_ellipse(theory, c, p, no_spin) : theory(c, p);
+  };
+  return [model](const Case& c, const Progress& p) { return run_each_load(model, c, p); };
+}
+
+ModelResult run_strip_of_case(const Case& input, const Progress& progress) {
+  return run_strip(input, progress, {input.strip.strips, input.strip.strip_elements});
+}
+
 const std::vector<std::pair<std::string, contact::Model>>& models() {
   static const std::vector<std::pair<std::string, contact::Model>> all{
-      {"hertz", run_hertz},
-      {"linear", run_linear},
-      {"vermeulen-johnson", run_vermeulen_johnson},
+      {"hertz",
+       [](const Case& c, const Progress& p) {
+         return c.patch ? run_hertz_of_patch(c, p) : run_hertz(c, p);
+       }},
+      {"linear", elliptic(run_linear)},
+      {"vermeulen-johnson", elliptic(run_vermeulen_johnson, true)},
       {"carter",
        [](const Case& c, const Progress& p) { return run_carter(c, p, c.carter.strips); }},
-      {"fastsim", run_fastsim_of_case},
+      {"fastsim", elliptic(run_fastsim_of_case)},
       {"strip",
-       [](const Case& c, const Progress& p) {
-         return run_strip(c, p, {c.strip.strips, c.strip.strip_elements});
-       }},
+       [](const Case& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); }},
       {"halfspace",
        [](const Case& c, const Progress& p) { return run_halfspace_with_depth(c, p); }},
   };

@@ -153,7 +153,10 @@ StripSection strip_section(const StripProfile& profile, const StripNormalSolutio
         (1.0 - weight) * values[j] * values[j] + weight * values[j + 1] * values[j + 1];
     return std::sqrt(square);
   };
-  return {at(solution.half_length), at(solution.max_pressure)};
+  const double middle = profile.middle.empty()
+                            ? 0.0
+                            : (1.0 - weight) * profile.middle[j] + weight * profile.middle[j + 1];
+  return {at(solution.half_length), at(solution.max_pressure), middle};
 }
 
 }  // namespace rollfem::halfspace

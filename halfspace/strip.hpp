@@ -11,12 +11,13 @@
 
 namespace rollfem::halfspace {
 
-/// Two profiles as strips of equal width: undeformed distance h(x, y) = z(y) + A(y) x^2.
+/// Two profiles as strips of equal width: undeformed distance h(x, y) = z(y) + A(y) (x - x_m(y))^2.
 struct StripProfile {
   double y_first = 0.0;           ///< mm, middle of the first strip
   double width = 0.0;             ///< mm
   std::vector<double> distance;   ///< z, mm, any origin
   std::vector<double> curvature;  ///< A > 0, 1/mm, 1/(2 R_x)
+  std::vector<double> middle{};   ///< x_m, mm; empty: 0, without yaw
 
   int size() const { return static_cast<int>(distance.size()); }
   double y(int j) const { return y_first + j * width; }
@@ -65,11 +66,13 @@ StripNormalSolution strips_for_approach(const StripProfile& profile, double cont
 struct StripSection {
   double half_length = 0.0;
   double max_pressure = 0.0;
+  double middle = 0.0;
 };
 StripSection strip_section(const StripProfile& profile, const StripNormalSolution& solution,
                            double y);
 
-/// Profile of the radii of a case.
+/// Profile of the radii or the patch of a case; with a patch over the y at which the distance is
+/// below the approach of expected_patch, beyond which nothing touches.
 StripProfile strip_profile(const contact::Case& input, int strips);
 
 struct StripOptions {

@@ -1,6 +1,8 @@
 // The model "strip": a case by the strip theory of strip.hpp.
 #include "contact/errors.hpp"
+#include "halfspace/expected_patch.hpp"
 #include "halfspace/model.hpp"
+#include "halfspace/patch_ridge.hpp"
 #include "halfspace/strip.hpp"
 
 #include <algorithm>
@@ -37,7 +39,7 @@ StripContact strip_contact(const contact::Case& input, int strips) {
 /// The parabola of the same friction force as mu times the elliptic pressure of the strip.
 BrushStrip brush_strip(const StripSection& section, double y, double friction) {
   return {y, section.half_length, 3.0 * pi / 8.0 * friction * section.max_pressure,
-          BoundShape::parabolic};
+          BoundShape::parabolic, section.middle};
 }
 
 contact::Field strip_pressure(const StripContact& contact, const contact::ContactGrid& grid) {
@@ -45,7 +47,7 @@ contact::Field strip_pressure(const StripContact& contact, const contact::Contac
   for (int j = 0; j < grid.ny; ++j) {
     const StripSection section = strip_section(contact.profile, contact.normal, grid.y(j));
     for (int i = 0; i < grid.nx; ++i) {
-      const double t = grid.x(i) / section.half_length;
+      const double t = (grid.x(i) - section.middle) / section.half_length;
       if (std::abs(t) < 1.0)
         pressure[grid.index(i, j)] = section.max_pressure * std::sqrt((1.0 - t) * (1.0 + t));
     }
@@ -89,6 +91,12 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
   point.semi_axis_y = 0.5 * point.contact_width;
   point.contact_area = contact_area(contact);
   point.adhesion_area = point.contact_area;
+  if (contact.input.patch) {
+    const int deepest = normal.patches.front().deepest;
+    point.derived["patch_x_middle"] = contact.profile.middle[deepest];
+    point.derived["patch_y_middle"] =
+        0.5 * (normal.patches.front().y_lower + normal.patches.back().y_upper);
+  }
   return point;
 }
 
@@ -107,7 +115,9 @@ BrushTotals strip_totals(const StripContact& contact, const contact::Creepage& c
     const BrushProblem problem = brush_problem(contact, patch, creepage, elements);
     for (int j = patch.first; j <= patch.last; ++j) {
       const double y = contact.profile.y(j);
-      const StripSection section{contact.normal.half_length[j], contact.normal.max_pressure[j]};
+      const double middle = contact.profile.middle.empty() ? 0.0 : contact.profile.middle[j];
+      const StripSection section{contact.normal.half_length[j], contact.normal.max_pressure[j],
+                                 middle};
       const BrushStrip strip = brush_strip(section, y, contact.input.friction_coefficient);
       add_strip(
           strip,
@@ -123,7 +133,7 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
                  contact::PointResult& point) {
   for (const StripPatch& patch : contact.normal.patches) {
     const auto strip_at = [&](double y) -> BrushStrip {
-      if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic};
+      if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic, 0.0};
       return brush_strip(strip_section(contact.profile, contact.normal, y), y,
                          contact.input.friction_coefficient);
     };
@@ -132,9 +142,31 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
   }
 }
 
+/// Strips over all y at which the profiles overlap when they have approached as far as in the
+/// half-space.
+StripProfile profile_of_patch(const contact::Case& input, int strips) {
+  const ExpectedPatch expected = expected_patch(input);
+  const auto regions = Ridge(*input.patch).contact_regions(expected.approach);
+  const double lower = regions.front().y_lower;
+  const double upper = regions.back().y_upper;
+  const int count =
+      std::max(4, static_cast<int>(std::lround(strips * (upper - lower) / expected.width())));
+  StripProfile profile;
+  profile.width = (upper - lower) / count;
+  profile.y_first = lower + 0.5 * profile.width;
+  for (int j = 0; j < count; ++j) {
+    const RidgePoint point = ridge_point(*input.patch, profile.y(j));
+    profile.distance.push_back(point.distance);
+    profile.curvature.push_back(point.curvature);
+    profile.middle.push_back(point.x);
+  }
+  return profile;
+}
+
 }  // namespace
 
 StripProfile strip_profile(const contact::Case& input, int strips) {
+  if (input.patch) return profile_of_patch(input, strips);
   const contact::Curvatures curvatures = curvatures_of_case(input);
   const double half_width = reach * hertz_of_case(input).semi_axis_y;
   const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));

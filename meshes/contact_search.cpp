@@ -37,7 +37,7 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
                      int position, bool left) {
   const Axle axle = place_axle(pose, input.wheelset, input.wheel.rolling_radius, left);
   try {
-    return {scene.profiles.wheel, input.wheel.rolling_radius, axle, scene.rail};
+    return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head};
   } catch (const contact::SolveError& error) {
     throw contact::SolveError(
         fmt::format("{}: {}; do: check gauge, flange_back_distance and lateral_shift",
@@ -48,8 +48,8 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
 [[noreturn]] void fail_at_end(const Case& input, const VerticalGap& gap, bool inner, int position,
                               bool left, const std::string& what) {
   const contact::HeightCurve& wheel = gap.wheel().curve();
-  const bool wheel_ends = inner ? wheel.first() > gap.rail().first()
-                                : wheel.last() < gap.rail().last();
+  const bool wheel_ends =
+      inner ? wheel.first() > gap.rail().first() : wheel.last() < gap.rail().last();
   throw contact::InputError(fmt::format(
       "{}: {} the {} end of the {} profile, {:.2f} mm from the middle of the track; allowed: "
       "profiles that reach beyond the contact on both sides, as a height over y; do: take a longer "
@@ -67,12 +67,12 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
     fail_at_end(input, gap, end == GapEnd::inner, position, left,
                 "wheel and rail would touch first at");
   const std::vector<GapMinimum> minima = gap.minima();
-  const auto first = std::min_element(
-      minima.begin(), minima.end(),
-      [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
+  const auto first =
+      std::min_element(minima.begin(), minima.end(),
+                       [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
   const auto& knots = scene.profiles.wheel.knots();
-  const auto tip = static_cast<std::size_t>(
-      std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
+  const auto tip =
+      static_cast<std::size_t>(std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
   const double profile_y = gap.wheel().at(first->y).profile_y;
   // A profile without a flange is highest at its own end.
   const bool has_flange = tip > 0 && knots.y[tip] < 0.0 && knots.z[tip] > 10.0;
@@ -92,10 +92,19 @@ WheelsetPose asked_pose(const Case& input, int position) {
   return pose;
 }
 
+/// Lowered until the wheel touches.
+WheelsetPose touching_pose(const Case& input, const SearchScene& scene, WheelsetPose pose,
+                           int position, bool left) {
+  pose.height = 0.0;
+  const VerticalGap gap = make_gap(input, scene, pose, position, left);
+  check_support(input, scene, gap, position, left);
+  pose.height = gap.smallest();
+  return pose;
+}
+
 /// Roll at which both wheels touch at one height: what the left one can sink less what the right
 /// one can rises with roll, by twice the distance of the rails per radian. Illinois method.
-double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose,
-                     int position) {
+double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
   const auto difference = [&](double roll) {
     pose.roll = roll;
     return make_gap(input, scene, pose, position, true).smallest() -
@@ -210,6 +219,25 @@ bool are_one(const VerticalGap& gap, const Stretch& a, const Stretch& b, double 
   return right[0] - left[1] < near_touch * widths;
 }
 
+/// Mean place of the overlap at a sinking, weighted by the square of its depth over the area: the
+/// overlap of depth d is as long as sqrt(d), which makes d^2.5 along y.
+double reference_place(const VerticalGap& gap, const Stretch& stretch, double sinking) {
+  if (!(approach_of(stretch, sinking) > 0.0)) return stretch.deepest.y;
+  const auto reach = reach_of(gap, stretch, sinking);
+  constexpr int cells = 400;
+  const double dy = (reach[1] - reach[0]) / cells;
+  double weights = 0.0, moments = 0.0;
+  for (int k = 0; k < cells; ++k) {
+    const double y = reach[0] + (k + 0.5) * dy;
+    const double depth = sinking - gap.at(y).value;
+    if (!(depth > 0.0)) continue;
+    const double weight = depth * depth * std::sqrt(depth);
+    weights += weight;
+    moments += weight * y;
+  }
+  return weights > 0.0 ? moments / weights : stretch.deepest.y;
+}
+
 /// Joins neighbours until none meet any more; the sinking falls with every joint.
 double merge(const Case& input, const VerticalGap& gap, std::vector<Group>& groups,
              double merge_angle) {
@@ -235,8 +263,8 @@ Vector3 to_track(bool left, const Vector3& v) {
 /// The frame of a patch on the rail; coordinates as of a right-hand patch frame on the left side,
 /// whose y points to the field; on the right the lateral one is turned in the end.
 struct PatchAxes {
-  double y0, z0;          ///< side frame, mm
-  double cosine, sine;    ///< of the contact angle
+  double y0, z0;        ///< side frame, mm
+  double cosine, sine;  ///< of the contact angle
   double across(double y, double z) const { return cosine * (y - y0) - sine * (z - z0); }
   double along_normal(double y, double z) const { return -sine * (y - y0) - cosine * (z - z0); }
 };
@@ -270,17 +298,16 @@ double parameter_near(const ProfileCurve& curve, double y, double z) {
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
                                      const PatchAxes& axes, const Axle& axle_of_side, bool left,
                                      const OutlinePoint& touch, double sink) {
-  const ProfileCurve rail = scene.rail.moved(0.0, -axes.y0, -axes.z0)
-                                .moved(std::atan2(axes.sine, axes.cosine), 0.0, 0.0);
+  const ProfileCurve rail =
+      scene.rail.moved(0.0, -axes.y0, -axes.z0).moved(std::atan2(axes.sine, axes.cosine), 0.0, 0.0);
   // z of the patch points up, that of the profile down.
   const double sign_y = left ? 1.0 : -1.0;
   contact::HeightCurve heights =
       changed(height_over_y(rail, parameter_near(rail, 0.0, 0.0)), sign_y, -1.0, 0.0);
   const ProfileCurve& wheel = scene.profiles.wheel;
   contact::HeightCurve radius = changed(
-      height_over_y(wheel,
-                    parameter_near(wheel, touch.profile_y,
-                                   touch.radius - input.wheel.rolling_radius)),
+      height_over_y(
+          wheel, parameter_near(wheel, touch.profile_y, touch.radius - input.wheel.rolling_radius)),
       sign_y, 1.0, input.wheel.rolling_radius);
   // Mirrored for the right side: y changes its sign, and the direction is turned about so that it
   // points to larger y again (and its axial coordinate with it, as in `changed`).
@@ -297,12 +324,13 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
 
 class WheelSearch {
  public:
-  WheelSearch(const Case& input, const SearchScene& scene, int position, bool left)
+  WheelSearch(const Case& input, const SearchScene& scene, const WheelsetPose& pose, int position,
+              bool left)
       : input_(input),
         scene_(scene),
         position_(position),
         left_(left),
-        pose_(find_pose(input, scene, position, left)),
+        pose_(touching_pose(input, scene, pose, position, left)),
         axle_(place_axle(pose_, input.wheelset, input.wheel.rolling_radius, left)),
         gap_(make_gap(input, scene, pose_, position, left)),
         modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
@@ -335,10 +363,11 @@ class WheelSearch {
   WheelRailContact describe(const Group& group, double sinking, bool neighbour_inside,
                             bool neighbour_outside) const {
     const GapMinimum& first = group.stretch.deepest;
-    const double angle = first.angle();
-    const PatchAxes axes{first.y, gap_.rail().at(first.y).value, std::cos(angle),
-                         std::sin(angle)};
-    const OutlinePoint touch = gap_.wheel().at(first.y);
+    const double y = reference_place(gap_, group.stretch, sinking);
+    const contact::CurveValue rail = gap_.rail().at(y);
+    const double angle = -std::atan(rail.slope);
+    const PatchAxes axes{y, rail.value, std::cos(angle), std::sin(angle)};
+    const OutlinePoint touch = gap_.wheel().at(y);
     WheelRailContact contact;
     contact.pose = pose_;
     contact.approach = std::max(0.0, approach_of(group.stretch, sinking));
@@ -346,18 +375,17 @@ class WheelSearch {
     fill_place(contact.place, group.stretch, axes, touch);
     fill_frames(contact, axes, touch);
     if (contact.normal_force > 0.0) check_reach(group.stretch, sinking);
-    const auto across = [&](double y) { return axes.across(y, gap_.rail().at(y).value); };
+    const auto across = [&](double at) { return axes.across(at, gap_.rail().at(at).value); };
     const auto pair = [&](double lower, double upper) {
       return left_ ? std::array<double, 2>{lower, upper} : std::array<double, 2>{-upper, -lower};
     };
     const auto reach = reach_of(gap_, group.stretch, std::max(sinking, first.gap));
     contact.reach = pair(across(reach[0]), across(reach[1]));
-    contact.limits = pair(
-        neighbour_inside ? across(group.stretch.limits[0]) : -contact::infinity,
-        neighbour_outside ? across(group.stretch.limits[1]) : contact::infinity);
+    contact.limits = pair(neighbour_inside ? across(group.stretch.limits[0]) : -contact::infinity,
+                          neighbour_outside ? across(group.stretch.limits[1]) : contact::infinity);
     for (const GapMinimum& minimum : group.minima)
-      contact.touching.push_back({(left_ ? 1.0 : -1.0) * across(minimum.y),
-                                  minimum.gap * std::cos(minimum.angle())});
+      contact.touching.push_back(
+          {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
     contact.geometry = make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap);
     return contact;
   }
@@ -374,7 +402,7 @@ class WheelSearch {
     place.z_track = axes.z0;
     place.y_rail = profile_coordinates(scene_.rail_place, axes.y0, axes.z0)[0];
     place.y_wheel = touch.profile_y;
-    place.contact_angle = stretch.deepest.angle();
+    place.contact_angle = std::atan2(axes.sine, axes.cosine);
     place.rolling_radius = touch.radius;
     place.separation = stretch.deepest.gap * axes.cosine;
   }
@@ -418,27 +446,35 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   SearchScene scene;
   scene.rail_place = rail_place(profiles.rail, input.track);
   scene.rail = place_rail(profiles.rail, scene.rail_place);
+  scene.rail_head = rail_heights(scene.rail);
+  scene.wheel = wheel_points(profiles.wheel);
   scene.profiles = std::move(profiles);
   return scene;
 }
 
-WheelsetPose find_pose(const Case& input, const SearchScene& scene, int position, bool left) {
+WheelsetPose find_pose(const Case& input, const SearchScene& scene, int position) {
   WheelsetPose pose = asked_pose(input, position);
-  const bool given = !input.wheelset.roll.empty();
-  if (!given) pose.roll = touching_roll(input, scene, pose, position);
-  for (const bool side : {true, false}) {
-    if (given && side != left) continue;
-    const VerticalGap gap = make_gap(input, scene, pose, position, side);
-    check_support(input, scene, gap, position, side);
-    if (side == left) pose.height = gap.smallest();
-  }
+  if (input.wheelset.roll.empty()) pose.roll = touching_roll(input, scene, pose, position);
   return pose;
 }
 
 std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,
-                                            int position, bool left,
+                                            const WheelsetPose& pose, int position, bool left,
                                             const SearchOptions& options) {
-  return WheelSearch(input, scene, position, left).contacts(options);
+  return WheelSearch(input, scene, pose, position, left).contacts(options);
+}
+
+std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,
+                                            int position, const SearchOptions& options) {
+  const WheelsetPose pose = find_pose(input, scene, position);
+  std::vector<WheelRailContact> all;
+  for (const bool left : {true, false}) {
+    const contact::WheelSide other = left ? contact::WheelSide::right : contact::WheelSide::left;
+    if (input.wheelset.side == other) continue;
+    for (WheelRailContact& contact : find_contacts(input, scene, pose, position, left, options))
+      all.push_back(std::move(contact));
+  }
+  return all;
 }
 
 }  // namespace rollfem::meshes

@@ -1,5 +1,5 @@
 // Where the wheels of a placed wheelset touch their rails: height and roll of the wheelset, points
-// of first contact, near misses, and which of them are one patch under the load.
+// of first contact, near misses, and which of them are one patch under the load (docs/track.md).
 #pragma once
 
 #include "contact/case.hpp"
@@ -11,11 +11,13 @@
 
 namespace rollfem::meshes {
 
-/// One patch, or a near miss, of one wheel at one position.
+/// One patch, or a near miss, of one wheel at one position. The reference point of a patch is the
+/// mean place of the overlap of the undeformed bodies at its estimated approach, weighted by the
+/// square of the depth over the area; that of a near miss is the point of least distance.
 struct WheelRailContact {
   /// position, patch and patches count from 1; of a near miss patch is 0.
   contact::ContactPlace place;
-  contact::PatchGeometry geometry;  ///< touching at the origin: sunk by the gap of this patch
+  contact::PatchGeometry geometry;  ///< sunk vertically until this patch touches in one point
   WheelsetPose pose;                ///< at first contact of the wheel
   contact::Axle axle;               ///< track frame, at first contact; direction to the right
   contact::Vector3 origin{};        ///< contact reference point on the rail, track frame
@@ -45,24 +47,30 @@ struct SearchOptions {
 /// What a search needs beside the case: profiles, and the rail's place that follows from them.
 struct SearchScene {
   ProfilePair profiles;
+  WheelPoints wheel;
   RailPlace rail_place;
-  ProfileCurve rail;  ///< placed, side frame
+  ProfileCurve rail;               ///< placed, side frame
+  contact::HeightCurve rail_head;  ///< the same as a height over y
 };
 
 /// Throws contact::InputError when the rail's profile does not fit the track.
 SearchScene make_search_scene(const contact::Case& input, ProfilePair profiles);
 
-/// Pose of the wheelset for a position (1, 2, ...). Without wheelset.roll both rails are touched
-/// (rigid bodies, which roll and height follow from); with a given roll the height is that at which
-/// this wheel touches, whatever the other does. Throws contact::SolveError when a wheel is not
-/// above its rail, contact::InputError when a profile ends where they would touch.
-WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int position,
-                       bool left);
+/// Pose of the wheelset for a position (1, 2, ...), but for its height: lateral shift, yaw, and
+/// roll as given or found, such that both rails are touched by rigid wheels. Throws
+/// contact::SolveError when a wheel is not above its rail or there is no such roll.
+WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int position);
 
 /// Patches of a wheel under the load of the case, the most loaded first, then near misses, nearest
-/// first. Throws as find_pose, and contact::InputError when a profile ends within a patch.
+/// first. The height of `pose` is set to that at which this wheel touches; with a found roll it is
+/// the same for both. Throws contact::SolveError when the wheel has left its rail,
+/// contact::InputError when a profile ends where the bodies would touch or within a patch.
 std::vector<WheelRailContact> find_contacts(const contact::Case& input, const SearchScene& scene,
-                                            int position, bool left,
+                                            const WheelsetPose& pose, int position, bool left,
                                             const SearchOptions& options = {});
+
+/// All contacts of the wheels that wheelset.side asks for at a position: left before right.
+std::vector<WheelRailContact> find_contacts(const contact::Case& input, const SearchScene& scene,
+                                            int position, const SearchOptions& options = {});
 
 }  // namespace rollfem::meshes

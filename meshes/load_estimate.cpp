@@ -9,7 +9,8 @@ namespace rollfem::meshes {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-/// Of the approach, overlap that has the extent of the patch.
+/// Of the approach, overlap that has the extent of the patch. A half would be exact for a circular
+/// patch (Hertz: a^2 = R approach).
 constexpr double overlap_fraction = 0.55;
 
 /// Integral over |x| < half of sqrt(half^2 - x^2) / sqrt(x^2 + s^2), by x = half sin(t).

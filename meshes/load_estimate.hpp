@@ -15,9 +15,9 @@ namespace rollfem::meshes {
 
 /// A stretch of the gap that is one potential contact.
 struct Stretch {
-  GapMinimum deepest;               ///< its lowest minimum, the reference point
-  std::array<double, 2> limits{};   ///< mm, side frame: nothing beyond belongs to it
-  double rolling_radius = 0.0;      ///< mm, at the reference point
+  GapMinimum deepest;              ///< its lowest minimum, the reference point
+  std::array<double, 2> limits{};  ///< mm, side frame: nothing beyond belongs to it
+  double rolling_radius = 0.0;     ///< mm, at the reference point
 };
 
 /// Approach along the normal of a stretch when the wheel sinks by `sinking` from gap 0, mm: sinking

@@ -82,19 +82,26 @@ std::vector<double> parameters(const ProfileCurve& wheel) {
 
 }  // namespace
 
-Silhouette::Silhouette(const ProfileCurve& wheel, double rolling_radius, const Axle& axle)
+WheelPoints wheel_points(const ProfileCurve& wheel) {
+  WheelPoints result;
+  const std::vector<double> at = parameters(wheel);
+  for (const double parameter : at) result.points.push_back(wheel.at(parameter));
+  result.start = static_cast<std::size_t>(
+      std::lower_bound(at.begin(), at.end(), wheel.parameter_at(0.0)) - at.begin());
+  return result;
+}
+
+Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Axle& axle)
     : axle_(axle) {
   const AxleFrame frame = axle_frame(axle);
-  const std::vector<double> at = parameters(wheel);
   // From the running circle both ways, as far as the outline goes on as a height over y.
-  const auto start = static_cast<std::ptrdiff_t>(
-      std::lower_bound(at.begin(), at.end(), wheel.parameter_at(0.0)) - at.begin());
+  const auto start = static_cast<std::ptrdiff_t>(wheel.start);
   std::vector<Seen> inner, outer;
   const auto walk = [&](std::ptrdiff_t first, int step, std::vector<Seen>& part) {
-    for (std::ptrdiff_t k = first; k >= 0 && k < static_cast<std::ptrdiff_t>(at.size());
+    for (std::ptrdiff_t k = first; k >= 0 && k < static_cast<std::ptrdiff_t>(wheel.points.size());
          k += step) {
-      const auto point = seen(wheel.at(at[static_cast<std::size_t>(k)]), rolling_radius, axle,
-                              frame);
+      const auto point =
+          seen(wheel.points[static_cast<std::size_t>(k)], rolling_radius, axle, frame);
       if (!point) return;
       if (!part.empty() && step * (point->place[1] - part.back().place[1]) <= 1e-6) return;
       part.push_back(*point);

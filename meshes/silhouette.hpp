@@ -7,22 +7,31 @@
 #include "contact/patch_geometry.hpp"
 #include "meshes/profile_curve.hpp"
 
+#include <vector>
+
 namespace rollfem::meshes {
 
 /// A point of the outline in the side frame.
 struct OutlinePoint {
-  double x = 0.0;        ///< mm, ahead of the axle's middle
-  double y = 0.0;        ///< mm
-  double z = 0.0;        ///< mm
+  double x = 0.0;          ///< mm, ahead of the axle's middle
+  double y = 0.0;          ///< mm
+  double z = 0.0;          ///< mm
   double profile_y = 0.0;  ///< mm, wheel profile coordinate
   double radius = 0.0;     ///< mm, of its circle
 };
+
+/// Points of a wheel's profile, dense enough for an outline: they serve every pose.
+struct WheelPoints {
+  std::vector<ProfilePoint> points;
+  std::size_t start = 0;  ///< the first one with y >= 0
+};
+WheelPoints wheel_points(const ProfileCurve& wheel);
 
 class Silhouette {
  public:
   /// `wheel` in profile coordinates; `axle` with axial coordinate = profile y (placement.hpp).
   /// Throws std::invalid_argument when no part of the profile can be seen.
-  Silhouette(const ProfileCurve& wheel, double rolling_radius, const contact::Axle& axle);
+  Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle);
 
   /// z over y; covers the part that is no steeper than a height curve allows.
   const contact::HeightCurve& curve() const { return curve_; }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace rollfem::meshes {
@@ -22,9 +23,9 @@ contact::HeightCurve rail_heights(const ProfileCurve& rail) {
   return height_over_y(rail, knots.parameter[static_cast<std::size_t>(top)]);
 }
 
-VerticalGap::VerticalGap(const ProfileCurve& wheel, double rolling_radius,
-                         const contact::Axle& axle, const ProfileCurve& rail)
-    : wheel_(wheel, rolling_radius, axle), rail_(rail_heights(rail)) {
+VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
+                         const contact::HeightCurve& rail)
+    : wheel_(wheel, rolling_radius, axle), rail_(rail) {
   const contact::HeightCurve& outline = wheel_.curve();
   first_ = std::max(outline.first(), rail_.first());
   last_ = std::min(outline.last(), rail_.last());
@@ -33,16 +34,17 @@ VerticalGap::VerticalGap(const ProfileCurve& wheel, double rolling_radius,
         "the wheel is not above the rail: it reaches from {:.1f} to {:.1f} mm from the middle of "
         "the track, the head of the rail from {:.1f} to {:.1f} mm",
         outline.first(), outline.last(), rail_.first(), rail_.last()));
-  for (const auto* knots : {&outline.knots(), &rail_.knots()})
-    for (const double y : *knots)
-      if (y > first_ && y < last_) places_.push_back(y);
+  std::vector<double> knots;
+  std::merge(outline.knots().begin(), outline.knots().end(), rail_.knots().begin(),
+             rail_.knots().end(), std::back_inserter(knots));
   places_.push_back(first_);
+  for (const double y : knots)
+    if (y > first_ && y < last_) places_.push_back(y);
   places_.push_back(last_);
-  std::sort(places_.begin(), places_.end());
   // Knots that coincide to rounding would give intervals of no length.
-  places_.erase(std::unique(places_.begin(), places_.end(),
-                            [](double a, double b) { return b - a < 1e-9; }),
-                places_.end());
+  places_.erase(
+      std::unique(places_.begin(), places_.end(), [](double a, double b) { return b - a < 1e-9; }),
+      places_.end());
   for (const double y : places_) values_.push_back(at(y));
 }
 
@@ -95,12 +97,11 @@ std::array<double, 2> VerticalGap::largest_between(double lower, double upper) c
   return largest;
 }
 
-std::array<double, 2> VerticalGap::below(double limit, double y, double lower,
-                                         double upper) const {
+std::array<double, 2> VerticalGap::below(double limit, double y, double lower, double upper) const {
   const auto end_of = [&](bool up) {
     double inside = y;
-    auto k = static_cast<std::ptrdiff_t>(
-        std::lower_bound(places_.begin(), places_.end(), y) - places_.begin());
+    auto k = static_cast<std::ptrdiff_t>(std::lower_bound(places_.begin(), places_.end(), y) -
+                                         places_.begin());
     if (!up) --k;
     for (; k >= 0 && k < static_cast<std::ptrdiff_t>(places_.size()); k += up ? 1 : -1) {
       const auto at_k = static_cast<std::size_t>(k);

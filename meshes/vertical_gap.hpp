@@ -24,9 +24,10 @@ enum class GapEnd { none, inner, outer };
 
 class VerticalGap {
  public:
-  /// `rail` in the side frame. Throws contact::SolveError when the wheel is not above the rail.
-  VerticalGap(const ProfileCurve& wheel, double rolling_radius, const contact::Axle& axle,
-              const ProfileCurve& rail);
+  /// `rail`: its head in the side frame (rail_heights). Throws contact::SolveError when the wheel
+  /// is not above it.
+  VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
+              const contact::HeightCurve& rail);
 
   /// Rail z less wheel z, with derivatives by y; positive where the wheel is above the rail.
   contact::CurveValue at(double y) const;

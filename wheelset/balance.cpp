@@ -17,13 +17,6 @@ using contact::WheelSide;
 
 namespace {
 
-/// Wheels that must be placed: without torque both, whichever is asked for.
-std::vector<bool> needed_sides(const Case& input) {
-  if (input.wheelset.side == WheelSide::both || input.wheelset.free_rolling == FreeRolling::torque)
-    return {true, false};
-  return {input.wheelset.side == WheelSide::left};
-}
-
 bool asked_for(const Case& input, bool left) {
   return input.wheelset.side == WheelSide::both || (input.wheelset.side == WheelSide::left) == left;
 }
@@ -32,14 +25,6 @@ meshes::SearchScene search_scene(const Case& input) {
   return meshes::make_search_scene(input,
                                    {meshes::make_profile(input.wheel.profile, true, input.file),
                                     meshes::make_profile(input.rail.profile, false, input.file)});
-}
-
-std::vector<PlacedWheel> wheels_at(const Case& input, const meshes::SearchScene& scene,
-                                   int position) {
-  std::vector<PlacedWheel> wheels;
-  for (const bool left : needed_sides(input))
-    wheels.push_back({left, position, meshes::find_contacts(input, scene, position, left)});
-  return wheels;
 }
 
 /// A long row says where it failed.
@@ -73,34 +58,38 @@ std::vector<std::string> notes_of(const Case& input) {
 
 }  // namespace
 
-std::vector<PlacedWheel> place_wheels(const Case& input) {
+std::vector<meshes::WheelRailContact> place_wheels(const Case& input) {
   const meshes::SearchScene scene = search_scene(input);
-  std::vector<PlacedWheel> all;
+  std::vector<meshes::WheelRailContact> all;
   for (int position = 1; position <= static_cast<int>(input.wheelset.positions()); ++position) {
-    auto wheels = at_position(input, position, [&] { return wheels_at(input, scene, position); });
-    std::move(wheels.begin(), wheels.end(), std::back_inserter(all));
+    auto contacts =
+        at_position(input, position, [&] { return meshes::find_contacts(input, scene, position); });
+    std::move(contacts.begin(), contacts.end(), std::back_inserter(all));
   }
   return all;
 }
 
 BalancedCase balance(const Case& input, const contact::Progress& progress) {
-  const meshes::SearchScene scene = search_scene(input);
   BalancedCase result;
   result.notes = notes_of(input);
   const int count = static_cast<int>(input.wheelset.positions());
+  Case all_sides = input;
+  if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
+  const std::vector<meshes::Scene> placed = meshes::make_scenes(all_sides);
   for (int position = 1; position <= count; ++position) {
     contact::ProgressEvent event;
     event.model = "wheelset";
     event.stage = "balance";
     event.note = fmt::format("position {} of {}", position, count);
     contact::report(progress, event);
-    const std::vector<PlacedWheel> wheels =
-        at_position(input, position, [&] { return wheels_at(input, scene, position); });
-    auto scenes = at_position(input, position, [&] { return balanced_position(input, wheels); });
+    std::vector<meshes::Scene> here;
+    for (const meshes::Scene& scene : placed)
+      if (scene.contact.place.position == position) here.push_back(scene);
+    auto scenes = at_position(input, position, [&] { return balanced_position(input, here); });
     for (Case& patch : scenes)
       if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));
-    for (const PlacedWheel& wheel : wheels)
-      if (asked_for(input, wheel.left)) result.wheels.push_back(wheel);
+    for (const meshes::Scene& scene : here)
+      if (asked_for(input, scene.contact.place.left)) result.placed.push_back(scene);
     event.finished = position == count;
     if (event.finished) contact::report(progress, event);
   }

@@ -6,31 +6,24 @@
 
 #include "contact/case.hpp"
 #include "contact/progress.hpp"
-#include "meshes/contact_search.hpp"
+#include "meshes/scenes.hpp"
 
 #include <string>
 #include <vector>
 
 namespace rollfem::wheelset {
 
-/// A wheel at one position, as it touches its rail.
-struct PlacedWheel {
-  bool left = true;
-  int position = 1;
-  std::vector<meshes::WheelRailContact> contacts;  ///< patches, then near misses
-};
-
 struct BalancedCase {
   /// One for each patch that carries load, in the order of positions, left before right, the most
   /// loaded patch first.
   std::vector<contact::Case> scenes;
-  std::vector<PlacedWheel> wheels;  ///< all that were placed, for drawings and `check`
-  std::vector<std::string> notes;   ///< what a reader must know
+  std::vector<meshes::Scene> placed;  ///< as they were placed, for drawings
+  std::vector<std::string> notes;     ///< what a reader must know
 };
 
-/// The wheels of all positions on their rails; nothing is solved. Throws contact::InputError and
-/// contact::SolveError as meshes::find_contacts does.
-std::vector<PlacedWheel> place_wheels(const contact::Case& input);
+/// Patches and near misses of the wheels at all positions; nothing is solved. Throws
+/// contact::InputError and contact::SolveError as meshes::find_contacts does.
+std::vector<meshes::WheelRailContact> place_wheels(const contact::Case& input);
 
 /// Throws contact::SolveError when there is no balance (friction that would lift the wheel, no
 /// rotation without torque).

@@ -12,15 +12,16 @@ constexpr int elements_across = 24;
 
 }  // namespace
 
-std::vector<PatchForce> patch_forces(const contact::Case& scene) {
+std::vector<meshes::PatchForce> patch_forces(const contact::Case& scene) {
   contact::Case coarse = scene;
   coarse.accuracy.reset();
   coarse.contact_grid = {};
   coarse.contact_grid.elements_across = elements_across;
   const contact::ModelResult result = halfspace::run_halfspace(coarse, {});
-  std::vector<PatchForce> forces;
+  std::vector<meshes::PatchForce> forces;
   for (const contact::PointResult& point : result.points)
-    forces.push_back({point.longitudinal_force, point.lateral_force, point.normal_force});
+    forces.push_back(
+        {point.longitudinal_force, point.lateral_force, point.normal_force, point.spin_moment});
   return forces;
 }
 

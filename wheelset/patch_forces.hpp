@@ -2,20 +2,13 @@
 // balanced with.
 #pragma once
 
-#include "contact/case.hpp"
+#include "meshes/wheelset_motion.hpp"
 
 #include <vector>
 
 namespace rollfem::wheelset {
 
-/// Forces on the wheel in the patch frame, N.
-struct PatchForce {
-  double longitudinal = 0.0;
-  double lateral = 0.0;
-  double normal = 0.0;
-};
-
 /// One for each load point of the scene. Throws contact::SolveError.
-std::vector<PatchForce> patch_forces(const contact::Case& scene);
+std::vector<meshes::PatchForce> patch_forces(const contact::Case& scene);
 
 }  // namespace rollfem::wheelset

@@ -29,7 +29,7 @@ constexpr double torque_tolerance = 1e-5;
 struct Patch {
   meshes::WheelRailContact contact;
   Case scene;
-  std::vector<PatchForce> force;  ///< per load point, at the scene as it is
+  std::vector<meshes::PatchForce> force;  ///< per load point, at the scene as it is
 };
 
 struct Wheel {
@@ -39,19 +39,17 @@ struct Wheel {
 
 class Position {
  public:
-  Position(const Case& input, const std::vector<PlacedWheel>& wheels)
+  Position(const Case& input, const std::vector<meshes::Scene>& scenes)
       : input_(input),
         rotation_(input.rolling.creepages.size(), 0.0),
         free_(input.wheelset.free_rolling) {
     const auto& given = input.wheelset.rotation_change;
     for (std::size_t k = 0; k < rotation_.size() && !given.empty(); ++k)
       rotation_[k] = given[std::min(k, given.size() - 1)];
-    for (const PlacedWheel& placed : wheels) {
-      Wheel wheel;
-      wheel.left = placed.left;
-      for (const auto& contact : placed.contacts)
-        wheel.patches.push_back({contact, meshes::make_scene(input, contact), {}});
-      wheels_.push_back(std::move(wheel));
+    for (const meshes::Scene& scene : scenes) {
+      const bool left = scene.contact.place.left;
+      if (wheels_.empty() || wheels_.back().left != left) wheels_.push_back({left, {}});
+      wheels_.back().patches.push_back({scene.contact, scene.input, {}});
     }
   }
 
@@ -86,7 +84,7 @@ class Position {
   /// the load. With friction, the lateral force keeps its ratio to the normal force.
   double share(Wheel& wheel, bool friction) {
     if (!input_.load.vertical_force) {
-      share_given(wheel);
+      if (input_.load.approach) drop_untouched(wheel);
       return 0.0;
     }
     const double load = *input_.load.vertical_force;
@@ -109,17 +107,9 @@ class Position {
     return change;
   }
 
-  /// A normal force or an approach is given: of the one patch, or of all together.
-  void share_given(Wheel& wheel) {
-    if (wheel.patches.size() < 2) return;
-    if (input_.load.normal_force)
-      throw contact::SolveError(fmt::format(
-          "the {} wheel touches at {} places, and load.normal_force is the force of one; do: give "
-          "load.vertical_force, which they share",
-          wheel.left ? "left" : "right", wheel.patches.size()));
+  /// A sinking that is given reaches some patches only.
+  static void drop_untouched(Wheel& wheel) {
     auto& all = wheel.patches;
-    const double sinking = input_.load.approach.value();
-    for (Patch& patch : all) patch.scene.load.approach = patch.contact.approach_at(sinking);
     all.erase(std::remove_if(all.begin(), all.end(),
                              [](const Patch& p) { return !(*p.scene.load.approach > 0.0); }),
               all.end());
@@ -151,7 +141,7 @@ class Position {
     double to_share = load;
     constexpr int most_steps = 50;
     for (int step = 0; step < most_steps; ++step) {
-      const std::vector<double> normal = halfspace::share_load(scenes, to_share);
+      const std::vector<double> normal = halfspace::share_load(scenes, to_share).normal_forces;
       const double sum = carried(normal);
       if (!(sum > 0.0)) refuse_lift(wheel);
       if (std::abs(sum - load) < 0.1 * load_tolerance * load) return normal;
@@ -194,8 +184,23 @@ class Position {
   void turn(const std::vector<double>& rotation, Wheel& wheel) {
     for (Patch& patch : wheel.patches)
       for (std::size_t k = 0; k < rotation.size(); ++k)
-        patch.scene.rolling.creepages[k] =
-            meshes::creepage_of(input_, patch.contact, k, rotation[k]);
+        patch.scene.rolling.creepages[k] = creepage(patch, k, rotation[k]);
+  }
+
+  /// What the case gives stands; the rest is the motion's.
+  contact::Creepage creepage(const Patch& patch, std::size_t k, double rotation) const {
+    contact::Creepage result =
+        meshes::creepage_of(patch.contact, meshes::motion_of(input_, rotation));
+    const contact::Creepage& given = input_.rolling.creepages[k];
+    if (input_.rolling.given.longitudinal) result.longitudinal = given.longitudinal;
+    if (input_.rolling.given.lateral) result.lateral = given.lateral;
+    if (input_.rolling.given.spin) result.spin = given.spin;
+    // A prescribed force stands in place of the creepage of its direction.
+    if (k < input_.rolling.forces.size()) {
+      if (input_.rolling.forces[k].longitudinal) result.longitudinal = 0.0;
+      if (input_.rolling.forces[k].lateral) result.lateral = 0.0;
+    }
+    return result;
   }
 
   static void solve(std::vector<Wheel>& wheels) {
@@ -208,7 +213,7 @@ class Position {
   double torque(const Wheel& wheel, std::size_t k) const {
     double sum = 0.0;
     for (const Patch& patch : wheel.patches)
-      sum += patch.force[k].longitudinal * patch.contact.place.rolling_radius;
+      sum += meshes::driving_moment(patch.contact, patch.force[k]);
     return sum;
   }
   double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
@@ -217,26 +222,21 @@ class Position {
     return sum;
   }
 
-  /// Faster rotation drives: the force on the wheel's surface grows with it, and a torque that
-  /// rises is a falling function of the slowing down.
+  /// A wheel that turns faster is held back more by the rail: the moment about the axle falls.
   template <class Driven>
   void find_rotation(Driven& driven) {
-    std::vector<double> slowing;
-    for (const double change : rotation_) slowing.push_back(-change);
     RootOptions options;
     options.step = 2e-4;
     options.value_tolerance =
         torque_tolerance * input_.friction_coefficient * load_scale() * input_.wheel.rolling_radius;
-    const auto torques = [&](const std::vector<double>& at) {
-      std::vector<double> rotation, values;
-      for (const double value : at) rotation.push_back(-value);
+    const auto torques = [&](const std::vector<double>& rotation) {
       turn(rotation, driven);
       solve(driven);
-      for (std::size_t k = 0; k < at.size(); ++k) values.push_back(torque(driven, k));
+      std::vector<double> values;
+      for (std::size_t k = 0; k < rotation.size(); ++k) values.push_back(torque(driven, k));
       return values;
     };
-    slowing = falling_roots(torques, slowing, options, "rotation without torque");
-    for (std::size_t k = 0; k < slowing.size(); ++k) rotation_[k] = -slowing[k];
+    rotation_ = falling_roots(torques, rotation_, options, "rotation without torque");
     turn(rotation_, driven);
   }
 
@@ -279,8 +279,8 @@ class Position {
 
 }  // namespace
 
-std::vector<Case> balanced_position(const Case& input, const std::vector<PlacedWheel>& wheels) {
-  return Position(input, wheels).balanced();
+std::vector<Case> balanced_position(const Case& input, const std::vector<meshes::Scene>& scenes) {
+  return Position(input, scenes).balanced();
 }
 
 }  // namespace rollfem::wheelset

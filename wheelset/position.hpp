@@ -1,12 +1,15 @@
 // One position of the wheelset in balance: the loads of its patches and its rotation.
 #pragma once
 
-#include "wheelset/balance.hpp"
+#include "meshes/scenes.hpp"
+
+#include <vector>
 
 namespace rollfem::wheelset {
 
-/// Scenes of the wheels at one position, those that carry no load left out; throws as balance().
+/// Cases of the scenes of all wheels at one position, those that carry no load left out; throws as
+/// balance().
 std::vector<contact::Case> balanced_position(const contact::Case& input,
-                                             const std::vector<PlacedWheel>& wheels);
+                                             const std::vector<meshes::Scene>& scenes);
 
 }  // namespace rollfem::wheelset

@@ -3,6 +3,7 @@
 
 #include "contact/patch_geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

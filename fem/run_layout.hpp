@@ -1,0 +1,45 @@
+// What one level of the model fem is laid out on, before anything is meshed: where the patch will
+// be, contact grid, options of the bodies, memory.
+#pragma once
+
+#include "contact/case.hpp"
+#include "contact/grid.hpp"
+#include "fem/body.hpp"
+#include "fem/memory.hpp"
+
+namespace rollfem::fem {
+
+/// Where the patch is expected: of radii Hertz's ellipse about the origin, of profiles the box of a
+/// coarse half-space solution.
+struct PatchBox {
+  double half_length = 0.0;  ///< mm, to both sides of x = 0
+  double half_width = 0.0;   ///< mm, to both sides of y = middle
+  double middle = 0.0;       ///< mm
+  double larger() const { return half_length > half_width ? half_length : half_width; }
+  double smaller() const { return half_length > half_width ? half_width : half_length; }
+};
+PatchBox patch_box(const contact::Case& input);
+
+/// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
+double default_cell_size(const contact::Case& input);
+
+/// The case has a patch of true profiles and wants the true sections of wheel and rail, not a box
+/// laid on the surface.
+bool has_true_sections(const contact::Case& input);
+
+struct RunLayout {
+  PatchBox patch;
+  contact::ContactGrid grid;  ///< square elements on the lattice of the FE faces
+  BodyOptions bodies;
+};
+/// Throws contact::InputError when the profiles cannot be meshed so far.
+RunLayout run_layout(const contact::Case& input, double cell);
+
+/// Of a body with half of it or all modelled, by a solver that is not chosen yet.
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, bool body_fields);
+
+/// Throws contact::SolveError when the level will not fit into memory, without making a mesh.
+/// Collective.
+void refuse_beyond_memory(const contact::Case& input, double cell_size);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,86 @@
+// The Manchester benchmark A-2.2 (Shackleton and Iwnicki 2008): a wheelset of 20 kN, shifted and
+// yawed, rolling without torque. Against CONTACT's shipped results for the left wheel (CONTACT user
+// guide, section 5.7, open version r2707): place, normal force, pressure and creepages.
+#include "halfspace/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wheelset/balance.hpp"
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using rollfem::contact::Case;
+using rollfem::contact::Creepage;
+using rollfem::contact::FreeRolling;
+using rollfem::contact::WheelSide;
+
+/// Columns of CONTACT's output for the left wheel. Its creepages are minus ours, and its lateral
+/// axis points to the right: eta and spin change their sign twice.
+struct Row {
+  double shift, yaw;  // mm, rad
+  double y_track, angle, normal_force, max_pressure;
+  double cksi, ceta, cphi;
+};
+
+const std::vector<Row> rows{
+    {0.0, 0.0, -751.8726, 0.0290, 9997.0, 338.3, -5.665e-05, 0.000, -6.302e-05},
+    {2.0, 4.8e-3, -756.5056, 0.0134, 10040.0, 465.9, -8.651e-04, 4.798e-03, -2.947e-05},
+    {5.0, 12.0e-3, -757.8958, 0.0088, 10040.0, 552.8, -3.462e-03, 1.198e-02, -1.990e-05},
+    {7.0, 16.8e-3, -758.6092, 0.0064, 10010.0, 666.7, -2.035e-02, 1.663e-02, -2.761e-05},
+    {10.0, 24.0e-3, -757.0975, 0.0115, 10020.0, 744.0, -2.532e-02, 2.371e-02, -4.883e-05},
+};
+
+Case benchmark() {
+  Case input;
+  input.file = "manchester";
+  input.load.vertical_force = 10e3;
+  input.friction_coefficient = 0.3;
+  input.wheel.rolling_radius = 460.0;
+  input.wheel.profile.name = "S1002";
+  input.rail.profile.name = "UIC60-manchester";
+  for (auto* material : {&input.wheel.material, &input.rail.material}) {
+    material->poisson_ratio = 0.28;
+    material->young_modulus = 2.0 * 1.28 * 82000.0;
+  }
+  input.track.inclination = 1.0 / 40.0;
+  input.wheelset.side = WheelSide::left;
+  input.wheelset.free_rolling = FreeRolling::torque;
+  input.wheelset.lateral_shift.clear();
+  input.wheelset.yaw.clear();
+  for (const Row& row : rows) {
+    input.wheelset.lateral_shift.push_back(row.shift);
+    input.wheelset.yaw.push_back(row.yaw);
+  }
+  return input;
+}
+
+/// 2 % of the value or 2e-5, whichever is more.
+void expect_creepage(double ours, double of_contact, const char* what) {
+  EXPECT_NEAR(ours, of_contact, std::max(0.02 * std::abs(of_contact), 2e-5)) << what;
+}
+
+}  // namespace
+
+TEST(ManchesterBenchmark, LeftWheelAgreesWithContact) {
+  const auto balanced = rollfem::wheelset::balance(benchmark());
+  ASSERT_EQ(balanced.scenes.size(), rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    SCOPED_TRACE(testing::Message() << "shift " << rows[k].shift);
+    const Row& row = rows[k];
+    Case scene = balanced.scenes[k];
+    scene.contact_grid.cell_size = {0.2, 0.2};
+    const auto& place = *scene.place;
+    EXPECT_NEAR(place.y_track, row.y_track, 0.1);
+    EXPECT_NEAR(place.contact_angle, row.angle, 5e-4);
+    const auto result = rollfem::halfspace::run_halfspace(scene, {});
+    const auto& point = result.points.front();
+    EXPECT_NEAR(point.normal_force, row.normal_force, 1e-3 * row.normal_force);
+    EXPECT_NEAR(point.max_pressure, row.max_pressure, 0.015 * row.max_pressure);
+    const Creepage& creepage = point.creepage;
+    expect_creepage(creepage.longitudinal, -row.cksi, "xi");
+    expect_creepage(creepage.lateral, row.ceta, "eta");
+    expect_creepage(creepage.spin, row.cphi, "spin");
+  }
+}
