@@ -54,4 +54,8 @@ void write_results(const std::string& directory, const RunRecord& run);
 /// ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
+/// The same with another of its modules ("rollfem_figures.stress"), which is given the folder.
+std::string run_figures(const std::string& module, const std::string& directory,
+                        const std::string& script_directory);
+
 }  // namespace rollfem::postprocess

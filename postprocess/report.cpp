@@ -115,6 +115,11 @@ std::string one_line(const fs::path& directory, std::string printed) {
 }  // namespace
 
 std::string make_report(const std::string& directory, const std::string& script_directory) {
+  return run_figures("rollfem_figures", directory, script_directory);
+}
+
+std::string run_figures(const std::string& module, const std::string& directory,
+                        const std::string& script_directory) {
   const fs::path parent = package_parent(script_directory);
   if (parent.empty())
     return fmt::format("no Python package rollfem_figures in {}", script_directory);
@@ -122,7 +127,7 @@ std::string make_report(const std::string& directory, const std::string& script_
   if (const char* before = std::getenv("PYTHONPATH"); before && *before)
     python_path += std::string(":") + before;
   const std::string printed =
-      run({find_python(), "-m", "rollfem_figures", fs::absolute(directory).string()},
+      run({find_python(), "-m", module, fs::absolute(directory).string()},
           environment_with({python_path, "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
                             "PYTHONIOENCODING=utf-8"}));
   return one_line(directory, printed);
