@@ -381,7 +381,10 @@ void remove_figures(const fs::path& folder) {
   if (!fs::exists(folder / "stress.json", error)) return;
   for (fs::directory_iterator entry(folder / "figures", error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().extension() == ".svg") fs::remove(entry->path(), error);
+    for (const char* ours : {"depth_", "line_", "plane_", "shakedown_map"})
+      if (entry->path().extension() == ".svg" &&
+          entry->path().filename().string().rfind(ours, 0) == 0)
+        fs::remove(entry->path(), error);
 }
 
 }  // namespace
