@@ -344,6 +344,29 @@ void check_stored(const ModelResult& model, std::size_t point, const StressReque
                                  request.result, model.key()));
 }
 
+/// Largest values that the places asked for show and the search has missed: it leaves out depths of
+/// less than an element, which counts where elements are long. Places nearer to the surface than
+/// `least`, but not on it, are left out.
+void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
+                         std::vector<contact::StressMaximum>& maxima) {
+  for (const StressSet& set : sets)
+    for (std::size_t k = 0; k < set.field.points.size(); ++k) {
+      const double depth = std::abs(set.field.points[k][2]);
+      if (depth > 0.0 && depth < least) continue;
+      const contact::Stress stress = contact::Stress::from_array(set.field.stress[k]);
+      for (const contact::StressMeasure& measure : contact::reported_measures())
+        for (contact::StressMaximum& maximum : maxima) {
+          if (maximum.measure != measure.name ||
+              (maximum.body == "wheel") != set.field.request.wheel)
+            continue;
+          const double value = measure.value(stress);
+          if (value <= maximum.value) continue;
+          maximum.value = value;
+          maximum.place = set.field.points[k];
+        }
+    }
+}
+
 StressOfModel stress_of(const ResultsFile& file, ModelResult model, std::size_t number,
                         const std::vector<NamedRequest>& asked, const StressRequest& request) {
   const PointResult& point = model.points[number];
@@ -362,6 +385,8 @@ StressOfModel stress_of(const ResultsFile& file, ModelResult model, std::size_t 
   if (found.maxima.empty())
     found.maxima = is_fem(model.name) ? largest_at_nodes(model)
                                       : halfspace::stress_maxima(file.input(), model.grid, point);
+  const double element = std::max(model.grid.dx, model.grid.dy);
+  add_largest_of_sets(found.sets, is_fem(model.name) ? 0.0 : 0.5 * element, found.maxima);
   model.bodies.clear();
   found.result = std::move(model);
   return found;

@@ -28,8 +28,9 @@ std::string prescribed_forces(const contact::Case& input) {
 }
 
 void write_case(hid_t file, const contact::Case& input) {
-  const Handle group =
-      create_group(file, "case", "What was asked: the whole case file, and its main numbers");
+  const Handle group = create_group(file, "case",
+                                    "What was asked: the whole case file (text), and its main "
+                                    "numbers as attributes in mm, N, MPa");
   write_attribute(group, "title", input.title);
   write_attribute(group, "file", input.file);
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
@@ -92,8 +93,10 @@ void write_documentation(hid_t file) {
 }
 
 void write_grid(hid_t model, const ContactGrid& grid) {
-  const Handle group = create_group(
-      model, "grid", "Contact grid: centres of the elements; fields are [ny, nx], x runs fastest");
+  const Handle group =
+      create_group(model, "grid",
+                   "Contact grid: centres of the elements (x, y) and their size (attributes dx, "
+                   "dy, in mm); fields are [ny, nx], x runs fastest");
   write_attribute(group, "dx", grid.dx);
   write_attribute(group, "dy", grid.dy);
   write_attribute(group, "unit", std::string("mm"));
@@ -140,7 +143,8 @@ void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& 
                "x, y, z in the global frame, z into the wheel");
     write_rows(group, "displacement", field.displacement, "mm",
                "displacement of the material, x, y, z");
-    write_rows(group, "stress", field.stress, "MPa", "xx, yy, zz, xy, yz, xz; tension positive");
+    write_rows(group, "stress", field.stress, "MPa",
+               "stress: xx, yy, zz, xy, yz, xz; tension positive");
     std::vector<double> equivalent;
     for (const auto& stress : field.stress)
       equivalent.push_back(contact::von_mises(contact::Stress::from_array(stress)));
@@ -207,8 +211,8 @@ void write_bodies(hid_t model, const ModelResult& result) {
   if (result.bodies.empty()) return;
   const Handle all =
       create_group(model, "bodies",
-                   "Wheel and rail at one load point: nodes, hexahedra, displacement "
-                   "and stress of the nodes; between them trilinear");
+                   "Wheel and rail at the load point of the attribute load_point (from 0): nodes, "
+                   "hexahedra, displacement and stress of the nodes; between them trilinear");
   write_attribute(all, "load_point", static_cast<long>(result.points.size()) - 1);
   for (const contact::BodyField& body : result.bodies) {
     const Handle group = create_group(all, body.name, "The whole segment, both halves");
@@ -223,7 +227,8 @@ void write_bodies(hid_t model, const ModelResult& result) {
       write_rows(group, "displacement", body.displacement, "mm",
                  "displacement of the nodes, x, y, z");
     if (!body.stress.empty())
-      write_rows(group, "stress", body.stress, "MPa", "xx, yy, zz, xy, yz, xz; tension positive");
+      write_rows(group, "stress", body.stress, "MPa",
+                 "stress: xx, yy, zz, xy, yz, xz; tension positive");
   }
 }
 
@@ -271,7 +276,7 @@ void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
 
 std::string results_hdf5(const RunRecord& run) {
   const Handle file = create_file_in_memory();
-  write_comment(file, std::string("rollfem result. ") + conventions);
+  write_comment(file, std::string("rollfem result, layout: docs/results.md. ") + conventions);
   write_attribute(file, "format", std::string("rollfem results"));
   write_attribute(file, "format_version", static_cast<long>(hdf5_format_version));
   write_attribute(file, "format_minor", static_cast<long>(hdf5_format_minor));
@@ -281,7 +286,9 @@ std::string results_hdf5(const RunRecord& run) {
   write_provenance(file, run.provenance);
   write_pairs(file, run.pairs);
   {
-    const Handle models = create_group(file, "models", "One group per model");
+    const Handle models = create_group(
+        file, "models",
+        "One group per model; with profiles per model and patch, MODEL_SIDE_POSITION_PATCH");
     for (std::size_t k = 0; k < run.models.size(); ++k)
       write_model(models, run.models[k], static_cast<long>(k));
   }

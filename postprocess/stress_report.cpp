@@ -148,7 +148,7 @@ double yield_ratio(const StressOfModel& model, double k) {
 std::string shakedown_table(const StressOfModel& model, double k) {
   std::string text = fmt::format(
       "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limits of p0/k: line | circle\n"
-      "  {:<6}{:>11}{:>8}{:>8}{:>17}{:>17}   {:<36}{:>8}\n",
+      "  {:<6}{:>11}{:>8}{:>8}{:>17}{:>17}   {:<38}{:>8}\n",
       k, "point", "xi", "T/F_z", "p0/k", "elastic", "shakedown", "region: line | circle",
       "FI_surf");
   for (std::size_t number = 0; number < model.result.points.size(); ++number) {
@@ -158,7 +158,7 @@ std::string shakedown_table(const StressOfModel& model, double k) {
     const ShakedownLimits line = line_contact_limits(traction);
     const ShakedownLimits circle = point_contact_limits(traction);
     text += fmt::format(
-        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>8.2f} |{:>7.2f}{:>8.2f} |{:>7.2f}   {:<36}{:>8.3f}{}\n",
+        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>8.2f} |{:>7.2f}{:>8.2f} |{:>7.2f}   {:<38}{:>8.3f}{}\n",
         number, point.creepage.longitudinal, traction, factor, line.elastic, circle.elastic,
         line.shakedown, circle.shakedown,
         shakedown_region(line, factor) + " | " + shakedown_region(circle, factor),

@@ -37,6 +37,9 @@ def dress(name, o):
     if isinstance(o, h5py.Dataset) and name.startswith('models') and not name.endswith('notes'):
         assert {'unit', 'description'} <= set(o.attrs), name
 f.visititems(dress)
+def comment(name, o):
+    assert h5py.h5o.get_comment(f.id, name.encode()), 'Error: no comment: ' + name
+f.visititems(comment)
 )";
 
 TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
