@@ -3,6 +3,7 @@
 // wrong).
 #include "app/mesh.hpp"
 #include "app/processes.hpp"
+#include "app/profile.hpp"
 #include "app/run.hpp"
 #include "app/scenes.hpp"
 #include "app/stress.hpp"
@@ -29,6 +30,7 @@ struct Call {
   app::RunRequest run;
   app::MeshRequest mesh;
   app::StressRequest stress;
+  app::ProfileRequest profile;
   std::string check_file;
   std::string new_case_file;
   std::string page;
@@ -49,7 +51,7 @@ std::string listed(const std::vector<std::string>& names) {
 /// CLI11 would only say that a command is missing.
 void check_command(const CLI::App& program, int argc, char** argv) {
   const std::string allowed =
-      "allowed: run, stress, mesh, check, new-case, docs; do: rollfem --help";
+      "allowed: run, stress, mesh, profile, check, new-case, docs; do: rollfem --help";
   if (argc < 2) throw contact::InputError("no command is given; " + allowed);
   const std::string name = argv[1];
   if (name.empty() || name.front() == '-') return;
@@ -191,6 +193,19 @@ void add_commands(CLI::App& program, Call& call) {
                    "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu; without it "
                    "results/<name of the case file>_mesh");
   mesh->callback([&call] { app::mesh(call.mesh); });
+
+  CLI::App* profile = program.add_subcommand(
+      "profile", "print, write and draw a profile of wheel or rail with its curvature");
+  profile
+      ->add_option("name", call.profile.name,
+                   "a built-in profile, a profile file, or a case file (.toml) with profiles")
+      ->required();
+  profile->add_flag("--wheel", call.profile.wheel, "the file is the profile of a wheel");
+  profile->add_flag("--rail", call.profile.rail, "the file is the profile of a rail");
+  profile->add_option("-o,--output", call.profile.directory,
+                      "folder for the table (.csv) and the figure (.svg); without it "
+                      "results/<name>_profile");
+  profile->callback([&call] { app::profile(call.profile); });
 
   CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
   check->add_option("case", call.check_file, "case file (.toml)")->required();

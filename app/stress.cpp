@@ -446,8 +446,7 @@ void stress(const StressRequest& request) {
   files.commit();
   std::string problem;
   if (request.figures)
-    problem = postprocess::run_figures("rollfem_figures.stress_report", folder.string(),
-                                       script_directory().string());
+    problem = postprocess::draw_stress(folder.string(), script_directory().string());
   if (!left_out.empty()) std::cerr << "warning: left out: " << left_out << '\n';
   if (!problem.empty())
     std::cerr << "warning: stresses are written, but figures were not drawn: " << problem << '\n';

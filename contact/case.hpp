@@ -172,6 +172,14 @@ struct FastsimCase {
   int strip_elements = 100;
 };
 
+/// Where the elements of the model halfspace lie: in the tangent plane, or along the arc of the
+/// common surface across.
+enum class SurfaceForm { planar, curved };
+
+struct HalfspaceCase {
+  SurfaceForm surface = SurfaceForm::planar;
+};
+
 struct StripCase {
   int strips = 100;
   int strip_elements = 100;
@@ -213,7 +221,7 @@ struct FemOptions {
   std::optional<double> depth;        ///< mm, of the segments; else the extent
   std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
   std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
-  std::optional<MeshFamily> mesh;     ///< not given: structured, with profiles gmsh
+  std::optional<MeshFamily> mesh;     ///< not given: structured where it fits
   std::optional<double> rim_thickness;      ///< mm, of the wheel's true section below the tread
   std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
   LinearSolver linear_solver = LinearSolver::automatic;
@@ -245,6 +253,7 @@ struct Case {
   DistanceOptions undeformed_distance;
   std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;
+  HalfspaceCase halfspace;
   FastsimCase fastsim;
   StripCase strip;
   CarterCase carter;

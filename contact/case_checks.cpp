@@ -220,6 +220,7 @@ void check_far_boundary(const GivenCase& given) {
 }  // namespace
 
 void check_together(const GivenCase& given) {
+  check_profiles(given);
   check_track(given);
   check_load(given);
   check_required(given);
@@ -231,7 +232,7 @@ void check_together(const GivenCase& given) {
 
 void check_geometry(const GivenCase& given, const Case& input) {
   check_approach(given, input);
-  if (replaces_radii(given) || input.has_profiles()) return;
+  if (replaces_radii(given) || has_profiles(given)) return;
   const double wheel = input.wheel.transverse_radius;
   const double rail = input.rail.transverse_radius;
   // Not only B > 0: radii that cancel to rounding would pass that and overflow later.

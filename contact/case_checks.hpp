@@ -50,7 +50,11 @@ struct CaseProblem {
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
 
-/// Whether wheel or rail is given by a profile.
+/// One shape for each body, and only keys of [wheel_profile] and [rail_profile] that are read.
+/// Throws InputError.
+void check_profiles(const GivenCase& given);
+
+/// Wheel or rail is given by a profile.
 bool has_profiles(const GivenCase& given);
 
 /// Profiles, track and wheelset must fit each other and the rest. Throws InputError.

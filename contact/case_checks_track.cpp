@@ -47,14 +47,6 @@ void check_pair(const GivenCase& given) {
             fmt::format("add `profile = \"{}\"` under [{}]; \"arcs\" makes one of radii",
                         other == std::string("rail") ? "60E1" : "S1002", other));
   }
-  for (const char* body : {"wheel", "rail"}) {
-    const GivenValue* radius = given.find(body, "transverse_radius");
-    if (radius == nullptr) continue;
-    const GivenValue& profile = *given.find(body, "profile");
-    fail_at(given, std::string(body) + ".transverse_radius", *radius,
-            fmt::format("contradicts {}.profile = {} of line {}", body, profile.text, profile.line),
-            "at most one of profile and transverse_radius", "remove one of the two");
-  }
 }
 
 void check_inclination(const GivenCase& given) {
@@ -102,12 +94,8 @@ void check_rotation(const GivenCase& given) {
             "write `side = \"both\"` under [wheelset]");
 }
 
-/// Other descriptions of the surfaces.
+/// Slip and problems that are for radii only.
 void check_rivals(const GivenCase& given) {
-  for (const auto& [key, value] : given.values)
-    if (key->section == "undeformed_distance" || key->section == "given_pressure")
-      fail_at(given, key->path(), value, "does not go together with profiles",
-              "profiles, radii, or this section", "remove it, or the profiles");
   const GivenValue* extra = given.find("rolling", "extra_slip");
   if (is_word(extra, "rolling-radius"))
     fail_at(given, "rolling.extra_slip", *extra,
@@ -122,10 +110,6 @@ void check_rivals(const GivenCase& given) {
 }
 
 }  // namespace
-
-bool has_profiles(const GivenCase& given) {
-  return given.find("wheel", "profile") != nullptr || given.find("rail", "profile") != nullptr;
-}
 
 void check_track(const GivenCase& given) {
   if (!has_profiles(given)) {

@@ -86,14 +86,16 @@ Key file_key(const std::string& section, const std::string& name, const std::str
              const std::string& sentence, std::optional<Lattice>& (*member)(Case&));
 
 /// The declarations, by part.
-std::vector<Key> accuracy_keys();    ///< accuracy, accuracy_of
+std::vector<Key> accuracy_keys();  ///< accuracy, accuracy_of
+std::vector<Key> halfspace_keys();
 std::vector<Key> problem_keys();     ///< [rolling] problem, forces
 std::vector<Key> history_keys();     ///< [history]
 std::vector<Key> surface_keys();     ///< [undeformed_distance], [given_pressure]
 std::vector<Key> theory_keys();      ///< [fastsim], [strip], [carter]
 std::vector<Key> subsurface_keys();  ///< [[subsurface.*]]
 std::vector<Key> mesh_keys();        ///< meshes of [wheel], [rail] and [fem]
-std::vector<Key> track_keys();       ///< [track], vertical_force
-std::vector<Key> wheelset_keys();    ///< [wheelset]
+std::vector<Key> profile_keys();   ///< profile of [wheel], [rail]; [wheel_profile], [rail_profile]
+std::vector<Key> track_keys();     ///< [track], vertical_force
+std::vector<Key> wheelset_keys();  ///< [wheelset]
 
 }  // namespace rollfem::contact

@@ -180,7 +180,7 @@ std::vector<Key> body_keys() {
        "",
        "inf",
        "Radius of the wheel's profile: positive convex, negative concave (a hollow tread), inf "
-       "flat. A concave radius must be larger than the rail's.",
+       "flat. A concave radius must be larger than the rail's. Left out where `profile` is given.",
        [](const Case& c) -> KeyValue { return c.wheel.transverse_radius; },
        [](Case& c, const KeyValue& v) { c.wheel.transverse_radius = std::get<double>(v); }}};
   add_material(keys, "wheel", &Case::wheel);
@@ -196,7 +196,7 @@ std::vector<Key> body_keys() {
        "",
        "2000.0",
        "Radius of the rail's head: positive convex, negative concave, inf flat. Along the track "
-       "the rail is straight.",
+       "the rail is straight. Left out where `profile` is given.",
        [](const Case& c) -> KeyValue { return c.rail.transverse_radius; },
        [](Case& c, const KeyValue& v) { c.rail.transverse_radius = std::get<double>(v); }});
   add_material(keys, "rail", &Case::rail);
@@ -531,6 +531,8 @@ const std::vector<Section>& case_sections() {
       {"friction", "Friction between wheel and rail"},
       {"wheel", "Upper body (1): a surface of revolution about the axle"},
       {"rail", "Lower body (2): a straight extruded rail"},
+      {"wheel_profile", "Details of the profile that [wheel] names; files are mended only as told"},
+      {"rail_profile", "Details of the profile that [rail] names; files are mended only as told"},
       {"track", "The track under wheels with profiles"},
       {"wheelset", "Where the wheelset with profiles stands on the track and how it moves"},
       {"rolling",
@@ -542,6 +544,7 @@ const std::vector<Section>& case_sections() {
       {"undeformed_distance", "Distance of the undeformed bodies, in place of that of the radii"},
       {"given_pressure", "Hertz's pressure on a given ellipse in place of the normal problem"},
       {"contact_grid", "Elements of the contact area of the half-space model"},
+      {"halfspace", "Model `halfspace`"},
       {"fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse"},
       {"strip", "Model `strip`: strips along rolling, each after Hertz, with brushes"},
       {"carter", "Model `carter`: strips along rolling, each a line contact"},
@@ -562,9 +565,9 @@ const std::vector<Key>& case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
     for (auto* part :
-         {&general_keys, &accuracy_keys, &load_keys, &body_keys, &track_keys, &wheelset_keys,
-          &rolling_keys, &problem_keys, &history_keys, &surface_keys, &grid_keys, &theory_keys,
-          &fem_keys, &mesh_keys, &output_keys, &subsurface_keys})
+         {&general_keys, &accuracy_keys, &load_keys, &body_keys, &profile_keys, &track_keys,
+          &wheelset_keys, &rolling_keys, &problem_keys, &history_keys, &surface_keys, &grid_keys,
+          &halfspace_keys, &theory_keys, &fem_keys, &mesh_keys, &output_keys, &subsurface_keys})
       for (Key& key : (*part)()) all.push_back(std::move(key));
     return all;
   }();

@@ -70,7 +70,7 @@ Key family_key() {
   key.name = "mesh";
   key.kind = KeyKind::word;
   key.words = family_words;
-  key.when_absent = "`structured`; `gmsh` with profiles";
+  key.when_absent = "`structured`; `gmsh` where profiles are too steep for a box";
   key.sentence =
       "How wheel and rail are meshed: `structured` lays a graded box on the surface; `gmsh` meshes "
       "the cross-section in quadrilaterals and revolves or extrudes it, with profiles the true "

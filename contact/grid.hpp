@@ -28,6 +28,9 @@ struct SurfaceField {
 struct PatchShape {
   Field stretch;  ///< true area / (dx dy), >= 1
   Field climb;    ///< dz/dy of the contact surface
+  /// y of the elements where the grid's own y is the arc length along the surface, with a stretch
+  /// of 1; empty: the grid lies in the projection on z = 0.
+  Field y{};
 };
 
 /// Potential contact area of nx by ny elements of dx by dy mm. x is the rolling direction

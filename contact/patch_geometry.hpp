@@ -46,7 +46,7 @@ class PatchGeometry {
   AxlePlace axle_place(const Vector3& place) const;
   /// Height z of the wheel's surface, mm; infinite where the wheel is not.
   double wheel_height(double x, double y) const;
-  /// Undeformed distance along z, mm; 0 at the origin when the bodies just touch there.
+  /// Undeformed distance along z, mm; 0 where the bodies just touch, which need not be the origin.
   double distance(double x, double y) const;
   /// Distance of the wheel's surface at x = 0 from the axle, mm.
   double local_rolling_radius(double y) const;
@@ -74,13 +74,13 @@ struct ContactPlace {
   double lateral_shift = 0.0;   ///< mm, of the wheelset, positive to the right
   double yaw = 0.0;             ///< rad, of the wheelset, positive from x to y
   double roll = 0.0;            ///< rad, of the wheelset, positive from y to z
-  double height = 0.0;          ///< mm, z of the middle of the axle less the nominal radius
+  double height = 0.0;          ///< mm, z of the middle of the axle plus the nominal radius
   double y_track = 0.0;         ///< mm
   double z_track = 0.0;         ///< mm
   double y_rail = 0.0;          ///< mm, profile coordinate
   double y_wheel = 0.0;         ///< mm, profile coordinate
   double contact_angle = 0.0;   ///< rad, of the rail's tangent against the track plane, positive
-                                ///< where it rises to the flange
+                                ///< where it falls towards the middle of the track
   double rolling_radius = 0.0;  ///< mm, of the contact point
   double separation = 0.0;      ///< mm, distance at first contact (0: touches; > 0: near miss)
   double vertical_force = 0.0;  ///< N, of this patch with friction, 0: not known

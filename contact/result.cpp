@@ -37,12 +37,19 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point, const Patc
   const Field py = filled(point.fields.traction.y, pressure.size());
   const double area = grid.element_area();
   const Field x = grid.sample([](double at, double) { return at; });
-  const Field y = grid.sample([](double, double at) { return at; });
+  const bool unrolled = shape.y.size() != 0;
+  const Field y = unrolled ? shape.y : grid.sample([](double, double at) { return at; });
   // Tractions times the true area, projected, per unit of projected area.
   const Field climb = filled(shape.climb, pressure.size());
   const Field along = shape.stretch.size() == 0 ? px : Field(px.cwiseProduct(shape.stretch));
-  const Field across = py - climb.cwiseProduct(pressure);
-  const Field upwards = pressure + climb.cwiseProduct(py);
+  Field across = py - climb.cwiseProduct(pressure);
+  Field upwards = pressure + climb.cwiseProduct(py);
+  if (unrolled) {
+    // An element along the surface covers less of the projection.
+    const Field cosine = (1.0 + climb.array().square()).rsqrt();
+    across = across.cwiseProduct(cosine);
+    upwards = upwards.cwiseProduct(cosine);
+  }
   point.normal_force = area * upwards.sum();
   point.longitudinal_force = area * along.sum();
   point.lateral_force = area * across.sum();

@@ -3,15 +3,46 @@
 // the right, z down.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rollfem::contact {
 
-/// A profile as the case names it.
+enum class LengthUnit { mm, m, inch };
+
+/// A profile as the case names it: [wheel] profile and [wheel_profile], or those of the rail. What
+/// a file has wrong is mended only where one of these says so.
 struct ProfileSource {
   std::string name;  ///< built in, "arcs", "polynomial" or a file; empty: the body has radii
+  /// "arcs": radii in mm, > 0 convex (of the body), < 0 concave, inf straight, tangent to each
+  /// other; ends in mm of y. Symmetric: from the middle outwards, one end each; else from small to
+  /// large y, one end more than radii, about (0, 0), where dz/dy is `slope`.
+  std::vector<double> radii;
+  std::vector<double> ends;
+  bool symmetric = false;
+  double slope = 0.0;
+  /// "polynomial": z in mm over y in mm, lowest order first, every piece equally many; limits of
+  /// the pieces, one more than pieces.
+  std::vector<double> coefficients;
+  std::vector<double> limits;
+  // Of all profiles.
+  bool mirror = false;                ///< y -> -y
+  double rotation = 0.0;              ///< rad, from y to z, about (0, 0), before the shift
+  std::array<double, 2> shift{0, 0};  ///< mm, along y and z
+  // Of files.
+  LengthUnit unit = LengthUnit::mm;
+  bool flip = false;             ///< z -> -z: the file's z is upward
+  bool reverse = false;          ///< the file's last point first
+  bool sort = false;             ///< by rising y
+  bool drop_duplicates = false;  ///< points on the one before
+  double thinning = 0.0;         ///< mm; points within it become their mean; 0: all are kept
+  bool drop_zigzag = false;      ///< points that go back
+  double longest_gap = 5.0;      ///< mm between two points
+  double largest_kink = 20.0;    ///< degrees between two chords
+  double rounding = 0.0;         ///< mm to both sides of a kink or step that are left out
+  double smoothing = 0.0;        ///< mm rms distance of the smoothed curve; 0: through the points
 };
 
 struct Track {

@@ -2,6 +2,7 @@
 
 #include "contact/errors.hpp"
 #include "fem/chart.hpp"
+#include "fem/profile_shape.hpp"
 #include "meshes/grading.hpp"
 #include "meshes/msh_file.hpp"
 #include "meshes/segment_mesh.hpp"
@@ -34,19 +35,22 @@ struct Parcel {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 8>> cells;
   std::vector<std::array<int, 5>> sides;
+  std::vector<bool> follows_surface;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned int /*version*/) {
-    archive& error& points& cells& sides;
+    archive& error& points& cells& sides& follows_surface;
   }
 };
 
 /// What `make` gives or throws on process 0, on every process.
-HexMesh on_all_processes(MPI_Comm communicator, const std::function<HexMesh()>& make) {
+CoarseBody on_all_processes(MPI_Comm communicator, const std::function<CoarseBody()>& make) {
   Parcel parcel;
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
     try {
-      HexMesh mesh = make();
+      CoarseBody body = make();
+      HexMesh& mesh = body.mesh;
+      parcel.follows_surface = std::move(body.follows_surface);
       for (const auto& quad : mesh.sides)
         parcel.sides.push_back({quad.corners[0], quad.corners[1], quad.corners[2], quad.corners[3],
                                 static_cast<int>(quad.side)});
@@ -58,10 +62,11 @@ HexMesh on_all_processes(MPI_Comm communicator, const std::function<HexMesh()>& 
   }
   parcel = dealii::Utilities::MPI::broadcast(communicator, parcel, 0);
   if (!parcel.error.empty()) throw contact::InputError(parcel.error);
-  HexMesh mesh{std::move(parcel.points), std::move(parcel.cells), {}};
+  CoarseBody body{{std::move(parcel.points), std::move(parcel.cells), {}},
+                  std::move(parcel.follows_surface)};
   for (const auto& side : parcel.sides)
-    mesh.sides.push_back({{side[0], side[1], side[2], side[3]}, static_cast<Side>(side[4])});
-  return mesh;
+    body.mesh.sides.push_back({{side[0], side[1], side[2], side[3]}, static_cast<Side>(side[4])});
+  return body;
 }
 
 /// Nodes of contact faces, each once.
@@ -266,12 +271,22 @@ void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_s
 
 HexMesh gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level,
                   MPI_Comm communicator) {
-  return on_all_processes(communicator, [&] { return make_gmsh_mesh(shape, options, level); });
+  return on_all_processes(communicator,
+                          [&] {
+                            return CoarseBody{make_gmsh_mesh(shape, options, level), {}};
+                          })
+      .mesh;
+}
+
+CoarseBody true_section_mesh(const meshes::TrueSection& outline, const SurfaceShape& shape,
+                             const BodyOptions& options, MPI_Comm communicator) {
+  return on_all_processes(communicator,
+                          [&] { return make_true_section_mesh(outline, shape, options); });
 }
 
 HexMesh user_mesh(const std::string& path, const std::string& name, const SurfaceShape& shape,
                   const BodyOptions& options, MPI_Comm communicator) {
-  return on_all_processes(communicator, [&] {
+  const auto make = [&] {
     HexMesh mesh = meshes::read_msh(path, name);
     if (!mesh.points.empty()) check_size(mesh, name, shape, options);
     meshes::check_mesh(mesh, name);
@@ -281,8 +296,9 @@ HexMesh user_mesh(const std::string& path, const std::string& name, const Surfac
     own.half = std::any_of(mesh.sides.begin(), mesh.sides.end(),
                            [](const auto& quad) { return quad.side == Side::symmetry; });
     check_covers_patch(mesh, name, shape, own);
-    return mesh;
-  });
+    return CoarseBody{std::move(mesh), {}};
+  };
+  return on_all_processes(communicator, make).mesh;
 }
 
 void create_triangulation(const HexMesh& mesh, const SurfaceShape& shape,

@@ -4,6 +4,7 @@
 
 #include "fem/body.hpp"
 #include "meshes/hex_mesh.hpp"
+#include "meshes/true_section.hpp"
 
 #include <deal.II/grid/tria.h>
 
@@ -16,6 +17,17 @@ namespace rollfem::fem {
 /// options.cell_size * 2^level. Made on process 0 and sent to the others.
 meshes::HexMesh gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level,
                           MPI_Comm communicator);
+
+/// The true section of a profile body, extruded or revolved about its axle. The block of cells
+/// under the patch follows the surface, its faces lie on the lattice of the contact grid. Made on
+/// process 0 and sent to the others. Throws contact::InputError.
+CoarseBody true_section_mesh(const meshes::TrueSection& outline, const SurfaceShape& shape,
+                             const BodyOptions& options, MPI_Comm communicator);
+
+/// The same on this process alone. Blocks of coarse cells from the largest that fit down to the
+/// finest cells are tried: the first good mesh, else the best.
+CoarseBody make_true_section_mesh(const meshes::TrueSection& outline, const SurfaceShape& shape,
+                                  const BodyOptions& options);
 
 /// A user's mesh, checked against what the body must be; nodes of its contact faces are moved onto
 /// the surface. `options` say where the patch is. Read on process 0 and sent to the others, where

@@ -22,6 +22,10 @@ using contact::ContactGrid;
 /// Finest cells reach this many semi-axes: more gains nothing (docs/verification.md).
 constexpr double default_reach = 1.1;
 
+/// A box on the surface reaches this many larger half sizes of the patch to each side at least;
+/// where the profiles are too steep or short for that the bodies are true sections.
+constexpr double least_box_reach = 2.5;
+
 /// Elements of the potential contact area beyond the expected patch, each side.
 constexpr int margin = 3;
 
@@ -93,7 +97,15 @@ double default_cell_size(const Case& input) {
 }
 
 bool has_true_sections(const Case& input) {
-  return input.patch && input.fem.mesh.value_or(MeshFamily::gmsh) == MeshFamily::gmsh;
+  if (!input.patch) return false;
+  if (input.fem.mesh) return *input.fem.mesh == MeshFamily::gmsh;
+  const PatchBox patch = patch_box(input);
+  double reach = contact::infinity;
+  for (const bool is_wheel : {true, false}) {
+    const SurfaceShape shape = profile_surface(input.patch, is_wheel);
+    reach = std::min({reach, patch.middle - shape.lower_t(), shape.upper_t() - patch.middle});
+  }
+  return reach < least_box_reach * patch.larger();
 }
 
 RunLayout run_layout(const Case& input, double cell) {

@@ -23,8 +23,8 @@ PatchBox patch_box(const contact::Case& input);
 /// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
 double default_cell_size(const contact::Case& input);
 
-/// The case has a patch of true profiles and wants the true sections of wheel and rail, not a box
-/// laid on the surface.
+/// The case has a patch of true profiles and the bodies are the true sections of wheel and rail,
+/// not boxes laid on the surface: as [fem] mesh says, else where a box would not reach far enough.
 bool has_true_sections(const contact::Case& input);
 
 struct RunLayout {

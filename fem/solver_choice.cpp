@@ -4,6 +4,7 @@
 #include "fem/algebraic_multigrid.hpp"
 #include "fem/factorisation.hpp"
 #include "fem/multigrid.hpp"
+#include "fem/run_layout.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,11 @@ double factor_solve_seconds(double n) {
 double multigrid_solve_seconds(double n) {
   return 0.45 * n / 105e3;
 }
+
+/// The coarse mesh of a true section has some 60 000 unknowns: a solve with its factor in each of
+/// some twelve iterations of multigrid comes on top.
+constexpr double coarse_unknowns_of_section = 60e3;
+constexpr double multigrid_iterations = 12.0;
 
 /// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
 constexpr double largest_factor = 5e9;
@@ -76,10 +82,14 @@ bool takes_factorisation(const Case& input, MemoryDemand demand) {
     return true;  // multigrid refuses it
   const double solves =
       solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
+  const double coarse =
+      has_true_sections(input)
+          ? multigrid_iterations * factor_solve_seconds(coarse_unknowns_of_section)
+          : 0.0;
   for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
     if (predicted_factor_bytes(n) >= largest_factor ||
         factorisation_seconds(n) + solves * factor_solve_seconds(n) >=
-            solves * multigrid_solve_seconds(n))
+            solves * (multigrid_solve_seconds(n) + coarse))
       return false;
   demand.factorisation = true;
   return fits_memory(demand, MPI_COMM_WORLD);

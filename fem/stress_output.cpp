@@ -5,6 +5,7 @@
 #include "contact/stress_measures.hpp"
 #include "fem/body_points.hpp"
 #include "fem/energy_error.hpp"
+#include "fem/profile_shape.hpp"
 #include "fem/stress_recovery.hpp"
 #include "fem/surface_stress.hpp"
 #include "halfspace/subsurface_fields.hpp"
@@ -80,7 +81,9 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
 
 Place place_below(const SurfaceShape& shape, double x, double y, double depth) {
   const double on_surface = shape.streamline_radius(y);
-  const double radius = on_surface - depth;
+  // Depth is along z, to which a tilted axle is not at a right angle.
+  const double radius =
+      on_surface - depth * (shape.profile ? shape.profile->axle_direction()[1] : 1.0);
   double arc = x;
   if (shape.is_wheel && std::isfinite(on_surface)) {
     if (!(std::abs(x) < radius))

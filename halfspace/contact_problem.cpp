@@ -18,6 +18,38 @@ namespace {
 constexpr int most_outer_iterations = 100;
 constexpr int anderson_depth = 5;
 
+/// The normal problem of a curved patch in terms of q = p cos, whose sum is the force along z:
+/// (h + A p) / cos is the gap along z, which the approach closes by the same way everywhere.
+class TiltedNormal : public contact::NormalOperator {
+ public:
+  TiltedNormal(const contact::NormalOperator& plane, const Field& cosine)
+      : plane_(plane), cosine_(cosine) {}
+  const contact::ContactGrid& grid() const override { return plane_.grid(); }
+  Field apply(const Field& q) const override {
+    return plane_.apply(q.cwiseQuotient(cosine_)).cwiseQuotient(cosine_);
+  }
+  Field precondition(const Field& residual) const override {
+    return plane_.precondition(residual.cwiseProduct(cosine_)).cwiseProduct(cosine_);
+  }
+
+ private:
+  const contact::NormalOperator& plane_;
+  const Field& cosine_;
+};
+
+contact::NormalSolution solve_tilted(const contact::NormalOperator& plane,
+                                     const ContactScene& scene, const NormalLoad& load,
+                                     const Field& start) {
+  const TiltedNormal tilted(plane, scene.cosine);
+  const bool given = start.size() == scene.cosine.size();
+  contact::NormalSolution solution = contact::solve_normal(
+      tilted, {scene.undeformed_distance.cwiseQuotient(scene.cosine), load.force, load.approach},
+      {}, given ? Field(start.cwiseProduct(scene.cosine)) : Field());
+  solution.pressure = solution.pressure.cwiseQuotient(scene.cosine).eval();
+  solution.gap = solution.gap.cwiseProduct(scene.cosine).eval();
+  return solution;
+}
+
 }  // namespace
 
 ContactProblem::ContactProblem(const contact::SolvableCompliance& whole,
@@ -44,6 +76,8 @@ const contact::NormalSolution& ContactProblem::press(const NormalLoad& load, con
     pressed_.gap = Field::Zero(grid().size());
     pressed_.normal_force = pressed_.pressure.sum() * grid().element_area();
     pressed_.contact_elements = static_cast<int>((pressed_.pressure.array() > 0.0).count());
+  } else if (scene_.cosine.size() != 0) {
+    pressed_ = solve_tilted(uncoupled_.normal(), scene_, load, start);
   } else {
     pressed_ = contact::solve_normal(
         uncoupled_.normal(), {scene_.undeformed_distance, load.force, load.approach}, {}, start);

@@ -15,6 +15,9 @@ struct ContactScene {
   contact::Field given_pressure;       ///< MPa, replaces the normal problem; empty: none
   double friction = 0.0;               ///< mu; 0: frictionless
   contact::UpwindOrder upwind_order = contact::UpwindOrder::second;
+  /// Cosine of the angle between the elements' normals and z on a curved patch: the load and the
+  /// approach are those along z. Empty: plane. Like materials only.
+  contact::Field cosine{};
   /// Second-order differences fitted to the leading edge (contact/leading_edge.hpp): forces
   /// converge with second order and tractions do not zigzag from row to row. false: the same
   /// difference everywhere.

@@ -7,6 +7,7 @@
 #include "contact/record.hpp"
 #include "contact/stopwatch.hpp"
 #include "halfspace/contact_problem.hpp"
+#include "halfspace/curved_patch.hpp"
 #include "halfspace/derived.hpp"
 #include "halfspace/expected_patch.hpp"
 #include "halfspace/force_search.hpp"
@@ -80,7 +81,7 @@ struct Stage {
   std::unique_ptr<ContactProblem> problem;
 };
 
-Stage make_stage(const Case& input, const ContactGrid& grid) {
+Stage make_stage(const Case& input, const ContactGrid& grid, const CurvedPatch* curved) {
   contact::CombinedMaterial material = contact::combine(input.wheel.material, input.rail.material);
   const bool coupled = std::abs(material.difference) > like_materials;
   if (!coupled) material.difference = 0.0;
@@ -94,6 +95,9 @@ Stage make_stage(const Case& input, const ContactGrid& grid) {
   if (input.given_pressure) {
     const HertzContact hertz = hertz_of_case(input);
     scene.given_pressure = grid.sample([&](double x, double y) { return hertz.pressure(x, y); });
+  } else if (curved != nullptr) {
+    scene.undeformed_distance = curved->undeformed_distance(grid);
+    scene.cosine = curved->cosine(grid);
   } else {
     scene.undeformed_distance = contact::undeformed_distance(input, grid);
   }
@@ -127,7 +131,9 @@ class Level {
         checkpoint_(checkpoint),
         material_(contact::combine(input.wheel.material, input.rail.material)),
         friction_(input.rolling.problem == Problem::frictionless ? 0.0
-                                                                 : input.friction_coefficient) {}
+                                                                 : input.friction_coefficient) {
+    if (input.halfspace.surface == contact::SurfaceForm::curved) curved_.emplace(input);
+  }
 
   LevelResult run(ContactGrid grid) {
     constexpr int most_enlargements = 4;
@@ -165,7 +171,7 @@ class Level {
     result_.grid = grid;
     result_.points.clear();
     result_.relative_traction.clear();
-    stage_ = make_stage(input_, grid);
+    stage_ = make_stage(input_, grid, curved_ ? &*curved_ : nullptr);
     history_.emplace(grid, input_.rolling.upwind_order);
     state_ = {};
     sum_ = {};
@@ -207,7 +213,8 @@ class Level {
     if (solved_anew) tell(event, "normal", true);
     if (input_.patch && solved_anew) {
       const contact::PatchSize size = contact::patch_size(result_.grid, normal.pressure);
-      check_profiles_reach(input_, size.y_lower, size.y_upper);
+      const auto place = [&](double s) { return curved_ ? curved_->y(s) : s; };
+      check_profiles_reach(input_, place(size.y_lower), place(size.y_upper));
     }
     result_.normal_seconds += watch.seconds();
     return !touches_border(result_.grid, normal.pressure);
@@ -250,11 +257,16 @@ class Level {
     }
     creepage.longitudinal = unknowns.x();
     creepage.lateral = unknowns.y();
-    const TangentialField rigid_slip = contact::rigid_slip(input_, creepage, result_.grid);
+    const TangentialField rigid_slip = rigid_slip_of(creepage);
     if (input_.rolling.problem != Problem::transient) return {rigid_slip, 1.0, Motion::rolling};
     const contact::StepProblem given =
         history_->rolling_step(rigid_slip, input_.history[k].step_length);
     return {given.rigid_slip, given.slip_factor, Motion::shift};
+  }
+
+  TangentialField rigid_slip_of(const Creepage& creepage) const {
+    return curved_ ? curved_->rigid_slip(creepage, result_.grid)
+                   : contact::rigid_slip(input_, creepage, result_.grid);
   }
 
   Vector2d given_unknowns(std::size_t k) const {
@@ -416,7 +428,8 @@ class Level {
     point.fields.gap = state_.normal.gap;
     point.fields.displacement = state_.displacement;
     point.fields.state = state_.tangential.state;
-    contact::integrate_tractions(result_.grid, point);
+    contact::integrate_tractions(result_.grid, point,
+                                 curved_ ? curved_->shape(result_.grid) : contact::PatchShape{});
     point.derived = derived(point);
     if (input_.patch) {
       const contact::PatchSize size = contact::patch_size(result_.grid, state_.normal.pressure);
@@ -440,7 +453,7 @@ class Level {
     // What is beyond the creepages in the rigid slip is extra slip.
     Case plain = input_;
     plain.rolling.extra_slip = contact::ExtraSlip::none;
-    const TangentialField all = contact::rigid_slip(input_, point.creepage, result_.grid);
+    const TangentialField all = rigid_slip_of(point.creepage);
     const TangentialField uniform = contact::rigid_slip(plain, point.creepage, result_.grid);
     const PowerBalance balance =
         power_balance(result_.grid, point, 1.0, {all.x - uniform.x, all.y - uniform.y});
@@ -477,6 +490,7 @@ class Level {
   contact::CombinedMaterial material_;
   double friction_;
   Stage stage_;
+  std::optional<CurvedPatch> curved_;
   std::optional<contact::History> history_;
   ContactState state_;  ///< of the last load point
   Sum sum_;

@@ -134,6 +134,12 @@ void add_notes(const Case& input, ModelResult& result) {
       "error estimates: 1.5 times the change between this grid and one of twice the cells, divided "
       "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "
       "forces of partial slip at least 0.15 over the number of elements across");
+  if (input.halfspace.surface == contact::SurfaceForm::curved)
+    result.notes.push_back(
+        "curved contact: y of the contact grid and contact_width are arc lengths along the common "
+        "surface, tractions along its local tangents and normal, forces along x, y, z; compliance "
+        "of the surface rolled out flat; normal_force holds the part of the tangential tractions "
+        "along z, which the given force leaves out");
   const double difference = contact::combine(input.wheel.material, input.rail.material).difference;
   if (std::abs(difference) > 1e-12)
     result.notes.push_back(fmt::format(

@@ -14,6 +14,9 @@ constexpr double sample_distance = 0.1;
 constexpr double steepest = 1.0;
 /// Patches whose normals differ by more are patches of their own.
 constexpr double largest_angle = 0.35;  // rad
+/// Regions of overlap that nearly meet are one contact: the gap beside the width of the wider one.
+/// Those farther off are scenes of their own (meshes/contact_search), which must not count twice.
+constexpr double nearly_meeting = 0.25;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -120,7 +123,7 @@ std::vector<RidgeRegion> Ridge::contact_regions(double level) const {
   const auto joined = [](const RidgeRegion& a, const RidgeRegion& b) {
     const double between = b.y_lower - a.y_upper;
     const double wider = std::max(a.y_upper - a.y_lower, b.y_upper - b.y_lower);
-    return between <= wider && std::abs(a.angle - b.angle) < largest_angle;
+    return between <= nearly_meeting * wider && std::abs(a.angle - b.angle) < largest_angle;
   };
   auto first = at;
   auto last = at;

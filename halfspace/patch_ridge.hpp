@@ -33,10 +33,9 @@ class Ridge {
 
   /// Regions in which the distance is below `level`, by rising y.
   std::vector<RidgeRegion> regions(double level) const;
-  /// The region at the contact point with those that make one contact with it: neighbours no
-  /// farther off than the wider of both is wide, whose normals differ by less than 20 degrees
-  /// (beyond that they are patches of their own, each with its own frame). Empty when nothing is
-  /// below the level.
+  /// The region at the contact point with those that make one contact with it: neighbours that
+  /// nearly meet it, whose normals differ by less than 20 degrees (others are patches of their own,
+  /// each with its own frame). Empty when nothing is below the level.
   std::vector<RidgeRegion> contact_regions(double level) const;
   /// The least distance about the contact point, mm: where one walks downhill from y = 0, or in a
   /// region that makes one contact with that.

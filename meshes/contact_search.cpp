@@ -1,10 +1,8 @@
 #include "meshes/contact_search.hpp"
 
-#include "contact/errors.hpp"
 #include "contact/geometry.hpp"
 #include "meshes/load_estimate.hpp"
-
-#include <fmt/format.h>
+#include "meshes/patch_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,132 +17,8 @@ using contact::Vector3;
 
 namespace {
 
-/// Humps with a valley shallower than this between them are one (mm): roughness of a profile.
-constexpr double least_valley = 2e-3;
-/// Patches whose distance is less than this part of their widths are one potential contact.
-constexpr double near_touch = 0.1;
 /// How far the section of the wheel is taken from the contact (mm), more than any patch.
 constexpr double section_reach = 30.0;
-
-std::string where(const Case& input, int position, bool left) {
-  return fmt::format("{}: wheelset.lateral_shift = {:.6g} (position {}), {} wheel",
-                     input.file.empty() ? "case" : input.file,
-                     input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)),
-                     position, left ? "left" : "right");
-}
-
-VerticalGap make_gap(const Case& input, const SearchScene& scene, const WheelsetPose& pose,
-                     int position, bool left) {
-  const Axle axle = place_axle(pose, input.wheelset, input.wheel.rolling_radius, left);
-  try {
-    return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head};
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(
-        fmt::format("{}: {}; do: check gauge, flange_back_distance and lateral_shift",
-                    where(input, position, left), error.what()));
-  }
-}
-
-[[noreturn]] void fail_at_end(const Case& input, const VerticalGap& gap, bool inner, int position,
-                              bool left, const std::string& what) {
-  const contact::HeightCurve& wheel = gap.wheel().curve();
-  const bool wheel_ends =
-      inner ? wheel.first() > gap.rail().first() : wheel.last() < gap.rail().last();
-  throw contact::InputError(fmt::format(
-      "{}: {} the {} end of the {} profile, {:.2f} mm from the middle of the track; allowed: "
-      "profiles that reach beyond the contact on both sides, as a height over y; do: take a longer "
-      "{} profile, or check gauge, flange_back_distance and lateral_shift",
-      where(input, position, left), what, inner ? "flange-side" : "field-side",
-      wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
-      wheel_ends ? "wheel" : "rail"));
-}
-
-/// Refuses a wheel that stands on the end of a profile or on its flange.
-void check_support(const Case& input, const SearchScene& scene, const VerticalGap& gap,
-                   int position, bool left) {
-  const GapEnd end = gap.end();
-  if (end != GapEnd::none)
-    fail_at_end(input, gap, end == GapEnd::inner, position, left,
-                "wheel and rail would touch first at");
-  const std::vector<GapMinimum> minima = gap.minima();
-  const auto first =
-      std::min_element(minima.begin(), minima.end(),
-                       [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
-  const auto& knots = scene.profiles.wheel.knots();
-  const auto tip =
-      static_cast<std::size_t>(std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
-  const double profile_y = gap.wheel().at(first->y).profile_y;
-  // A profile without a flange is highest at its own end.
-  const bool has_flange = tip > 0 && knots.y[tip] < 0.0 && knots.z[tip] > 10.0;
-  if (has_flange && profile_y < knots.y[tip] + 1.0)
-    throw contact::SolveError(fmt::format(
-        "{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm), it has left the "
-        "rail; do: check gauge, flange_back_distance and lateral_shift",
-        where(input, position, left), profile_y));
-}
-
-WheelsetPose asked_pose(const Case& input, int position) {
-  const auto k = static_cast<std::size_t>(position - 1);
-  WheelsetPose pose;
-  pose.lateral_shift = input.wheelset.lateral_shift.at(k);
-  pose.yaw = input.wheelset.yaw.at(k);
-  if (!input.wheelset.roll.empty()) pose.roll = input.wheelset.roll.at(k);
-  return pose;
-}
-
-/// Lowered until the wheel touches.
-WheelsetPose touching_pose(const Case& input, const SearchScene& scene, WheelsetPose pose,
-                           int position, bool left) {
-  pose.height = 0.0;
-  const VerticalGap gap = make_gap(input, scene, pose, position, left);
-  check_support(input, scene, gap, position, left);
-  pose.height = gap.smallest();
-  return pose;
-}
-
-/// Roll at which both wheels touch at one height: what the left one can sink less what the right
-/// one can rises with roll, by twice the distance of the rails per radian. Illinois method.
-double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
-  const auto difference = [&](double roll) {
-    pose.roll = roll;
-    return make_gap(input, scene, pose, position, true).smallest() -
-           make_gap(input, scene, pose, position, false).smallest();
-  };
-  // Steps of the slope expected until the sign changes.
-  const double slope = input.track.gauge + 65.0;
-  double a = 0.0, at_a = difference(a);
-  if (at_a == 0.0) return 0.0;
-  double b = -1.2 * at_a / slope, at_b = difference(b);
-  constexpr double largest_roll = 0.1;
-  while ((at_a < 0.0) == (at_b < 0.0)) {
-    const double step = b - a;
-    a = b, at_a = at_b;
-    b += 2.0 * step;
-    if (std::abs(b) > largest_roll)
-      throw contact::SolveError(fmt::format(
-          "{}: no roll of the wheelset below {} rad lets both wheels touch their rails; do: check "
-          "gauge, flange_back_distance and lateral_shift, or give wheelset.roll",
-          where(input, position, true), largest_roll));
-    at_b = difference(b);
-  }
-  int kept = 0;
-  for (int step = 0; step < 60 && std::abs(b - a) > 1e-13; ++step) {
-    const double c = (a * at_b - b * at_a) / (at_b - at_a);
-    const double at_c = difference(c);
-    if (at_c == 0.0) return c;
-    if ((at_c < 0.0) == (at_b < 0.0)) {
-      b = c, at_b = at_c;
-      if (kept == 1) at_a *= 0.5;
-      kept = 1;
-    } else {
-      a = c, at_a = at_c;
-      if (kept == -1) at_b *= 0.5;
-      kept = -1;
-    }
-    if (std::abs(at_c) < 1e-10) return c;
-  }
-  return 0.5 * (a + b);
-}
 
 /// Sinking under the load of the case, as estimated.
 double sinking_under_load(const Case& input, const VerticalGap& gap,
@@ -160,99 +34,6 @@ double sinking_under_load(const Case& input, const VerticalGap& gap,
                               ? *input.load.vertical_force
                               : input.load.normal_force.value_or(0.0) * cosine;
   return estimate_sinking(gap, stretches, vertical, modulus);
-}
-
-/// A stretch and the minima that went into it.
-struct Group {
-  Stretch stretch;
-  std::vector<GapMinimum> minima;
-};
-
-void join(Group& group, const Group& next) {
-  if (next.stretch.deepest.gap < group.stretch.deepest.gap) {
-    group.stretch.deepest = next.stretch.deepest;
-    group.stretch.rolling_radius = next.stretch.rolling_radius;
-  }
-  group.stretch.limits[1] = next.stretch.limits[1];
-  group.minima.insert(group.minima.end(), next.minima.begin(), next.minima.end());
-}
-
-/// Every minimum with the stretch between the ridges beside it; roughness is smoothed over.
-std::vector<Group> separate_groups(const VerticalGap& gap) {
-  std::vector<Group> groups;
-  for (const GapMinimum& minimum : gap.minima()) {
-    Group group;
-    group.stretch.deepest = minimum;
-    group.stretch.rolling_radius = gap.wheel().at(minimum.y).radius;
-    group.stretch.limits = {gap.first(), gap.last()};
-    group.minima = {minimum};
-    if (!groups.empty()) {
-      Group& last = groups.back();
-      const auto ridge = gap.largest_between(last.stretch.deepest.y, minimum.y);
-      if (ridge[0] - std::max(last.stretch.deepest.gap, minimum.gap) < least_valley) {
-        join(last, group);
-        continue;
-      }
-      last.stretch.limits[1] = group.stretch.limits[0] = ridge[1];
-    }
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
-std::vector<Stretch> stretches_of(const std::vector<Group>& groups) {
-  std::vector<Stretch> stretches;
-  for (const Group& group : groups) stretches.push_back(group.stretch);
-  return stretches;
-}
-
-std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, double sinking) {
-  return gap.below(sinking, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
-}
-
-bool are_one(const VerticalGap& gap, const Stretch& a, const Stretch& b, double sinking,
-             double merge_angle) {
-  if (!(approach_of(a, sinking) > 0.0) || !(approach_of(b, sinking) > 0.0)) return false;
-  if (std::abs(a.deepest.angle() - b.deepest.angle()) > merge_angle) return false;
-  const auto left = reach_of(gap, a, sinking), right = reach_of(gap, b, sinking);
-  const double widths = left[1] - left[0] + right[1] - right[0];
-  return right[0] - left[1] < near_touch * widths;
-}
-
-/// Mean place of the overlap at a sinking, weighted by the square of its depth over the area: the
-/// overlap of depth d is as long as sqrt(d), which makes d^2.5 along y.
-double reference_place(const VerticalGap& gap, const Stretch& stretch, double sinking) {
-  if (!(approach_of(stretch, sinking) > 0.0)) return stretch.deepest.y;
-  const auto reach = reach_of(gap, stretch, sinking);
-  constexpr int cells = 400;
-  const double dy = (reach[1] - reach[0]) / cells;
-  double weights = 0.0, moments = 0.0;
-  for (int k = 0; k < cells; ++k) {
-    const double y = reach[0] + (k + 0.5) * dy;
-    const double depth = sinking - gap.at(y).value;
-    if (!(depth > 0.0)) continue;
-    const double weight = depth * depth * std::sqrt(depth);
-    weights += weight;
-    moments += weight * y;
-  }
-  return weights > 0.0 ? moments / weights : stretch.deepest.y;
-}
-
-/// Joins neighbours until none meet any more; the sinking falls with every joint.
-double merge(const Case& input, const VerticalGap& gap, std::vector<Group>& groups,
-             double merge_angle) {
-  double sinking = sinking_under_load(input, gap, stretches_of(groups));
-  for (std::size_t k = 0; k + 1 < groups.size();) {
-    if (!are_one(gap, groups[k].stretch, groups[k + 1].stretch, sinking, merge_angle)) {
-      ++k;
-      continue;
-    }
-    join(groups[k], groups[k + 1]);
-    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    sinking = sinking_under_load(input, gap, stretches_of(groups));
-    k = 0;
-  }
-  return sinking;
 }
 
 /// Side frame to track frame.
@@ -336,8 +117,11 @@ class WheelSearch {
         modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
 
   std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
-    std::vector<Group> groups = separate_groups(gap_);
-    const double sinking = merge(input_, gap_, groups, options.merge_angle);
+    std::vector<PatchGroup> groups = separate_groups(gap_);
+    const double sinking = merge_groups(gap_, groups, options.merge_angle,
+                                        [this](const std::vector<Stretch>& stretches) {
+                                          return sinking_under_load(input_, gap_, stretches);
+                                        });
     std::vector<WheelRailContact> found;
     int loaded = 0;
     for (std::size_t k = 0; k < groups.size(); ++k) {
@@ -348,6 +132,7 @@ class WheelSearch {
         continue;
       found.push_back(std::move(contact));
     }
+    share_vertical_force(found);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return a.normal_force != b.normal_force ? a.normal_force > b.normal_force
                                               : a.place.separation < b.place.separation;
@@ -360,7 +145,17 @@ class WheelSearch {
   }
 
  private:
-  WheelRailContact describe(const Group& group, double sinking, bool neighbour_inside,
+  /// The estimates are made at the angles of first contact; their sum is that of the case.
+  void share_vertical_force(std::vector<WheelRailContact>& found) const {
+    if (!input_.load.vertical_force) return;
+    double sum = 0.0;
+    for (const WheelRailContact& contact : found)
+      sum += contact.normal_force * std::cos(contact.place.contact_angle);
+    for (WheelRailContact& contact : found)
+      contact.normal_force *= *input_.load.vertical_force / sum;
+  }
+
+  WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
                             bool neighbour_outside) const {
     const GapMinimum& first = group.stretch.deepest;
     const double y = reference_place(gap_, group.stretch, sinking);
@@ -440,22 +235,6 @@ class WheelSearch {
 
 double WheelRailContact::approach_at(double sinking) const {
   return sinking * std::cos(place.contact_angle) - place.separation;
-}
-
-SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
-  SearchScene scene;
-  scene.rail_place = rail_place(profiles.rail, input.track);
-  scene.rail = place_rail(profiles.rail, scene.rail_place);
-  scene.rail_head = rail_heights(scene.rail);
-  scene.wheel = wheel_points(profiles.wheel);
-  scene.profiles = std::move(profiles);
-  return scene;
-}
-
-WheelsetPose find_pose(const Case& input, const SearchScene& scene, int position) {
-  WheelsetPose pose = asked_pose(input, position);
-  if (input.wheelset.roll.empty()) pose.roll = touching_roll(input, scene, pose, position);
-  return pose;
 }
 
 std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "contact/case.hpp"
-#include "meshes/placement.hpp"
-#include "meshes/vertical_gap.hpp"
+#include "meshes/wheelset_pose.hpp"
 
 #include <array>
 #include <vector>
@@ -43,23 +42,6 @@ struct SearchOptions {
   double near_miss = 1.0;     ///< mm, largest separation along the normal that is still reported
   double merge_angle = 0.35;  ///< rad: patches that meet but whose normals differ more stay apart
 };
-
-/// What a search needs beside the case: profiles, and the rail's place that follows from them.
-struct SearchScene {
-  ProfilePair profiles;
-  WheelPoints wheel;
-  RailPlace rail_place;
-  ProfileCurve rail;               ///< placed, side frame
-  contact::HeightCurve rail_head;  ///< the same as a height over y
-};
-
-/// Throws contact::InputError when the rail's profile does not fit the track.
-SearchScene make_search_scene(const contact::Case& input, ProfilePair profiles);
-
-/// Pose of the wheelset for a position (1, 2, ...), but for its height: lateral shift, yaw, and
-/// roll as given or found, such that both rails are touched by rigid wheels. Throws
-/// contact::SolveError when a wheel is not above its rail or there is no such roll.
-WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int position);
 
 /// Patches of a wheel under the load of the case, the most loaded first, then near misses, nearest
 /// first. The height of `pose` is set to that at which this wheel touches; with a found roll it is

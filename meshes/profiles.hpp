@@ -2,16 +2,29 @@
 // mended only as told.
 #pragma once
 
-#include "contact/track.hpp"
+#include "contact/case.hpp"
 #include "meshes/profile_curve.hpp"
+#include "meshes/smoothing_spline.hpp"
 
+#include <optional>
 #include <string>
 
 namespace rollfem::meshes {
 
+/// How a profile came about.
+struct ProfileReport {
+  std::string kind;                          ///< "built in", "arcs", "polynomial", "file", "radius"
+  std::size_t points = 0;                    ///< of a file, after mending
+  std::optional<SmoothingReport> smoothing;  ///< of a file
+};
+
 /// `wheel`: else rail. Files are relative to the folder of `case_file`. Throws contact::InputError
 /// with the file, line and value of what is wrong.
 ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,
-                          const std::string& case_file);
+                          const std::string& case_file, ProfileReport* report = nullptr);
+
+/// The profile of a body of the case; of its transverse radius about (0, 0) when it has no profile.
+ProfileCurve profile_of_case(const contact::Case& input, bool wheel,
+                             ProfileReport* report = nullptr);
 
 }  // namespace rollfem::meshes

@@ -8,11 +8,9 @@
 
 namespace rollfem::meshes {
 
-namespace {
-
-/// `place(section point, step)` -> point in space.
-template <class Place>
-HexMesh sweep(const Section& section, std::size_t steps, const Place& place) {
+HexMesh sweep(const Section& section, std::size_t steps,
+              const std::function<std::array<double, 3>(const std::array<double, 2>& point,
+                                                        std::size_t step)>& place) {
   HexMesh mesh;
   const int count = static_cast<int>(section.points.size());
   for (std::size_t k = 0; k < steps; ++k)
@@ -45,8 +43,6 @@ HexMesh sweep(const Section& section, std::size_t steps, const Place& place) {
   }
   return mesh;
 }
-
-}  // namespace
 
 HexMesh extrude(const Section& section, const std::vector<double>& along) {
   return sweep(section, along.size(), [&](const std::array<double, 2>& p, std::size_t k) {

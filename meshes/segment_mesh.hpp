@@ -37,6 +37,12 @@ struct Section {
 /// into the section or gmsh fails.
 Section mesh_section(const SectionOptions& options);
 
+/// The section at every step of a sweep, `place(section point, step)` in space: end faces are
+/// `fixed`. Cells are in the order steps, quadrilaterals.
+HexMesh sweep(const Section& section, std::size_t steps,
+              const std::function<std::array<double, 3>(const std::array<double, 2>& point,
+                                                        std::size_t step)>& place);
+
 /// The section along the track: at every x of `along` (rising), v downwards (z = -v). The end faces
 /// are `fixed`.
 HexMesh extrude(const Section& section, const std::vector<double>& along);

@@ -45,14 +45,22 @@ Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vec
   at = sum(at, contact.across, place[1]);
   at = sum(at, contact.normal, place[2]);
   Vector3 slip = velocity(contact, motion, at);
-  // Vertical speed that keeps the bodies together; z points down, the normal up.
-  const double parting = dot(velocity(contact, motion, contact.origin), contact.normal);
+  // Vertical speed that keeps the bodies together; z points down, the normal up. Turning about the
+  // axle moves the wheel along its own surface and parts nothing.
+  const Vector3 arm = sum(contact.origin, contact.axle.point, -1.0);
+  const Vector3 aside =
+      sum({0.0, motion.lateral_velocity, 0.0}, cross({0.0, 0.0, motion.yaw_velocity}, arm));
+  const double parting = dot(aside, contact.normal);
   slip[2] -= parting / contact.normal[2];
   return {dot(slip, contact.along), dot(slip, contact.across), dot(slip, contact.normal)};
 }
 
+Vector3 surface_place(const WheelRailContact& contact) {
+  return {0.0, 0.0, contact.geometry.distance(0.0, 0.0)};
+}
+
 contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& motion) {
-  const Vector3 slip = slip_at(contact, motion, {});
+  const Vector3 slip = slip_at(contact, motion, surface_place(contact));
   return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal)};
 }
 
@@ -60,7 +68,8 @@ double driving_moment(const WheelRailContact& contact, const PatchForce& force) 
   Vector3 total = sum({}, contact.along, force.longitudinal);
   total = sum(total, contact.across, force.lateral);
   total = sum(total, contact.normal, force.normal);
-  const Vector3 arm = sum(contact.origin, contact.axle.point, -1.0);
+  const Vector3 surface = sum(contact.origin, contact.normal, surface_place(contact)[2]);
+  const Vector3 arm = sum(surface, contact.axle.point, -1.0);
   const Vector3 moment = sum(cross(arm, total), contact.normal, force.spin_moment);
   return -dot(moment, contact.axle.direction);
 }

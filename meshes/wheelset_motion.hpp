@@ -19,13 +19,17 @@ struct Motion {
 Motion motion_of(const contact::Case& input, double rotation_change);
 
 /// Velocity of the wheel's material at a place of the patch frame (mm) relative to the rail, in the
-/// patch frame. The wheelset rises or falls so that the bodies neither part nor overlap at the
-/// reference point.
+/// patch frame. Under lateral and yaw velocity the wheelset rises or falls so that the bodies
+/// neither part nor overlap at the reference point.
 contact::Vector3 slip_at(const WheelRailContact& contact, const Motion& motion,
                          const contact::Vector3& place);
 
-/// xi, eta, phi of the patch as a plane: slip at the reference point, and the component of all
-/// rotation along the normal.
+/// The wheel's surface over the reference point, in the patch frame: (0, 0, undeformed distance).
+/// Its circle has the local rolling radius.
+contact::Vector3 surface_place(const WheelRailContact& contact);
+
+/// xi, eta, phi of the patch as a plane: slip of the wheel's undeformed surface over the reference
+/// point, and the component of all rotation along the normal.
 contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& motion);
 
 /// Forces of a patch on the wheel in its frame, and the moment about its normal.
@@ -36,8 +40,9 @@ struct PatchForce {
   double spin_moment = 0.0;   ///< M_z, N mm
 };
 
-/// Moment on the wheelset about its axle, N mm, positive when it drives the wheelset forward. Free
-/// rolling of a wheelset: the sum over all patches of both wheels is 0.
+/// Moment on the wheelset about its axle of forces at the surface place, N mm, positive when it
+/// drives the wheelset forward. Free rolling of a wheelset: the sum over all patches of both wheels
+/// is 0.
 double driving_moment(const WheelRailContact& contact, const PatchForce& force);
 
 /// Upward force on the wheel, N: N cos(angle) + F_y sin(angle) on the left, where the patch's y

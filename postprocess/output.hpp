@@ -54,8 +54,12 @@ void write_results(const std::string& directory, const RunRecord& run);
 /// ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
-/// The same with another of its modules ("rollfem_figures.stress"), which is given the folder.
-std::string run_figures(const std::string& module, const std::string& directory,
-                        const std::string& script_directory);
+/// Draws the table of a profile (app/profile.hpp) as a figure beside it, NAME.csv as NAME.svg;
+/// otherwise as make_report.
+std::string draw_profile(const std::string& csv_file, const std::string& script_directory);
+
+/// Draws what `rollfem stress` wrote to a folder (stress.csv, stress.json) to its figures/;
+/// otherwise as make_report.
+std::string draw_stress(const std::string& directory, const std::string& script_directory);
 
 }  // namespace rollfem::postprocess

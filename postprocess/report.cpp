@@ -112,25 +112,36 @@ std::string one_line(const fs::path& directory, std::string printed) {
          (file ? fmt::format(" (the whole text is in {})", log.string()) : "");
 }
 
-}  // namespace
-
-std::string make_report(const std::string& directory, const std::string& script_directory) {
-  return run_figures("rollfem_figures", directory, script_directory);
-}
-
-std::string run_figures(const std::string& module, const std::string& directory,
-                        const std::string& script_directory) {
+/// Runs the package with these arguments; returns what went wrong, empty when nothing did.
+std::string draw(const fs::path& directory, const std::string& script_directory,
+                 const std::vector<std::string>& arguments) {
   const fs::path parent = package_parent(script_directory);
   if (parent.empty())
     return fmt::format("no Python package rollfem_figures in {}", script_directory);
   std::string python_path = "PYTHONPATH=" + parent.string();
   if (const char* before = std::getenv("PYTHONPATH"); before && *before)
     python_path += std::string(":") + before;
+  std::vector<std::string> call{find_python(), "-m", "rollfem_figures"};
+  call.insert(call.end(), arguments.begin(), arguments.end());
   const std::string printed =
-      run({find_python(), "-m", module, fs::absolute(directory).string()},
-          environment_with({python_path, "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
-                            "PYTHONIOENCODING=utf-8"}));
+      run(call, environment_with({python_path, "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
+                                  "PYTHONIOENCODING=utf-8"}));
   return one_line(directory, printed);
+}
+
+}  // namespace
+
+std::string make_report(const std::string& directory, const std::string& script_directory) {
+  return draw(directory, script_directory, {fs::absolute(directory).string()});
+}
+
+std::string draw_profile(const std::string& csv_file, const std::string& script_directory) {
+  const fs::path file = fs::absolute(csv_file);
+  return draw(file.parent_path(), script_directory, {"--profile", file.string()});
+}
+
+std::string draw_stress(const std::string& directory, const std::string& script_directory) {
+  return draw(directory, script_directory, {"--stress", fs::absolute(directory).string()});
 }
 
 }  // namespace rollfem::postprocess

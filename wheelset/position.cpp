@@ -261,9 +261,9 @@ class Position {
         scene.place->patch = static_cast<int>(i) + 1;
         scene.place->patches = static_cast<int>(order.size());
         auto& forces = scene.load.normal_forces;
-        const bool alike = std::all_of(forces.begin(), forces.end(), [&](double force) {
-          return std::abs(force - forces.front()) < 1e-12 * forces.front();
-        });
+        // What the balance cannot tell apart is one force.
+        const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
+        const bool alike = forces.empty() || *most - *least < load_tolerance * *most;
         if (alike) forces.clear();
         all.push_back(std::move(scene));
       }

@@ -6,7 +6,7 @@
     point.fields["traction_x"]          # numpy array [ny, nx], MPa, on the wheel
 
 `python3 -m rollfem_figures DIR` draws DIR/figures/*.svg and writes DIR/report.html.
-`python3 -m rollfem_figures.stress_report DIR` does so for a folder of `rollfem stress`, which
+`python3 -m rollfem_figures --stress DIR` does so for a folder of `rollfem stress`, which
 `read_stress(DIR)` reads. Needs numpy and h5py to read, matplotlib to draw.
 """
 from .reader import Body, Model, Point, Result, ResultError, read_result

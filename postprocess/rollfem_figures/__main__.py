@@ -1,13 +1,19 @@
-"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html."""
+"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html;
+--profile NAME.csv: draws NAME.svg of a wheel or rail profile;
+--stress DIR: draws what rollfem stress wrote to DIR, to DIR/figures."""
 import argparse
 import sys
 
 
 def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
-    parser.add_argument("directory", help="a result folder of rollfem")
+    parser.add_argument("directory", nargs="?", help="a result folder of rollfem")
+    parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
+    parser.add_argument("--stress", metavar="DIR", help="draw this folder of rollfem stress instead")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
+    if [options.directory, options.profile, options.stress].count(None) != 2:
+        parser.error("one of DIR, --profile and --stress is needed")
     try:
         from .build import build
         from .reader import ResultError
@@ -15,7 +21,14 @@ def main():
         sys.exit(f"figures need matplotlib, numpy and h5py: {error}\n"
                  "apt install python3-matplotlib python3-h5py")
     try:
-        build(options.directory, options.png)
+        if options.profile:
+            from .profile import draw
+            draw(options.profile, options.png)
+        elif options.stress:
+            from .stress_report import build as build_stress
+            build_stress(options.stress, options.png)
+        else:
+            build(options.directory, options.png)
     except (ResultError, OSError) as error:
         sys.exit(str(error))
 

@@ -1,13 +1,10 @@
-"""python3 -m rollfem_figures.stress_report DIR: draws what `rollfem stress` wrote to DIR/figures."""
-import argparse
+"""Figures of what `rollfem stress` wrote: depth profiles, lines, planes, the shakedown map."""
 import os
-import sys
 
 import numpy as np
 from matplotlib import pyplot as plt
 
 from . import style
-from .reader import ResultError
 from .stress_reader import read_stress
 
 # measure: (column, label, colour). One colour a measure where they share a panel.
@@ -234,25 +231,15 @@ def figures(result):
     yield "shakedown_map.svg", lambda: shakedown_map(result)
 
 
-def main():
-    parser = argparse.ArgumentParser(prog="rollfem_figures.stress_report", description=__doc__)
-    parser.add_argument("directory", help="a folder of rollfem stress")
-    parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
-    options = parser.parse_args()
-    try:
-        result = read_stress(options.directory)
-        style.use()
-        folder = os.path.join(options.directory, "figures")
-        os.makedirs(folder, exist_ok=True)
-        if options.png:
-            os.makedirs(options.png, exist_ok=True)
-        for name, draw in figures(result):
-            figure = draw()
-            if figure is not None:
-                style.save(figure, os.path.join(folder, name), options.png)
-    except (ResultError, OSError) as error:
-        sys.exit(str(error))
-
-
-if __name__ == "__main__":
-    main()
+def build(directory, png_folder=None):
+    """Draws what the folder has to its figures/."""
+    result = read_stress(directory)
+    style.use()
+    folder = os.path.join(directory, "figures")
+    os.makedirs(folder, exist_ok=True)
+    if png_folder:
+        os.makedirs(png_folder, exist_ok=True)
+    for name, draw in figures(result):
+        figure = draw()
+        if figure is not None:
+            style.save(figure, os.path.join(folder, name), png_folder)

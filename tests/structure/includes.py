@@ -15,7 +15,7 @@ VALUES = {"case", "grid", "geometry", "errors", "progress", "height_curve", "pat
 ALLOWED = {
     "contact": {},
     "halfspace": {"contact": None},
-    "meshes": {"contact": VALUES},
+    "meshes": {"contact": VALUES | {"track", "height_curve", "patch_geometry"}},
     "postprocess": {"contact": VALUES | {"result", "stress_measures", "checkpoint", "record"}},
     "wheelset": {"contact": None, "halfspace": None, "meshes": None},
     "fem": {"contact": None, "halfspace": None, "meshes": None},

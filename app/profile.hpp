@@ -1,0 +1,20 @@
+// The command `profile`: a wheel or rail profile as a table on the screen, a table in a file and a
+// figure, with its curvature; what a contact will see of it.
+#pragma once
+
+#include <string>
+
+namespace rollfem::app {
+
+struct ProfileRequest {
+  std::string name;       ///< built in, a profile file, or a case file (.toml)
+  bool wheel = false;     ///< the file is the profile of a wheel
+  bool rail = false;      ///< the file is the profile of a rail
+  std::string directory;  ///< empty: results/<name without ending>_profile
+};
+
+/// Writes profile.csv and profile.svg (of a case wheel.csv, wheel.svg, rail.csv, rail.svg) and
+/// prints the table. Throws contact::InputError; nothing is written then.
+void profile(const ProfileRequest& request);
+
+}  // namespace rollfem::app

@@ -1,0 +1,75 @@
+// The command profile: what it prints, writes and draws, and how it refuses.
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+#include "unit/case_examples.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+bool tells(const Outcome& outcome, const std::string& part) {
+  return outcome.out.find(part) != std::string::npos;
+}
+
+TEST(Profile, TellsWhatTheStandardSaysOfS1002) {
+  const Folder folder;
+  const Outcome outcome = call(folder, {"profile", "S1002", "-o", "out"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  // EN 13715: flange 28 high, its tip at y = -55, 32.5 thick at 10 below the tape line (-70
+  // + 32.5).
+  EXPECT_TRUE(tells(outcome, "y = -55.0000, z = 28.0000")) << outcome.out;
+  EXPECT_TRUE(tells(outcome, "flange face at z = 10, mm           y = -37.5000")) << outcome.out;
+  EXPECT_TRUE(tells(outcome, "12.000 at")) << outcome.out;
+  EXPECT_TRUE(tells(outcome, "y = 32.1580, z = -0.7795")) << outcome.out;
+  EXPECT_EQ(folder.made(), (std::vector<std::string>{"out", "out/profile.csv", "out/profile.svg"}));
+  EXPECT_NE(contents(folder.work() / "out/profile.svg").find("<svg"), std::string::npos);
+}
+
+TEST(Profile, TheTableIsAProfileAgain) {
+  const Folder folder;
+  ASSERT_EQ(call(folder, {"profile", "60E1", "-o", "one"}).status, 0);
+  // Every joint has two rows in the table, one for each side of it.
+  const std::string file = folder.file("60E1.toml", with("transverse_radius = 2000.0", R"(
+profile = "work/one/profile.csv"
+[rail_profile]
+drop_duplicates = true
+)"));
+  const Outcome outcome = call(folder, {"profile", file, "--rail", "-o", "two"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(tells(outcome, "gauge face 14 mm below the top, mm  y = -35.9813")) << outcome.out;
+  EXPECT_EQ(folder.made().back(), "two/rail.svg");
+}
+
+TEST(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {
+  const Folder folder;
+  const std::string file = folder.file("c.toml", with("transverse_radius = 2000.0", R"(
+profile = "60E1"
+)"));
+  for (int time = 0; time < 2; ++time) {
+    const Outcome outcome = call(folder, {"profile", file});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(tells(outcome, "wheel (radius)")) << outcome.out;
+    EXPECT_TRUE(tells(outcome, "rail 60E1")) << outcome.out;
+  }
+  EXPECT_EQ(folder.made(),
+            (std::vector<std::string>{"results", "results/c_profile", "results/c_profile/rail.csv",
+                                      "results/c_profile/rail.svg", "results/c_profile/wheel.csv",
+                                      "results/c_profile/wheel.svg"}));
+}
+
+TEST(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
+  const Folder folder;
+  expect_refused(call(folder, {"profile", "S1003"}), "S1002, S1002-smooth, 60E1");
+  expect_refused(call(folder, {"profile", folder.file("a.csv", "1,2\n")}), "--wheel or --rail");
+  expect_refused(call(folder, {"profile", folder.file("a.csv", "1,2\n"), "--rail"}),
+                 "has 1 points");
+  expect_refused(call(folder, {"profile", folder.file("e.csv", ""), "--wheel"}), "is empty");
+  expect_refused(call(folder, {"profile", "60E1", "--wheel"}), "that of a rail");
+  expect_refused(call(folder, {"profile", "60E1", "--wheel", "--rail"}), "contradict");
+  EXPECT_TRUE(folder.made().empty());
+}
+
+}  // namespace

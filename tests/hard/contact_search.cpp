@@ -1,0 +1,217 @@
+// Contact search where it is hard: two points at the flange, the conformal gauge corner, worn
+// treads; and wheels that have left the rail, profiles that end too early.
+#include "meshes/contact_search.hpp"
+
+#include "contact/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wheel_rail_cases.hpp"
+#include <cmath>
+#include <ctime>
+
+namespace {
+
+using namespace rollfem;
+using meshes::WheelRailContact;
+
+meshes::ProfileCurve cut(const meshes::ProfileCurve& curve, double first, double last) {
+  const auto& all = curve.knots();
+  meshes::ProfileKnots part;
+  for (std::size_t k = 0; k < all.y.size(); ++k)
+    if (all.y[k] >= first && all.y[k] <= last) {
+      part.parameter.push_back(all.parameter[k]);
+      part.y.push_back(all.y[k]);
+      part.z.push_back(all.z[k]);
+      part.dy.push_back(all.dy[k]);
+      part.dz.push_back(all.dz[k]);
+    }
+  return meshes::ProfileCurve(part);
+}
+
+/// S1002 with a hollow of 1 mm depth in the tread and a flange 0.5 mm thinner: a formula.
+meshes::ProfileCurve worn_wheel() {
+  meshes::ProfileKnots knots = meshes::find_built_in_profile("S1002")->make().knots();
+  for (std::size_t k = 0; k < knots.y.size(); ++k) {
+    const double t = (knots.y[k] - 2.0) / 14.0;
+    const double hollow = std::exp(-t * t);
+    const double slope = -2.0 * t / 14.0 * hollow;  // of exp(-t^2) by y
+    knots.z[k] -= hollow;
+    knots.dz[k] -= slope * knots.dy[k];
+  }
+  return meshes::ProfileCurve(knots);
+}
+
+/// The wheel of every contact that touches first stands on the rail, neither above nor in it.
+void expect_touching(const contact::Case& input, const meshes::SearchScene& scene, bool left) {
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
+  const auto axle = place_axle(found.at(0).pose, input.wheelset, input.wheel.rolling_radius, left);
+  // On points 0.02 mm and 0.0005 rad apart the least distance is found to about 2e-5 mm.
+  EXPECT_NEAR(meshes::VerticalGap(scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head)
+                  .smallest(),
+              0.0, 1e-8);
+  const double brute = test::brute_force_distance(scene, input.wheel.rolling_radius, axle);
+  EXPECT_GT(brute, -1e-7) << "shift " << input.wheelset.lateral_shift[0];
+  EXPECT_LT(brute, 6e-5) << "shift " << input.wheelset.lateral_shift[0];
+}
+
+TEST(FlangeContact, OutlineOfAYawedWheelIsTheWheelItself) {
+  for (const double shift : {-10.0, -7.0, -6.0, 3.0}) {
+    const contact::Case input = test::manchester_case(shift, shift * 2.4e-3);
+    const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+    expect_touching(input, scene, true);
+  }
+}
+
+TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
+  // Without yaw the flange of a wheelset pushed to the left climbs; its steepest angle is 70
+  // degrees. Nothing is lost on the way: every position has its contacts.
+  double last = 0.0, largest = 0.0;
+  for (double shift = -5.0; shift >= -10.0; shift -= 0.25) {
+    const contact::Case input = test::manchester_case(shift, 0.0);
+    const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+    ASSERT_GE(found.size(), 1u) << shift;
+    const double angle = found[0].place.contact_angle;
+    largest = std::max(largest, angle);
+    EXPECT_LT(angle, 70.0 * 3.14159265 / 180.0) << shift;
+    last = angle;
+  }
+  EXPECT_GT(largest, 60.0 * 3.14159265 / 180.0);
+  EXPECT_GT(last, 0.5);
+}
+
+TEST(FlangeContact, TwoPatchesWithDifferentNormalsStayApart) {
+  // Tread and flange root touch together near 5 mm; their normals differ by 0.16 rad, and they are
+  // 9 mm apart.
+  contact::Case input = test::manchester_case(-5.0, -0.012);
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  ASSERT_GE(found.size(), 2u);
+  EXPECT_EQ(found[0].place.patches, 2);
+  EXPECT_GT(std::abs(found[0].place.contact_angle - found[1].place.contact_angle), 0.1);
+  // The limits lie between them, seen from both sides.
+  const WheelRailContact &a = found[0], &b = found[1];
+  const double apart = std::abs(a.place.y_track - b.place.y_track);
+  for (const WheelRailContact* contact : {&a, &b}) {
+    const double nearest = std::min(std::abs(contact->limits[0]), std::abs(contact->limits[1]));
+    EXPECT_GT(nearest, 0.1 * apart);
+    EXPECT_LT(nearest, apart);
+    EXPECT_GT(contact->reach[0], contact->limits[0]);
+    EXPECT_LT(contact->reach[1], contact->limits[1]);
+  }
+}
+
+TEST(GaugeCorner, ConformalContactIsOnePatchOverManyAngles) {
+  // Rail radius 13 under the wheel's 13 to 15: at 6 mm the patch is wide for its load.
+  contact::Case input = test::manchester_case(-6.0, -0.0144);
+  input.load.vertical_force = 50e3;
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  ASSERT_EQ(found[0].place.patches, 1);
+  const auto& geometry = found[0].geometry;
+  const double turned = std::atan(geometry.rail().at(found[0].reach[1]).slope) -
+                        std::atan(geometry.rail().at(found[0].reach[0]).slope);
+  EXPECT_GT(std::abs(turned), 0.15);
+  // Overlap begins and ends where the distance along the normal is about the approach; on so
+  // curved a patch vertical and normal differ.
+  for (const double end : found[0].reach)
+    EXPECT_NEAR(geometry.distance(0.0, end), found[0].approach, 0.25 * found[0].approach);
+  for (double y = found[0].reach[0]; y < found[0].reach[1]; y += 0.05)
+    EXPECT_GT(geometry.distance(0.0, y), -1e-6);
+}
+
+TEST(WornWheel, TouchesAtTheRimsOfItsHollow) {
+  for (const double shift : {-3.0, 0.0, 2.0, 4.0}) {
+    const contact::Case input = test::manchester_case(shift, 0.0);
+    const auto scene =
+        meshes::make_search_scene(input, {worn_wheel(), test::manchester_pair().rail});
+    expect_touching(input, scene, true);
+    expect_touching(input, scene, false);
+  }
+}
+
+template <class Error>
+void expect_refused(const contact::Case& input, const meshes::ProfilePair& pair, bool left,
+                    const std::vector<std::string>& parts) {
+  try {
+    const auto scene = meshes::make_search_scene(input, pair);
+    find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    for (const std::string& part : parts)
+      EXPECT_NE(text.find(part), std::string::npos) << "no '" << part << "' in: " << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Refusal, WheelBesideItsRail) {
+  contact::Case input = test::manchester_case(120.0, 0.0);
+  input.wheelset.roll = {0.0};
+  expect_refused<contact::SolveError>(
+      input, test::manchester_pair(), true,
+      {"lateral_shift = 120 (position 1), left wheel", "not above the rail", "do: check gauge"});
+}
+
+TEST(Refusal, WheelOnTheTipOfItsFlange) {
+  contact::Case input = test::manchester_case(40.0, 0.0);
+  input.wheelset.roll = {0.0};
+  expect_refused<contact::SolveError>(input, test::manchester_pair(), false,
+                                      {"right wheel", "tip of its flange", "do: check gauge"});
+}
+
+TEST(Refusal, WheelsetThatFallsBetweenTheRails) {
+  contact::Case input = test::manchester_case(0.0, 0.0);
+  input.wheelset.roll = {0.0};
+  input.wheelset.flange_back_distance = 1190.0;
+  expect_refused<contact::InputError>(input, test::manchester_pair(), true,
+                                      {"field-side end of the wheel profile", "do: "});
+}
+
+TEST(Refusal, RailProfileThatEndsBeforeTheContact) {
+  const auto pair = test::manchester_pair();
+  contact::Case input = test::manchester_case(2.0, 0.0);
+  input.wheelset.roll = {0.0};
+  expect_refused<contact::InputError>(
+      input, {pair.wheel, cut(pair.rail, -100.0, 1.0)}, true,
+      {"touch first at the field-side end of the rail profile", "longer rail profile"});
+}
+
+TEST(Refusal, ProfileThatEndsWithinThePatch) {
+  const auto pair = test::manchester_pair();
+  contact::Case input = test::manchester_case(2.0, 0.0);
+  input.wheelset.roll = {0.0};
+  input.load.vertical_force = 100e3;
+  expect_refused<contact::InputError>(
+      input, {cut(pair.wheel, -100.0, 12.0), pair.rail}, true,
+      {"under its load the patch reaches the field-side end of the wheel profile"});
+}
+
+TEST(Refusal, BothWheelsMustFindTheirRails) {
+  contact::Case input = test::manchester_case(90.0, 0.0);
+  try {
+    const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+    find_contacts(input, scene, 1);
+    FAIL() << "accepted";
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find("do: "), std::string::npos) << error.what();
+  }
+}
+
+TEST(Speed, PositionOfTwoWheelsTakesMilliseconds) {
+  contact::Case input = test::manchester_case(-7.0, -0.0168);
+  input.wheelset.side = contact::WheelSide::both;
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  double least = 1e9;
+  for (int run = 0; run < 5; ++run) {
+    const std::clock_t begin = std::clock();
+    EXPECT_GE(find_contacts(input, scene, 1).size(), 2u);
+    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  // Time of the processor, which other work on the machine does not lengthen.
+  RecordProperty("milliseconds", static_cast<int>(1e3 * least));
+  EXPECT_LT(least, 0.05);
+}
+
+}  // namespace

@@ -1,0 +1,136 @@
+// Patches that are hard: conforming gauge corners, two regions that become one, profiles that end.
+#include "support/profile_patches.hpp"
+
+#include "contact/errors.hpp"
+#include "halfspace/expected_patch.hpp"
+#include "halfspace/hertz.hpp"
+#include "halfspace/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
+
+using namespace rollfem;
+using contact::Case;
+
+namespace {
+
+Case plain(double force) {
+  Case input = tests::thesis_case('b');
+  input.load.normal_force = force;
+  input.rolling.creepages = {{1e-3, 0.0, 1e-3}};
+  input.contact_grid.elements_across = 24;
+  return input;
+}
+
+/// Rail with two crests at y = +-d, each of curvature 1/R, under a cylinder:
+/// h(0, y) = (y^2 - d^2)^2 / (8 R d^2).
+Case two_crests(double force, double d, double radius) {
+  Case input = plain(force);
+  const auto rail = tests::sampled_curve(-25.0, 25.0, 0.05, [&](double y) {
+    const double q = y * y - d * d;
+    return tests::HeightAndSlope{-q * q / (8.0 * radius * d * d), -q * y / (2.0 * radius * d * d)};
+  });
+  input.patch = std::make_shared<contact::PatchGeometry>(
+      rail, contact::HeightCurve({-30.0, 30.0}, {405.0, 405.0}, {0.0, 0.0}),
+      contact::Axle{{0.0, 0.0, 405.0}, {0.0, 1.0, 0.0}}, -25.0, 25.0);
+  return input;
+}
+
+/// Runs of loaded elements along the row of elements nearest to x = 0.
+int regions(const contact::ModelResult& result) {
+  const auto& p = result.points.front().fields.traction.n;
+  const int i = result.grid.nx / 2;
+  int count = 0;
+  bool inside = false;
+  for (int j = 0; j < result.grid.ny; ++j) {
+    const bool loaded = p[result.grid.index(i, j)] > 0.0;
+    count += loaded && !inside;
+    inside = loaded;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
+  // R13 in a hollow of 14 and 15 mm: 20 kN.
+  double last_pressure = 0.0;
+  for (const double hollow : {14.0, 15.0, 17.0}) {
+    SCOPED_TRACE(hollow);
+    Case input = plain(20e3);
+    input.wheel.transverse_radius = -hollow;
+    input.rail.transverse_radius = 13.0;
+    const auto hertz = halfspace::hertz_of_case(input);
+    input.patch = tests::circles(405.0, -hollow, 13.0, 11.0);
+    const auto point = halfspace::run_model("halfspace", input, {}).points.front();
+    EXPECT_NEAR(point.normal_force, 20e3, 1.0);
+    // Concentric arcs part faster than their parabolas: narrower and higher than Hertz.
+    const double error = point.error_estimate.at("max_pressure");
+    EXPECT_GT(point.max_pressure * (1.0 + error), hertz.max_pressure);
+    EXPECT_LT(point.contact_width, 2.0 * hertz.semi_axis_y);
+    EXPECT_GT(point.max_pressure, last_pressure);
+    last_pressure = point.max_pressure;
+    EXPECT_NO_THROW(halfspace::run_model("strip", input, {}));
+    EXPECT_NO_THROW(halfspace::run_model("fastsim", input, {}));
+  }
+}
+
+TEST(ProfilePatches, FullyConformingCornerReachesTheEndOfItsProfiles) {
+  Case input = plain(20e3);
+  input.patch = tests::circles(405.0, -13.0, 13.0, 6.0);
+  for (const char* model : {"halfspace", "strip", "fastsim"})
+    EXPECT_THROW(halfspace::run_model(model, input, {}), contact::InputError) << model;
+  EXPECT_THROW(halfspace::run_model("hertz", input, {}), contact::InputError);
+}
+
+TEST(ProfilePatches, TwoRegionsBecomeOne) {
+  const double d = 4.0, radius = 60.0;
+  const auto light = halfspace::run_model("halfspace", two_crests(12e3, d, radius), {});
+  // The undeformed bodies overlap from crest to crest, the deformed ones touch at the crests.
+  EXPECT_EQ(regions(light), 2);
+  // Two contacts of half the load each: what one does to the other is a rise and a tilt.
+  Case half = plain(6e3);
+  half.rail.transverse_radius = radius;
+  const auto hertz = halfspace::hertz_of_case(half);
+  EXPECT_NEAR(light.points.front().max_pressure, hertz.max_pressure, 0.03 * hertz.max_pressure);
+  EXPECT_NEAR(light.points.front().contact_width, 2.0 * (d + hertz.semi_axis_y), 0.05 * 2.0 * d);
+  EXPECT_NEAR(light.points.front().derived.at("patch_y_middle"), 0.0, 0.02);
+  const auto heavy = halfspace::run_model("halfspace", two_crests(200e3, d, radius), {});
+  EXPECT_EQ(regions(heavy), 1);
+  EXPECT_NEAR(heavy.points.front().normal_force, 200e3, 1.0);
+}
+
+TEST(ProfilePatches, PatchAtTheEndOfAProfileIsRefused) {
+  const auto hertz = halfspace::hertz_of_case(plain(50e3));
+  Case input = plain(50e3);
+  input.patch = tests::circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
+  for (const char* model : {"linear", "vermeulen-johnson", "fastsim", "strip", "halfspace"}) {
+    SCOPED_TRACE(model);
+    try {
+      halfspace::run_model(model, input, {});
+      FAIL() << "accepted";
+    } catch (const contact::InputError& error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("profile too short for the contact"), std::string::npos) << text;
+    }
+  }
+}
+
+TEST(ProfilePatches, ModelsWithoutProfilesSaySo) {
+  Case input = plain(50e3);
+  input.patch = tests::circles(405.0, contact::infinity, 500.0);
+  input.rolling.creepages = {{1e-3, 0.0, 0.0}};
+  EXPECT_THROW(halfspace::run_model("carter", input, {}), contact::InputError);
+  input.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
+  EXPECT_THROW(halfspace::run_model("fastsim", input, {}), contact::InputError);
+  EXPECT_NO_THROW(halfspace::run_model("strip", input, {}));
+  EXPECT_NO_THROW(halfspace::run_model("halfspace", input, {}));
+}
+
+TEST(ProfilePatches, HollowContactHasNoEllipseButAHalfSpaceSolution) {
+  // Between two crests: curvature across is negative at the contact point.
+  const Case input = two_crests(6e3, 4.0, 60.0);
+  EXPECT_THROW(halfspace::run_model("hertz", input, {}), contact::InputError);
+  EXPECT_NO_THROW(halfspace::run_model("halfspace", input, {}));
+}

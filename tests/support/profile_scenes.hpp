@@ -1,0 +1,50 @@
+// Scenes of S1002 on UIC60: the study's left wheel, and a wheel at its flange.
+#pragma once
+
+#include "contact/case.hpp"
+#include "meshes/scenes.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace rollfem::test {
+
+/// All patches of the left wheel (R = 450 mm, mu 0.55, 100 kN) at this shift to the right (mm).
+inline std::vector<contact::Case> left_wheel_scenes(double lateral_shift,
+                                                    const std::vector<double>& creepages = {0.0}) {
+  contact::Case input;
+  input.file = "scene.toml";
+  input.models = {"halfspace", "fem"};
+  input.load.vertical_force = 100e3;
+  input.friction_coefficient = 0.55;
+  input.wheel.rolling_radius = 450.0;
+  input.wheel.profile.name = "S1002";
+  input.rail.profile.name = "UIC60-manchester";
+  input.track.inclination = 1.0 / 40.0;
+  input.wheelset.lateral_shift = {lateral_shift};
+  input.wheelset.roll = {0.0};
+  input.rolling.given.longitudinal = true;
+  input.rolling.creepages.clear();
+  for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
+  std::vector<contact::Case> scenes;
+  for (const meshes::Scene& scene : meshes::make_scenes(input)) scenes.push_back(scene.input);
+  return scenes;
+}
+
+/// 2 mm to the right: one patch of 12.7 by 16.2 mm that is no ellipse.
+inline contact::Case left_wheel_scene(const std::vector<double>& creepages = {0.0}) {
+  return left_wheel_scenes(2.0, creepages).at(0);
+}
+
+/// The steepest patch of a wheel that is pushed against its rail, under 40 kN.
+inline contact::Case flange_scene() {
+  contact::Case steepest;
+  for (const contact::Case& scene : left_wheel_scenes(-7.0))
+    if (!steepest.patch || std::abs(scene.patch->tilt()) > std::abs(steepest.patch->tilt()))
+      steepest = scene;
+  steepest.load.normal_force = 40e3;
+  steepest.load.normal_forces.clear();
+  return steepest;
+}
+
+}  // namespace rollfem::test

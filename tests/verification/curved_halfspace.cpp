@@ -1,0 +1,158 @@
+// Curved contact of the model halfspace ([halfspace] surface = "curved"). References: the plane
+// limit, rigid-body velocities of the wheel, planar contact with extra slip within its order, and
+// the finite elements of docs/verification.md on cases e and f.
+#include "contact/errors.hpp"
+#include "halfspace/curved_patch.hpp"
+#include "halfspace/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/profile_patches.hpp"
+#include "support/thesis_cases.hpp"
+
+using namespace rollfem;
+using contact::Case;
+using contact::ContactGrid;
+using contact::PointResult;
+using contact::SurfaceForm;
+
+namespace {
+
+PointResult run(const Case& input) {
+  return halfspace::run_model("halfspace", input, {}).points.front();
+}
+
+/// Cases e and f: a convex rail in a hollow wheel.
+Case conformal(char name) {
+  Case input = tests::thesis_case('a');
+  input.rail.transverse_radius = name == 'e' ? 100.0 : 50.0;
+  input.wheel.transverse_radius = name == 'e' ? -105.263 : -51.282;
+  return input;
+}
+
+Case curved(Case input) {
+  input.halfspace.surface = SurfaceForm::curved;
+  return input;
+}
+
+/// Tilted axle, lopsided profiles: S1002 on UIC60.
+Case s1002() {
+  Case input = tests::thesis_case('b');
+  input.wheel.rolling_radius = 450.0;
+  input.patch = tests::s1002_on_uic60(-3.95, 8.58);
+  return curved(input);
+}
+
+}  // namespace
+
+TEST(CurvedHalfspace, IsThePlanarOneOnFlatBodies) {
+  // Rail of 2000 mm under a cylinder: slopes of 0.003 at the edges, one rolling radius.
+  Case input = tests::thesis_case('a');
+  input.rolling.creepages = {{1e-3, 5e-4, 1e-4}};
+  const PointResult plane = run(input);
+  const PointResult bent = run(curved(input));
+  EXPECT_NEAR(bent.max_pressure, plane.max_pressure, 1e-4 * plane.max_pressure);
+  EXPECT_NEAR(bent.longitudinal_force, plane.longitudinal_force, 2e-4 * 0.55 * 50e3);
+  EXPECT_NEAR(bent.lateral_force, plane.lateral_force, 2e-4 * 0.55 * 50e3);
+}
+
+TEST(CurvedHalfspace, SlipIsThatOfTheTurningWheel) {
+  const Case input = s1002();
+  const contact::PatchGeometry& patch = *input.patch;
+  const halfspace::CurvedPatch surface(input);
+  const double xi = 2e-3;
+  const auto& e = patch.axle().direction;
+  const double omega = (1.0 - xi) / patch.local_rolling_radius(0.0);
+  // No spin and lateral creepage beyond those of the turning.
+  const contact::Creepage creepage{xi, 0.0, omega * e[2]};
+  const ContactGrid grid = ContactGrid::centred(3, 21, 4.0, 1.0);
+  const auto slip = surface.rigid_slip(creepage, grid);
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = surface.y(grid.y(j));
+    const double z = patch.wheel().at(y).value;
+    const double cosine = 1.0 / std::hypot(1.0, surface.climb(grid.y(j)));
+    const double sine = surface.climb(grid.y(j)) * cosine;
+    for (int i = 0; i < grid.nx; ++i) {
+      // omega x r of a point of the wheel, which moves on by 1 along x as the rail stays.
+      const double r[3] = {grid.x(i) - patch.axle().point[0], y - patch.axle().point[1],
+                           z - patch.axle().point[2]};
+      const double along = 1.0 + omega * (e[1] * r[2] - e[2] * r[1]);
+      const double v_y = omega * (e[2] * r[0] - e[0] * r[2]);
+      const double v_z = omega * (e[0] * r[1] - e[1] * r[0]);
+      EXPECT_NEAR(slip.x[grid.index(i, j)], along, 1e-9) << y;
+      EXPECT_NEAR(slip.y[grid.index(i, j)], v_y * cosine + v_z * sine, 1e-9) << y;
+    }
+  }
+}
+
+TEST(CurvedHalfspace, ArcAndDistanceOfConcentricCircles) {
+  // R13 in a hollow of 14 mm: the common surface is close to a circle of 13.5 mm, the distance
+  // along its normal 1 - cos of the angle times the distance of the centres.
+  Case input = tests::thesis_case('b');
+  input.rail.transverse_radius = 13.0;
+  input.wheel.transverse_radius = -14.0;
+  const halfspace::CurvedPatch surface(curved(input));
+  const ContactGrid grid = ContactGrid::centred(1, 9, 1.0, 1.0);
+  const auto distance = surface.undeformed_distance(grid);
+  for (int j = 0; j < grid.ny; ++j) {
+    const double s = grid.y(j);
+    EXPECT_NEAR(surface.y(s), 13.5 * std::sin(s / 13.5), 1e-3 * std::abs(s));
+    // Along any line at the angle a through about the centres: 1 mm (1 - cos a), to a^2 / 30.
+    const double exact = 1.0 - std::cos(s / 13.5);
+    EXPECT_NEAR(distance[j], exact, 0.01 * exact + 1e-9);
+  }
+}
+
+TEST(CurvedHalfspace, ShiftsCreepCurvesLikeExtraSlipWithinItsOrder) {
+  for (const char name : {'e', 'f'}) {
+    SCOPED_TRACE(name);
+    Case extra = conformal(name);
+    extra.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
+    const PointResult planar = run(extra);
+    const PointResult bent = run(curved(conformal(name)));
+    // Extra slip takes the rail's radius, the curved surface the wheel's, which is 5 % or 2.5 %
+    // larger: the shift is less by some of that.
+    EXPECT_LT(planar.traction_coefficient, bent.traction_coefficient);
+    EXPECT_NEAR(bent.traction_coefficient, planar.traction_coefficient,
+                0.05 * std::abs(planar.traction_coefficient));
+  }
+}
+
+TEST(CurvedHalfspace, HasTheEffectThatFiniteElementsShow) {
+  // docs/verification.md: 579.42 and 583.44 MPa, -0.0712 and -0.1259, of which the strain of the
+  // loaded wheel's circles, which no half-space has, makes +0.0034; what is not explained there is
+  // 0.001. Pressure there to 0.2 % (583.44 at 0.47 mm, 580.85 at 0.94 mm).
+  struct {
+    char name;
+    double pressure, shift;
+  } const finite_elements[] = {{'e', 579.42, -0.0712}, {'f', 583.44, -0.1259}};
+  for (const auto& fem : finite_elements) {
+    SCOPED_TRACE(fem.name);
+    const PointResult planar = run(conformal(fem.name));
+    const PointResult bent = run(curved(conformal(fem.name)));
+    EXPECT_GT(bent.max_pressure, planar.max_pressure);
+    EXPECT_NEAR(bent.max_pressure, fem.pressure, 0.003 * fem.pressure);
+    EXPECT_NEAR(bent.traction_coefficient, fem.shift - 0.0034, 0.0015);
+  }
+}
+
+TEST(CurvedHalfspace, ForcesBalanceThePressure) {
+  // Frictionless: the force along z is the given one, and none is across on a symmetric patch.
+  Case input = curved(conformal('f'));
+  input.rolling.problem = contact::Problem::frictionless;
+  const PointResult point = run(input);
+  EXPECT_NEAR(point.normal_force, 50e3, 1e-6 * 50e3);
+  EXPECT_NEAR(point.lateral_force, 0.0, 1e-3);
+}
+
+TEST(CurvedHalfspace, RefusesWhatItLeavesOut) {
+  Case unlike = curved(conformal('e'));
+  unlike.rail.material.young_modulus = 70e3;
+  EXPECT_THROW(run(unlike), contact::InputError);
+  Case extra = curved(conformal('e'));
+  extra.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
+  EXPECT_THROW(run(extra), contact::InputError);
+  Case quadratic = curved(conformal('e'));
+  quadratic.undeformed_distance.quadratic = {1e-3, 1e-3};
+  EXPECT_THROW(run(quadratic), contact::InputError);
+}

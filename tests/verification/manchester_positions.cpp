@@ -1,0 +1,124 @@
+// Contact positions, angles and creepages of CONTACT (open version r2707) for the Manchester
+// benchmark, left wheel: S1002 on the benchmark's UIC60, radius 460, gauge 1435 at 14 mm,
+// flange backs 1360, rails 1:40, 10 kN, wheelset shifted to the right and yawed
+// (shared/reference/manchester_left.csv, some of its rows); and for 100 kN on a radius of 450 with
+// 2 mm shift (wheelrail_left_creep.csv, wheelrail_left_patch.csv).
+#include "meshes/wheelset_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wheel_rail_cases.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem;
+
+struct Row {
+  double shift, yaw;  // mm, rad
+  double y_track, angle, y_wheel, height, approach, eta, spin;
+};
+
+// y_ws, yaw, ycp_tr, deltcp, -ycp_wheel (positive to the field), z_ws, approach, ceta, cphi.
+const Row rows[] = {
+    {0.0, 0.0, -751.8726, 0.0290, 1.8726, 0.1981, 1.596e-2, 0.0, -6.302e-5},
+    {1.0, 2.4e-3, -755.2440, 0.0176, 6.2694, 0.1840, 1.946e-2, 2.400e-3, -3.848e-5},
+    {2.0, 4.8e-3, -756.5056, 0.0134, 8.5660, 0.1530, 2.054e-2, 4.798e-3, -2.947e-5},
+    {5.0, 12.0e-3, -757.8958, 0.0088, 13.1136, 0.0019, 2.232e-2, 1.198e-2, -1.990e-5},
+    {6.0, 14.4e-3, -758.0210, 0.0084, 14.3878, -0.1957, 2.278e-2, 1.437e-2, -1.957e-5},
+    {7.0, 16.8e-3, -758.6092, 0.0064, 18.6704, -4.5803, 2.412e-2, 1.663e-2, -2.761e-5},
+    {10.0, 24.0e-3, -757.0975, 0.0115, 22.5401, -8.2662, 2.511e-2, 2.371e-2, -4.883e-5},
+};
+
+class Manchester : public testing::TestWithParam<Row> {};
+
+TEST_P(Manchester, ContactIsWhereContactFindsIt) {
+  const Row& row = GetParam();
+  const contact::Case input = test::manchester_case(row.shift, row.yaw);
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  const auto& place = found.at(0).place;
+  EXPECT_EQ(place.patches, 1);
+  EXPECT_NEAR(place.y_track, row.y_track, 0.03);
+  EXPECT_NEAR(place.contact_angle, row.angle, 1.5e-4);
+  EXPECT_NEAR(place.y_wheel, row.y_wheel, 0.05);
+  EXPECT_NEAR(found[0].approach, row.approach, 0.06 * row.approach);
+}
+
+TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
+  // The estimate of the approach taken away, only the definition of the reference point is left.
+  const Row& row = GetParam();
+  contact::Case input = test::manchester_case(row.shift, row.yaw);
+  input.load = {};
+  input.load.approach = row.approach;
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  EXPECT_NEAR(found.at(0).place.y_track, row.y_track, 0.007);
+  // Theirs is the mean angle of the patch, with four digits, not the tangent at its mean place.
+  EXPECT_NEAR(found[0].place.contact_angle, row.angle, 1.5e-4);
+}
+
+TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
+  const Row& row = GetParam();
+  const contact::Case input = test::manchester_case(row.shift, row.yaw);
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  const auto creepage = meshes::creepage_of(found.at(0), meshes::motion_of(input, 0.0));
+  // Their rotation is that of free rolling, up to 2.5 % from ours where the flange runs.
+  EXPECT_NEAR(creepage.lateral, row.eta, 0.025 * row.eta + 1e-9);
+  EXPECT_NEAR(creepage.spin, row.spin, 0.02 * std::abs(row.spin) + 5e-7);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, Manchester, testing::ValuesIn(rows));
+
+TEST(ManchesterHeight, IsTheirsLessTheApproach) {
+  // Height of the wheelset while the right wheel, which yields a little more, stands on its tread.
+  const contact::Case input = test::manchester_case(0.0, 0.0);
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  EXPECT_NEAR(found.at(0).place.height, 0.1981 - 1.596e-2, 1e-4);
+}
+
+contact::Case shifted_wheel() {
+  contact::Case input = test::manchester_case(2.0, 0.0);
+  input.wheel.rolling_radius = 450.0;
+  input.wheel.material = input.rail.material = contact::Material{};
+  input.load.vertical_force = 100e3;
+  input.wheelset.roll = {0.0};  // with a found roll of -1.16e-4 rad it would be 0.14 mm off
+  return input;
+}
+
+TEST(LeftWheelAt100kN, ContactIsWhereContactFindsIt) {
+  const contact::Case input = shifted_wheel();
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  ASSERT_EQ(found.at(0).place.patches, 1);
+  EXPECT_NEAR(found[0].place.y_track, -755.6210, 0.06);
+  EXPECT_NEAR(found[0].place.contact_angle, 0.0164, 2e-4);
+  contact::Case sunk = input;
+  sunk.load = {};
+  sunk.load.approach = 9.331e-2;
+  found = find_contacts(sunk, scene, find_pose(sunk, scene, 1), 1, true);
+  EXPECT_NEAR(found.at(0).place.y_track, -755.6208, 0.003);
+}
+
+TEST(LeftWheelAt100kN, CreepagesFollowTheRotation) {
+  // rel_pitch_change, cksi, cphi: our xi is minus theirs, our phi is theirs.
+  const double table[][3] = {{-0.004, -4.401e-3, -3.634e-5},
+                             {0.0, -3.933e-4, -3.641e-5},
+                             {0.001, 6.062e-4, -3.643e-5},
+                             {0.004, 3.599e-3, -3.649e-5}};
+  contact::Case input = shifted_wheel();
+  input.load = {};
+  input.load.approach = 9.331e-2;
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  for (const auto& row : table) {
+    const auto creepage = meshes::creepage_of(found.at(0), meshes::motion_of(input, row[0]));
+    EXPECT_NEAR(creepage.longitudinal, -row[1], 1e-5);
+    EXPECT_NEAR(creepage.lateral, 0.0, 1e-12);
+    EXPECT_NEAR(creepage.spin, row[2], 0.005 * std::abs(row[2]));
+  }
+}
+
+}  // namespace
