@@ -127,26 +127,27 @@ def _position(part):
 
 
 def _lattice(part):
-    """In-plane coordinates [across, along] of a plane, with their labels: those of the global frame
-    where its sides follow axes, else distances from its first corner."""
+    """In-plane coordinates [across, along] of a plane, with their labels: that of the global frame
+    for a side that follows an axis, else the distance along it; of a skew parallelogram the
+    distance across its first side."""
     points = np.array([part[c].reshape(part.shape) for c in ("x", "y", "z")])
-    names = ("$x$ [mm]", "$y$ [mm]", "$z$ [mm]")
-    axes = []
-    for change in (points[:, 0, -1] - points[:, 0, 0], points[:, -1, 0] - points[:, 0, 0]):
-        straight = [k for k in range(3) if abs(change[k]) > 0.999 * np.linalg.norm(change)]
-        axes.append(straight[0] if straight else None)
-    if axes[0] is not None and axes[1] is not None:
-        first, second = axes
-        if first > second:  # x across the page, z up
-            first, second = second, first
-        return points[first], points[second], names[first], names[second]
-    # Skew sides: measured along the first side and at right angles to it.
-    side = points[:, 0, -1] - points[:, 0, 0]
-    side /= np.linalg.norm(side)
     offset = points - points[:, :1, :1]
-    along = np.tensordot(side, offset, 1)
-    rest = np.linalg.norm(offset - side[:, None, None] * along, axis=0)
-    return along, rest, "along the first side [mm]", "at right angles to it [mm]"
+    sides, found = [], []
+    for change, name in ((offset[:, 0, -1], "first side [mm]"), (offset[:, -1, 0], "second side [mm]")):
+        side = change / np.linalg.norm(change)
+        axis = int(np.argmax(np.abs(side)))
+        if abs(side[axis]) > 0.999999:
+            found.append((axis, points[axis], f"${'xyz'[axis]}$ [mm]"))
+        else:
+            found.append((-1, np.tensordot(side, offset, 1), name))
+        sides.append(side)
+    if abs(np.dot(*sides)) > 1e-6:
+        along = np.tensordot(sides[0], offset, 1)
+        across = np.linalg.norm(offset - sides[0][:, None, None] * along, axis=0)
+        return along, across, "first side [mm]", "across it [mm]"
+    if found[0][0] > found[1][0] >= 0:  # x to the right, z up
+        found.reverse()
+    return found[0][1], found[1][1], found[0][2], found[1][2]
 
 
 def plane(result, model, part):
