@@ -194,18 +194,23 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
   }
 }
 
-TEST_F(ResultsReaderTest, RefusesDamagedContent) {
-  // Bytes overwritten in the middle: either noticed, or outside of what is read; never a crash.
-  const std::string whole = results_hdf5(full_run());
-  int noticed = 0;
-  for (int part = 1; part < 60; ++part) {
-    std::string bytes = whole;
-    bytes.replace(whole.size() * part / 60, 64, std::string(64, '\xff'));
-    const std::string path = file(bytes);
-    noticed += refusal(path) == "it was read" ? 0 : 1;
-    fs::remove(path);
-  }
-  EXPECT_GT(noticed, 20);
+TEST_F(ResultsReaderTest, RefusesDamagedFields) {
+  if (!tests::python_can_import("h5py"))
+    GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
+  // Bytes of a compressed field overwritten. (HDF5 does not guard its own structures like that.)
+  const std::string path = file(results_hdf5(full_run()));
+  EXPECT_EQ(tests::python(R"(
+import sys, h5py
+with h5py.File(sys.argv[1]) as f:
+    chunk = f['models/fem/points/0002/pressure'].id.get_chunk_info(0)
+with open(sys.argv[1], 'r+b') as f:
+    f.seek(chunk.byte_offset + chunk.size // 2)
+    f.write(b'\xff' * 64)
+)",
+                          path),
+            "");
+  const std::string said = refusal(path);
+  EXPECT_NE(said.find("damaged or cut short: dataset pressure"), std::string::npos) << said;
 }
 
 TEST_F(ResultsReaderTest, ReadsAFileWithoutBodies) {
