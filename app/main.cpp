@@ -190,7 +190,8 @@ void add_commands(CLI::App& program, Call& call) {
       "mesh", "write the finite-element meshes of a case and print their quality");
   mesh->add_option("case", call.mesh.case_file, "case file (.toml)")->required();
   mesh->add_option("-o,--output", call.mesh.directory,
-                   "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu; without it "
+                   "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu (with profiles "
+                   "left_1_1_wheel.msh and so on, for every patch); without it "
                    "results/<name of the case file>_mesh");
   mesh->callback([&call] { app::mesh(call.mesh); });
 

@@ -3,6 +3,7 @@
 #include "app/fem_library.hpp"
 #include "app/files_together.hpp"
 #include "app/processes.hpp"
+#include "app/scenes.hpp"
 #include "contact/abilities.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <vector>
@@ -37,16 +39,26 @@ void spare_input(const contact::Case& input, const fs::path& folder) {
     }
 }
 
+/// With profiles every patch has bodies of its own: "left_1_1_wheel".
+std::string name_of(const contact::Case& scene, const std::string& body) {
+  if (!scene.place) return body;
+  return fmt::format("{}_{}_{}_{}", scene.place->left ? "left" : "right", scene.place->position,
+                     scene.place->patch, body);
+}
+
 std::string table(const std::vector<MeshedBody>& bodies) {
+  std::size_t width = 12;
+  for (const MeshedBody& body : bodies) width = std::max(width, body.name.size() + 2);
   std::string text = fmt::format("{:<34}", "");
-  for (const MeshedBody& body : bodies) text += fmt::format("{:>12}", body.name);
+  for (const MeshedBody& body : bodies) text += fmt::format("{:>{}}", body.name, width);
   const auto row = [&](const char* what, const auto& value) {
     text += fmt::format("\n{:<34}", what);
-    for (const MeshedBody& body : bodies) text += fmt::format("{:>12.5g}", 1.0 * value(body));
+    for (const MeshedBody& body : bodies)
+      text += fmt::format("{:>{}.5g}", 1.0 * value(body), width);
   };
   const auto count = [&](const char* what, const auto& value) {
     text += fmt::format("\n{:<34}", what);
-    for (const MeshedBody& body : bodies) text += fmt::format("{:>12}", value(body));
+    for (const MeshedBody& body : bodies) text += fmt::format("{:>{}}", value(body), width);
   };
   count("coarse cells", [](const MeshedBody& b) { return b.coarse_cells; });
   count("times halved at the patch", [](const MeshedBody& b) { return b.levels; });
@@ -65,7 +77,8 @@ std::string table(const std::vector<MeshedBody>& bodies) {
 
 void mesh(const MeshRequest& request) {
   const contact::Case input = contact::read_case(request.case_file);
-  contact::check_able(input, "fem");
+  const std::vector<contact::Case> scenes = scenes_of(input, {}).cases;
+  for (const contact::Case& scene : scenes) contact::check_able(scene, "fem");
   const fs::path folder =
       !request.directory.empty()
           ? fs::path(request.directory)
@@ -76,7 +89,12 @@ void mesh(const MeshRequest& request) {
   int argc = request.argc;
   char** argv = request.argv;
   entry.start(argc, argv);
-  const std::vector<MeshedBody> bodies = entry.mesh(input);
+  std::vector<MeshedBody> bodies;
+  for (const contact::Case& scene : scenes)
+    for (MeshedBody& body : entry.mesh(scene)) {
+      body.name = name_of(scene, body.name);
+      bodies.push_back(std::move(body));
+    }
   if (processes().first()) {
     FilesTogether files("mesh", folder);
     for (const MeshedBody& body : bodies) {

@@ -1,6 +1,7 @@
 #include "app/profile.hpp"
 
 #include "app/places.hpp"
+#include "app/scenes.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
 #include "meshes/built_in_profiles.hpp"
@@ -199,6 +200,25 @@ fs::path folder_for(const ProfileRequest& request) {
 
 }  // namespace
 
+namespace {
+
+/// Of a case with both profiles: the two placed on each other, and where they touch.
+void tell_pair(const contact::Case& input, const fs::path& folder) {
+  if (!input.has_profiles()) return;
+  std::cout << "where wheel and rail touch\n" << contacts_text(input);
+  for (const auto& [name, table] : pair_tables(input)) {
+    const fs::path file = folder / (name + ".csv");
+    postprocess::replace_file(file, table);
+    const std::string problem =
+        postprocess::draw_profile(file.string(), script_directory().string(), true);
+    if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
+    std::cout << "table:  " << file.string() << '\n';
+    if (problem.empty()) std::cout << "figure: " << (folder / (name + ".svg")).string() << '\n';
+  }
+}
+
+}  // namespace
+
 void profile(const ProfileRequest& request) {
   const std::vector<NamedProfile> profiles = asked_for(request);
   const fs::path folder = folder_for(request);
@@ -218,6 +238,8 @@ void profile(const ProfileRequest& request) {
     if (problem.empty())
       std::cout << "figure: " << (folder / (profile.file + ".svg")).string() << '\n';
   }
+  if (fs::path(request.name).extension() == ".toml" && request.wheel == request.rail)
+    tell_pair(contact::read_case(request.name), folder);
 }
 
 }  // namespace rollfem::app

@@ -2,6 +2,7 @@
 
 #include "meshes/placement.hpp"
 #include "meshes/profiles.hpp"
+#include "meshes/scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -71,6 +72,32 @@ Scenes scenes_of(const Case& input, const contact::Progress& progress) {
   wheelset::BalancedCase balanced = wheelset::balance(input, progress);
   return {std::move(balanced.scenes), drawn_pairs(input, balanced.placed),
           std::move(balanced.notes)};
+}
+
+std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input) {
+  Case first = input;
+  first.wheelset.lateral_shift.resize(1);
+  first.wheelset.yaw.resize(1);
+  if (!first.wheelset.roll.empty()) first.wheelset.roll.resize(1);
+  const std::vector<meshes::Scene> scenes = meshes::make_scenes(first);
+  std::vector<std::pair<std::string, std::string>> tables;
+  for (const postprocess::PlacedPair& pair : drawn_pairs(first, scenes)) {
+    const char* side = pair.left ? "left" : "right";
+    std::string text = fmt::format("# {} wheel, lateral shift {:g} mm\n", side,
+                                   first.wheelset.lateral_shift.front());
+    text += "part,y [mm],z [mm],angle [rad],radius [mm]\n";
+    for (const auto& [part, points] : {std::pair{"rail", &pair.rail}, {"wheel", &pair.wheel}})
+      for (const auto& point : *points)
+        text += fmt::format("{},{:.6f},{:.6f},,\n", part, point[0], point[1]);
+    for (const meshes::Scene& scene : scenes) {
+      const contact::ContactPlace& place = scene.contact.place;
+      if (place.left == pair.left)
+        text += fmt::format("patch {},{:.6f},{:.6f},{:.8f},{:.6f}\n", place.patch, place.y_track,
+                            place.z_track, place.contact_angle, place.rolling_radius);
+    }
+    tables.emplace_back(fmt::format("pair_{}", side), std::move(text));
+  }
+  return tables;
 }
 
 std::string contacts_text(const Case& input) {

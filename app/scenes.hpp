@@ -7,6 +7,7 @@
 #include "postprocess/output.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::app {
@@ -19,6 +20,10 @@ struct Scenes {
 
 /// Throws contact::InputError and contact::SolveError.
 Scenes scenes_of(const contact::Case& input, const contact::Progress& progress);
+
+/// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
+/// of the table without ending, and its text. One for each wheel that the case asks for.
+std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input);
 
 /// Where the wheels of a case with profiles touch their rails, as a table; nothing is solved.
 std::string contacts_text(const contact::Case& input);

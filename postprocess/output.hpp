@@ -55,8 +55,9 @@ void write_results(const std::string& directory, const RunRecord& run);
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
 /// Draws the table of a profile (app/profile.hpp) as a figure beside it, NAME.csv as NAME.svg;
-/// otherwise as make_report.
-std::string draw_profile(const std::string& csv_file, const std::string& script_directory);
+/// `pair`: the table of a wheel on its rail (app/scenes.hpp). Otherwise as make_report.
+std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
+                         bool pair = false);
 
 /// Draws what `rollfem stress` wrote to a folder (stress.csv, stress.json) to its figures/;
 /// otherwise as make_report.

@@ -135,9 +135,10 @@ std::string make_report(const std::string& directory, const std::string& script_
   return draw(directory, script_directory, {fs::absolute(directory).string()});
 }
 
-std::string draw_profile(const std::string& csv_file, const std::string& script_directory) {
+std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
+                         bool pair) {
   const fs::path file = fs::absolute(csv_file);
-  return draw(file.parent_path(), script_directory, {"--profile", file.string()});
+  return draw(file.parent_path(), script_directory, {pair ? "--pair" : "--profile", file.string()});
 }
 
 std::string draw_stress(const std::string& directory, const std::string& script_directory) {

@@ -1,5 +1,5 @@
 """python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html;
---profile NAME.csv: draws NAME.svg of a wheel or rail profile;
+--profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail;
 --stress DIR: draws what rollfem stress wrote to DIR, to DIR/figures."""
 import argparse
 import sys
@@ -9,11 +9,13 @@ def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
     parser.add_argument("directory", nargs="?", help="a result folder of rollfem")
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
+    parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
     parser.add_argument("--stress", metavar="DIR", help="draw this folder of rollfem stress instead")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
-    if [options.directory, options.profile, options.stress].count(None) != 2:
-        parser.error("one of DIR, --profile and --stress is needed")
+    given = (options.directory, options.profile, options.pair, options.stress)
+    if sum(o is not None for o in given) != 1:
+        parser.error("one of DIR, --profile, --pair and --stress is needed")
     try:
         from .build import build
         from .reader import ResultError
@@ -24,6 +26,9 @@ def main():
         if options.profile:
             from .profile import draw
             draw(options.profile, options.png)
+        elif options.pair:
+            from .places import draw_pair_file
+            draw_pair_file(options.pair, options.png)
         elif options.stress:
             from .stress_report import build as build_stress
             build_stress(options.stress, options.png)

@@ -35,8 +35,8 @@ def place_captions(result):
     for (wheel, position) in result.profiles:
         if position in (numbers[0], numbers[-1]):
             yield (f"pair_{wheel}_{position:.0f}.svg",
-                   f"The {wheel} wheel on its rail at position {position:.0f}, with the points of first "
-                   "contact. Right: the same at the contact.",
+                   f"The {wheel} wheel on its rail at position {position:.0f}, with the contact "
+                   "points. Right: how far apart the two are beside them before they are pressed together.",
                    lambda wheel=wheel, position=position: places.pair(result, wheel, position))
     yield ("positions.svg", "Along the row of positions: where wheel and rail touch, and what comes of "
            "it at the first load point. Lines: the most loaded patch; single points: further patches. "

@@ -1,6 +1,9 @@
 """With profiles: where the wheels touch the rails, and how that goes along a row of positions."""
+import csv
 import math
+import os
 
+import numpy as np
 from matplotlib import pyplot as plt
 
 from . import style, tables
@@ -19,41 +22,77 @@ def positions(result):
     return sorted({m.place["position"] for m in result.models if m.place})
 
 
+def _as_function(points):
+    """(y, z) of a section with rising y, of an undercut side only what comes first."""
+    order = np.argsort(points[:, 0], kind="stable")
+    y, z = points[order].T
+    keep = np.concatenate([[True], np.diff(y) > 1e-9])
+    return y[keep], z[keep]
+
+
+def _draw_gap(panel, drawn, touching):
+    """Vertical distance between rail and wheel around the contact, before they are pressed together."""
+    rail, wheel = _as_function(drawn["rail"]), _as_function(drawn["wheel"])
+    lower, upper = max(rail[0][0], wheel[0][0]), min(rail[0][-1], wheel[0][-1])
+    y = np.linspace(lower, upper, 3000)
+    gap = np.interp(y, *rail) - np.interp(y, *wheel)
+    panel.plot(y, gap, color="#0072B2", linewidth=1.3)
+    for k, place in enumerate(touching):
+        ink = PATCH_COLOURS[k % len(PATCH_COLOURS)]
+        panel.plot(place["y_track"], np.interp(place["y_track"], y, gap), "o", color=ink, markersize=5,
+                   zorder=5, label=f"patch {place['patch']:.0f}: {math.degrees(place['contact_angle']):.2f}°, "
+                   f"radius {place['rolling_radius']:.3f} mm")
+    panel.set_xlim(min(p["y_track"] for p in touching) - 20, max(p["y_track"] for p in touching) + 20)
+    panel.set_ylim(-0.02, 0.6)
+    panel.set_ylabel("distance at the axle, unloaded [mm]")
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, 1.16), ncol=1)
+
+
 def pair(result, wheel, position):
-    """Wheel on rail at one position with the contact points; None without profiles."""
+    """Wheel on rail at one position with the contact points, and the distance between the two; None
+    without profiles."""
     drawn = result.profiles.get((wheel, position))
-    if drawn is None:
-        return None
     touching = [m.place for m in first_of_scenes(result)
                 if m.place["wheel"] == wheel and m.place["position"] == position]
-    figure, panels = plt.subplots(1, 2, figsize=(9.2, 3.9), gridspec_kw={"width_ratios": [1.25, 1]})
-    for panel in panels:
-        for name, ink in (("rail", "black"), ("wheel", "#0072B2")):
-            y, z = drawn[name].T
-            panel.plot(y, -z, color=ink, linewidth=1.3, label=name)
-        for k, place in enumerate(touching):
-            ink = PATCH_COLOURS[k % len(PATCH_COLOURS)]
-            panel.plot(place["y_track"], -place["z_track"], "o", color=ink, markersize=5, zorder=5)
-        panel.set_aspect("equal")
-        panel.set_xlabel("$y$ on the track, to the right [mm]")
-    panels[0].set_ylabel("height over the rails [mm]")
-    lower = min(p["y_track"] for p in touching) - 14
-    upper = max(p["y_track"] for p in touching) + 14
-    heights = [-p["z_track"] for p in touching]
-    panels[1].set_xlim(lower, upper)
-    panels[1].set_ylim(min(heights) - 7, max(heights) + 7)
+    if drawn is None or not touching:
+        return None
+    return draw_pair(drawn, touching, f"{wheel} wheel at position {position:.0f}")
+
+
+def draw_pair(drawn, touching, title):
+    """`drawn`: points y, z [n, 2] of "rail" and "wheel" on the track; `touching`: dicts with patch,
+    y_track, z_track (mm), contact_angle (rad), rolling_radius (mm)."""
+    figure, panels = plt.subplots(1, 2, figsize=(9.4, 3.4), gridspec_kw={"width_ratios": [1.5, 1]})
+    for name, ink in (("rail", "black"), ("wheel", "#0072B2")):
+        y, z = drawn[name].T
+        panels[0].plot(y, -z, color=ink, linewidth=1.3, label=name)
     for k, place in enumerate(touching):
-        panels[1].annotate(
-            f"patch {place['patch']:.0f}: angle {math.degrees(place['contact_angle']):.2f}°\n"
-            f"radius {place['rolling_radius']:.3f} mm",
-            (place["y_track"], -place["z_track"]), textcoords="offset points",
-            xytext=(0, 16 if k == 0 else -28), ha="center", fontsize=8,
-            color=PATCH_COLOURS[k % len(PATCH_COLOURS)])
+        panels[0].plot(place["y_track"], -place["z_track"], "o", markersize=5, zorder=5,
+                       color=PATCH_COLOURS[k % len(PATCH_COLOURS)])
+    panels[0].set_aspect("equal")
+    panels[0].set_ylabel("height over the rails [mm]")
     panels[0].legend(loc="best")
-    panels[0].set_title(f"{wheel} wheel at position {position:.0f}")
-    panels[1].set_title("at the contact")
+    _draw_gap(panels[1], drawn, touching)
+    for panel in panels:
+        panel.set_xlabel("$y$ on the track, to the right [mm]")
+    panels[0].set_title(title)
     figure.tight_layout()
     return figure
+
+
+def draw_pair_file(path, png_folder=None):
+    """Draws NAME.svg of a table NAME.csv that `rollfem profile CASE.toml` wrote."""
+    style.use()
+    with open(path, encoding="utf-8") as table:
+        title = table.readline().lstrip("# ").strip()
+        rows = list(csv.DictReader(table))
+    drawn = {part: np.array([[float(r["y [mm]"]), float(r["z [mm]"])] for r in rows if r["part"] == part])
+             for part in ("rail", "wheel")}
+    touching = [{"patch": float(r["part"].split()[1]), "y_track": float(r["y [mm]"]),
+                 "z_track": float(r["z [mm]"]), "contact_angle": float(r["angle [rad]"]),
+                 "rolling_radius": float(r["radius [mm]"])}
+                for r in rows if r["part"].startswith("patch")]
+    style.save(draw_pair(drawn, touching, title), os.path.splitext(path)[0] + ".svg", png_folder)
 
 
 def _curves(result):

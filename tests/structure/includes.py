@@ -11,11 +11,12 @@ import re
 import sys
 
 # What each folder may include of the others; None: everything.
-VALUES = {"case", "grid", "geometry", "errors", "progress", "height_curve", "patch_geometry", "track"}
+VALUES = {"case", "grid", "geometry", "errors", "progress", "height_curve", "patch_geometry",
+          "track"}
 ALLOWED = {
     "contact": {},
     "halfspace": {"contact": None},
-    "meshes": {"contact": VALUES | {"track", "height_curve", "patch_geometry"}},
+    "meshes": {"contact": VALUES},
     "postprocess": {"contact": VALUES | {"result", "stress_measures", "checkpoint", "record"}},
     "wheelset": {"contact": None, "halfspace": None, "meshes": None},
     "fem": {"contact": None, "halfspace": None, "meshes": None},

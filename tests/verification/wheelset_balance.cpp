@@ -1,0 +1,135 @@
+// A wheelset in balance, checked by what it must satisfy: vertical forces with friction add up to
+// the load on every wheel, free rolling has no torque or no force, patches of one wheel share its
+// load; and where there is no balance, that is said.
+#include "contact/errors.hpp"
+#include "halfspace/model.hpp"
+#include "meshes/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wheelset/balance.hpp"
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace rollfem;
+using contact::Case;
+using contact::FreeRolling;
+using contact::WheelSide;
+
+constexpr double load = 60e3;
+constexpr double friction = 0.3;
+
+Case wheelset(double shift, double yaw) {
+  Case input;
+  input.file = "wheelset";
+  input.load.vertical_force = load;
+  input.friction_coefficient = friction;
+  input.wheel.rolling_radius = 460.0;
+  input.wheel.profile.name = "S1002";
+  input.rail.profile.name = "60E1";
+  input.track.inclination = 1.0 / 40.0;
+  input.wheelset.side = WheelSide::both;
+  input.wheelset.lateral_shift = {shift};
+  input.wheelset.yaw = {yaw};
+  return input;
+}
+
+struct Solved {
+  double vertical = 0.0;  ///< N, of the wheel
+  double torque = 0.0;    ///< N mm about the axle, F_x rho
+  int patches = 0;
+};
+
+/// On a finer grid than the one that the balance was found with.
+std::map<bool, Solved> solved(const std::vector<Case>& scenes) {
+  std::map<bool, Solved> wheels;
+  for (Case scene : scenes) {
+    scene.contact_grid.elements_across = 40;
+    const auto result = halfspace::run_halfspace(scene, {});
+    const auto& point = result.points.front();
+    Solved& wheel = wheels[scene.place->left];
+    wheel.vertical += meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
+    wheel.torque += point.longitudinal_force * scene.place->rolling_radius;
+    ++wheel.patches;
+  }
+  return wheels;
+}
+
+}  // namespace
+
+TEST(WheelsetBalance, VerticalForcesAddUpToTheLoadAlsoOnTheFlange) {
+  // At 8 mm the right wheel stands on its flange at 54 degrees and slides: 27 % of its normal force
+  // more than the load. What the two grids' lateral forces differ by is below 0.3 % there.
+  for (const double shift : {3.0, 8.0}) {
+    const auto wheels = solved(wheelset::balance(wheelset(shift, 0.0024 * shift)).scenes);
+    ASSERT_EQ(wheels.size(), 2U);
+    for (const auto& [left, wheel] : wheels)
+      EXPECT_NEAR(wheel.vertical, load, 3e-3 * load) << shift << ' ' << left;
+  }
+}
+
+TEST(WheelsetBalance, TwoPatchesOfOneWheelShareItsLoad) {
+  const auto balanced = wheelset::balance(wheelset(5.4, 0.0));
+  const auto wheels = solved(balanced.scenes);
+  EXPECT_EQ(wheels.at(false).patches, 2);
+  EXPECT_NEAR(wheels.at(false).vertical, load, 3e-3 * load);
+  // The more loaded one comes first.
+  double last = 0.0;
+  for (const Case& scene : balanced.scenes)
+    if (!scene.place->left) {
+      if (scene.place->patch == 2) EXPECT_LT(*scene.load.normal_force, last);
+      last = *scene.load.normal_force;
+    }
+}
+
+TEST(WheelsetBalance, FreeRollingHasNoTorqueOfTheWheelset) {
+  Case input = wheelset(3.0, 0.004);
+  input.wheelset.free_rolling = FreeRolling::torque;
+  const auto wheels = solved(wheelset::balance(input).scenes);
+  const double scale = friction * load * 460.0;
+  // Each wheel alone has one: the radii differ.
+  EXPECT_GT(std::abs(wheels.at(true).torque), 0.05 * scale);
+  EXPECT_NEAR(wheels.at(true).torque + wheels.at(false).torque, 0.0, 5e-3 * scale);
+}
+
+TEST(WheelsetBalance, FreeRollingByForceHasNoneOnEachWheel) {
+  Case input = wheelset(3.0, 0.004);
+  input.wheelset.free_rolling = FreeRolling::force;
+  for (const auto& [left, wheel] : solved(wheelset::balance(input).scenes))
+    EXPECT_NEAR(wheel.torque, 0.0, 5e-3 * friction * load * 460.0) << left;
+}
+
+TEST(WheelsetBalance, CreepagesThatAreGivenStand) {
+  Case input = wheelset(2.0, 0.003);
+  input.rolling.creepages = {{0.001, 0.0, 0.0}, {0.002, 0.0, 0.0}};
+  input.rolling.given.longitudinal = true;
+  for (const Case& scene : wheelset::balance(input).scenes) {
+    EXPECT_EQ(scene.rolling.creepages[0].longitudinal, 0.001);
+    EXPECT_EQ(scene.rolling.creepages[1].longitudinal, 0.002);
+    // Yaw turns the wheels against their way: eta = yaw / cos(angle).
+    EXPECT_NEAR(scene.rolling.creepages[1].lateral, 0.003 / std::cos(scene.place->contact_angle),
+                2e-5);
+  }
+}
+
+TEST(WheelsetBalance, FrictionThatCarriesTheWheelUpIsSaid) {
+  // Sliding up the flange at 54 degrees with mu = 1.2: cos - mu sin < 0.
+  Case input = wheelset(8.0, -0.02);
+  input.wheelset.side = WheelSide::right;
+  input.friction_coefficient = 1.2;
+  try {
+    const auto balanced = wheelset::balance(input);
+    // The other way round friction holds the wheel down instead, and there is a balance.
+    for (const Case& scene : balanced.scenes) EXPECT_LT(*scene.load.normal_force, 2.0 * load);
+    input.wheelset.yaw = {0.02};
+    static_cast<void>(wheelset::balance(input));
+    FAIL() << "a wheel that friction carries upwards was balanced";
+  } catch (const contact::SolveError& error) {
+    EXPECT_NE(std::string(error.what()).find("Nadal"), std::string::npos) << error.what();
+  }
+}
