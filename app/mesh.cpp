@@ -1,23 +1,20 @@
 #include "app/mesh.hpp"
 
 #include "app/fem_library.hpp"
+#include "app/files_together.hpp"
 #include "app/processes.hpp"
 #include "app/scenes.hpp"
 #include "contact/abilities.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
 #include "fem/mesh_report.hpp"
-#include "postprocess/result_folder.hpp"
 #include "postprocess/vtu.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <unistd.h>
-#include <utility>
 #include <vector>
 
 namespace rollfem::app {
@@ -27,61 +24,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using fem::MeshedBody;
-
-/// Files that appear together: written under other names first, then renamed. Other files of the
-/// folder are left alone.
-class FilesTogether {
- public:
-  explicit FilesTogether(fs::path folder) : folder_(std::move(folder)) {
-    for (fs::path p = fs::absolute(folder_).lexically_normal(); !fs::exists(p) && p.has_filename();
-         p = p.parent_path())
-      made_.push_back(p);
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error || !fs::is_directory(folder_)) {
-      remove_made();
-      throw contact::InputError(
-          fmt::format("mesh: the folder {} cannot be made: {}; do: name another with -o",
-                      folder_.string(), error ? error.message() : "it is a file"));
-    }
-  }
-  ~FilesTogether() {
-    if (done_) return;
-    std::error_code ignored;
-    for (const auto& [partial, name] : files_) fs::remove(partial, ignored);
-    remove_made();
-  }
-  FilesTogether(const FilesTogether&) = delete;
-  FilesTogether& operator=(const FilesTogether&) = delete;
-
-  void write(const std::string& name, const std::string& content) {
-    const fs::path partial = folder_ / fmt::format("{}.partial-{}", name, getpid());
-    postprocess::write_file(partial, content);
-    files_.emplace_back(partial, folder_ / name);
-  }
-
-  void commit() {
-    for (const auto& [partial, name] : files_) {
-      if (std::rename(partial.c_str(), name.c_str()) == 0) continue;
-      throw contact::InputError(
-          fmt::format("mesh: {} cannot be written: {}; do: name another "
-                      "folder with -o",
-                      name.string(), std::strerror(errno)));
-    }
-    done_ = true;
-  }
-
- private:
-  void remove_made() {
-    std::error_code ignored;
-    for (const fs::path& p : made_) fs::remove(p, ignored);
-  }
-
-  fs::path folder_;
-  std::vector<fs::path> made_;  ///< folders that were not there, innermost first
-  std::vector<std::pair<fs::path, fs::path>> files_;
-  bool done_ = false;
-};
 
 /// The meshes that the case names are input: they are not written over.
 void spare_input(const contact::Case& input, const fs::path& folder) {
@@ -154,7 +96,7 @@ void mesh(const MeshRequest& request) {
       bodies.push_back(std::move(body));
     }
   if (processes().first()) {
-    FilesTogether files(folder);
+    FilesTogether files("mesh", folder);
     for (const MeshedBody& body : bodies) {
       files.write(body.name + ".msh", body.msh);
       files.write(body.name + ".vtu", postprocess::body_vtu(body.refined));

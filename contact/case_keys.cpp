@@ -492,7 +492,8 @@ std::vector<Key> output_keys() {
        false,
        "",
        "",
-       "Write ParaView files of wheel and rail with displacement and stress (model fem).",
+       "Keep displacement and stress of wheel and rail (model fem) as ParaView files and in "
+       "results.h5, from which rollfem stress reads them; with them the contact surfaces.",
        [](const Case& c) -> KeyValue { return c.output.fields; },
        [](Case& c, const KeyValue& v) { c.output.fields = std::get<bool>(v); }},
       {"output",

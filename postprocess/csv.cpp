@@ -98,27 +98,37 @@ std::string creep_curve_csv(const RunRecord& run) {
   return text;
 }
 
+std::string subsurface_columns() {
+  return "distance [mm],x [mm],y [mm],z [mm],displacement_x [mm],displacement_y "
+         "[mm],displacement_z [mm],xx [MPa],yy [MPa],zz [MPa],xy [MPa],yz [MPa],xz "
+         "[MPa],hydrostatic [MPa],von_mises [MPa],tresca [MPa],orthogonal_shear "
+         "[MPa],principal_1 [MPa],principal_2 [MPa],principal_3 [MPa]";
+}
+
+std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k) {
+  const auto& at = field.points[k];
+  const auto& from = field.points.front();
+  std::string text =
+      fmt::format("{},{},{},{}", std::hypot(at[0] - from[0], at[1] - from[1], at[2] - from[2]),
+                  at[0], at[1], at[2]);
+  for (const double value : field.displacement[k])
+    fmt::format_to(std::back_inserter(text), ",{}", value);
+  for (const double value : field.stress[k]) fmt::format_to(std::back_inserter(text), ",{}", value);
+  const contact::Stress stress = contact::Stress::from_array(field.stress[k]);
+  const auto main = contact::principal(stress);
+  fmt::format_to(std::back_inserter(text), ",{},{},{},{},{},{},{}", contact::hydrostatic(stress),
+                 contact::von_mises(stress), contact::tresca(stress),
+                 contact::orthogonal_shear(stress), main[0], main[1], main[2]);
+  return text;
+}
+
 namespace {
 
 void append_subsurface(std::string& text, const std::string& model, std::size_t number,
                        std::size_t set, const contact::SubsurfaceField& field) {
-  for (std::size_t k = 0; k < field.points.size(); ++k) {
-    const auto& at = field.points[k];
-    const auto& from = field.points.front();
-    const double length = std::hypot(at[0] - from[0], at[1] - from[1], at[2] - from[2]);
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}", model, number, set,
-                   field.request.wheel ? "wheel" : "rail", length, at[0], at[1], at[2]);
-    for (const double value : field.displacement[k])
-      fmt::format_to(std::back_inserter(text), ",{}", value);
-    for (const double value : field.stress[k])
-      fmt::format_to(std::back_inserter(text), ",{}", value);
-    const contact::Stress stress = contact::Stress::from_array(field.stress[k]);
-    const auto main = contact::principal(stress);
-    fmt::format_to(std::back_inserter(text), ",{},{},{},{},{},{},{}\n",
-                   contact::hydrostatic(stress), contact::von_mises(stress),
-                   contact::tresca(stress), contact::orthogonal_shear(stress), main[0], main[1],
-                   main[2]);
-  }
+  for (std::size_t k = 0; k < field.points.size(); ++k)
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", model, number, set,
+                   field.request.wheel ? "wheel" : "rail", subsurface_row(field, k));
 }
 
 }  // namespace
@@ -133,12 +143,7 @@ std::string subsurface_csv(const RunRecord& run) {
           append_subsurface(text, place_cells(model) + model.name, k, set, fields[set]);
     }
   if (text.empty()) return text;
-  return place_head(run) +
-         "model,point,set,body,distance [mm],x [mm],y [mm],z [mm],displacement_x "
-         "[mm],displacement_y [mm],displacement_z [mm],xx [MPa],yy [MPa],zz [MPa],xy [MPa],yz "
-         "[MPa],xz [MPa],hydrostatic [MPa],von_mises [MPa],tresca [MPa],orthogonal_shear "
-         "[MPa],principal_1 [MPa],principal_2 [MPa],principal_3 [MPa]\n" +
-         text;
+  return place_head(run) + "model,point,set,body," + subsurface_columns() + "\n" + text;
 }
 
 std::string contacts_csv(const RunRecord& run) {

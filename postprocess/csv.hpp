@@ -22,6 +22,11 @@ std::string path_csv(const RunRecord& run, Path path);
 /// the case asks for; empty when there are none. Planes are in results.h5 alone.
 std::string subsurface_csv(const RunRecord& run);
 
+/// The columns of place, displacement and stress of a point below the surface, with units, and the
+/// values of point k: distance is that from the first point of the set.
+std::string subsurface_columns();
+std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k);
+
 /// Where every patch is on track and profiles, and its main results: one row per patch, model and
 /// load point. Empty without profiles.
 std::string contacts_csv(const RunRecord& run);

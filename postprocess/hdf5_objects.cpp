@@ -1,5 +1,7 @@
 #include "postprocess/hdf5_objects.hpp"
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 
 namespace rollfem::postprocess::hdf5 {
@@ -107,6 +109,11 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hs
   return write_numbers(parent, name, shape, H5T_NATIVE_UCHAR, values);
 }
 
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const int* values) {
+  return write_numbers(parent, name, shape, H5T_NATIVE_INT, values);
+}
+
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines) {
   std::vector<const char*> texts;
   texts.reserve(lines.size());
@@ -128,6 +135,15 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::string& t
 
 void write_comment(hid_t object, const std::string& comment) {
   check(H5Oset_comment(object, comment.c_str()), "H5Oset_comment");
+}
+
+void describe(hid_t object, const std::string& unit, const std::string& description,
+              const std::string& sign) {
+  write_attribute(object, "unit", unit);
+  write_attribute(object, "description", description);
+  if (!sign.empty()) write_attribute(object, "sign", sign);
+  write_comment(object,
+                fmt::format("{} [{}]{}{}", description, unit, sign.empty() ? "" : "; ", sign));
 }
 
 }  // namespace rollfem::postprocess::hdf5

@@ -1,9 +1,11 @@
-// The few HDF5 calls that results.h5 needs, with handles that close themselves and errors as
-// exceptions.
+// The few HDF5 calls that writing and reading results.h5 need, with handles that close themselves
+// and errors as exceptions.
 #pragma once
 
 #include <hdf5.h>
 
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,9 +43,54 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hs
                      const double* values);
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      const unsigned char* values);
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const int* values);
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines);
 Handle write_dataset(hid_t parent, const std::string& name, const std::string& text);
 
 void write_comment(hid_t object, const std::string& comment);
+
+/// What a reader must know of a dataset, as attributes unit, description and sign and as a comment.
+void describe(hid_t object, const std::string& unit, const std::string& description,
+              const std::string& sign);
+
+/// N numbers of every point as a dataset [points, N].
+template <std::size_t N>
+void write_rows(hid_t group, const char* name, const std::vector<std::array<double, N>>& rows,
+                const std::string& unit, const std::string& description) {
+  std::vector<double> flat;
+  flat.reserve(N * rows.size());
+  for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
+  describe(write_dataset(group, name, {rows.size(), N}, flat.data()), unit, description, "");
+}
+
+/// Opens a file for reading; std::runtime_error when it is none or damaged, and HDF5 prints
+/// nothing.
+Handle open_file(const std::string& path);
+
+/// Whether an object has a member (a group, a dataset), or an attribute, of that name.
+bool has_member(hid_t group, const std::string& name);
+bool has_attribute(hid_t object, const std::string& name);
+/// Names of the members of a group, sorted.
+std::vector<std::string> members(hid_t group);
+Handle open_group(hid_t parent, const std::string& name);
+
+/// Attributes; std::runtime_error when it is missing or of another kind.
+double read_number(hid_t object, const std::string& name);
+std::string read_text(hid_t object, const std::string& name);
+/// All attributes that are numbers.
+std::map<std::string, double> read_numbers(hid_t object);
+
+/// A dataset of numbers with its shape; integers are converted.
+struct Numbers {
+  std::vector<hsize_t> shape;
+  std::vector<double> values;
+};
+Numbers read_dataset(hid_t parent, const std::string& name);
+/// A dataset [n, N]; std::runtime_error when it has another shape.
+template <std::size_t N>
+std::vector<std::array<double, N>> read_rows(hid_t parent, const std::string& name);
+/// A dataset of texts; a single text is one line.
+std::vector<std::string> read_lines(hid_t parent, const std::string& name);
 
 }  // namespace rollfem::postprocess::hdf5

@@ -7,17 +7,32 @@
 #include "postprocess/summary_json.hpp"
 #include "postprocess/vtu.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace rollfem::postprocess {
 namespace {
 
+/// The surface of every load point, the series of them, and the last one under a name of its own.
+void write_contact(ResultFolder& folder, const contact::ModelResult& model) {
+  const std::string stem = model.key() + "_contact";
+  std::vector<std::string> files;
+  for (std::size_t k = 0; k < model.points.size(); ++k) {
+    if (model.points[k].fields.traction.n.size() == 0) return;
+    files.push_back(fmt::format("{}_{:04}.vtu", stem, k));
+    const std::string content = contact_vtu(model.grid, model.points[k]);
+    folder.write("fields/" + files.back(), content);
+    if (k + 1 == model.points.size()) folder.write("fields/" + stem + ".vtu", content);
+  }
+  if (!files.empty())
+    folder.write("fields/" + stem + ".pvd", series_pvd(series_times(model.points), files));
+}
+
 void write_fields(ResultFolder& folder, const contact::ModelResult& model) {
   for (const contact::BodyField& body : model.bodies)
     folder.write("fields/" + model.key() + "_" + body.name + ".vtu", body_vtu(body));
-  if (!model.points.empty() && model.points.back().fields.traction.n.size() > 0)
-    folder.write("fields/" + model.key() + "_contact.vtu",
-                 contact_vtu(model.grid, model.points.back()));
+  write_contact(folder, model);
 }
 
 }  // namespace

@@ -59,4 +59,8 @@ std::string make_report(const std::string& directory, const std::string& script_
 std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
                          bool pair = false);
 
+/// Draws what `rollfem stress` wrote to a folder (stress.csv, stress.json) to its figures/;
+/// otherwise as make_report.
+std::string draw_stress(const std::string& directory, const std::string& script_directory);
+
 }  // namespace rollfem::postprocess

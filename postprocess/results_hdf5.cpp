@@ -20,15 +20,6 @@ const char* const conventions =
     "wheel "
     "minus rail. traction_coefficient = -F_x / F_z.";
 
-void describe(hid_t object, const std::string& unit, const std::string& description,
-              const std::string& sign) {
-  write_attribute(object, "unit", unit);
-  write_attribute(object, "description", description);
-  if (!sign.empty()) write_attribute(object, "sign", sign);
-  write_comment(object,
-                fmt::format("{} [{}]{}{}", description, unit, sign.empty() ? "" : "; ", sign));
-}
-
 /// Directions in which a force is prescribed: "", "x", "y" or "xy".
 std::string prescribed_forces(const contact::Case& input) {
   if (input.rolling.forces.empty()) return {};
@@ -37,8 +28,9 @@ std::string prescribed_forces(const contact::Case& input) {
 }
 
 void write_case(hid_t file, const contact::Case& input) {
-  const Handle group =
-      create_group(file, "case", "What was asked: the whole case file, and its main numbers");
+  const Handle group = create_group(file, "case",
+                                    "What was asked: the whole case file (text), and its main "
+                                    "numbers as attributes in mm, N, MPa");
   write_attribute(group, "title", input.title);
   write_attribute(group, "file", input.file);
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
@@ -101,8 +93,10 @@ void write_documentation(hid_t file) {
 }
 
 void write_grid(hid_t model, const ContactGrid& grid) {
-  const Handle group = create_group(
-      model, "grid", "Contact grid: centres of the elements; fields are [ny, nx], x runs fastest");
+  const Handle group =
+      create_group(model, "grid",
+                   "Contact grid: centres of the elements (x, y) and their size (attributes dx, "
+                   "dy, in mm); fields are [ny, nx], x runs fastest");
   write_attribute(group, "dx", grid.dx);
   write_attribute(group, "dy", grid.dy);
   write_attribute(group, "unit", std::string("mm"));
@@ -134,15 +128,6 @@ void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult&
            "state of the element: 0 exterior, 1 adhesion, 2 slip", "");
 }
 
-/// N numbers of every point as a dataset [points, N].
-template <std::size_t N>
-void write_rows(hid_t group, const char* name, const std::vector<std::array<double, N>>& rows,
-                const std::string& unit, const std::string& description) {
-  std::vector<double> flat;
-  for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
-  describe(write_dataset(group, name, {rows.size(), N}, flat.data()), unit, description, "");
-}
-
 void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {
   if (fields.empty()) return;
   const Handle all = create_group(point, "subsurface", "Points below the surface, as asked for");
@@ -158,7 +143,8 @@ void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& 
                "x, y, z in the global frame, z into the wheel");
     write_rows(group, "displacement", field.displacement, "mm",
                "displacement of the material, x, y, z");
-    write_rows(group, "stress", field.stress, "MPa", "xx, yy, zz, xy, yz, xz; tension positive");
+    write_rows(group, "stress", field.stress, "MPa",
+               "stress: xx, yy, zz, xy, yz, xz; tension positive");
     std::vector<double> equivalent;
     for (const auto& stress : field.stress)
       equivalent.push_back(contact::von_mises(contact::Stress::from_array(stress)));
@@ -220,6 +206,32 @@ void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
   write_stress_maxima(group, point.stress_maxima);
 }
 
+/// Wheel and rail of a finite-element model under the last load point.
+void write_bodies(hid_t model, const ModelResult& result) {
+  if (result.bodies.empty()) return;
+  const Handle all =
+      create_group(model, "bodies",
+                   "Wheel and rail at the load point of the attribute load_point (from 0): nodes, "
+                   "hexahedra, displacement and stress of the nodes; between them trilinear");
+  write_attribute(all, "load_point", static_cast<long>(result.points.size()) - 1);
+  for (const contact::BodyField& body : result.bodies) {
+    const Handle group = create_group(all, body.name, "The whole segment, both halves");
+    write_rows(group, "points", body.points, "mm",
+               "x, y, z of the undeformed nodes in the global frame, z into the wheel");
+    std::vector<int> corners;
+    corners.reserve(8 * body.cells.size());
+    for (const auto& cell : body.cells) corners.insert(corners.end(), cell.begin(), cell.end());
+    describe(write_dataset(group, "cells", {body.cells.size(), 8}, corners.data()), "-",
+             "nodes of every hexahedron, from 0, in VTK's order", "");
+    if (!body.displacement.empty())
+      write_rows(group, "displacement", body.displacement, "mm",
+                 "displacement of the nodes, x, y, z");
+    if (!body.stress.empty())
+      write_rows(group, "stress", body.stress, "MPa",
+                 "stress: xx, yy, zz, xy, yz, xz; tension positive");
+  }
+}
+
 void write_place(hid_t model, const contact::ContactPlace& place) {
   const Handle group = create_group(
       model, "place", "Attributes: where the patch is on the track and on the profiles");
@@ -243,6 +255,7 @@ void write_model(hid_t models, const ModelResult& model, long order) {
   const Handle points = create_group(group, "points", "Load points in the order of the case");
   for (std::size_t k = 0; k < model.points.size(); ++k)
     write_point(points, k, model.grid, model.points[k]);
+  write_bodies(group, model);
 }
 
 void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
@@ -263,16 +276,19 @@ void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
 
 std::string results_hdf5(const RunRecord& run) {
   const Handle file = create_file_in_memory();
-  write_comment(file, std::string("rollfem result. ") + conventions);
+  write_comment(file, std::string("rollfem result, layout: docs/results.md. ") + conventions);
   write_attribute(file, "format", std::string("rollfem results"));
   write_attribute(file, "format_version", static_cast<long>(hdf5_format_version));
+  write_attribute(file, "format_minor", static_cast<long>(hdf5_format_minor));
   write_attribute(file, "conventions", std::string(conventions));
   write_documentation(file);
   write_case(file, run.input);
   write_provenance(file, run.provenance);
   write_pairs(file, run.pairs);
   {
-    const Handle models = create_group(file, "models", "One group per model");
+    const Handle models = create_group(
+        file, "models",
+        "One group per model; with profiles per model and patch, MODEL_SIDE_POSITION_PATCH");
     for (std::size_t k = 0; k < run.models.size(); ++k)
       write_model(models, run.models[k], static_cast<long>(k));
   }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -186,6 +187,26 @@ std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointRe
   data += "</CellData>\n";
   constexpr std::uint8_t quadrilateral = 9;
   return grid_xml(points, cells.size(), data + cells_xml(cells, quadrilateral));
+}
+
+std::vector<double> series_times(const std::vector<contact::PointResult>& points) {
+  std::vector<double> times;
+  for (const contact::PointResult& point : points) times.push_back(point.creepage.longitudinal);
+  std::vector<double> sorted = times;
+  std::sort(sorted.begin(), sorted.end());
+  const bool told_apart = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  if (!told_apart) std::iota(times.begin(), times.end(), 0.0);
+  return times;
+}
+
+std::string series_pvd(const std::vector<double>& times, const std::vector<std::string>& files) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (std::size_t k = 0; k < files.size(); ++k)
+    text += fmt::format("<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", times[k],
+                        files[k]);
+  return text + "</Collection>\n</VTKFile>\n";
 }
 
 }  // namespace rollfem::postprocess

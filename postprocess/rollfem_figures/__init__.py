@@ -6,8 +6,11 @@
     point.fields["traction_x"]          # numpy array [ny, nx], MPa, on the wheel
 
 `python3 -m rollfem_figures DIR` draws DIR/figures/*.svg and writes DIR/report.html.
-Needs numpy and h5py to read, matplotlib to draw.
+`python3 -m rollfem_figures --stress DIR` does so for a folder of `rollfem stress`, which
+`read_stress(DIR)` reads. Needs numpy and h5py to read, matplotlib to draw.
 """
-from .reader import Model, Point, Result, ResultError, read_result
+from .reader import Body, Model, Point, Result, ResultError, read_result
+from .stress_reader import StressModel, StressResult, StressSet, read_stress
 
-__all__ = ["Model", "Point", "Result", "ResultError", "read_result"]
+__all__ = ["Body", "Model", "Point", "Result", "ResultError", "StressModel", "StressResult", "StressSet",
+           "read_result", "read_stress"]

@@ -1,6 +1,7 @@
 """python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html or
 study.html in the folder of a comparison or a study.
---profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail."""
+--profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail;
+--stress DIR: draws what rollfem stress wrote to DIR, to DIR/figures."""
 import argparse
 import os
 import sys
@@ -11,10 +12,12 @@ def main():
     parser.add_argument("directory", nargs="?", help="a result folder of rollfem run, compare or study")
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
     parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
+    parser.add_argument("--stress", metavar="DIR", help="draw this folder of rollfem stress instead")
     parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
-    if sum(o is not None for o in (options.directory, options.profile, options.pair)) != 1:
-        parser.error("one of DIR, --profile and --pair is needed")
+    given = (options.directory, options.profile, options.pair, options.stress)
+    if sum(o is not None for o in given) != 1:
+        parser.error("one of DIR, --profile, --pair and --stress is needed")
     try:
         from .build import build
         from .compare import build_comparison
@@ -30,6 +33,9 @@ def main():
         elif options.pair:
             from .places import draw_pair_file
             draw_pair_file(options.pair, options.png)
+        elif options.stress:
+            from .stress_report import build as build_stress
+            build_stress(options.stress, options.png)
         elif os.path.exists(os.path.join(options.directory, "compare.json")):
             build_comparison(options.directory, options.png)
         elif os.path.exists(os.path.join(options.directory, "study.json")):

@@ -53,6 +53,18 @@ class Point:
 
 
 @dataclass
+class Body:
+    """Wheel or rail of a finite-element model: `points` [n, 3] mm undeformed, `cells` [m, 8] numbers
+    of points in VTK's order of a hexahedron, `displacement` [n, 3] mm, `stress` [n, 6] MPa (xx, yy,
+    zz, xy, yz, xz; tension positive)."""
+
+    points: np.ndarray
+    cells: np.ndarray
+    displacement: np.ndarray
+    stress: np.ndarray
+
+
+@dataclass
 class Model:
     """All load points of one model on its contact grid; `x`, `y` are element centres in mm."""
 
@@ -70,6 +82,8 @@ class Model:
     # with profiles: where the patch is, a dict of wheel, position, patch, y_track (mm),
     # contact_angle (rad), ...; else None
     place: dict = None
+    # {"wheel": Body, "rail": Body} of the last load point; empty but for finite elements
+    bodies: dict = field(default_factory=dict)
 
     @property
     def has_friction(self):
@@ -178,6 +192,15 @@ def _read_point(group, number, by_number):
                  below, _read_maxima(group))
 
 
+def _read_bodies(model):
+    """Files of format_minor 0 have none."""
+    if "bodies" not in model:
+        return {}
+    return {name: Body(*(group[n][()] if n in group else None
+                         for n in ("points", "cells", "displacement", "stress")))
+            for name, group in model["bodies"].items()}
+
+
 def _read_model(key, group, by_number):
     grid = group["grid"]
     name = _plain(group.attrs.get("model", key))
@@ -188,7 +211,7 @@ def _read_model(key, group, by_number):
     return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
                  _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
                  grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
-                 points, key, place)
+                 points, key, place, _read_bodies(group))
 
 
 def _read_profiles(file):

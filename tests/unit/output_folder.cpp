@@ -60,7 +60,8 @@ TEST_F(ResultFolderTest, HoldsAllFilesAndNothingIsLeftBeside) {
   for (const char* name :
        {"case.toml", "summary.json", "results.h5", "creep_curve.csv", "path_x.csv", "path_y.csv",
         "fields/fem_wheel.vtu", "fields/fem_rail.vtu", "fields/fem_contact.vtu",
-        "fields/halfspace_contact.vtu", "fields/hertz_contact.vtu"})
+        "fields/halfspace_contact.vtu", "fields/hertz_contact.vtu", "fields/fem_contact.pvd",
+        "fields/fem_contact_0000.vtu", "fields/halfspace_contact_0006.vtu"})
     EXPECT_GT(fs::file_size(fs::path(target()) / name), 0U) << name;
   EXPECT_EQ(entries(), 1U);
   EXPECT_EQ(read(fs::path(target()) / "case.toml"), synthetic_run().input.text);

@@ -30,10 +30,16 @@ print(repr(float(p.attrs['residual'])), p.attrs['converged'], p['error_estimate'
 print(sorted(f['models/hertz/points/0000'].keys()))
 print(f['case/text'][()].decode().splitlines()[0], '|', f['case'].attrs['rail_transverse_radius'])
 print(f['models/fem/notes'][0].decode())
+b = f['models/fem/bodies']
+print(f.attrs['format_minor'], b.attrs['load_point'], b['rail/points'].shape, b['wheel/cells'].shape,
+      b['rail/displacement'].attrs['unit'], b['rail/stress'].attrs['unit'], b['rail/stress'][:, 2].min())
 def dress(name, o):
     if isinstance(o, h5py.Dataset) and name.startswith('models') and not name.endswith('notes'):
         assert {'unit', 'description'} <= set(o.attrs), name
 f.visititems(dress)
+def comment(name, o):
+    assert h5py.h5o.get_comment(f.id, name.encode()), 'Error: no comment: ' + name
+f.visititems(comment)
 )";
 
 TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
@@ -52,6 +58,7 @@ TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   EXPECT_NE(printed.find("title = \"thesis case a: conforming plane\" | 2000.0"), std::string::npos)
       << printed;
   EXPECT_NE(printed.find("symmetry plane"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("1 6 (12, 3) (2, 8) mm MPa -102.0\n"), std::string::npos) << printed;
   EXPECT_EQ(printed.find("Error"), std::string::npos) << printed;
 
   double pressure = 0.0;

@@ -1,4 +1,5 @@
 // VTU files decoded by hand (base64, zlib blocks) and, where it is installed, by VTK's own reader.
+#include "postprocess/output.hpp"
 #include "postprocess/vtu.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,9 @@
 #include "unit/output_synthetic_run.hpp"
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
 
 namespace rollfem::postprocess {
 namespace {
@@ -88,6 +92,54 @@ TEST(Vtu, IsReadByVtk) {
   EXPECT_NE(printed.find("704 651 vtkQuad"), std::string::npos) << printed;
   EXPECT_NE(printed.find("state (0 exterior, 1 adhesion, 2 slip) 1 (0.0, 2.0)"), std::string::npos)
       << printed;
+}
+
+const char* const series_reading = R"(
+import os, sys, xml.etree.ElementTree as E
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader as Reader
+root = E.parse(sys.argv[1]).getroot()
+assert root.tag == 'VTKFile' and root.get('type') == 'Collection'
+for d in root.iter('DataSet'):
+    r = Reader(); r.SetFileName(os.path.join(os.path.dirname(sys.argv[1]), d.get('file'))); r.Update()
+    c = r.GetOutput().GetCellData()
+    names = [c.GetArrayName(k) for k in range(c.GetNumberOfArrays())]
+    for part in ('pressure', 'tangential traction', 'gap', 'slip', 'state'):
+        assert any(n.startswith(part) for n in names), names
+    t = c.GetArray('tangential traction on the wheel [MPa]')
+    print(float(d.get('timestep')), round(sum(t.GetTuple(k)[0] for k in range(t.GetNumberOfTuples())), 6))
+)";
+
+TEST(Series, OfAllLoadPointsIsReadByVtk) {
+  if (!python_can_import("vtkmodules.vtkIOXML"))
+    GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
+  const RunRecord run = tests::synthetic_run();
+  std::string folder = (std::filesystem::path(::testing::TempDir()) / "rollfem_series_XXXXXX");
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  write_results(folder + "/result", run);
+  const std::string printed =
+      python(series_reading, folder + "/result/fields/halfspace_contact.pvd");
+  std::istringstream lines(printed);
+  const contact::ModelResult& model = run.models[1];
+  for (const contact::PointResult& point : model.points) {
+    double time = -1.0;
+    double sum = 0.0;
+    ASSERT_TRUE(lines >> time >> sum) << printed;
+    EXPECT_EQ(time, point.creepage.longitudinal);
+    EXPECT_NEAR(sum * model.grid.element_area(), point.longitudinal_force, 1e-5 * 50e3);
+  }
+  std::string rest;
+  EXPECT_FALSE(lines >> rest) << printed;
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Series, IsOrderedByNumberWhereCreepagesRepeat) {
+  std::vector<contact::PointResult> points(3);
+  points[1].creepage.longitudinal = -0.001;
+  points[2].creepage.longitudinal = 0.002;
+  EXPECT_EQ(series_times(points), (std::vector<double>{0.0, -0.001, 0.002}));
+  points[2].creepage.longitudinal = 0.0;
+  points[2].creepage.lateral = 0.001;
+  EXPECT_EQ(series_times(points), (std::vector<double>{0.0, 1.0, 2.0}));
 }
 
 }  // namespace

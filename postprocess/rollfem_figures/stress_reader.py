@@ -1,0 +1,89 @@
+"""What `rollfem stress` wrote, as numpy arrays.
+
+Units mm, N, MPa. Global frame: x along rolling, y lateral, z into the wheel. Tension is positive.
+"""
+import csv
+import json
+import os
+from dataclasses import dataclass
+
+import numpy as np
+
+from .reader import ResultError
+
+
+@dataclass
+class StressSet:
+    """Displacement and stress at the places of one request in one body.
+
+    `columns`: arrays [n] by the names of stress.csv without units: distance (mm, from the first
+    place), x, y, z, displacement_x, ... (mm), xx, yy, zz, xy, yz, xz, hydrostatic, von_mises,
+    tresca, orthogonal_shear, principal_1, principal_2, principal_3 (MPa). `shape` is
+    (points across, points along): `columns["von_mises"].reshape(shape)` is the lattice of a plane.
+    """
+
+    name: str  # at_1, line_1, plane_1, depth_centre, depth_most_loaded
+    kind: str  # point, line, plane
+    body: str  # wheel, rail
+    shape: tuple
+    columns: dict
+    largest: list  # dicts measure, value (MPa), over_max_pressure, place [x, y, z]
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+
+@dataclass
+class StressModel:
+    """Of one model at one load point. `data` is its entry in stress.json."""
+
+    name: str
+    key: str
+    sets: list
+    data: dict
+
+    def set(self, name, body):
+        """The set of that name and body, or None."""
+        return next((s for s in self.sets if (s.name, s.body) == (name, body)), None)
+
+
+@dataclass
+class StressResult:
+    directory: str
+    title: str
+    source: str
+    models: list
+    yield_shear_stress: float = None  # MPa, or None when none was given
+    shakedown_map: dict = None  # boundaries: lists by name, over tangential_coefficient
+
+
+def _rows(path):
+    """{(model key, set, body): {column: array}} of stress.csv, columns without their units."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    names = [column.split(" [")[0] for column in rows[0]]
+    groups = {}
+    for row in rows[1:]:
+        groups.setdefault((row[0], row[2], row[3]), []).append([float(v) for v in row[4:]])
+    return {key: dict(zip(names[4:], np.array(values).T)) for key, values in groups.items()}
+
+
+def read_stress(directory):
+    """Reads the folder of a `rollfem stress` call. Raises ResultError when it is none."""
+    try:
+        with open(os.path.join(directory, "stress.json"), encoding="utf-8") as file:
+            data = json.load(file)
+        if data["format"] != 1:
+            raise ResultError(f"{directory}: stress.json has format {data['format']}, not 1")
+        rows = _rows(os.path.join(directory, "stress.csv"))
+        models = []
+        for entry in data["models"]:
+            sets = [StressSet(s["name"], s["kind"], s["body"],
+                              (s["points_across"], s["points_along"]),
+                              rows[(entry["key"], s["name"], s["body"])], s["largest"])
+                    for s in entry["sets"]]
+            models.append(StressModel(entry["name"], entry["key"], sets, entry))
+        return StressResult(directory, data["title"], data["source"], models,
+                            data.get("yield_shear_stress"), data.get("shakedown_map"))
+    except (OSError, KeyError, IndexError, ValueError) as error:
+        raise ResultError(f"{directory} is not a folder of `rollfem stress`: {error}") from error

@@ -1,0 +1,337 @@
+// The command stress on stored results: closed forms and CONTACT's values from the file of a run,
+// interpolation in stored bodies, patches, wrong calls.
+#include "postprocess/results_hdf5.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+#include "unit/case_examples.hpp"
+#include "unit/output_synthetic_run.hpp"
+#include <cmath>
+#include <map>
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Columns of stress.csv without their units, of one set and body of the first model that has it.
+using Columns = std::map<std::string, std::vector<double>>;
+Columns columns(const fs::path& folder, const std::string& set, const std::string& body) {
+  std::istringstream file(contents(folder / "stress.csv"));
+  const auto split = [](const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+  };
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> head = split(line);
+  Columns found;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cells = split(line);
+    if (cells.at(2) != set || cells.at(3) != body) continue;
+    for (std::size_t k = 4; k < cells.size(); ++k)
+      found[head.at(k).substr(0, head[k].find(" ["))].push_back(std::stod(cells[k]));
+  }
+  return found;
+}
+
+json report(const fs::path& folder) {
+  return json::parse(contents(folder / "stress.json"));
+}
+
+/// Results of the program itself: the half-space on case a or on a rail of another radius.
+class StressTest : public ::testing::Test {
+ protected:
+  void compute(const std::string& rail_radius, const std::string& across,
+               const std::string& creepages = "[0.0]") {
+    std::string text = with("2000.0", rail_radius);
+    text = "models = [\"halfspace\"]\n" + text + "[rolling]\nlongitudinal_creepage = " + creepages +
+           "\n[contact_grid]\nelements_across = " + across + "\n";
+    const Outcome outcome =
+        call(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  Outcome stress(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"stress", "r", "--no-figures"});
+    return call(folder, arguments);
+  }
+  fs::path made() const { return folder.work() / "r_stress"; }
+  Folder folder;
+};
+
+TEST_F(StressTest, AxisOfTheCircleIsThatOfHertz) {
+  // Both bodies 405 mm: a circle. Johnson 1985, section 3.4: stresses on the axis; largest shear
+  // 0.3100 p0 at 0.481 a for nu = 0.3.
+  compute("405.0", "80");
+  const Outcome outcome = stress({"--depth-profile"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const double modulus = 210e3 / (2.0 * (1.0 - 0.09));
+  const double a = std::cbrt(0.75 * 50e3 * 405.0 / modulus);
+  const double p0 = 1.5 * 50e3 / (M_PI * a * a);
+  const json data = report(made());
+  ASSERT_EQ(data["models"].size(), 1U);
+  EXPECT_NEAR(data["models"][0]["max_pressure"].get<double>(), p0, 2e-3 * p0);
+  for (const char* body : {"wheel", "rail"}) {
+    const Columns axis = columns(made(), "depth_centre", body);
+    ASSERT_EQ(axis.at("z").size(), 121U);
+    double largest = 0.0;
+    double depth_of_largest = 0.0;
+    for (std::size_t k = 0; k < 121; ++k) {
+      const double z = std::abs(axis.at("z")[k]) / a;
+      EXPECT_NEAR(axis.at("distance")[k], z * a, 1e-12);
+      const double radial =
+          k == 0 ? -(0.5 + 0.3) : -(1.3 * (1.0 - z * std::atan(1.0 / z)) - 0.5 / (1.0 + z * z));
+      EXPECT_NEAR(axis.at("xx")[k], radial * p0, 2e-3 * p0) << body << " at depth " << z;
+      EXPECT_NEAR(axis.at("yy")[k], radial * p0, 2e-3 * p0) << body << " at depth " << z;
+      EXPECT_NEAR(axis.at("zz")[k], -p0 / (1.0 + z * z), 2e-3 * p0) << body << " at depth " << z;
+      EXPECT_NEAR(axis.at("xz")[k], 0.0, 1e-3 * p0);
+      if (axis.at("tresca")[k] > 2.0 * largest) {
+        largest = 0.5 * axis.at("tresca")[k];
+        depth_of_largest = z;
+      }
+    }
+    EXPECT_NEAR(largest, 0.3100 * p0, 1e-3 * p0);
+    EXPECT_NEAR(depth_of_largest, 0.481, 0.015);  // points are 0.025 a apart
+  }
+  // The largest of the bodies are found between the points, too.
+  for (const json& maximum : data["models"][0]["maxima"]) {
+    const double depth = std::abs(maximum["place"][2].get<double>()) / a;
+    if (maximum["measure"] == "tresca") {
+      EXPECT_NEAR(maximum["value"].get<double>(), 0.6200 * p0, 2e-3 * p0);
+      EXPECT_NEAR(depth, 0.481, 0.01);
+    }
+    if (maximum["measure"] == "orthogonal_shear") {
+      EXPECT_NEAR(maximum["value"].get<double>(), 0.2137 * p0, 2e-3 * p0);
+    }
+  }
+}
+
+TEST_F(StressTest, CaseAIsThatOfContact) {
+  // Stresses below the middle of case a as CONTACT (Vollebregt) gives them: z, u_z of the wheel,
+  // von Mises, xx, yy, zz. To 1 % of p0 = 578.97 MPa asked, 0.2 % reached.
+  compute("2000.0", "60", "[0.0, 0.006]");
+  const double rows[][6] = {{0.5, 2.2868e-2, 214.689, -383.311, -340.510, -573.375},
+                            {1.0, 2.1976e-2, 277.423, -276.966, -283.211, -557.459},
+                            {2.0, 2.0064e-2, 341.384, -137.465, -194.151, -503.644},
+                            {3.0, 1.8190e-2, 344.171, -64.6025, -132.593, -437.695},
+                            {4.0, 1.6481e-2, 319.047, -28.1380, -90.6904, -373.829},
+                            {6.0, 1.3655e-2, 251.454, -1.13786, -42.7999, -270.821},
+                            {8.0, 1.1514e-2, 193.498, 5.22582, -20.2541, -199.750},
+                            {12.0, 8.6137e-3, 118.350, 5.77334, -3.95558, -117.141}};
+  std::vector<std::string> arguments{"--creepage", "0"};
+  for (const auto& row : rows)
+    for (const char* sign : {"", "-"})
+      arguments.insert(arguments.end(), {"--at", "0,0," + (sign + std::to_string(row[0]))});
+  const Outcome outcome = stress(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (std::size_t k = 0; k < std::size(rows); ++k)
+    for (const bool wheel : {true, false}) {
+      const std::string name = "at_" + std::to_string(2 * k + (wheel ? 1 : 2));
+      const Columns at = columns(made(), name, wheel ? "wheel" : "rail");
+      ASSERT_EQ(at.at("zz").size(), 1U) << name;
+      const double tolerance = 2e-3 * 578.97;
+      EXPECT_NEAR(at.at("von_mises")[0], rows[k][2], tolerance) << rows[k][0];
+      EXPECT_NEAR(at.at("xx")[0], rows[k][3], tolerance) << rows[k][0];
+      EXPECT_NEAR(at.at("yy")[0], rows[k][4], tolerance) << rows[k][0];
+      EXPECT_NEAR(at.at("zz")[0], rows[k][5], tolerance) << rows[k][0];
+      EXPECT_NEAR(at.at("displacement_z")[0], (wheel ? 1.0 : -1.0) * rows[k][1], 5e-5);
+    }
+  // The place that was not asked for in a body is not there.
+  EXPECT_TRUE(columns(made(), "at_1", "rail").empty());
+}
+
+TEST_F(StressTest, OnTheSurfaceTheStressIsTheTraction) {
+  compute("2000.0", "40", "[0.0, 0.002, 0.006]");
+  ASSERT_EQ(stress({"--plane", "-3,0,0:3,0,0:-3,0,-4:31,5"}).status, 0);
+  const double friction = 0.55;
+  const Columns plane = columns(made(), "plane_1", "rail");
+  ASSERT_EQ(plane.at("z").size(), 155U);
+  for (std::size_t k = 0; k < 31; ++k) {
+    const double x = plane.at("x")[k] / 3.79236;
+    const double pressure = 578.97 * std::sqrt(1.0 - x * x);
+    EXPECT_EQ(plane.at("z")[k], 0.0);
+    EXPECT_NEAR(plane.at("zz")[k], -pressure, 6.0) << x;
+    // xi > 0 brakes: p_x = -mu p on the wheel, xz = -p_x in both bodies.
+    EXPECT_NEAR(plane.at("xz")[k], friction * pressure, 4.0) << x;
+  }
+  EXPECT_NEAR(plane.at("z")[154], -4.0, 1e-12);
+  EXPECT_NEAR(plane.at("x")[154], 3.0, 1e-12);
+  // A line at z = 0 alone is one in each body.
+  ASSERT_EQ(stress({"--line", "-3,0.1,0:3,0.1,0:7"}).status, 0);
+  for (const char* body : {"wheel", "rail"}) {
+    const Columns line = columns(made(), "line_1", body);
+    ASSERT_EQ(line.at("zz").size(), 7U) << body;
+    EXPECT_NEAR(line.at("zz")[3], -578.97, 4.0);
+  }
+  EXPECT_TRUE(columns(made(), "plane_1", "rail").empty()) << "left from the call before";
+}
+
+TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
+  compute("2000.0", "20", "[0.0, 0.002, 0.006]");
+  const Outcome outcome = stress({"--yield-strength", "520"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("shakedown map, k = 300.2 MPa"), std::string::npos) << outcome.out;
+  const json data = report(made());
+  const json& points = data["models"][0]["shakedown"];
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_NEAR(points[0]["load_factor"].get<double>(), 578.97 / 300.22, 0.01);
+  EXPECT_NEAR(points[0]["tangential_coefficient"].get<double>(), 0.0, 1e-9);
+  EXPECT_EQ(points[0]["circle"]["region"], "elastic");
+  EXPECT_NEAR(points[2]["tangential_coefficient"].get<double>(), 0.5495, 1e-3);
+  EXPECT_EQ(points[2]["line"]["region"], "beyond shakedown");
+  EXPECT_NEAR(points[2]["surface_fatigue_index"].get<double>(), 0.5495 - 300.22 / 578.97, 5e-3);
+  EXPECT_NEAR(points[2]["max_traction_over_k"].get<double>(), 0.55 * 578.97 / 300.22, 0.01);
+  EXPECT_EQ(data["shakedown_map"]["circle_shakedown"].size(), 61U);
+  // Without a yield stress there is no map.
+  ASSERT_EQ(stress({}).status, 0);
+  EXPECT_FALSE(report(made()).contains("shakedown_map"));
+}
+
+/// A file of a finite-element run whose stresses are linear functions of the place.
+std::string synthetic_file(bool placed) {
+  rollfem::postprocess::RunRecord run = rollfem::tests::synthetic_run();
+  rollfem::contact::ModelResult& fem = run.models[2];
+  for (rollfem::contact::BodyField& body : fem.bodies) {
+    const double side = body.name == "wheel" ? -1.0 : 1.0;
+    if (side < 0.0) {  // the example is a rail: turned over, with its cells
+      for (auto& point : body.points) point = {point[0], point[1], -point[2]};
+      for (auto& cell : body.cells)
+        for (int k = 0; k < 4; ++k) std::swap(cell[k], cell[k + 4]);
+    }
+    for (std::size_t k = 0; k < body.points.size(); ++k) {
+      const auto& p = body.points[k];
+      body.stress[k] = {10.0 * p[0], -3.0 * p[1], 7.0 * p[2] - 50.0, p[0] + p[2], 2.0, p[1]};
+      body.displacement[k] = {p[0] + p[1], 0.0, 1e-3 * p[2]};
+    }
+  }
+  if (placed)
+    for (std::size_t k = 0; k < run.models.size(); ++k) {
+      run.models[k].place.emplace();
+      run.models[k].place->patch = k == 2 ? 2 : 1;
+    }
+  return rollfem::postprocess::results_hdf5(run);
+}
+
+TEST(StressOfBodies, IsInterpolatedBetweenTheNodes) {
+  const Folder folder;
+  const std::string file = folder.file("results.h5", synthetic_file(false));
+  const Outcome outcome = call(
+      folder, {"stress", file, "-m", "fem", "--at", "0.3,0.6,-1.7", "--at", "0.3,0.6,1.7", "--line",
+               "0.5,0.5,0.2:0.5,0.5,-1:5", "--body", "rail", "-o", "out", "--no-figures"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const fs::path out = folder.work() / "out";
+  const Columns rail = columns(out, "at_1", "rail");
+  EXPECT_NEAR(rail.at("xx")[0], 3.0, 1e-12);
+  EXPECT_NEAR(rail.at("zz")[0], 7.0 * -1.7 - 50.0, 1e-12);
+  EXPECT_NEAR(rail.at("xy")[0], -1.4, 1e-12);
+  EXPECT_NEAR(rail.at("xz")[0], 0.6, 1e-12);
+  EXPECT_NEAR(rail.at("displacement_x")[0], 0.9, 1e-12);
+  // Beyond the surface: moved onto it, and the place says so.
+  const Columns line = columns(out, "line_1", "rail");
+  EXPECT_NEAR(line.at("z")[0], 0.0, 1e-12);
+  EXPECT_NEAR(line.at("zz")[0], -50.0, 1e-12);
+  EXPECT_NEAR(line.at("z")[4], -1.0, 1e-12);
+  EXPECT_NEAR(report(out)["models"][0]["sets"][2]["moved"].get<double>(), 0.2, 1e-12);
+
+  ASSERT_EQ(call(folder,
+                 {"stress", file, "-m", "fem", "--at", "0.3,0.6,1.7", "-o", "out", "--no-figures"})
+                .status,
+            0);
+  EXPECT_NEAR(columns(out, "at_1", "wheel").at("zz")[0], 7.0 * 1.7 - 50.0, 1e-12);
+}
+
+TEST(StressOfBodies, AreThereForTheLastLoadPointOnly) {
+  const Folder folder;
+  const std::string file = folder.file("results.h5", synthetic_file(false));
+  expect_refused(call(folder, {"stress", file, "-m", "fem", "--point", "0", "--at", "0,0,0"}),
+                 "stored for the last load point, 6, only");
+  const Outcome both =
+      call(folder, {"stress", file, "--point", "0", "--at", "0,0,-1", "-o", "out", "--no-figures"});
+  EXPECT_EQ(both.status, 0) << both.err;
+  EXPECT_NE(both.err.find("warning: left out: --point 0: of model fem"), std::string::npos);
+  EXPECT_EQ(report(folder.work() / "out")["models"].size(), 1U);
+  expect_refused(call(folder, {"stress", file, "-m", "fem", "--at", "0,0,-9"}),
+                 "--at 0,0,-9: the place (0, 0, -9) mm is 7 mm outside of the rail");
+}
+
+TEST(StressOfPatches, IsThatOfThePatchNamed) {
+  const Folder folder;
+  const std::string file = folder.file("results.h5", synthetic_file(true));
+  const auto of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"stress", file,  "--at",        "0.1,0.1,-1",
+                                       "-o",     "out", "--no-figures"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = call(folder, arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return report(folder.work() / "out")["models"][0]["key"].get<std::string>();
+  };
+  EXPECT_EQ(of({}), "halfspace_left_1_1");
+  EXPECT_EQ(of({"-m", "hertz"}), "hertz_left_1_1");
+  EXPECT_EQ(of({"--patch", "left,1,2"}), "fem_left_1_2");
+  expect_refused(call(folder, {"stress", file, "--patch", "right,1,1"}),
+                 "allowed: left,1,1, left,1,2; do: ");
+}
+
+TEST_F(StressTest, WrongCallsAreRefused) {
+  compute("2000.0", "10", "[0.0, 0.001]");
+  const std::pair<std::vector<std::string>, const char*> calls[] = {
+      {{"--model", "fem"}, "--model fem: it is not in r; allowed: halfspace"},
+      {{"--point", "2"}, "load points 0 to 1"},
+      {{"--point", "-1"}, "load points 0 to 1"},
+      {{"--creepage", "0.002"}, "allowed: 0, 0.001"},
+      {{"--point", "0", "--creepage", "0"}, "both given"},
+      {{"--at", "1,2"}, "'1,2' is not a place x,y,z"},
+      {{"--at", "1,2,nan"}, "'nan' is not a number"},
+      {{"--at", "1,2,"}, "'' is not a number"},
+      {{"--line", "0,0,-1:0,0,1"}, "passes from the rail into the wheel"},
+      {{"--line", "0,0,1:0,0,1"}, "two of the places are the same"},
+      {{"--line", "0,0,0:0,0,-5:1"}, "'1' is not a number of points"},
+      {{"--plane", "0,0,0:1,0,0"}, "3 places are needed"},
+      {{"--plane", "0,0,0:1,0,0:0,0,-1:2000,2000"}, "more than 1000000 points"},
+      {{"--body", "rail", "--at", "0,0,1"}, "is not in the rail of model halfspace"},
+      {{"--body", "sleeper"}, "sleeper"},
+      {{"--patch", "left,1,1"}, "without profiles"},
+      {{"--yield-strength", "0"}, "a stress > 0"},
+      {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "both given"},
+      {{"--depth", "-1"}, "a depth > 0"},
+      {{"-o", "r/results.h5/x"}, "cannot be made"},
+  };
+  const auto before = folder.made();
+  for (const auto& [arguments, part] : calls) expect_refused(stress(arguments), part);
+  EXPECT_EQ(folder.made(), before);
+}
+
+TEST_F(StressTest, FilesThatAreNoResultsAreRefused) {
+  compute("2000.0", "10");
+  const std::string whole = contents(folder.work() / "r" / "results.h5");
+  expect_refused(call(folder, {"stress", "missing"}), "there is no such file or folder");
+  expect_refused(call(folder, {"stress"}), "result is required");
+  expect_refused(call(folder, {"stress", "r/summary.json"}), "not a result of rollfem");
+  expect_refused(call(folder, {"stress", folder.file("cut.h5", whole.substr(0, whole.size() / 2))}),
+                 "cut short or damaged");
+  EXPECT_FALSE(fs::exists(made()));
+}
+
+TEST_F(StressTest, FiguresAreDrawn) {
+  compute("100.0", "20", "[0.0, 0.002]");
+  const Outcome outcome =
+      call(folder, {"stress", "r", "--yield-shear-stress", "250", "--depth-profile", "--line",
+                    "-3,0,-1:3,0,-1:21", "--plane", "-3,0,0:3,0,0:-3,0,-4:21,11"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  if (outcome.err.find("figures need") != std::string::npos)
+    GTEST_SKIP() << "needs apt install python3-matplotlib python3-h5py";
+  EXPECT_EQ(outcome.err, "");
+  for (const char* name :
+       {"depth_centre", "line_1_rail", "plane_1_rail_halfspace", "shakedown_map"})
+    EXPECT_GT(fs::file_size(made() / "figures" / (std::string(name) + ".svg")), 5000U) << name;
+  // What a later call does not draw goes.
+  ASSERT_EQ(stress({"--at", "0,0,-1"}).status, 0);
+  EXPECT_FALSE(fs::exists(made() / "figures" / "shakedown_map.svg"));
+}
+
+}  // namespace
