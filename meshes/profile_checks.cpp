@@ -274,8 +274,15 @@ void check_gaps(const ProfilePoints& points, double longest, bool wheel) {
 /// chord turns by an arc tangent, two of them by twice that of half as much.
 double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
   if (scatter == 0.0) return 0.0;
-  const double a = 1.0 / std::hypot(p.y[k] - p.y[k - 1], p.z[k] - p.z[k - 1]);
-  const double b = 1.0 / std::hypot(p.y[k + 1] - p.y[k], p.z[k + 1] - p.z[k]);
+  // Scatter makes the chords themselves longer than the points are apart along the profile.
+  const std::size_t from = k < 3 ? 0 : k - 3, to = std::min(k + 3, p.y.size() - 1);
+  const double y = p.y[to] - p.y[from], z = p.z[to] - p.z[from];
+  const auto along = [&](std::size_t i) {
+    const double distance =
+        (y * (p.y[i + 1] - p.y[i]) + z * (p.z[i + 1] - p.z[i])) / std::hypot(y, z);
+    return std::max(std::abs(distance), same_point);
+  };
+  const double a = 1.0 / along(k - 1), b = 1.0 / along(k);
   const double deviation = scatter * std::sqrt(a * a + b * b + (a + b) * (a + b));
   return 2.0 * std::atan(0.5 * 5.0 * deviation);
 }
