@@ -198,8 +198,8 @@ void add_mending(std::vector<Key>& keys) {
                                    "kink or step, and bridge it smoothly; 0: kinks are errors.",
                                    &ProfileSource::rounding));
   keys.push_back(number_key<wheel>("smoothing", "mm", Bounds{0.0, 1.0},
-                                   "Rms distance of the smoothed curve from the points, which is "
-                                   "the scatter of a measurement; 0: through the points.",
+                                   "Scatter of the measured points across the profile (standard "
+                                   "deviation), which is smoothed away; 0: through the points.",
                                    &ProfileSource::smoothing));
 }
 

@@ -42,7 +42,7 @@ struct ProfileSource {
   double longest_gap = 5.0;      ///< mm between two points
   double largest_kink = 20.0;    ///< degrees between two chords
   double rounding = 0.0;         ///< mm to both sides of a kink or step that are left out
-  double smoothing = 0.0;        ///< mm rms distance of the smoothed curve; 0: through the points
+  double smoothing = 0.0;        ///< mm, scatter to be smoothed away; 0: through the points
 };
 
 struct Track {

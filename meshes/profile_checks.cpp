@@ -249,7 +249,7 @@ void thin(ProfilePoints& points, double length) {
 
 /// Smoothing so many points at once takes seconds and loses digits.
 void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) {
-  constexpr std::size_t most = 100000;
+  constexpr std::size_t most = 20000;
   if (smoothing == 0.0 || points.y.size() <= most) return;
   throw InputError(fmt::format(
       "{}: smoothing of {} points; allowed: {}; do: put `thinning = 0.1` (mm, means of the points "
@@ -269,8 +269,27 @@ void check_gaps(const ProfilePoints& points, double longest, bool wheel) {
   }
 }
 
-/// Points at which the profile has a kink (one turn) or a step (there and back), marked 1 and 2.
-std::vector<char> corners(const ProfilePoints& points, double largest_kink) {
+/// Turn at a point that scatter (mm, standard deviation across the profile) makes, rad: five
+/// standard deviations of (n2 - n1) / b - (n1 - n0) / a, with the chords a and b that meet there. A
+/// chord turns by an arc tangent, two of them by twice that of half as much.
+double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
+  if (scatter == 0.0) return 0.0;
+  // Scatter makes the chords themselves longer than the points are apart along the profile.
+  const std::size_t from = k < 3 ? 0 : k - 3, to = std::min(k + 3, p.y.size() - 1);
+  const double y = p.y[to] - p.y[from], z = p.z[to] - p.z[from];
+  const auto along = [&](std::size_t i) {
+    const double distance =
+        (y * (p.y[i + 1] - p.y[i]) + z * (p.z[i + 1] - p.z[i])) / std::hypot(y, z);
+    return std::max(std::abs(distance), same_point);
+  };
+  const double a = 1.0 / along(k - 1), b = 1.0 / along(k);
+  const double deviation = scatter * std::sqrt(a * a + b * b + (a + b) * (a + b));
+  return 2.0 * std::atan(0.5 * 5.0 * deviation);
+}
+
+/// Points at which the profile has a kink (one turn) or a step (there and back), marked 1 and 2,
+/// beyond what the scatter of the points makes.
+std::vector<char> corners(const ProfilePoints& points, double largest_kink, double scatter) {
   const std::size_t n = points.y.size();
   std::vector<double> turns(n, 0.0), sizes;
   sizes.reserve(n);
@@ -281,14 +300,19 @@ std::vector<char> corners(const ProfilePoints& points, double largest_kink) {
   // A step smaller than the kinks allowed still stands out from what the points do elsewhere.
   const double step = std::min(largest_kink * degree, std::max(5.0 * degree, 10.0 * median(sizes)));
   const auto size = [&](std::size_t k) { return k < n ? std::abs(turns[k]) : 0.0; };
+  std::vector<double> noise(n, 0.0);
+  for (std::size_t k = 1; k + 1 < n; ++k) noise[k] = turn_by_scatter(points, k, scatter);
   std::vector<char> found(n, 0);
   for (std::size_t k = 1; k + 1 < n; ++k) {
-    if (size(k) > largest_kink * degree && found[k] == 0) found[k] = 1;
+    // The profile's own turn and that by scatter are independent.
+    const double kink = std::hypot(largest_kink * degree, noise[k]);
+    if (size(k) > kink && found[k] == 0) found[k] = 1;
     if (k + 2 >= n) continue;
     const double both = size(k) + size(k + 1);
     if (turns[k] * turns[k + 1] < 0.0) {
-      if (std::min(size(k), size(k + 1)) > step) found[k] = found[k + 1] = 2;
-    } else if (both > largest_kink * degree && 4.0 * std::max(size(k - 1), size(k + 2)) < both) {
+      if (size(k) > std::max(step, noise[k]) && size(k + 1) > std::max(step, noise[k + 1]))
+        found[k] = found[k + 1] = 2;
+    } else if (both > kink && 4.0 * std::max(size(k - 1), size(k + 2)) < both) {
       // A kink between two points is shared by both.
       found[k] = found[k + 1] = 1;
     }
@@ -297,7 +321,7 @@ std::vector<char> corners(const ProfilePoints& points, double largest_kink) {
 }
 
 void treat_corners(ProfilePoints& points, const ProfileSource& source, bool wheel) {
-  const std::vector<char> found = corners(points, source.largest_kink);
+  const std::vector<char> found = corners(points, source.largest_kink, source.smoothing);
   const auto first = std::find_if(found.begin(), found.end(), [](char c) { return c != 0; });
   if (first == found.end()) return;
   if (source.rounding == 0.0) {

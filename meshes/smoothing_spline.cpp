@@ -1,5 +1,7 @@
 #include "meshes/smoothing_spline.hpp"
 
+#include "meshes/curvature_smoothing.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -178,32 +180,39 @@ double scatter_of(const Values& y, const Values& z) {
 }  // namespace
 
 ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
-                              double tolerance, SmoothingReport* report) {
+                              double scatter, SmoothingReport* report) {
   const std::size_t n = y.size();
   if (n < 4 || z.size() != n) throw std::invalid_argument("a spline needs four points at least");
   Values step(n - 1);
   for (std::size_t k = 0; k + 1 < n; ++k) step[k] = std::hypot(y[k + 1] - y[k], z[k + 1] - z[k]);
-  Smoother smoother(step, Values(n - 1, 1.0));
-  double lambda = 0.0;
-  if (tolerance > 0.0) {
-    lambda = lambda_for(smoother, y, z, tolerance);
-    smoother = Smoother(step, local_radius(smoother.fit(y, z, lambda), step));
-    lambda = lambda_for(smoother, y, z, tolerance);
+  const Smoother plain(step, Values(n - 1, 1.0));
+  const PointRow points{y, z};
+  PointRow smooth = points;
+  if (scatter > 0.0) {
+    const Smoother weighted(step,
+                            local_radius(plain.fit(y, z, lambda_for(plain, y, z, scatter)), step));
+    const std::array<Fit, 2> first = weighted.fit(y, z, lambda_for(weighted, y, z, scatter));
+    smooth = smooth_curvature(points, {first[0].value, first[1].value}, scatter);
   }
-  const std::array<Fit, 2> fit = smoother.fit(y, z, lambda);
+  for (std::size_t k = 0; k + 1 < n; ++k)
+    step[k] = std::hypot(smooth.y[k + 1] - smooth.y[k], smooth.z[k + 1] - smooth.z[k]);
+  const Smoother through(step, Values(n - 1, 1.0));
+  const std::array<Fit, 2> fit = through.fit(smooth.y, smooth.z, 0.0);
   ProfileKnots knots;
   knots.parameter.assign(n, 0.0);
   for (std::size_t k = 1; k < n; ++k) knots.parameter[k] = knots.parameter[k - 1] + step[k - 1];
   knots.y = fit[0].value;
   knots.z = fit[1].value;
-  knots.dy = smoother.slopes(fit[0]);
-  knots.dz = smoother.slopes(fit[1]);
+  knots.dy = through.slopes(fit[0]);
+  knots.dz = through.slopes(fit[1]);
   if (report != nullptr) {
-    report->rms = rms_distance(fit, y, z);
+    double sum = 0.0;
     report->largest = 0.0;
-    for (std::size_t k = 0; k < n; ++k)
-      report->largest =
-          std::max(report->largest, std::hypot(fit[0].value[k] - y[k], fit[1].value[k] - z[k]));
+    for (const double distance : distances_across(points, smooth)) {
+      sum += distance * distance;
+      report->largest = std::max(report->largest, std::abs(distance));
+    }
+    report->rms = std::sqrt(sum / static_cast<double>(n));
     report->scatter = scatter_of(y, z);
   }
   return ProfileCurve(std::move(knots));

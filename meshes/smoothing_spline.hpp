@@ -1,7 +1,8 @@
-// A curve through or near points of a profile: a cubic smoothing spline in the chord length, for y
-// and z alike (C. H. Reinsch, Numer. Math. 10, 1967; P. J. Green, B. W. Silverman, Nonparametric
-// Regression, 1994, ch. 2), whose penalty weighs the second derivative by how curved the profile
-// is.
+// A curve through or near points of a profile: a first smoothing by a cubic smoothing spline in the
+// chord length, for y and z alike (C. H. Reinsch, Numer. Math. 10, 1967; P. J. Green, B. W.
+// Silverman, Nonparametric Regression, 1994, ch. 2), then one that knows that profiles are made of
+// arcs and slow transitions (curvature_smoothing.hpp), and a natural cubic spline through the
+// result.
 #pragma once
 
 #include "meshes/profile_curve.hpp"
@@ -12,18 +13,18 @@ namespace rollfem::meshes {
 
 /// What smoothing did to the points.
 struct SmoothingReport {
-  double rms = 0.0;      ///< mm, of the distances between the points and their places on the curve
+  double rms = 0.0;      ///< mm, of the distances of the points from the curve, across it
   double largest = 0.0;  ///< mm
   double scatter = 0.0;  ///< mm, of the points across the profile, from their third differences
 };
 
-/// Minimises the sum of squared distances + lambda * integral of (w |r''|)^2 with lambda such that
-/// the rms distance is `tolerance` (mm); 0: natural cubic spline through all points. The weight w
-/// is the local radius of curvature, from a first pass with w = 1: what is penalised is curvature
-/// in relation to that around, so that a flange of radius 12 and a tread of 300 are smoothed alike.
-/// O(points). Throws std::invalid_argument when the tolerance cannot be reached (a straight line is
-/// nearer).
+/// The first smoothing minimises the sum of squared distances + lambda * integral of (w |r''|)^2
+/// with lambda such that the rms distance is `scatter` (mm), the standard deviation of the points
+/// across the profile; w is the local radius of curvature, from a pass with w = 1. It only says
+/// where the profile is; what is returned goes through the points of smooth_curvature. scatter 0:
+/// natural cubic spline through all points. O(points). Throws std::invalid_argument when a straight
+/// line is nearer to the points than `scatter`.
 ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
-                              double tolerance, SmoothingReport* report = nullptr);
+                              double scatter, SmoothingReport* report = nullptr);
 
 }  // namespace rollfem::meshes

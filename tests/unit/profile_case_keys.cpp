@@ -20,6 +20,9 @@ coefficient = 0.3
 rolling_radius = 460.0
 )";
 
+/// What profiles need besides; after the sections of the bodies.
+const std::string track = "[track]\ninclination = \"1:40\"\n";
+
 std::string refusal(const std::string& text) {
   try {
     contact::parse_case(rest + text, "case.toml");
@@ -52,7 +55,7 @@ smoothing = 0.01
 radii = [300.0, 80.0, 13.0]
 ends = [10.0, 26.0, 35.0]
 symmetric = true
-)",
+)" + track,
                                                   "case.toml");
   EXPECT_TRUE(input.has_profiles());
   const contact::ProfileSource& wheel = input.wheel.profile;
@@ -76,8 +79,8 @@ symmetric = true
 }
 
 TEST(ProfileKeys, NothingIsMendedUnlessTold) {
-  const contact::Case input =
-      contact::parse_case(rest + "profile = \"a.csv\"\n[rail]\nprofile = \"60E1\"\n", "case.toml");
+  const contact::Case input = contact::parse_case(
+      rest + "profile = \"a.csv\"\n[rail]\nprofile = \"60E1\"\n" + track, "case.toml");
   const contact::ProfileSource& wheel = input.wheel.profile;
   EXPECT_FALSE(wheel.mirror || wheel.flip || wheel.reverse || wheel.sort);
   EXPECT_FALSE(wheel.drop_duplicates || wheel.drop_zigzag);
@@ -94,7 +97,8 @@ TEST(ProfileKeys, WhatContradictsIsRefused) {
   for (const Wrong& wrong : std::vector<Wrong>{
            {"profile = \"S1002\"\ntransverse_radius = 300.0\n[rail]\nprofile = \"60E1\"\n",
             {"case.toml:7:", "wheel.profile", "contradicts wheel.transverse_radius"}},
-           {"[rail]\nprofile = \"60E1\"\n", {"wheel.transverse_radius", "is missing"}},
+           {"[rail]\nprofile = \"60E1\"\n",
+            {"rail.profile", "stands alone: wheel.profile is missing", "\"arcs\""}},
            {"profile = \"\"\n[rail]\nprofile = \"60E1\"\n", {"wheel.profile", "is empty"}},
            {"transverse_radius = inf\n[rail]\nprofile = \"60E1\"\n[wheel_profile]\nflip = true\n",
             {"wheel_profile.flip", "wheel.profile is missing"}},
@@ -111,8 +115,8 @@ TEST(ProfileKeys, WhatContradictsIsRefused) {
       EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
     EXPECT_NE(message.find("; do: "), std::string::npos) << message;
   }
-  EXPECT_EQ(refusal(both), "no error");
-  EXPECT_EQ(refusal(both + "[wheel_profile]\nmirror = true\n"), "no error");
+  EXPECT_EQ(refusal(both + track), "no error");
+  EXPECT_EQ(refusal(both + track + "[wheel_profile]\nmirror = true\n"), "no error");
 }
 
 }  // namespace

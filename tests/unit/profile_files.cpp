@@ -358,6 +358,32 @@ ProfileCurve read_million(double noise, ProfileSource source, double& seconds) {
   return curve;
 }
 
+/// Noise that makes kinks of 40 degrees at this spacing is none when it is stated; a step is.
+TEST(ProfileFiles, StatedScatterIsNoKinkButAStepIs) {
+  const Folder folder;
+  const ProfileCurve truth = find_built_in_profile("60E1")->make();
+  for (const double step : {0.0, 0.4}) {
+    std::mt19937 generator(5);
+    std::normal_distribution<double> normal(0.0, 0.01);
+    std::string text;
+    for (double p = truth.first(); p < truth.last(); p += 0.1) {
+      const ProfilePoint place = truth.at(p);
+      const double off = normal(generator) + (place.y > 5.0 ? step : 0.0);
+      text += std::to_string(place.y - off * place.tangent_z) + ' ' +
+              std::to_string(place.z + off * place.tangent_y) + '\n';
+    }
+    folder.write("noisy.txt", text);
+    ProfileSource source;
+    source.name = "noisy.txt";
+    EXPECT_THROW(make_profile(source, false, folder.case_file()), contact::InputError);
+    source.smoothing = 0.01;
+    if (step == 0.0)
+      EXPECT_NO_THROW(make_profile(source, false, folder.case_file()));
+    else
+      EXPECT_THROW(make_profile(source, false, folder.case_file()), contact::InputError);
+  }
+}
+
 TEST(ProfileFiles, AMillionPointsTakeLessThanTwoSeconds) {
   double seconds = 0.0;
   const ProfileCurve curve = read_million(0.0, {}, seconds);

@@ -74,19 +74,23 @@ TEST(SmoothingSpline, MeetsACircleAndItsCurvature) {
   }
 }
 
-TEST(SmoothingSpline, LeavesTheStatedRmsDistance) {
-  for (const double tolerance : {0.003, 0.01, 0.03}) {
-    const Points points = measured(find_built_in_profile("60E1")->make(), 0.3, 0.01, 2);
+/// What is taken out is the noise: also when it is stated up to three times too large.
+TEST(SmoothingSpline, LeavesTheNoiseBetweenPointsAndCurve) {
+  const Points points = measured(find_built_in_profile("60E1")->make(), 0.3, 0.01, 2);
+  for (const double scatter : {0.01, 0.02, 0.03}) {
     SmoothingReport report;
-    const ProfileCurve curve = smoothing_spline(points.y, points.z, tolerance, &report);
-    EXPECT_NEAR(report.rms, tolerance, 2e-3 * tolerance);
+    const ProfileCurve curve = smoothing_spline(points.y, points.z, scatter, &report);
+    // 560 points: the rms of the noise itself is known to 3 %.
+    EXPECT_NEAR(report.rms, 0.01, 6e-4);
     EXPECT_GT(report.largest, report.rms);
     double sum = 0.0;
     for (std::size_t k = 0; k < points.y.size(); ++k) {
       const ProfilePoint place = curve.at(curve.knots().parameter[k]);
-      sum += std::pow(place.y - points.y[k], 2) + std::pow(place.z - points.z[k], 2);
+      sum += std::pow(
+          (points.z[k] - place.z) * place.tangent_y - (points.y[k] - place.y) * place.tangent_z, 2);
     }
-    EXPECT_NEAR(std::sqrt(sum / static_cast<double>(points.y.size())), report.rms, 1e-12);
+    EXPECT_NEAR(std::sqrt(sum / static_cast<double>(points.y.size())), report.rms,
+                1e-3 * report.rms);
   }
 }
 
@@ -98,7 +102,7 @@ TEST(SmoothingSpline, DoesNotBendAStraightLine) {
     points.y.push_back(y);
     points.z.push_back(0.4 * y - 3.0);
   }
-  // The line is in the null space of the penalty: no tolerance is ever reached.
+  // The line is in the null space of the penalty: no rms distance is ever reached.
   EXPECT_THROW(smoothing_spline(points.y, points.z, 0.01), std::invalid_argument);
   const ProfileCurve curve = smoothing_spline(points.y, points.z, 0.0);
   for (double p = 0.0; p < 60.0; p += 0.7) EXPECT_NEAR(curve.at(p).curvature, 0.0, 1e-10);
