@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
-#include "unit/case_examples.hpp"
 
 namespace {
 
@@ -11,6 +10,13 @@ namespace fs = std::filesystem;
 
 bool tells(const Outcome& outcome, const std::string& part) {
   return outcome.out.find(part) != std::string::npos;
+}
+
+/// A case of S1002 on the rail of this section.
+std::string with_s1002(const std::string& rail) {
+  return "[load]\nvertical_force = 50e3\n[friction]\ncoefficient = 0.3\n[wheel]\n"
+         "rolling_radius = 460.0\nprofile = \"S1002\"\n[track]\ninclination = \"1:40\"\n[rail]\n" +
+         rail;
 }
 
 TEST(Profile, TellsWhatTheStandardSaysOfS1002) {
@@ -32,7 +38,7 @@ TEST(Profile, TheTableIsAProfileAgain) {
   const Folder folder;
   ASSERT_EQ(call(folder, {"profile", "60E1", "-o", "one"}).status, 0);
   // Every joint has two rows in the table, one for each side of it.
-  const std::string file = folder.file("60E1.toml", with("transverse_radius = 2000.0", R"(
+  const std::string file = folder.file("60E1.toml", with_s1002(R"(
 profile = "work/one/profile.csv"
 [rail_profile]
 drop_duplicates = true
@@ -45,19 +51,19 @@ drop_duplicates = true
 
 TEST(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {
   const Folder folder;
-  const std::string file = folder.file("c.toml", with("transverse_radius = 2000.0", R"(
-profile = "60E1"
-)"));
+  const std::string file = folder.file("c.toml", with_s1002("profile = \"60E1\"\n"));
   for (int time = 0; time < 2; ++time) {
     const Outcome outcome = call(folder, {"profile", file});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_TRUE(tells(outcome, "wheel (radius)")) << outcome.out;
+    EXPECT_TRUE(tells(outcome, "wheel S1002")) << outcome.out;
     EXPECT_TRUE(tells(outcome, "rail 60E1")) << outcome.out;
+    EXPECT_TRUE(tells(outcome, "where wheel and rail touch")) << outcome.out;
   }
-  EXPECT_EQ(folder.made(),
-            (std::vector<std::string>{"results", "results/c_profile", "results/c_profile/rail.csv",
-                                      "results/c_profile/rail.svg", "results/c_profile/wheel.csv",
-                                      "results/c_profile/wheel.svg"}));
+  EXPECT_EQ(folder.made(), (std::vector<std::string>{
+                               "results", "results/c_profile", "results/c_profile/pair_left.csv",
+                               "results/c_profile/pair_left.svg", "results/c_profile/rail.csv",
+                               "results/c_profile/rail.svg", "results/c_profile/wheel.csv",
+                               "results/c_profile/wheel.svg"}));
 }
 
 TEST(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
