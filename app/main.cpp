@@ -223,6 +223,7 @@ void add_commands(CLI::App& program, Call& call) {
       "beside the results");
   run->add_flag("-q,--quiet", call.run.quiet, "print errors and warnings only");
   run->add_flag("!--no-report", call.run.report, "write results only, no figures and no report");
+  run->footer("example: rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a");
   run->callback([&call] {
     settle_run(call.run);
     app::run(call.run);
@@ -299,6 +300,7 @@ void add_commands(CLI::App& program, Call& call) {
                    "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu (with profiles "
                    "left_1_1_wheel.msh and so on, for every patch); without it "
                    "results/<name of the case file>_mesh");
+  mesh->footer("example: rollfem mesh cases/thesis_a.toml");
   mesh->callback([&call] { app::mesh(call.mesh); });
 
   CLI::App* profile = program.add_subcommand(
@@ -312,18 +314,22 @@ void add_commands(CLI::App& program, Call& call) {
   profile->add_option("-o,--output", call.profile.directory,
                       "folder for the table (.csv) and the figure (.svg); without it "
                       "results/<name>_profile");
+  profile->footer("example: rollfem profile S1002 -o /tmp/profile");
   profile->callback([&call] { app::profile(call.profile); });
 
   CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
   check->add_option("case", call.check_file, "case file (.toml)")->required();
+  check->footer("example: rollfem check cases/s1002_uic60_left.toml");
   check->callback([&call] { check_case(call.check_file); });
 
   CLI::App* fresh = program.add_subcommand("new-case", "print a commented case file");
   fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");
+  fresh->footer("example: rollfem new-case -o my_case.toml");
   fresh->callback([&call] { new_case(call.new_case_file); });
 
   CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
   docs->add_option("page", call.page, "case-file")->required()->check(CLI::IsMember({"case-file"}));
+  docs->footer("example: rollfem docs case-file > docs/case-file.md");
   docs->callback([] { std::cout << contact::case_reference_markdown(); });
 }
 
