@@ -200,6 +200,15 @@ void fail(const std::string& file, const CaseProblem& problem) {
   throw InputError(text);
 }
 
+void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
+             const std::string& wrong, const std::string& allowed, const std::string& action) {
+  CaseProblem problem = problem_at(path, value);
+  problem.wrong = wrong;
+  problem.allowed = allowed;
+  problem.action = action;
+  fail(given.file, problem);
+}
+
 namespace {
 
 /// A given mesh is held where its group `fixed` says, which need not enclose it.

@@ -82,6 +82,11 @@ void check_values(const GivenCase& given, const Case& input);
 /// Problem at a given value; the caller adds what is wrong.
 CaseProblem problem_at(const std::string& path, const GivenValue& given);
 
+/// Throws InputError: the value at `path` is wrong.
+[[noreturn]] void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
+                          const std::string& wrong, const std::string& allowed,
+                          const std::string& action);
+
 /// Line on which a section begins, 0 when it is not there.
 unsigned section_line(const GivenCase& given, const std::string& section);
 

@@ -20,16 +20,6 @@ std::string word(const GivenCase& given, const std::string& section, const std::
   return value == nullptr ? otherwise : std::get<std::string>(value->value);
 }
 
-[[noreturn]] void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
-                          const std::string& wrong, const std::string& allowed,
-                          const std::string& action) {
-  CaseProblem problem = problem_at(path, value);
-  problem.wrong = wrong;
-  problem.allowed = allowed;
-  problem.action = action;
-  fail(given.file, problem);
-}
-
 bool all_zero(const GivenValue& value) {
   const auto& numbers = std::get<std::vector<double>>(value.value);
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0.0; });

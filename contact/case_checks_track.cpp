@@ -9,16 +9,6 @@ namespace rollfem::contact {
 
 namespace {
 
-[[noreturn]] void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
-                          const std::string& wrong, const std::string& allowed,
-                          const std::string& action) {
-  CaseProblem problem = problem_at(path, value);
-  problem.wrong = wrong;
-  problem.allowed = allowed;
-  problem.action = action;
-  fail(given.file, problem);
-}
-
 bool is_word(const GivenValue* value, const std::string& word) {
   return value != nullptr && std::get<std::string>(value->value) == word;
 }
