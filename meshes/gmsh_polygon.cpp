@@ -55,13 +55,7 @@ PolygonMesh collect(const std::vector<int>& lines) {
 PolygonMesh mesh_polygon(const std::vector<SectionPoint>& corners) {
   const GmshSession session;
   gmsh::model::add("polygon");
-  // Sizes follow the lines, which are given.
-  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
-  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::option::setNumber("Mesh.Algorithm", 6);
-  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
-  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
-  gmsh::option::setNumber("Mesh.Smoothing", 10);
+  set_quadrilaterals();
   std::vector<int> points, lines;
   for (const SectionPoint& p : corners) points.push_back(geo::addPoint(p[0], p[1], 0.0));
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -69,13 +63,7 @@ PolygonMesh mesh_polygon(const std::vector<SectionPoint>& corners) {
     geo::mesh::setTransfiniteCurve(lines.back(), 2);
   }
   geo::mesh::setRecombine(2, geo::addPlaneSurface({geo::addCurveLoop(lines)}));
-  try {
-    geo::synchronize();
-    gmsh::model::mesh::generate(2);
-  } catch (...) {
-    throw contact::InputError("gmsh cannot mesh the cross-section (" + gmsh_complaint() +
-                              "): use [fem] mesh = \"structured\", or change the depth");
-  }
+  mesh_plane("the depth");
   return collect(lines);
 }
 

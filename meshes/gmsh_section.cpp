@@ -269,22 +269,9 @@ Section collect(const SectionOptions& options, const SectionGeometry& geometry) 
 Section mesh_section(const SectionOptions& options) {
   const GmshSession session;
   gmsh::model::add("section");
-  // Sizes follow the edges of the boundary, which are given.
-  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
-  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  // Frontal-Delaunay; the variant for quadrilaterals (8) crashes on this section in gmsh 4.8.4.
-  gmsh::option::setNumber("Mesh.Algorithm", 6);
-  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
-  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
-  gmsh::option::setNumber("Mesh.Smoothing", 10);
+  set_quadrilaterals();
   const SectionGeometry geometry(options);
-  try {
-    geo::synchronize();
-    gmsh::model::mesh::generate(2);
-  } catch (...) {
-    throw contact::InputError("gmsh cannot mesh the cross-section (" + gmsh_complaint() +
-                              "): use [fem] mesh = \"structured\", or change width and depth");
-  }
+  mesh_plane("width and depth");
   return collect(options, geometry);
 }
 

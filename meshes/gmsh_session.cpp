@@ -1,5 +1,7 @@
 #include "meshes/gmsh_session.hpp"
 
+#include "contact/errors.hpp"
+
 #include <gmsh.h>
 
 namespace rollfem::meshes {
@@ -19,6 +21,26 @@ std::string gmsh_complaint() {
   std::string text;
   gmsh::logger::getLastError(text);
   return text.empty() ? "unknown error" : text;
+}
+
+void set_quadrilaterals() {
+  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
+  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+  // Frontal-Delaunay; the variant for quadrilaterals (8) crashes on sections in gmsh 4.8.4.
+  gmsh::option::setNumber("Mesh.Algorithm", 6);
+  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
+  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
+  gmsh::option::setNumber("Mesh.Smoothing", 10);
+}
+
+void mesh_plane(const std::string& what) {
+  try {
+    gmsh::model::geo::synchronize();
+    gmsh::model::mesh::generate(2);
+  } catch (...) {
+    throw contact::InputError("gmsh cannot mesh the cross-section (" + gmsh_complaint() +
+                              "): use [fem] mesh = \"structured\", or change " + what);
+  }
 }
 
 }  // namespace rollfem::meshes

@@ -17,4 +17,12 @@ class GmshSession {
 /// What gmsh complained about last; "unknown error" when it did not say.
 std::string gmsh_complaint();
 
+/// How cross-sections are meshed: in quadrilaterals whose sizes follow the lines of the boundary,
+/// which are given.
+void set_quadrilaterals();
+
+/// Meshes the plane surfaces of the model. Throws contact::InputError, which advises to change
+/// `what`.
+void mesh_plane(const std::string& what);
+
 }  // namespace rollfem::meshes
