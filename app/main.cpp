@@ -147,7 +147,8 @@ void check_case(const std::string& file) {
   const contact::Case input = contact::read_case(file);
   std::cout << contact::describe(input);
   if (input.has_profiles())
-    std::cout << "\nwhere wheel and rail touch\n" << app::contacts_text(input);
+    std::cout << "\nwhere wheel and rail touch\n"
+              << app::contacts_text(input, meshes::search_scene_of(input));
 }
 
 void add_stress(CLI::App& program, Call& call) {

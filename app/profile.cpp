@@ -202,18 +202,25 @@ fs::path folder_for(const ProfileRequest& request) {
 
 namespace {
 
+/// `pair`: the table of a wheel on its rail.
+void draw_and_tell(const fs::path& file, bool pair) {
+  const std::string problem =
+      postprocess::draw_profile(file.string(), script_directory().string(), pair);
+  if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
+  std::cout << "table:  " << file.string() << '\n';
+  if (problem.empty())
+    std::cout << "figure: " << fs::path(file).replace_extension(".svg").string() << '\n';
+}
+
 /// Of a case with both profiles: the two placed on each other, and where they touch.
 void tell_pair(const contact::Case& input, const fs::path& folder) {
   if (!input.has_profiles()) return;
-  std::cout << "where wheel and rail touch\n" << contacts_text(input);
-  for (const auto& [name, table] : pair_tables(input)) {
+  const meshes::SearchScene search = meshes::search_scene_of(input);
+  std::cout << "where wheel and rail touch\n" << contacts_text(input, search);
+  for (const auto& [name, table] : pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
     postprocess::replace_file(file, table);
-    const std::string problem =
-        postprocess::draw_profile(file.string(), script_directory().string(), true);
-    if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
-    std::cout << "table:  " << file.string() << '\n';
-    if (problem.empty()) std::cout << "figure: " << (folder / (name + ".svg")).string() << '\n';
+    draw_and_tell(file, true);
   }
 }
 
@@ -231,12 +238,7 @@ void profile(const ProfileRequest& request) {
           file.string()));
     postprocess::replace_file(file, table(profile));
     std::cout << described(profile) << list(profile.curve);
-    const std::string problem =
-        postprocess::draw_profile(file.string(), script_directory().string());
-    if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
-    std::cout << "table:  " << file.string() << '\n';
-    if (problem.empty())
-      std::cout << "figure: " << (folder / (profile.file + ".svg")).string() << '\n';
+    draw_and_tell(file, false);
   }
   if (fs::path(request.name).extension() == ".toml" && request.wheel == request.rail)
     tell_pair(contact::read_case(request.name), folder);

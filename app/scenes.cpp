@@ -1,7 +1,6 @@
 #include "app/scenes.hpp"
 
 #include "meshes/placement.hpp"
-#include "meshes/profiles.hpp"
 #include "meshes/scenes.hpp"
 
 #include <fmt/format.h>
@@ -51,16 +50,14 @@ std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
 }
 
 std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
+                                                 const meshes::SearchScene& search,
                                                  const std::vector<meshes::Scene>& scenes) {
-  const auto wheel = meshes::make_profile(input.wheel.profile, true, input.file);
-  const auto rail = meshes::make_profile(input.rail.profile, false, input.file);
-  const auto placed = meshes::place_rail(rail, meshes::rail_place(rail, input.track));
   std::vector<postprocess::PlacedPair> pairs;
   for (const meshes::Scene& scene : scenes) {
     const contact::ContactPlace& place = scene.contact.place;
     if (place.patch == 1)
-      pairs.push_back({place.left, place.position, on_track(placed, place.left),
-                       wheel_on_track(input, wheel, scene.contact)});
+      pairs.push_back({place.left, place.position, on_track(search.rail, place.left),
+                       wheel_on_track(input, search.profiles.wheel, scene.contact)});
   }
   return pairs;
 }
@@ -70,18 +67,19 @@ std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
 Scenes scenes_of(const Case& input, const contact::Progress& progress) {
   if (!input.has_profiles()) return {{input}, {}, {}};
   wheelset::BalancedCase balanced = wheelset::balance(input, progress);
-  return {std::move(balanced.scenes), drawn_pairs(input, balanced.placed),
+  return {std::move(balanced.scenes), drawn_pairs(input, balanced.search, balanced.placed),
           std::move(balanced.notes)};
 }
 
-std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input) {
+std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
+                                                             const meshes::SearchScene& search) {
   Case first = input;
   first.wheelset.lateral_shift.resize(1);
   first.wheelset.yaw.resize(1);
   if (!first.wheelset.roll.empty()) first.wheelset.roll.resize(1);
-  const std::vector<meshes::Scene> scenes = meshes::make_scenes(first);
+  const std::vector<meshes::Scene> scenes = meshes::make_scenes(first, search);
   std::vector<std::pair<std::string, std::string>> tables;
-  for (const postprocess::PlacedPair& pair : drawn_pairs(first, scenes)) {
+  for (const postprocess::PlacedPair& pair : drawn_pairs(first, search, scenes)) {
     const char* side = pair.left ? "left" : "right";
     std::string text = fmt::format("# {} wheel, lateral shift {:g} mm\n", side,
                                    first.wheelset.lateral_shift.front());
@@ -100,12 +98,12 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input) 
   return tables;
 }
 
-std::string contacts_text(const Case& input) {
+std::string contacts_text(const Case& input, const meshes::SearchScene& search) {
   std::string text =
       fmt::format("{:<7}{:>9}{:>7}{:>11}{:>12}{:>12}{:>12}{:>11}{:>12}{:>15}\n", "wheel",
                   "position", "patch", "roll mrad", "y track mm", "y rail mm", "y wheel mm",
                   "angle rad", "radius mm", "separation mm");
-  for (const meshes::WheelRailContact& contact : wheelset::place_wheels(input)) {
+  for (const meshes::WheelRailContact& contact : wheelset::place_wheels(input, search)) {
     const contact::ContactPlace& at = contact.place;
     text += fmt::format(
         "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",

@@ -4,6 +4,7 @@
 
 #include "contact/case.hpp"
 #include "contact/progress.hpp"
+#include "meshes/scenes.hpp"
 #include "postprocess/output.hpp"
 
 #include <string>
@@ -23,9 +24,10 @@ Scenes scenes_of(const contact::Case& input, const contact::Progress& progress);
 
 /// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
 /// of the table without ending, and its text. One for each wheel that the case asks for.
-std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input);
+std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input,
+                                                             const meshes::SearchScene& search);
 
 /// Where the wheels of a case with profiles touch their rails, as a table; nothing is solved.
-std::string contacts_text(const contact::Case& input);
+std::string contacts_text(const contact::Case& input, const meshes::SearchScene& search);
 
 }  // namespace rollfem::app

@@ -16,12 +16,6 @@ using contact::Creepage;
 
 namespace {
 
-double rotation_change_of(const Case& input, std::size_t k) {
-  const auto& changes = input.wheelset.rotation_change;
-  if (changes.empty()) return 0.0;
-  return changes.size() == 1 ? changes.front() : changes.at(k);
-}
-
 void set_creepages(Case& input, const WheelRailContact& contact,
                    const std::vector<double>& rotation_change) {
   auto& creepages = input.rolling.creepages;
@@ -65,15 +59,25 @@ Scene make_scene(const Case& input, WheelRailContact contact) {
   scene.input.patch = std::make_shared<const contact::PatchGeometry>(contact.geometry);
   scene.input.place = contact.place;
   set_load(scene.input, contact);
-  std::vector<double> changes;
-  for (std::size_t k = 0; k < input.rolling.creepages.size(); ++k)
-    changes.push_back(rotation_change_of(input, k));
-  set_creepages(scene.input, contact, changes);
+  set_creepages(scene.input, contact, rotation_changes(input));
   scene.contact = std::move(contact);
   return scene;
 }
 
 }  // namespace
+
+SearchScene search_scene_of(const Case& input) {
+  return make_search_scene(input, {make_profile(input.wheel.profile, true, input.file),
+                                   make_profile(input.rail.profile, false, input.file)});
+}
+
+std::vector<double> rotation_changes(const Case& input) {
+  const auto& given = input.wheelset.rotation_change;
+  std::vector<double> changes(input.rolling.creepages.size(), given.empty() ? 0.0 : given.front());
+  if (given.size() > 1)
+    for (std::size_t k = 0; k < changes.size(); ++k) changes[k] = given.at(k);
+  return changes;
+}
 
 std::vector<Scene> make_scenes(const Case& input, const SearchScene& scene,
                                const SearchOptions& options) {
@@ -85,14 +89,16 @@ std::vector<Scene> make_scenes(const Case& input, const SearchScene& scene,
 }
 
 std::vector<Scene> make_scenes(const Case& input, const SearchOptions& options) {
-  ProfilePair profiles{make_profile(input.wheel.profile, true, input.file),
-                       make_profile(input.rail.profile, false, input.file)};
-  return make_scenes(input, make_search_scene(input, std::move(profiles)), options);
+  return make_scenes(input, search_scene_of(input), options);
+}
+
+void set_rotation_changes(Scene& scene, const std::vector<double>& rotation_changes) {
+  set_creepages(scene.input, scene.contact, rotation_changes);
 }
 
 void set_rotation_change(Scene& scene, double rotation_change) {
-  set_creepages(scene.input, scene.contact,
-                std::vector<double>(scene.input.rolling.creepages.size(), rotation_change));
+  set_rotation_changes(scene,
+                       std::vector<double>(scene.input.rolling.creepages.size(), rotation_change));
 }
 
 void set_normal_forces(Scene& scene, double vertical, const std::vector<double>& lateral) {

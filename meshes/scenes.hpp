@@ -17,6 +17,10 @@ struct Scene {
   WheelRailContact contact;
 };
 
+/// What the search for contacts needs, with the profiles that the case names. Reads and smooths
+/// their files: made once, and passed on.
+SearchScene search_scene_of(const contact::Case& input);
+
 /// Scenes in the order positions, left and right wheel, patches; near misses make none. The normal
 /// force is that of vertical_force without friction for a wheel with one patch, and the estimate of
 /// load_estimate.hpp where several share it: the caller corrects both with forces it has found
@@ -29,8 +33,13 @@ std::vector<Scene> make_scenes(const contact::Case& input, const SearchScene& sc
 /// The same with the profiles that the case names.
 std::vector<Scene> make_scenes(const contact::Case& input, const SearchOptions& options = {});
 
-/// Creepages of the scene at a rotation of the wheelset other than that of the case (free rolling):
-/// one change for all load points.
+/// Relative changes of the rotation that the case gives, one for each load point; 0 where it gives
+/// none.
+std::vector<double> rotation_changes(const contact::Case& input);
+
+/// Creepages of the scene at rotations of the wheelset other than those of the case (free rolling):
+/// one for each load point, or one for all.
+void set_rotation_changes(Scene& scene, const std::vector<double>& rotation_changes);
 void set_rotation_change(Scene& scene, double rotation_change);
 
 /// Normal forces of the load points from a vertical force and the lateral forces found at each.

@@ -1,7 +1,6 @@
 #include "wheelset/balance.hpp"
 
 #include "contact/errors.hpp"
-#include "meshes/profiles.hpp"
 
 #include <fmt/format.h>
 
@@ -19,12 +18,6 @@ namespace {
 
 bool asked_for(const Case& input, bool left) {
   return input.wheelset.side == WheelSide::both || (input.wheelset.side == WheelSide::left) == left;
-}
-
-meshes::SearchScene search_scene(const Case& input) {
-  return meshes::make_search_scene(input,
-                                   {meshes::make_profile(input.wheel.profile, true, input.file),
-                                    meshes::make_profile(input.rail.profile, false, input.file)});
 }
 
 /// A long row says where it failed.
@@ -58,8 +51,8 @@ std::vector<std::string> notes_of(const Case& input) {
 
 }  // namespace
 
-std::vector<meshes::WheelRailContact> place_wheels(const Case& input) {
-  const meshes::SearchScene scene = search_scene(input);
+std::vector<meshes::WheelRailContact> place_wheels(const Case& input,
+                                                   const meshes::SearchScene& scene) {
   std::vector<meshes::WheelRailContact> all;
   for (int position = 1; position <= static_cast<int>(input.wheelset.positions()); ++position) {
     auto contacts =
@@ -75,7 +68,8 @@ BalancedCase balance(const Case& input, const contact::Progress& progress) {
   const int count = static_cast<int>(input.wheelset.positions());
   Case all_sides = input;
   if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
-  const std::vector<meshes::Scene> placed = meshes::make_scenes(all_sides);
+  result.search = meshes::search_scene_of(input);
+  const std::vector<meshes::Scene> placed = meshes::make_scenes(all_sides, result.search);
   for (int position = 1; position <= count; ++position) {
     contact::ProgressEvent event;
     event.model = "wheelset";

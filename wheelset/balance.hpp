@@ -17,13 +17,15 @@ struct BalancedCase {
   /// One for each patch that carries load, in the order of positions, left before right, the most
   /// loaded patch first.
   std::vector<contact::Case> scenes;
+  meshes::SearchScene search;         ///< the profiles, and the rail in its place
   std::vector<meshes::Scene> placed;  ///< as they were placed, for drawings
   std::vector<std::string> notes;     ///< what a reader must know
 };
 
 /// Patches and near misses of the wheels at all positions; nothing is solved. Throws
 /// contact::InputError and contact::SolveError as meshes::find_contacts does.
-std::vector<meshes::WheelRailContact> place_wheels(const contact::Case& input);
+std::vector<meshes::WheelRailContact> place_wheels(const contact::Case& input,
+                                                   const meshes::SearchScene& scene);
 
 /// Throws contact::SolveError when there is no balance (friction that would lift the wheel, no
 /// rotation without torque).

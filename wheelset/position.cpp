@@ -27,8 +27,7 @@ constexpr double load_tolerance = 1e-4;
 constexpr double torque_tolerance = 1e-5;
 
 struct Patch {
-  meshes::WheelRailContact contact;
-  Case scene;
+  meshes::Scene scene;
   std::vector<meshes::PatchForce> force;  ///< per load point, at the scene as it is
 };
 
@@ -41,15 +40,12 @@ class Position {
  public:
   Position(const Case& input, const std::vector<meshes::Scene>& scenes)
       : input_(input),
-        rotation_(input.rolling.creepages.size(), 0.0),
+        rotation_(meshes::rotation_changes(input)),
         free_(input.wheelset.free_rolling) {
-    const auto& given = input.wheelset.rotation_change;
-    for (std::size_t k = 0; k < rotation_.size() && !given.empty(); ++k)
-      rotation_[k] = given[std::min(k, given.size() - 1)];
     for (const meshes::Scene& scene : scenes) {
       const bool left = scene.contact.place.left;
       if (wheels_.empty() || wheels_.back().left != left) wheels_.push_back({left, {}});
-      wheels_.back().patches.push_back({scene.contact, scene.input, {}});
+      wheels_.back().patches.push_back({scene, {}});
     }
   }
 
@@ -93,7 +89,7 @@ class Position {
     for (std::size_t k = 0; k < rotation_.size(); ++k) {
       if (k == 0 || friction) forces = shares(wheel, load, friction ? &k : nullptr);
       for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
-        auto& of_patch = wheel.patches[i].scene.load.normal_forces;
+        auto& of_patch = wheel.patches[i].scene.input.load.normal_forces;
         of_patch.resize(rotation_.size(), 0.0);
         change = std::max(change, std::abs(of_patch[k] - forces[i]) / load);
         of_patch[k] = forces[i];
@@ -101,8 +97,8 @@ class Position {
     }
     drop_unloaded(wheel, load);
     for (Patch& patch : wheel.patches) {
-      const auto& all = patch.scene.load.normal_forces;
-      patch.scene.load.normal_force = *std::max_element(all.begin(), all.end());
+      const auto& all = patch.scene.input.load.normal_forces;
+      patch.scene.input.load.normal_force = *std::max_element(all.begin(), all.end());
     }
     return change;
   }
@@ -111,7 +107,7 @@ class Position {
   static void drop_untouched(Wheel& wheel) {
     auto& all = wheel.patches;
     all.erase(std::remove_if(all.begin(), all.end(),
-                             [](const Patch& p) { return !(*p.scene.load.approach > 0.0); }),
+                             [](const Patch& p) { return !(*p.scene.input.load.approach > 0.0); }),
               all.end());
   }
 
@@ -120,13 +116,11 @@ class Position {
     double lateral = 0.0;
     if (k != nullptr && *k < patch.force.size() && patch.force[*k].normal > 0.0)
       lateral = patch.force[*k].lateral / patch.force[*k].normal * normal_force;
-    return meshes::vertical_force(normal_force, lateral, patch.contact.place);
+    return meshes::vertical_force(normal_force, lateral, patch.scene.contact.place);
   }
 
   /// Normal forces of the patches that add up to `load` vertically.
   std::vector<double> shares(const Wheel& wheel, double load, const std::size_t* k) const {
-    std::vector<Case> scenes;
-    for (const Patch& patch : wheel.patches) scenes.push_back(patch.scene);
     const auto carried = [&](const std::vector<double>& normal) {
       double sum = 0.0;
       for (std::size_t i = 0; i < normal.size(); ++i) sum += lift(wheel.patches[i], normal[i], k);
@@ -138,6 +132,8 @@ class Position {
       return {load / unit};
     }
     // The sharing is a matter of geometry and elasticity; friction changes what has to be shared.
+    std::vector<Case> scenes;
+    for (const Patch& patch : wheel.patches) scenes.push_back(patch.scene.input);
     double to_share = load;
     constexpr int most_steps = 50;
     for (int step = 0; step < most_steps; ++step) {
@@ -161,17 +157,17 @@ class Position {
   static void drop_unloaded(Wheel& wheel, double load) {
     auto& all = wheel.patches;
     const auto loaded = [&](const Patch& patch) {
-      const auto& forces = patch.scene.load.normal_forces;
+      const auto& forces = patch.scene.input.load.normal_forces;
       return std::count_if(forces.begin(), forces.end(),
                            [&](double force) { return force > load_tolerance * load; });
     };
     for (const Patch& patch : all)
       if (const auto count = loaded(patch);
-          count > 0 && count < static_cast<long>(patch.scene.load.normal_forces.size()))
+          count > 0 && count < static_cast<long>(patch.scene.input.load.normal_forces.size()))
         throw contact::SolveError(fmt::format(
             "the {} wheel: a second patch carries load at {} of {} load points only; do: compute "
             "these load points in cases of their own",
-            wheel.left ? "left" : "right", count, patch.scene.load.normal_forces.size()));
+            wheel.left ? "left" : "right", count, patch.scene.input.load.normal_forces.size()));
     all.erase(std::remove_if(all.begin(), all.end(),
                              [&](const Patch& patch) { return loaded(patch) == 0; }),
               all.end());
@@ -182,38 +178,20 @@ class Position {
     for (Wheel& wheel : wheels) turn(rotation, wheel);
   }
   void turn(const std::vector<double>& rotation, Wheel& wheel) {
-    for (Patch& patch : wheel.patches)
-      for (std::size_t k = 0; k < rotation.size(); ++k)
-        patch.scene.rolling.creepages[k] = creepage(patch, k, rotation[k]);
-  }
-
-  /// What the case gives stands; the rest is the motion's.
-  contact::Creepage creepage(const Patch& patch, std::size_t k, double rotation) const {
-    contact::Creepage result =
-        meshes::creepage_of(patch.contact, meshes::motion_of(input_, rotation));
-    const contact::Creepage& given = input_.rolling.creepages[k];
-    if (input_.rolling.given.longitudinal) result.longitudinal = given.longitudinal;
-    if (input_.rolling.given.lateral) result.lateral = given.lateral;
-    if (input_.rolling.given.spin) result.spin = given.spin;
-    // A prescribed force stands in place of the creepage of its direction.
-    if (k < input_.rolling.forces.size()) {
-      if (input_.rolling.forces[k].longitudinal) result.longitudinal = 0.0;
-      if (input_.rolling.forces[k].lateral) result.lateral = 0.0;
-    }
-    return result;
+    for (Patch& patch : wheel.patches) meshes::set_rotation_changes(patch.scene, rotation);
   }
 
   static void solve(std::vector<Wheel>& wheels) {
     for (Wheel& wheel : wheels) solve(wheel);
   }
   static void solve(Wheel& wheel) {
-    for (Patch& patch : wheel.patches) patch.force = patch_forces(patch.scene);
+    for (Patch& patch : wheel.patches) patch.force = patch_forces(patch.scene.input);
   }
 
   double torque(const Wheel& wheel, std::size_t k) const {
     double sum = 0.0;
     for (const Patch& patch : wheel.patches)
-      sum += meshes::driving_moment(patch.contact, patch.force[k]);
+      sum += meshes::driving_moment(patch.scene.contact, patch.force[k]);
     return sum;
   }
   double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
@@ -244,7 +222,7 @@ class Position {
     double sum = 0.0;
     for (const Wheel& wheel : wheels_)
       for (const Patch& patch : wheel.patches)
-        sum += patch.scene.load.normal_force.value_or(patch.contact.normal_force);
+        sum += patch.scene.input.load.normal_force.value_or(patch.scene.contact.normal_force);
     return sum;
   }
 
@@ -254,10 +232,11 @@ class Position {
       std::vector<const Patch*> order;
       for (const Patch& patch : wheel.patches) order.push_back(&patch);
       std::stable_sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
-        return a->scene.load.normal_force.value_or(0.0) > b->scene.load.normal_force.value_or(0.0);
+        return a->scene.input.load.normal_force.value_or(0.0) >
+               b->scene.input.load.normal_force.value_or(0.0);
       });
       for (std::size_t i = 0; i < order.size(); ++i) {
-        Case scene = order[i]->scene;
+        Case scene = order[i]->scene.input;
         scene.place->patch = static_cast<int>(i) + 1;
         scene.place->patches = static_cast<int>(order.size());
         auto& forces = scene.load.normal_forces;
