@@ -1,6 +1,5 @@
 #include "app/compare.hpp"
 
-#include "app/places.hpp"
 #include "app/processes.hpp"
 #include "app/progress_display.hpp"
 #include "app/run.hpp"
@@ -183,11 +182,7 @@ void write_data(const CompareRequest& request, const postprocess::ComparisonReco
 
 void report_and_tell(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
   const fs::path directory = directory_of(request);
-  std::string problem;
-  if (request.report)
-    problem = postprocess::make_report(directory.string(), script_directory().string());
-  if (!problem.empty())
-    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+  const bool drawn = request.report && report_drawn(directory.string());
   if (request.quiet) return;
   std::vector<postprocess::CaseStandings> all;
   for (const ComparedCase& compared : record.cases) {
@@ -204,8 +199,7 @@ void report_and_tell(const CompareRequest& request, const postprocess::Compariso
   for (const std::string& words : postprocess::summary_words(all))
     std::cout << "  " << words << '\n';
   std::cout << "\nresults: " << directory.string() << '\n';
-  if (request.report && problem.empty())
-    std::cout << "report:  " << (directory / "compare.html").string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / "compare.html").string() << '\n';
 }
 
 /// A failure is told at the end, when everything else is safe.

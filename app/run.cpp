@@ -1,6 +1,5 @@
 #include "app/run.hpp"
 
-#include "app/places.hpp"
 #include "app/processes.hpp"
 #include "app/progress_display.hpp"
 #include "app/run_table.hpp"
@@ -61,11 +60,7 @@ void tell_about(const RunRequest& request, const postprocess::CheckpointFolder* 
 void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {
   const fs::path directory = output_directory(request);
   write_whole(directory.string(), record);
-  std::string problem;
-  if (request.report)
-    problem = postprocess::make_report(directory.string(), script_directory().string());
-  if (!problem.empty())
-    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+  const bool drawn = request.report && report_drawn(directory.string());
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n" << run_table(record.models);
   std::set<std::string> said;  // patches share most notes
@@ -73,8 +68,7 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
     for (const std::string& note : model.notes)
       if (said.insert(model.name + note).second) std::cout << '\n' << model.name << ": " << note;
   std::cout << "\n\nresults: " << directory.string() << '\n';
-  if (request.report && problem.empty())
-    std::cout << "report:  " << (directory / "report.html").string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / "report.html").string() << '\n';
 }
 
 /// Results that are sound but less than what was asked for are written and are a failure still.

@@ -1,5 +1,6 @@
 #include "app/solving.hpp"
 
+#include "app/places.hpp"
 #include "app/scene_checkpoint.hpp"
 #include "app/scenes.hpp"
 #include "app/version.hpp"
@@ -185,6 +186,13 @@ postprocess::Provenance provenance_of(const std::string& command, int processes)
 void write_whole(const std::string& directory, const postprocess::RunRecord& record) {
   const SignalsHeld held;
   postprocess::write_results(directory, record);
+}
+
+bool report_drawn(const std::string& directory) {
+  const std::string problem = postprocess::make_report(directory, script_directory().string());
+  if (!problem.empty())
+    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+  return problem.empty();
 }
 
 std::string result_directory(const std::string& case_file, const std::string& named) {

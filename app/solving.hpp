@@ -70,6 +70,9 @@ postprocess::Provenance provenance_of(const std::string& command, int processes)
 /// Writes a result folder; Ctrl-C waits until it is whole.
 void write_whole(const std::string& directory, const postprocess::RunRecord& record);
 
+/// Draws figures and page of a written folder; a warning says why when it is false.
+bool report_drawn(const std::string& directory);
+
 /// results/<name of the case file>, unless the user names another.
 std::string result_directory(const std::string& case_file, const std::string& named);
 

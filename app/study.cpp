@@ -1,6 +1,5 @@
 #include "app/study.hpp"
 
-#include "app/places.hpp"
 #include "app/processes.hpp"
 #include "app/progress_display.hpp"
 #include "app/run.hpp"
@@ -190,16 +189,11 @@ void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord&
   fs::create_directories(directory, error);
   postprocess::replace_file(directory / "study.json", postprocess::study_json(record));
   postprocess::replace_file(directory / "study.csv", postprocess::study_csv(record));
-  std::string problem;
-  if (request.report)
-    problem = postprocess::make_report(directory.string(), script_directory().string());
-  if (!problem.empty())
-    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+  const bool drawn = request.report && report_drawn(directory.string());
   if (request.quiet) return;
   std::cout << record.title << "\n\n" << postprocess::study_table(record);
   std::cout << "\nresults: " << directory.string() << '\n';
-  if (request.report && problem.empty())
-    std::cout << "report:  " << (directory / "study.html").string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / "study.html").string() << '\n';
 }
 
 /// Theories that cannot take a case say so when they run: with "all" they are left out.
