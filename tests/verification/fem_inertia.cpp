@@ -12,6 +12,7 @@
 #include "fem_elastic_block.hpp"
 #include "fem_quarter_ring.hpp"
 #include "fem_test_support.hpp"
+#include "support/recorded.hpp"
 #include <array>
 #include <cmath>
 
@@ -99,7 +100,9 @@ RingErrors ring_errors(double poisson_ratio, unsigned int cells) {
 
 TEST(SpinningRing, HasTheClosedFormsDisplacementAndHoopStress) {
   const auto coarse = ring_errors(0.3, 6), fine = ring_errors(0.3, 12);
-  RecordProperty("coarse", std::to_string(coarse.displacement));
+  tests::record("displacement_error", fine.displacement);
+  tests::record("order", std::log2(coarse.displacement / fine.displacement));
+  tests::record("hoop_error", fine.hoop_stress);
   EXPECT_LT(fine.displacement, 1e-5) << coarse.displacement;
   EXPECT_NEAR(std::log2(coarse.displacement / fine.displacement), 3.0, 0.4);
   EXPECT_LT(fine.hoop_stress, 2e-3) << coarse.hoop_stress;
@@ -158,8 +161,10 @@ TEST(MovingPressure, DeflectsAHalfSpaceAsColeAndHuthSay) {
   for (const double nu : {0.3, 0.4999})
     for (const double fraction : {0.0, 0.6, 0.89}) {
       const double speed = fraction * contact::rayleigh_speed({210e3, nu, 7.85e-9});
-      EXPECT_NEAR(computed_wave(speed, nu, 8) / moving_wave(speed, nu), 1, 5e-4)
+      const double computed = computed_wave(speed, nu, 8);
+      EXPECT_NEAR(computed / moving_wave(speed, nu), 1, 5e-4)
           << fraction << " of the Rayleigh speed, nu = " << nu;
+      tests::record(fmt::format("deflection_{}_{}", nu, fraction), computed);
     }
 }
 
@@ -200,6 +205,7 @@ TEST(RollingInertia, VanishesAsTheSquareOfTheSpeed) {
   const auto slow = respond(1e5, p, grid) - rest, fast = respond(2e5, p, grid) - rest;
   const double size = std::sqrt(dot(slow, slow));
   EXPECT_NEAR(std::sqrt(dot(fast, fast)) / size, 4.0, 0.02);
+  tests::record("ratio", std::sqrt(dot(fast, fast)) / size);
   const double relative = size / std::sqrt(dot(rest, rest));
   // rho V^2 / G = 1e-3 times something of the order of one.
   EXPECT_GT(relative, 1e-4);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
 #include <algorithm>
 #include <cmath>
@@ -124,13 +125,18 @@ TEST(Cattaneo, UnloadingLoopLosesTheWorkOfTheClosedForm) {
   const Case plain = cattaneo(0.0, 30);
   const ModelResult without = pushed(plain, loop);
   const double amplitude = 0.875 * 0.4 * *plain.load.normal_force;
-  EXPECT_NEAR(loop_loss(without) / exact(plain).cyclic_loss(amplitude), 1.0, 0.003);
+  const double lost = loop_loss(without);
+  EXPECT_NEAR(lost / exact(plain).cyclic_loss(amplitude), 1.0, 0.003);
   // The loop closes.
   EXPECT_NEAR(without.points.back().longitudinal_shift / without.points[0].longitudinal_shift, 1.0,
               1e-3);
   const Case benchmark = cattaneo(0.42, 30);
   const double q = 0.875 * 0.4 * *benchmark.load.normal_force;
-  EXPECT_NEAR(loop_loss(pushed(benchmark, loop)) / exact(benchmark).cyclic_loss(q), 1.0, 0.01);
+  const double lost_there = loop_loss(pushed(benchmark, loop));
+  EXPECT_NEAR(lost_there / exact(benchmark).cyclic_loss(q), 1.0, 0.01);
+  tests::record("loss", lost);
+  tests::record("normal_force", *plain.load.normal_force);
+  tests::record("loss_of_the_benchmark", lost_there);
 }
 
 TEST(Spence, ElasticSpherePressedOnARigidOne) {
@@ -164,6 +170,9 @@ TEST(Spence, ElasticSpherePressedOnARigidOne) {
   EXPECT_NEAR(point.approach / 0.09874, 1.0, 0.002);
   EXPECT_NEAR(point.max_pressure / 0.02392, 1.0, 0.003);
   EXPECT_NEAR(point.longitudinal_force, 0.0, 1e-6 * force);
+  tests::record("stick_ratio", std::sqrt(adhesion / contact));
+  tests::record("pressure", point.max_pressure);
+  tests::record("approach", point.approach);
 }
 
 /// Case b rolled over `lengths` patch lengths from rest, in steps of `step` elements.

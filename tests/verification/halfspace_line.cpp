@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/recorded.hpp"
 #include <cmath>
 #include <memory>
 
@@ -112,6 +113,8 @@ TEST(Carter, ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder) {
   EXPECT_LT(carter_error(80), 2.5e-4);
   EXPECT_GT(std::log2(at_40 / carter_error(80)), 1.7);
   EXPECT_GT(std::log2(carter_error(10) / at_40) / 2.0, 1.4);
+  for (const int n : {10, 20, 40, 80, 160})
+    tests::record("error_at_" + std::to_string(n), carter_error(n));
 }
 
 TEST(Carter, TractionsAndSlipOfTheUsersGuide) {
@@ -155,12 +158,14 @@ TEST(BentallJohnson, CreepageOfFreeRollingWithHardlyAnyFriction) {
   EXPECT_NEAR(xi / 5.2586e-4, 1.0, 0.002);
   EXPECT_NEAR(xi / 5.2631e-4, 1.0, 0.001);
   EXPECT_NEAR(xi / 5.260e-4, 1.0, 0.002);  // CONTACT, 200 elements
+  tests::record("creepage", xi);
 }
 
 TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
   // CONTACT at 200 elements, first order: digit by digit with its own operator.
   ContactState state;
-  EXPECT_NEAR(-bentall_johnson(0.05, 200, UpwindOrder::first).creepage_of(0.0), 4.29e-4, 0.005e-4);
+  const double some = -bentall_johnson(0.05, 200, UpwindOrder::first).creepage_of(0.0);
+  EXPECT_NEAR(some, 4.29e-4, 0.005e-4);
   const Roller rough = bentall_johnson(10.0, 200, UpwindOrder::first);
   EXPECT_NEAR(-rough.creepage_of(0.0, &state), 3.59e-4, 0.005e-4);
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.81, 0.02);
@@ -170,14 +175,21 @@ TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
   const double first_200 = -rough.creepage_of(0.0);
   const double second = -bentall_johnson(10.0, 200).creepage_of(0.0);
   EXPECT_NEAR(second / (2.0 * first_200 - first_100), 1.0, 0.003);
+  tests::record("creepage_at_0.05", some);
+  tests::record("creepage_at_10", first_200);
+  tests::record("pressure_at_10", state.normal.pressure.maxCoeff());
 }
 
 TEST(BentallJohnson, TractiveAndBrakedRolling) {
   const Roller roller = bentall_johnson(0.05, 200);
   ContactState state;
-  EXPECT_NEAR(-roller.creepage_of(0.75, &state) / 5.392e-4, 1.0, 0.002);
+  const double driven = -roller.creepage_of(0.75, &state);
+  EXPECT_NEAR(driven / 5.392e-4, 1.0, 0.002);
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.3, 0.05);
-  EXPECT_NEAR(-roller.creepage_of(-0.75, &state) / 2.108e-4, 1.0, 0.002);
+  const double braked = -roller.creepage_of(-0.75, &state);
+  EXPECT_NEAR(braked / 2.108e-4, 1.0, 0.002);
+  tests::record("creepage_driven", driven);
+  tests::record("creepage_braked", braked);
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.2, 0.05);
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
 #include <cmath>
 
@@ -170,6 +171,8 @@ TEST(HalfspaceNormal, FlatCircularPunchIsBoussinesqs) {
       EXPECT_LT(std::abs(error), 0.01);
       const double middle = s.pressure[grid.index(grid.nx / 2, grid.ny / 2)];
       EXPECT_NEAR(middle / (s.normal_force / (2.0 * M_PI * a * a)), 1.0, 0.01);
+      tests::record("force", s.normal_force);
+      tests::record("middle_pressure", middle);
     }
   }
 }

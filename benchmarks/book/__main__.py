@@ -1,0 +1,114 @@
+"""python3 -m book: makes the verification book. Called by `./rollfem book`, which builds first."""
+import argparse
+import datetime
+import os
+import platform
+import sys
+import time
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="./rollfem book", formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Computes every benchmark again and writes the verification book: README.md, its\n"
+                    "figures (.svg) and book.json.",
+        epilog="example: ./rollfem book --only carter cattaneo -o /tmp/book\n"
+               "Exit status: 0 every number is within what is allowed; 1 one is not, or a run failed;\n"
+               "2 the call is wrong.")
+    parser.add_argument("-o", "--output", metavar="DIR",
+                        help="folder for the book; without it docs/book of the source")
+    parser.add_argument("--only", nargs="+", metavar="CHAPTER", help="these chapters only (see --list)")
+    parser.add_argument("--list", action="store_true", help="name the chapters and end")
+    parser.add_argument("--results", metavar="DIR",
+                        help="where results are kept; without it results/book. Runs that are there of the "
+                             "same program and case are not computed again")
+    parser.add_argument("--fresh", action="store_true", help="compute again what is kept")
+    parser.add_argument("--png", metavar="DIR", help="also write bitmaps of the figures there")
+    parser.add_argument("--quiet", action="store_true", help="print the verdict only")
+    parser.add_argument("--root", help=argparse.SUPPRESS)
+    parser.add_argument("--build", help=argparse.SUPPRESS)
+    return parser
+
+
+def _wanted(parser, options, known):
+    names = [chapter.__name__.replace("_", "-") for chapter in known]
+    for name in options.only or []:
+        if name not in names:
+            parser.error(f"--only {name}: there is no such chapter; allowed: {', '.join(names)}")
+    return [c for c, name in zip(known, names) if not options.only or name in options.only]
+
+
+def _machine():
+    """Cores and processor, as the cost of a run means little without them."""
+    model = platform.processor() or platform.machine()
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            model = next((line.split(":")[1].strip() for line in file if line.startswith("model name")), model)
+    except OSError:
+        pass
+    return f"{len(os.sched_getaffinity(0))} cores of {model}"
+
+
+def _make(bench, chapters, say):
+    """(Chapters, [(name, why left out)], [sentence of a failure])."""
+    from .runs import BookError
+    made, left_out, failures = [], [], []
+    for function in chapters:
+        name = function.__name__.replace("_", "-")
+        if getattr(function, "needs_fem", False) and not bench.has_fem:
+            left_out.append((name, "needs finite elements, which this build has not"))
+            continue
+        say(f"chapter {name}")
+        try:
+            made.append(function(bench))
+        except BookError as error:
+            failures.append(f"{name}: {error}")
+            left_out.append((name, "its run failed"))
+    return made, left_out, failures
+
+
+def main():
+    parser = _parser()
+    options = parser.parse_args()
+    root = os.path.abspath(options.root or os.path.join(os.path.dirname(__file__), "..", ".."))
+    try:
+        from . import chapters as all_chapters, page
+        from .runs import Bench, BookError
+        from rollfem_figures import style
+    except ImportError as error:
+        sys.exit(f"the book needs numpy, matplotlib and h5py: {error}; do: apt install python3-matplotlib "
+                 "python3-h5py")
+    if options.list:
+        for chapter in all_chapters.ALL:
+            print(f"{chapter.__name__.replace('_', '-'):22} {chapter.__doc__.strip().splitlines()[0]}")
+        return 0
+    wanted = _wanted(parser, options, all_chapters.ALL)
+    directory = os.path.abspath(options.output or os.path.join(root, "docs", "book"))
+    say = (lambda text: None) if options.quiet else (lambda text: print(text, flush=True))
+    begin = time.time()
+    try:
+        os.makedirs(directory, exist_ok=True)
+        bench = Bench(root, options.build or os.path.join(root, "build"),
+                      os.path.abspath(options.results or os.path.join(root, "results", "book")),
+                      options.fresh, say)
+        style.use()
+        bench.figures, bench.png = directory, options.png
+        done, left_out, failures = _make(bench, wanted, say)
+        made = {"command": "./rollfem book" + (f" --only {' '.join(options.only)}" if options.only else ""),
+                "version": bench.version, "host": _machine(), "date": datetime.date.today().isoformat(),
+                "seconds": sum(c.seconds for chapter in done for c in chapter.cost)}
+        page.write_book(directory, done, left_out, made)
+    except (BookError, OSError) as error:
+        sys.exit(f"error: {error}")
+    beyond = [f"{c.title}: {row.quantity} {row.by}: {page.percent(row.difference)}, allowed "
+              f"{page.percent(row.allowed)[1:]}" for c in done for row in c.rows if not row.holds]
+    for text in failures + beyond:
+        print(f"error: {text}", file=sys.stderr)
+    judged = sum(row.allowed is not None for c in done for row in c.rows)
+    print(f"{judged - len(beyond)} of {judged} numbers are within what is allowed; "
+          f"{time.time() - begin:.0f} s\nbook: {os.path.join(directory, 'README.md')}")
+    return 1 if failures or beyond else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,155 @@
+"""Friction without steady rolling: pushed, pressed, and rolled from rest."""
+import numpy as np
+from matplotlib import pyplot as plt
+
+from rollfem_figures import style
+
+from .. import closed_forms
+from ..chapter import Chapter, Cost, Row
+
+# Benchmark 3: two like bodies of G = 200, nu = 0.42, A = B = 0.01 1/mm, mu = 0.4; a = 1 mm
+FORCE, FRICTION, SHEAR_MODULUS, POISSON = 9.1954, 0.4, 200.0, 0.42
+
+
+def cattaneo(bench):
+    """Cattaneo and Mindlin: a sphere pushed to and fro"""
+    result = bench.run("cattaneo", "cases/cattaneo.toml")
+    model = result.model("halfspace")
+    radius, _, pressure, approach = closed_forms.hertz(0.01, 0.01, FORCE, SHEAR_MODULUS / (1 - POISSON))
+    pushed = model.points[2]  # after the third step the shift is 0.008172 mm
+    shift = pushed["longitudinal_shift"]
+    part = closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, shift)
+    loop = bench.test("verification_halfspace_history:Cattaneo.UnloadingLoopLosesTheWorkOfTheClosedForm")
+    losses = [closed_forms.mindlin_loss(1.0, loop["normal_force"] if nu == 0 else FORCE, FRICTION, SHEAR_MODULUS,
+                                        nu, 7 / 8) for nu in (0.0, POISSON)]
+    rows = [Row("p0", "MPa", pressure, pushed["max_pressure"], 1e-3),
+            Row("approach", "mm", approach, pushed["approach"], 1e-3),
+            Row(f"force at a shift of {shift:.6f} mm", "N", part * FRICTION * FORCE, -pushed["longitudinal_force"],
+                0.005, of=FRICTION * FORCE, of_words="mu F_z"),
+            Row("radius of the adhesion area", "mm", radius * (1 - part) ** (1 / 3),
+                np.sqrt(pushed["adhesion_area"] / np.pi), 0.02),
+            Row("work lost in a cycle, nu = 0", "N mm", losses[0], loop["loss"], 0.003),
+            Row("work lost in a cycle, nu = 0.42", "N mm", losses[1], loop["loss_of_the_benchmark"], 0.01)]
+    return Chapter(
+        "cattaneo", "Cattaneo and Mindlin: a sphere pushed to and fro",
+        "Like bodies, G = 200 MPa, nu = 0.42, R = 50 mm, 9.1954 N, mu = 0.4, so that a = 1 mm; pushed by 0.008172 mm, "
+        "back and again ([case](../../cases/cattaneo.toml)); 40 elements across. The loss is that of cycles of +-7/8 mu F_z "
+        "at 30 across.",
+        "Cattaneo (1938), Mindlin (1949), Mindlin and Deresiewicz (1953). The closed form neglects the traction "
+        "across the push, which is exact for nu = 0 alone: with nu = 0.42 it is an approximation itself. The "
+        "adhesion area is counted by elements here.",
+        rows, figures=[(_loop(bench, model, radius), "Traction through the middle after 0.008172 mm, and the loop of "
+                        "force over shift; lines: closed form, marks: half-space")],
+        cost=[Cost("15 steps", model.seconds["total"], model.unknowns)],
+        tests=["verification.Cattaneo.ShiftAndStickRadiusOfTheBenchmarkAt40Elements",
+               "verification.Cattaneo.IsExactWithoutPoissonsRatio",
+               "verification.Cattaneo.UnloadingLoopLosesTheWorkOfTheClosedForm"])
+
+
+def _masing(shift, from_shift, from_part, radius, sign):
+    """The part of mu F_z on the way back from a turning point: twice the first curve (Masing)."""
+    half = closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, abs(shift - from_shift) / 2)
+    return from_part + 2 * sign * half
+
+
+def _loop(bench, model, radius):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.3))
+    point = model.points[2]
+    part = closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, point["longitudinal_shift"])
+    pressure = 1.5 * FORCE / (np.pi * radius**2)
+    x = np.linspace(-1.1 * radius, 1.1 * radius, 400)
+    left.plot(x, closed_forms.mindlin_traction(np.abs(x), radius, pressure, FRICTION, part), color="black",
+              linewidth=1.2, label="closed form")
+    row = np.abs(model.y).argmin()
+    left.plot(model.x, -point.fields["traction_x"][row], linestyle="none", marker="o", markersize=3.5,
+              color="#0072B2", label="half-space")
+    left.set_xlabel("x [mm]")
+    left.set_ylabel("traction against the push [MPa]")
+    left.legend(loc="lower center")
+    shifts = np.array([0] + [p["longitudinal_shift"] for p in model.points])
+    parts = np.array([0] + [-p["longitudinal_force"] for p in model.points]) / (FRICTION * FORCE)
+    top = shifts.max()
+    curve = np.linspace(0, top, 100)
+    turned = closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, top)
+    right.plot(1e3 * curve, [closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, s) for s in curve],
+               color="black", linewidth=1.2)
+    around = np.linspace(-top, top, 200)
+    right.plot(1e3 * around, [_masing(s, top, turned, radius, -1) for s in around], color="black", linewidth=1.2)
+    right.plot(1e3 * around, [_masing(s, -top, -turned, radius, 1) for s in around], color="black", linewidth=1.2)
+    right.plot(1e3 * shifts, parts, linestyle="none", marker="o", markersize=4, color="#0072B2")
+    right.set_xlabel("shift [µm]")
+    right.set_ylabel(r"force over $\mu F_z$")
+    figure.tight_layout()
+    return bench.save(figure, "cattaneo")
+
+
+def spence(bench):
+    """Spence: unlike bodies pressed together with friction"""
+    result = bench.run("spence", "cases/spence.toml")
+    model = result.model("halfspace")
+    ratios, forces = [], []
+    for point in model.points[3:]:
+        ratios.append(np.sqrt(point["adhesion_area"] / point["contact_area"]))
+        forces.append(point["normal_force"])
+    fine = bench.test("verification_halfspace_history:Spence.ElasticSpherePressedOnARigidOne")
+    hertz = closed_forms.hertz(1 / 243, 1 / 243, (70 / 90) ** 3, 1.0)[2]
+    rows = [Row("adhesion radius over patch radius", "", 0.5, fine["stick_ratio"], 0.01, by="0.1 mm elements, 34 steps"),
+            Row("p0 over Hertz's", "", 1.31, fine["pressure"] / hertz, 0.01, by="the same"),
+            Row("p0 against CONTACT", "MPa", 0.02392, fine["pressure"], 0.003, by="the same"),
+            Row("approach against CONTACT", "mm", 0.09874, fine["approach"], 0.002, by="the same"),
+            Row("adhesion radius over patch radius, last step", "", 0.5, ratios[-1], 0.03, by="the case, 48 across")]
+    figure, axis = plt.subplots(figsize=(4.6, 3.0))
+    axis.axhline(0.5, color="black", linewidth=1.2, label="Spence")
+    axis.plot(forces, ratios, linestyle="none", marker="o", markersize=4, color="#0072B2", label="half-space")
+    axis.set_ylim(0, 1)
+    axis.set_xlabel("normal force [N]")
+    axis.set_ylabel("adhesion radius over patch radius")
+    axis.legend(loc="upper right")
+    name = bench.save(figure, "spence")
+    return Chapter(
+        "spence", "Spence: unlike bodies pressed together with friction",
+        "An elastic sphere (G = 0.5 MPa, nu = 0, R = 121.5 mm) pressed on a rigid plane, mu = 0.2986, in steps of load "
+        "([case](../../cases/spence.toml)).",
+        "CONTACT's user guide after Spence (1975): the adhesion area keeps half the radius; p0 1.31 of Hertz's; CONTACT's "
+        "example: 0.09874 mm and 0.02392 MPa at 0.4705 N. Spence's closed form is not quoted: the one at hand "
+        "does not give the user guide's datum.",
+        rows, figures=[(name, "The adhesion area grows with the patch: cases/spence.toml, from the fourth step on")],
+        cost=[Cost("16 steps", model.seconds["total"], model.unknowns),
+              Cost("the test, 0.1 mm", fine["seconds"])],
+        tests=["verification.Spence.ElasticSpherePressedOnARigidOne"])
+
+
+def transient(bench):
+    """From rest to steady rolling"""
+    result = bench.run("transient", "cases/cattaneo_to_carter.toml")
+    model = result.model("halfspace")
+    steady = bench.run("transient_steady", "cases/thesis_b.toml", ["halfspace"],
+                       {"contact_grid.elements_across": 24, "rolling.longitudinal_creepage": "[0.001]"})
+    end = steady.model("halfspace").points[0]["traction_coefficient"]
+    distance = [p["distance"] for p in model.points]
+    force = [p["traction_coefficient"] for p in model.points]
+    rows = [Row("-F_x/F_z after 28.8 mm", "", end, force[-1], 0.008, of=0.55, of_words="mu")]
+    figure, axis = plt.subplots(figsize=(4.6, 3.0))
+    axis.axhline(end, color=style.GREY, linestyle=(0, (5, 3)), linewidth=1.2, label="steady rolling")
+    axis.plot(distance, force, marker="o", markersize=3.5, color="#0072B2", label="in steps of 1.2 mm")
+    axis.axvline(steady.model("halfspace").points[0]["contact_length"], color=style.GREY, linewidth=0.8,
+                 linestyle=(0, (1, 1.5)))
+    axis.annotate("length of the patch", (steady.model("halfspace").points[0]["contact_length"], 0.02), rotation=90,
+                  ha="right", va="bottom", fontsize=8, color=style.GREY)
+    axis.set_xlabel("distance rolled [mm]")
+    axis.set_ylabel("$-F_x/F_z$")
+    axis.set_ylim(bottom=0)
+    axis.legend(loc="lower right")
+    name = bench.save(figure, "transient")
+    return Chapter(
+        "transient", "From rest to steady rolling",
+        "Case b rolled from rest at 0.1 % creepage in steps of a tenth of the patch, 24 elements across "
+        "([case](../../cases/cattaneo_to_carter.toml)).",
+        "the program's own steady solution on the same grid, which is an independent algorithm (no steps) on the same "
+        "influence coefficients. With steps of one element the two agree to 5e-5 of mu F_z in the test; here steps "
+        "are 2.4 elements long.",
+        rows, figures=[(name, "Force against distance rolled")],
+        cost=[Cost("24 steps", model.seconds["total"], model.unknowns)],
+        tests=["verification.TransientRolling.TendsToTheSteadySolutionOfTheSameOrder",
+               "verification.TransientRolling.OtherStepsEndWithinTheDiscretisationError",
+               "verification.TransientRolling.FromCattaneoToCarterAtConstantForce"])

@@ -1,0 +1,85 @@
+"""True profiles: S1002 on UIC60, and the Manchester benchmark."""
+from matplotlib import pyplot as plt
+
+from .. import published
+from ..chapter import Chapter, Cost, Row, Table
+from ..page import number
+from rollfem_figures import style
+
+
+def wheel_on_rail(bench):
+    """S1002 on UIC60 at 100 kN: both wheels"""
+    rows, tables, cost = [], [], []
+    models = ["hertz", "fastsim", "strip", "halfspace"] + (["fem"] if bench.has_fem else [])
+    for side in ("left", "right"):
+        # 0.5 mm: the default cells are too coarse for the widths (docs/verification.md)
+        result = bench.run(f"s1002_{side}", f"cases/s1002_uic60_{side}.toml", models,
+                           {"rolling.longitudinal_creepage": "[0.001, 0.004]", "+": "\n[fem]\ncell_size = 0.5\n"})
+        contact = published.WHEEL_ON_RAIL[side]["CONTACT today"]
+        entries = []
+        for model in result.models:
+            point = model.points[0]
+            values = (point["max_pressure"], point["contact_length"], point["contact_width"])
+            entries.append((style.label(model), values))
+            if model.name in ("halfspace", "fem"):
+                limits = (0.005, 0.2 / 12.75, 0.2 / 16.20)
+                for words, unit, value, mine, most in zip(("p0", "length", "width"), ("MPa", "mm", "mm"), contact,
+                                                          values, limits):
+                    if value is not None:
+                        rows.append(Row(f"{side} wheel: {words}", unit, value, mine, most, by=style.label(model)))
+            cost.append(Cost(f"{side}: {style.label(model)}", model.seconds["total"], model.unknowns or None))
+        entries += [(name if name.startswith("CONTACT") else f"*{name}*", values)
+                    for name, values in published.WHEEL_ON_RAIL[side].items()]
+        tables.append(Table(f"The {side} wheel by all:", ["by", "p0 in MPa", "length in mm", "width in mm"],
+                            [[name, *(number(v, 5) for v in values)] for name, values in entries]))
+    return Chapter(
+        "wheel-on-rail", "S1002 on UIC60 at 100 kN",
+        "A wheelset 2 mm to the right, wheel radius 450 mm, mu = 0.55, rails inclined 1:40 "
+        "([left](../../cases/s1002_uic60_left.toml), [right](../../cases/s1002_uic60_right.toml)); half-space at 40 across, "
+        "finite elements on cells of 0.5 mm.",
+        "CONTACT rev 2707 on the same profiles (0.05 mm elements on the left; on the right only p0 is at hand). The "
+        "thesis's figures stand beside; its lengths cannot carry 100 kN at its pressures "
+        "([verification](../verification.md)).",
+        rows, tables=tables, cost=cost,
+        tests=["verification.ProfilePatches.S1002OnUic60HasContactsPatch",
+               "verification.ProfilePatches.S1002OnUic60HasContactsCreepCurve",
+               "verification.FemOnTheStudysLeftWheel.WithBoxesHasPressureAndForcesOfTheHalfSpace"])
+
+
+def manchester(bench):
+    """Manchester benchmark A-2.2: eleven positions of a wheelset"""
+    result = bench.run("manchester", "cases/manchester_A22.toml", settings={"wheelset.side": "\"left\""})
+    rows, places = [], {}
+    for model in result.models:
+        shift = round(model.place["lateral_shift"])
+        places[shift] = model
+        y, force, pressure, xi = published.MANCHESTER[shift]
+        point, at = model.points[0], f"{shift} mm"
+        rows.append(Row("y on the track", "mm", y, model.place["y_track"], 0.1, of=1.0, of_words="1 mm", by=at))
+        rows.append(Row("p0", "MPa", pressure, point["max_pressure"], 0.015, by=at))
+        # At 5 mm the right wheel touches at two places and xi changes by 2.7 % with 0.01 mm of shift.
+        rows.append(Row("xi", "", xi, point["longitudinal_creepage"], 0.054 if shift == 5 else max(0.02, 2e-5 / xi), by=at))
+    figure, axes = plt.subplots(1, 3, figsize=(10.2, 3.3))
+    shifts = sorted(places)
+    ours = {0: [places[s].place["y_track"] for s in shifts],
+            2: [places[s].points[0]["max_pressure"] for s in shifts],
+            3: [100 * places[s].points[0]["longitudinal_creepage"] for s in shifts]}
+    for axis, k, words in zip(axes, (0, 2, 3), ("y of the contact on the track [mm]", "$p_0$ [MPa]", r"$\xi$ [%]")):
+        scale = 100 if k == 3 else 1
+        axis.plot(shifts, [scale * published.MANCHESTER[s][k] for s in shifts], linestyle="none", marker="o",
+                  markersize=8, markerfacecolor="none", color="black", label="CONTACT")
+        axis.plot(shifts, ours[k], color="#0072B2", marker="o", markersize=3.5, linewidth=1.2, label="rollfem")
+        axis.set_xlabel("lateral shift [mm]")
+        axis.set_ylabel(words)
+    axes[1].legend(loc="upper left")
+    figure.tight_layout()
+    name = bench.save(figure, "manchester")
+    return Chapter(
+        "manchester", "Manchester benchmark A-2.2",
+        "S1002 on UIC60, 10 kN on each wheel, mu = 0.3, shift 0 to 10 mm with 2.4 mrad of yaw for each, no torque about the "
+        "axle; the left wheel ([case](../../cases/manchester_A22.toml)).",
+        "CONTACT's shipped results (user guide r2707, 5.7; Shackleton and Iwnicki 2008). At the largest creepages up to "
+        "1.2 % are a matter of definition: CONTACT divides by the mean of forward and circumferential speed.",
+        rows, figures=[(name, "Place, pressure and creepage of the left wheel over the shift")],
+        cost=[Cost("eleven positions, half-space", sum(m.seconds["total"] for m in result.models))],
+        tests=["verification.ManchesterBenchmark.LeftWheelAgreesWithContact"])

@@ -1,0 +1,156 @@
+"""Closed forms, written apart from the program's code: the book must not check a formula with itself.
+
+Units mm, N, MPa. Elastic constants are G and nu of like bodies; E* = G/(1 - nu) unless told otherwise.
+"""
+import numpy as np
+
+
+def elliptic_integrals(k2):
+    """Complete K(k), E(k) of the parameter k^2, by the arithmetic-geometric mean (Abramowitz 17.6)."""
+    a, b, c, power, sum_ = 1.0, np.sqrt(1.0 - k2), np.sqrt(k2), 1.0, 0.5 * k2
+    while c > 1e-16:
+        a, b, c = (a + b) / 2, np.sqrt(a * b), (a - b) / 2
+        power *= 2
+        sum_ += power * c * c / 2
+    first = np.pi / (2 * a)
+    return first, first * (1.0 - sum_)
+
+
+def hertz(curvature_x, curvature_y, force, modulus):
+    """(a along x, b along y, p0, approach) of h = A x^2 + B y^2 under a force (Johnson 1985, 4.26-4.32).
+
+    The ratio of the semi-axes follows from B/A by bisection; curvatures A, B in 1/mm.
+    """
+    turned = curvature_x > curvature_y
+    small, large = sorted((curvature_x, curvature_y))
+
+    def sides(k2):
+        """A and B times E*/p0 times the longer axis, for e^2 = k2."""
+        first, second = elliptic_integrals(k2)
+        ratio = np.sqrt(1 - k2)
+        return ratio / k2 * (first - second), ratio / k2 * (second / ratio**2 - first)
+
+    if large / small < 1 + 1e-9:
+        radius = (3 * force / (8 * modulus * small)) ** (1 / 3)
+        pressure = 1.5 * force / (np.pi * radius**2)
+        return radius, radius, pressure, 2 * small * radius**2
+    low, high = 1e-12, 1 - 1e-12
+    for _ in range(200):
+        k2 = (low + high) / 2
+        a_side, b_side = sides(k2)
+        low, high = (k2, high) if b_side / a_side < large / small else (low, k2)
+    ratio = np.sqrt(1 - k2)
+    # A = (p0/E*) side/a and p0 = 3F/(2 pi a b), b = ratio a
+    longer = (1.5 * force / (np.pi * ratio) * sides(k2)[0] / (modulus * small)) ** (1 / 3)
+    shorter = ratio * longer
+    pressure = 1.5 * force / (np.pi * longer * shorter)
+    approach = pressure / modulus * shorter * elliptic_integrals(k2)[0]
+    axes = (shorter, longer) if turned else (longer, shorter)
+    return (*axes, pressure, approach)
+
+
+def carter_traction(x, semi_axis, pressure, friction, contact_modulus, creepage):
+    """Tangential traction (against the sliding, MPa) of two like cylinders at x, + leading (Carter 1926).
+
+    `contact_modulus` is G/(1 - nu) of either body; creepage > 0. With R the relative radius,
+    p0 = (a/R) G/(2 (1 - nu)), and the adhesion zone has the half width a' = a - xi R/mu.
+    """
+    radius = semi_axis * contact_modulus / (2 * pressure)
+    stick = max(semi_axis - creepage * radius / friction, 0.0)
+    whole = np.sqrt(np.maximum(1 - (x / semi_axis) ** 2, 0))
+    part = 0.0
+    if stick > 0:
+        part = stick / semi_axis * np.sqrt(np.maximum(1 - ((x - (semi_axis - stick)) / stick) ** 2, 0))
+    return friction * pressure * (whole - part)
+
+
+def carter_force(semi_axis, pressure, friction, contact_modulus, creepage):
+    """Force per width in N/mm: (1 - (a'/a)^2) mu P, P = pi a p0/2."""
+    radius = semi_axis * contact_modulus / (2 * pressure)
+    stick = max(semi_axis - creepage * radius / friction, 0.0)
+    return (1 - (stick / semi_axis) ** 2) * friction * np.pi * semi_axis * pressure / 2
+
+
+def mindlin_traction(r, radius, pressure, friction, part):
+    """Traction under a sphere pushed with `part` of mu P (Cattaneo 1938; Johnson 1985, 7.37)."""
+    stick = (1 - part) ** (1 / 3) * radius
+    whole = np.sqrt(np.maximum(1 - (r / radius) ** 2, 0))
+    inner = np.sqrt(np.maximum(1 - (r / stick) ** 2, 0)) * stick / radius
+    return friction * pressure * (whole - inner)
+
+
+def mindlin_shift(radius, force, friction, shear_modulus, poisson, part):
+    """Shift of like bodies in mm at a push of `part` of mu P, monotonous from rest (Mindlin 1949)."""
+    compliance = 2 * (2 - poisson) / shear_modulus
+    return 3 * friction * force / (16 * radius) * compliance * (1 - (1 - part) ** (2 / 3))
+
+
+def mindlin_part(radius, force, friction, shear_modulus, poisson, shift):
+    """The part of mu P that a shift makes: the inverse of mindlin_shift."""
+    compliance = 2 * (2 - poisson) / shear_modulus
+    reduced = 1 - shift * 16 * radius / (3 * friction * force * compliance)
+    return 1 - max(reduced, 0.0) ** 1.5
+
+
+def circle_axis_stress(depth, poisson):
+    """(sigma_r, sigma_z)/p0 on the axis below Hertz's circle, at depth/a > 0 (Johnson 1985, 3.45)."""
+    z = np.asarray(depth, float)
+    radial = -(1 + poisson) * (1 - z * np.arctan(1 / z)) + 0.5 / (1 + z * z)
+    return radial, -1 / (1 + z * z)
+
+
+def vermeulen_johnson(tau):
+    """F/(mu N) for the reduced creepage tau (Vermeulen and Johnson 1964)."""
+    return 1 - (1 - tau / 3) ** 3 if tau < 3 else 1.0
+
+
+def persson(half_angle):
+    """(E1* dR/Q, p(0) R/Q) of a pin in the hole of a plate, contact over 2 half_angle (Persson 1964).
+
+    Like bodies in plane strain, E1* = E/(1 - nu^2) of one of them, dR the clearance, Q per length.
+    """
+    b2 = np.tan(half_angle / 2) ** 2
+    clearance = (2 * (1 - b2**2) - np.log(1 + b2)) / (np.pi * b2 * (1 + b2))
+    whole, root = np.sqrt(1 + b2), np.sqrt(b2)
+    pressure = 2 / (np.pi * whole) * root + np.log((whole + root) / (whole - root)) / (2 * np.pi * b2 * (1 + b2))
+    return clearance, pressure
+
+
+def mindlin_loss(radius, force, friction, shear_modulus, poisson, part):
+    """Work lost in a cycle between +-part of mu P, N mm (Mindlin and Deresiewicz 1953)."""
+    compliance = 2 * (2 - poisson) / shear_modulus
+    rest = 1 - part
+    form = 1 - rest ** (5 / 3) - 5 * part / 6 * (1 + rest ** (2 / 3))
+    return 9 * (friction * force) ** 2 / (10 * radius) * compliance * form
+
+
+def moving_wave(fraction_of_rayleigh, poisson):
+    """Deflection under p0 cos(k x) moving over a half-space, over p0/(G k) (Cole and Huth 1958)."""
+    if fraction_of_rayleigh == 0:
+        return 1 - poisson
+    ratio = (1 - 2 * poisson) / (2 - 2 * poisson)  # (c_s/c_p)^2
+
+    def shape(m):
+        """a_p m and the Rayleigh function, for m = (V/c_s)^2."""
+        first, second = np.sqrt(1 - m * ratio), np.sqrt(1 - m)
+        return first * m, 4 * first * second - (1 + second * second) ** 2
+
+    low, high = 0.5, 1 - 1e-12  # the Rayleigh wave, where the function passes through zero
+    for _ in range(100):
+        middle = (low + high) / 2
+        low, high = (middle, high) if shape(middle)[1] > 0 else (low, middle)
+    above, below = shape(low * fraction_of_rayleigh**2)
+    return above / below
+
+
+def free_rolling_creepage(friction_free_factor, semi_axis, radius):
+    """Creepage of free rolling of unlike cylinders where everything slips (Bentall and Johnson 1967).
+
+    `friction_free_factor` is kappa = 2 beta (twice Dundurs' constant), `radius` the relative one. The point of
+    no slip c a follows from the balance of forces, asin c + c sqrt(1 - c^2) = pi/4.
+    """
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        c = (low + high) / 2
+        low, high = (c, high) if np.arcsin(c) + c * np.sqrt(1 - c * c) < np.pi / 4 else (low, c)
+    return np.sqrt(1 - low * low) / 2 * friction_free_factor * semi_axis / radius

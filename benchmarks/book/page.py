@@ -1,0 +1,162 @@
+"""The book as Markdown, with every number also in book.json."""
+import json
+import math
+import os
+
+INTRO = """# Verification book
+
+What rollfem's numbers are worth: every benchmark computed again and laid beside a closed form, a published value or
+an independent method. Reference values are computed by the book's own formulas
+(`benchmarks/book/closed_forms.py`) or quoted with their source; no number below was typed in. *Difference* is
+(reached − reference) in percent of the reference, or of what is said beside it; *allowed* is what the test that holds the
+number allows too; where it is empty, the difference is shown and not judged. How the numbers came about, and what was
+tried on the way: [verification](../verification.md).
+"""
+
+
+def number(value, digits=6):
+    """A number as a reader writes it: 6 digits, no exponent between 1e-4 and 1e7."""
+    if value is None:
+        return ""
+    if not math.isfinite(value):
+        return str(value)
+    if value == 0:
+        return "0"
+    if 1e-4 <= abs(value) < 1e7:
+        text = f"{value:.{max(0, digits - 1 - math.floor(math.log10(abs(value))))}f}"
+        return (text.rstrip("0").rstrip(".") if "." in text else text).replace("-", "−")
+    return f"{value:.{digits - 1}e}".replace("-", "−")
+
+
+def percent(fraction, digits=2):
+    """Signed, with `digits` digits that count."""
+    value = 100 * fraction
+    if not math.isfinite(value):
+        return "none"
+    if abs(value) < 5e-7:
+        return "0 %"
+    places = max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    return f"{value:+.{min(places, 6)}f} %".replace("-", "−")
+
+
+def _allowed(row):
+    if row.allowed is None:
+        return ""
+    words = f" of {row.of_words}" if row.of_words else ""
+    return f"{100 * row.allowed:.2g} %{words}" + ("" if row.holds else " **beyond**")
+
+
+def _table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def _rows(chapter):
+    named = any(row.by for row in chapter.rows)
+    judged = any(row.allowed is not None for row in chapter.rows)
+    head = ["quantity"] + (["by"] if named else []) + ["reference", "reached", "difference"]
+    head += ["allowed"] if judged else []
+    rows = []
+    for row in chapter.rows:
+        unit = f", {row.unit}" if row.unit else ""
+        rows.append([row.quantity + unit] + ([row.by] if named else [])
+                    + [number(row.reference), number(row.reached), percent(row.difference)]
+                    + ([_allowed(row)] if judged else []))
+    return _table(head, rows)
+
+
+def _cost(chapter):
+    parts = []
+    for cost in chapter.cost:
+        size = f" ({cost.unknowns:,} unknowns)".replace(",", " ") if cost.unknowns else ""
+        parts.append(f"{cost.what} {number(cost.seconds, 2)} s{size}")
+    return "Cost: " + "; ".join(parts) + "." if parts else ""
+
+
+def chapter_text(chapter, place):
+    """One chapter; `place` is its number in the book."""
+    parts = [f"## {place}. {chapter.title}", chapter.setup.strip(), f"**Against** {chapter.source.strip()}"]
+    if chapter.rows:
+        parts.append(_rows(chapter))
+    for file, caption in chapter.figures:
+        parts.append(f"![{caption}]({file})\n\n*{caption}*")
+    for table in chapter.tables:
+        parts.append(f"{table.caption}\n\n" + _table(table.head, table.rows))
+    if chapter.after:
+        parts.append(chapter.after.strip())
+    held = ", ".join(f"`{name}`" for name in chapter.tests)
+    parts.append(" ".join(p for p in [f"Held by {held}." if held else "", _cost(chapter)] if p))
+    return "\n\n".join(parts)
+
+
+def _anchor(place, title):
+    """What GitHub makes of a heading."""
+    kept = "".join(c for c in f"{place}. {title}".lower() if c.isalnum() or c in " -_")
+    return kept.replace(" ", "-")
+
+
+def worst(chapter):
+    """The row nearest to, or farthest beyond, what is allowed; None when none is judged."""
+    judged = [row for row in chapter.rows if row.allowed]
+    return max(judged, key=lambda r: abs(r.difference) / r.allowed if math.isfinite(r.difference)
+               else math.inf, default=None)
+
+
+def _contents(chapters, left_out):
+    rows = []
+    for place, chapter in enumerate(chapters, 1):
+        row = worst(chapter)
+        judged = [r for r in chapter.rows if r.allowed is not None]
+        rows.append([f"[{place}. {chapter.title}](#{_anchor(place, chapter.title)})",
+                     f"{sum(r.holds for r in judged)} of {len(judged)}" if judged else "shown",
+                     f"{row.quantity}{f' ({row.by})' if row.by else ''}: {percent(row.difference)}, "
+                     f"allowed {_allowed(row)}" if row else "",
+                     number(sum(c.seconds for c in chapter.cost), 2)])
+    text = _table(["chapter", "numbers held", "nearest to its limit", "seconds"], rows)
+    if left_out:
+        text += "\n\nLeft out: " + "; ".join(f"{name} ({reason})" for name, reason in left_out) + "."
+    return text
+
+
+def book_text(chapters, left_out, made):
+    """The whole book; `made` says by what, where and when."""
+    judged = [row for chapter in chapters for row in chapter.rows if row.allowed is not None]
+    held = sum(row.holds for row in judged)
+    summary = (f"**{held} of {len(judged)} numbers are within what is allowed.** Made by `{made['command']}` with "
+               f"{made['version']} on {made['host']}, {made['date']}; the computations took "
+               f"{number(made['seconds'], 3)} s.")
+    chapters_text = [chapter_text(c, place) for place, c in enumerate(chapters, 1)]
+    return "\n\n".join([INTRO.strip(), summary, _contents(chapters, left_out), *chapters_text]) + "\n"
+
+
+def book_json(chapters, left_out, made):
+    """The same as data: chapters with their rows, fractions not percent."""
+    def row_of(row):
+        return {"quantity": row.quantity, "by": row.by, "unit": row.unit, "reference": row.reference,
+                "reached": row.reached, "difference": row.difference, "allowed": row.allowed,
+                "of": row.of_words or "the reference", "holds": row.holds}
+    return {"format": 1, "kind": "book", **made,
+            "left_out": [{"chapter": name, "reason": reason} for name, reason in left_out],
+            "chapters": [{"name": c.name, "title": c.title, "holds": c.holds, "tests": c.tests,
+                          "rows": [row_of(r) for r in c.rows],
+                          "cost": [{"what": k.what, "seconds": k.seconds, "unknowns": k.unknowns}
+                                   for k in c.cost]} for c in chapters]}
+
+
+def write(path, text):
+    """Whole or not at all."""
+    part = f"{path}.part-{os.getpid()}"
+    try:
+        with open(part, "w", encoding="utf-8") as file:
+            file.write(text)
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)
+
+
+def write_book(directory, chapters, left_out, made):
+    """README.md, which is what a browser of the repository shows of a folder, and book.json."""
+    write(os.path.join(directory, "README.md"), book_text(chapters, left_out, made))
+    write(os.path.join(directory, "book.json"),
+          json.dumps(book_json(chapters, left_out, made), indent=1, ensure_ascii=False) + "\n")

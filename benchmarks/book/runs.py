@@ -1,0 +1,174 @@
+"""Runs of the program and of its tests, for the chapters; kept, so that a second call takes them up."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import time
+
+from rollfem_figures import style
+from rollfem_figures.reader import read_result
+
+
+class BookError(Exception):
+    """The book cannot be made: said in one sentence."""
+
+
+class RunFailed(BookError):
+    """A run of the program or of a test ended with an error."""
+
+
+def with_settings(text, settings):
+    """The text of a case file with other values: {"contact_grid.elements_across": 80, ...}.
+
+    Keys must be there already, so that a misspelt one cannot be ignored. Values are TOML text or numbers.
+    "+" stands for sections to be added at the end, as text.
+    """
+    settings = dict(settings)
+    added = settings.pop("+", "")
+    lines = text.split("\n")
+    for name, value in settings.items():
+        section, key = name.rsplit(".", 1) if "." in name else ("", name)
+        at, found = "", None
+        for number, line in enumerate(lines):
+            header = re.match(r"\[([^\[\]]+)\]", line)
+            if header:
+                at = header[1]
+            elif at == section and re.match(rf"{re.escape(key)}\s*=", line):
+                found = number
+        if found is None:
+            raise BookError(f"the case file has no {name} to be changed")
+        lines[found] = f"{key} = {value}"
+    return "\n".join(lines) + added
+
+
+class Bench:
+    """The program, its tests and a folder for what they compute.
+
+    `build`: the build tree; `folder`: results are kept there by name, and used again when the program
+    (version, commit) and the case file are the same and `fresh` is not set.
+    """
+
+    def __init__(self, root, build, folder, fresh=False, say=lambda text: None):
+        self.root, self.build, self.folder, self.fresh, self.say = root, build, folder, fresh, say
+        self.program = os.path.join(build, "app", "rollfem")
+        if not os.access(self.program, os.X_OK):
+            raise BookError(f"there is no program {self.program}; do: ./rollfem build")
+        self.version = self._version()
+        self.figures, self.png = folder, None  # where figures go, and bitmaps of them
+        os.makedirs(folder, exist_ok=True)
+
+    def _version(self):
+        return subprocess.run([self.program, "--version"], check=True, capture_output=True,
+                              text=True).stdout.strip()
+
+    @property
+    def has_fem(self):
+        return os.path.exists(os.path.join(self.build, "tests", "unit_fem_body"))
+
+    def case_text(self, case, settings=None):
+        with open(os.path.join(self.root, case), encoding="utf-8") as file:
+            return with_settings(file.read(), settings or {})
+
+    def _call(self, name, command, made):
+        """Runs a command in the source folder; checks that it ended well and made what it should."""
+        begin = time.time()
+        done = subprocess.run(command, cwd=self.root, capture_output=True, text=True, check=False,
+                              env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+        if done.returncode != 0:
+            last = (done.stderr or done.stdout).strip().split("\n")[-1]
+            raise RunFailed(f"{name}: {' '.join(command)} ended with {done.returncode}: {last}")
+        if not os.path.exists(made):
+            raise RunFailed(f"{name}: {' '.join(command)} left no {made}")
+        self.say(f"  {name}: {time.time() - begin:.1f} s")
+
+    def _kept(self, target, stamp):
+        """Whether the run is there already, by the same program on the same input."""
+        if self.fresh or not os.path.exists(target):
+            return False
+        try:
+            with open(target + ".stamp", encoding="utf-8") as file:
+                return file.read() == stamp
+        except OSError:
+            return False
+
+    def _stamped(self, target, stamp, command, made):
+        if self._kept(target, stamp):
+            self.say(f"  {os.path.basename(target)}: kept")
+            return
+        for old in (target, target + ".stamp"):
+            if os.path.isdir(old):
+                shutil.rmtree(old)
+            elif os.path.exists(old):
+                os.remove(old)
+        self._call(os.path.basename(target), command, made)
+        with open(target + ".stamp", "w", encoding="utf-8") as file:
+            file.write(stamp)
+
+    def _program(self, verb, name, cases, settings, options):
+        """One call of the program; returns the folder of its results."""
+        target = os.path.join(self.folder, name)
+        files, texts = [], []
+        for case in cases:
+            text = self.case_text(case, settings)
+            texts.append(text)
+            if settings:
+                own = f"{target}.toml"
+                with open(own, "w", encoding="utf-8") as file:
+                    file.write(text)
+                files.append(own)
+            else:
+                files.append(case)
+        command = [self.program, verb, *files, *options, "--quiet", "-o", target]
+        stamp = "\n".join([self.version, verb, *options, *texts])
+        self._stamped(target, stamp, command, target)
+        return target
+
+    def save(self, figure, name):
+        """Writes a figure of the book; its file name."""
+        style.save(figure, os.path.join(self.figures, name + ".svg"), self.png)
+        return name + ".svg"
+
+    def run(self, name, case, models=(), settings=None):
+        """`rollfem run` of a case, with other settings where given; its Result."""
+        options = ["--model", ",".join(models)] if models else []
+        return read_result(self._program("run", name, [case], settings, [*options, "--no-report"]))
+
+    def study(self, name, case, options=(), settings=None):
+        """`rollfem study` of a case; study.json as a dict."""
+        folder = self._program("study", name, [case], settings, [*options, "--no-report"])
+        with open(os.path.join(folder, "study.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def compare(self, name, cases, models):
+        """`rollfem compare` of cases; (compare.json, {case name: Result})."""
+        folder = self._program("compare", name, cases, None,
+                               ["--model", ",".join(models), "--no-report"])
+        with open(os.path.join(folder, "compare.json"), encoding="utf-8") as file:
+            comparison = json.load(file)
+        return comparison, {c["name"]: read_result(os.path.join(folder, c["name"]))
+                            for c in comparison["cases"]}
+
+    def test(self, name):
+        """Runs one test, e.g. "verification_fem_persson:PerssonPin.Touches..."; what it recorded.
+
+        The numbers are floats by name (RecordProperty of GoogleTest), with "seconds" of the test.
+        Raises RunFailed when the test does not pass.
+        """
+        program, test = name.split(":")
+        path = os.path.join(self.build, "tests", program)
+        if not os.access(path, os.X_OK):
+            raise BookError(f"there is no test {path}; do: ./rollfem build")
+        target = os.path.join(self.folder, re.sub(r"[^A-Za-z0-9]+", "_", test) + ".json")
+        command = [path, f"--gtest_filter={test}", f"--gtest_output=json:{target}"]
+        self._stamped(target, f"{self.version}\n{os.path.getmtime(path)}\n{test}", command, target)
+        with open(target, encoding="utf-8") as file:
+            suites = json.load(file)["testsuites"]
+        cases = [case for suite in suites for case in suite["testsuite"]]
+        if not cases:
+            raise RunFailed(f"{path} has no test {test}")
+        known = {"name", "file", "line", "status", "result", "timestamp", "time", "classname",
+                 "type_param", "value_param"}
+        numbers = {key: float(value) for key, value in cases[0].items() if key not in known}
+        numbers["seconds"] = float(cases[0]["time"].rstrip("s"))
+        return numbers

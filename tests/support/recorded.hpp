@@ -1,0 +1,17 @@
+#pragma once
+// Numbers that a test hands to the verification book (benchmarks/book), which quotes them beside
+// their closed form.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rollfem::tests {
+
+/// Keeps `value` with all its digits in what the running test reports (GoogleTest's
+/// RecordProperty).
+inline void record(const std::string& name, double value) {
+  ::testing::Test::RecordProperty(name, fmt::format("{:.10g}", value));
+}
+
+}  // namespace rollfem::tests
