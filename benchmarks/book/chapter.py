@@ -22,7 +22,8 @@ class Row:
     by: str = ""  # whose number: model, grid
 
     def __post_init__(self):
-        self.reference, self.reached = float(self.reference), float(self.reached)  # numpy's are no JSON
+        # Numpy's numbers are no JSON.
+        self.reference, self.reached = float(self.reference), float(self.reached)
 
     @property
     def difference(self):
@@ -35,7 +36,7 @@ class Row:
         """False also for a number that is none."""
         if self.allowed is None:
             return True
-        return math.isfinite(self.difference) and abs(self.difference) <= self.allowed
+        return bool(math.isfinite(self.difference) and abs(self.difference) <= self.allowed)
 
 
 @dataclass

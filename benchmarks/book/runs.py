@@ -64,7 +64,7 @@ class Bench:
 
     @property
     def has_fem(self):
-        return os.path.exists(os.path.join(self.build, "tests", "unit_fem_body"))
+        return os.path.exists(os.path.join(self.build, "fem", "librollfem_fem.so"))
 
     def case_text(self, case, settings=None):
         with open(os.path.join(self.root, case), encoding="utf-8") as file:

@@ -53,7 +53,8 @@ def persson(bench):
         cost=[Cost("three angles, two meshes each", found["seconds"])],
         tests=["verification.PerssonPin.TouchesOverTheAngleAndWithThePressureOfTheClosedForm",
                "unit.Persson.GivesTheTableOfTheFourierSolution"],
-        after="Hertz's theory, that is half-spaces, has p(0) off by " + ", ".join(missed) + " there.")
+        after="Hertz's theory, that is half-spaces, at the same load and clearance has p(0) off by "
+              + ", ".join(missed) + ".")
 
 
 persson.needs_fem = True

@@ -19,8 +19,8 @@ def fem_hertz(bench):
     for before, level in zip(series["levels"], series["levels"][1:]):
         rows.append(Row(f"error of p0 over that on cells of {before['parameter']:g} mm", "", 0.0,
                         abs(level["values"]["max_pressure"] - exact["max_pressure"])
-                        / abs(before["values"]["max_pressure"] - exact["max_pressure"]), 0.5, of=1.0,
-                        of_words="1", by=f"cells of {level['parameter']:g} mm"))
+                        / abs(before["values"]["max_pressure"] - exact["max_pressure"]), of=1.0,
+                        by=f"cells of {level['parameter']:g} mm"))
     figure, axis = plt.subplots(figsize=(4.6, 3.3))
     unknowns = [level["unknowns"] for level in series["levels"]]
     for key, words, ink, mark in (("max_pressure", "$p_0$", "#0072B2", "o"), ("semi_axis_x", "a", "#D55E00", "s"),

@@ -2,6 +2,8 @@
 import numpy as np
 from matplotlib import pyplot as plt
 
+from rollfem_figures import style
+
 from .. import closed_forms, published
 from ..chapter import Chapter, Cost, Row
 
@@ -59,7 +61,7 @@ def stress_circle(bench):
     axis.invert_yaxis()
     axis.set_xlabel("stress over $p_0$")
     axis.set_ylabel("depth over a")
-    axis.legend(loc="lower right")
+    axis.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
     name = bench.save(figure, "stress_circle")
     return Chapter(
         "stress-circle", "Stress on the axis below Hertz's circle",
@@ -93,7 +95,7 @@ def stress_case_a(bench):
                 rows.append(Row(f"{key}: largest difference over eight depths", "MPa", 0.0, value,
                                 0.01 if model.name == "fem" else 0.002, of=p0, of_words="p0", by=by))
             lines.append((model, body, depth, von_mises(line["stress"])))
-        cost.append(Cost(model.name, model.seconds["total"], model.unknowns))
+        cost.append(Cost(style.label(model), model.seconds["total"], model.unknowns))
     figure, axis = plt.subplots(figsize=(4.4, 3.8))
     for model, body, depth, value in lines:
         if model.name == "halfspace" or body == "rail":

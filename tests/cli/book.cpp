@@ -1,0 +1,97 @@
+// The verification book: what `./rollfem book` calls once the program is built.
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include <cmath>
+
+namespace {
+
+using rollfem::test::contents;
+using rollfem::test::execute;
+using rollfem::test::Folder;
+using rollfem::test::Outcome;
+
+const std::string source = ROLLFEM_SOURCE_DIR;
+const std::string build =
+    std::filesystem::path(ROLLFEM_PROGRAM).parent_path().parent_path().string();
+
+/// Calls the book in the folder with results and output of its own; `script` runs before its main.
+Outcome book(const Folder& folder, std::vector<std::string> options,
+             const std::string& script = "") {
+  const std::string code = "import sys; from book import published\n" + script +
+                           "\nfrom book.__main__ import main; sys.exit(main())";
+  std::vector<std::string> call{
+      "/usr/bin/python3", "-c",      code, "--root", source, "--build", build,
+      "--results",        "results", "-o", "out"};
+  call.insert(call.end(), options.begin(), options.end());
+  return execute(folder, call,
+                 {"PYTHONPATH=" + source + "/benchmarks:" + source + "/postprocess",
+                  "PYTHONDONTWRITEBYTECODE=1"});
+}
+
+TEST(Book, HoldsClosedFormNumberReachedAndTestOfEveryChapterAskedFor) {
+  const Folder folder;
+  const Outcome made = book(folder, {"--only", "hertz", "fastsim"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto data = nlohmann::json::parse(contents(folder.work() / "out/book.json"));
+  ASSERT_EQ(data["chapters"].size(), 2U);
+  int seen = 0;
+  for (const auto& row : data["chapters"][0]["rows"])
+    if (row["quantity"] == "rail 80 mm: p0" && row["by"] == "half-space") {
+      ++seen;
+      // The closed form of the book against the benchmark's table; what was reached is another
+      // number.
+      EXPECT_NEAR(row["reference"].get<double>(), 1920.375, 1e-3);
+      EXPECT_NEAR(row["reached"].get<double>(), 1920.375, 1e-3 * 1920.375);
+      EXPECT_GT(std::abs(row["reached"].get<double>() - 1920.375), 0.1);
+      EXPECT_TRUE(row["holds"].get<bool>());
+    }
+  EXPECT_EQ(seen, 1);
+  const std::string page = contents(folder.work() / "out/README.md");
+  for (const char* text :
+       {"## 1. Hertz's ellipses", "| rail 80 mm: p0, MPa | half-space | 1920.37 |",
+        "`unit.Hertz.GivesTheBenchmarkTable`", "27 of 27 numbers", "Cost: "})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+}
+
+TEST(Book, OfANumberBeyondWhatIsAllowedEndsWithStatusOneAndSaysWhich) {
+  const Folder folder;
+  const Outcome made =
+      book(folder, {"--only", "fastsim"}, "published.CONTACT_FASTSIM_A[0.002] = (0.36, 329.48376)");
+  EXPECT_EQ(made.status, 1);
+  EXPECT_NE(made.err.find("-F_x/F_z at xi = 0.2 %"), std::string::npos) << made.err;
+  EXPECT_NE(contents(folder.work() / "out/README.md").find("**beyond**"), std::string::npos);
+}
+
+TEST(Book, TakesUpRunsOfTheSameProgramAndCase) {
+  const Folder folder;
+  ASSERT_EQ(book(folder, {"--only", "fastsim"}).status, 0);
+  EXPECT_NE(book(folder, {"--only", "fastsim"}).out.find("fastsim: kept"), std::string::npos);
+  EXPECT_EQ(book(folder, {"--only", "fastsim", "--fresh"}).out.find("kept"), std::string::npos);
+  // A result that was cut short is not taken for one.
+  std::filesystem::remove(folder.work() / "results/fastsim.stamp");
+  EXPECT_EQ(book(folder, {"--only", "fastsim"}).out.find("kept"), std::string::npos);
+}
+
+TEST(Book, SaysWhatIsWrongWithACall) {
+  const Folder folder;
+  const Outcome unknown = book(folder, {"--only", "hertzz"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("hertzz: there is no such chapter; allowed: hertz,"),
+            std::string::npos)
+      << unknown.err;
+  const Outcome unbuilt = book(folder, {"--only", "fastsim", "--build", "nowhere"});
+  EXPECT_EQ(unbuilt.status, 1);
+  EXPECT_NE(unbuilt.err.find("do: ./rollfem build"), std::string::npos) << unbuilt.err;
+  // A run that fails leaves its chapter out; the others are there.
+  const Outcome failed =
+      book(folder, {"--only", "hertz", "fastsim"},
+           "from book import runs; runs.with_settings = lambda text, settings: text + '[unknown]' "
+           "* bool(settings)");
+  EXPECT_EQ(failed.status, 1);
+  EXPECT_NE(failed.err.find("error: hertz: hertz_300: "), std::string::npos) << failed.err;
+  EXPECT_NE(contents(folder.work() / "out/README.md").find("Left out: hertz"), std::string::npos);
+  EXPECT_NE(book(folder, {"--list"}).out.find("wheel-on-rail"), std::string::npos);
+}
+
+}  // namespace

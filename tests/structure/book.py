@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Checks the verification book: that every test it names is there, and that docs/book holds every chapter
+with no number beyond what is allowed. Call: book.py SOURCE_DIR"""
+
+import json
+import pathlib
+import re
+import sys
+
+
+def tests_of(root):
+    """Names as CTest prints them, parameters left out."""
+    names = set()
+    for group in ("unit", "verification", "hard", "cli"):
+        for path in (root / "tests" / group).glob("*.cpp"):
+            names.add(f"{group}.{path.stem}")
+            for suite, test in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", path.read_text("utf-8"), re.M):
+                names.add(f"{group}.{suite}.{test}")
+                names.add(f"{group}_{path.stem}:{suite}.{test}")
+    return names
+
+
+def problems(root):
+    known = tests_of(root)
+    named = 0
+    for path in sorted((root / "benchmarks" / "book" / "chapters").glob("*.py")):
+        text = re.sub(r'"\s*\n\s*"', "", path.read_text("utf-8"))  # one string over two lines
+        for name in re.findall(r'"((?:unit|verification|hard|cli)[._][\w.:]+)"', text):
+            named += 1
+            if not name.endswith(".") and name not in known:
+                yield f"{path.name}: there is no test {name}"
+    if named < 40:
+        yield f"only {named} tests are named: the pattern of {pathlib.Path(__file__).name} has lost them"
+    chapters = re.search(r"ALL = \[(.*?)\]", (root / "benchmarks/book/chapters/__init__.py").read_text("utf-8"), re.S)
+    wanted = [name.strip().replace("_", "-") for name in chapters[1].split(",")]
+    book = json.loads((root / "docs" / "book" / "book.json").read_text("utf-8"))
+    there = [chapter["name"] for chapter in book["chapters"]]
+    if wanted != there:
+        yield f"docs/book has the chapters {there}, the source {wanted}: do: ./rollfem book"
+    for chapter in book["chapters"]:
+        for row in chapter["rows"]:
+            if not row["holds"]:
+                yield f"docs/book: {chapter['title']}: {row['quantity']} is beyond what is allowed"
+
+
+if __name__ == "__main__":
+    found = list(problems(pathlib.Path(sys.argv[1])))
+    print("\n".join(found) or "the book names tests that are there")
+    sys.exit(1 if found else 0)
