@@ -12,6 +12,8 @@ CONTACT_CURVE_C = {0.001: (0.13354435, 0.13300248), 0.002: (0.24488792, 0.243968
 # -F_x/F_z of case e with the extra slip of the rolling radius: CONTACT at 40 across, first-order difference.
 CONTACT_CURVE_E = {0.0: -0.07844771, 0.001: 0.14400622, 0.002: 0.33114441, 0.003: 0.45746822,
                    0.004: 0.52678160}
+# The same at 80 across.
+CONTACT_CURVE_E_80 = {0.0: -0.07749473, 0.002: 0.32823775}
 # CONTACT's FASTSIM on case a, 160 elements across, parabolic bound: (-F_x/F_z, largest traction).
 CONTACT_FASTSIM_A = {0.0005: (0.11435703, 104.12065), 0.001: (0.21098024, 194.06035),
                      0.002: (0.35763296, 329.48376), 0.003: (0.45278539, 406.27024),
