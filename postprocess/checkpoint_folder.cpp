@@ -210,6 +210,21 @@ void CheckpointFolder::keep(const std::string& name, const std::string& record) 
   }
 }
 
+void CheckpointFolder::drop(const std::string& begin) {
+  const auto fits = [&](const std::string& name) { return name.rfind(begin, 0) == 0; };
+  held_back_.erase(std::remove_if(held_back_.begin(), held_back_.end(),
+                                  [&](const auto& held) { return fits(held.first); }),
+                   held_back_.end());
+  if (!begun_) return;
+  std::error_code error;
+  std::vector<fs::path> gone;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error))
+    if (is_record(entry->path().filename()) && fits(entry->path().filename().string()))
+      gone.push_back(entry->path());
+  for (const fs::path& file : gone) fs::remove(file, error);
+}
+
 void CheckpointFolder::remove() {
   held_back_.clear();
   failed_ = true;
