@@ -83,6 +83,10 @@ StudyLevel level_of(const LevelPlan& plan, const LevelPlan::Level& wanted,
   LevelPoints points(work.kept, name);
   Solving how = work.how;
   how.checkpoint = &points;
+  how.progress = [&](contact::ProgressEvent event) {
+    event.stage = wanted.label + ": " + event.stage;
+    contact::report(work.how.progress, event);
+  };
   const contact::ModelResult result = solve_scene(plan.model, wanted.input, work.notes, how);
   const auto total = result.seconds.find("total");
   level.unknowns = result.unknowns;
@@ -105,20 +109,21 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
   series.ratio = plan.ratio;
   if (plan.model != "fem" && !work.how.first) return series;
   for (const LevelPlan::Level& wanted : plan.levels) {
-    const auto note = [&](const std::exception& error) {
-      if (!work.how.together) throw;
-      series.failure +=
-          fmt::format("{}{}: {}", series.failure.empty() ? "" : "; ", wanted.label, error.what());
+    const auto failed = [&](const std::exception& error) {
+      if (!work.how.together) throw;  // the others may be inside a collective call
+      if (series.failure.find(error.what()) == std::string::npos)
+        series.failure +=
+            fmt::format("{}{}: {}", series.failure.empty() ? "" : "; ", wanted.label, error.what());
     };
     try {
       series.levels.push_back(level_of(plan, wanted, series, place, work));
+      continue;
     } catch (const contact::SolveError& error) {
-      note(error);
-      if (!series.levels.empty()) break;
+      failed(error);
     } catch (const InputError& error) {
-      note(error);
-      break;
+      failed(error);
     }
+    if (!series.levels.empty()) break;
   }
   return series;
 }

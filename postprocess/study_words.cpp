@@ -112,8 +112,8 @@ std::vector<std::string> study_words(const StudyRecord& record, const StudyPlace
       if (const double* finest = finest_value(series, key))
         sentences.push_back(sentence(record, place, series, key, reference, *finest));
     if (!series.failure.empty())
-      sentences.push_back(fmt::format("{}, {}: ended after {} levels: {}", series.model,
-                                      series.vary, series.levels.size(), series.failure));
+      sentences.push_back(fmt::format("{}, {}: levels without a result: {}", series.model,
+                                      series.vary, series.failure));
   }
   return sentences;
 }
@@ -126,7 +126,7 @@ std::string study_table(const StudyRecord& record) {
     for (const StudySeries& series : place.series) {
       text += fmt::format("{}{}{}{}{}\n", name, name.empty() ? "" : ": ", series.model,
                           series.vary.empty() ? "" : ", refined in ", series.vary);
-      if (!series.failure.empty()) text += "  ended early: " + series.failure + "\n";
+      if (!series.failure.empty()) text += "  levels without a result: " + series.failure + "\n";
       for (const auto& [key, reference] : refs)
         if (finest_value(series, key) != nullptr)
           text += key_table(record, place, series, key, reference);
