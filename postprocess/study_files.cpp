@@ -34,10 +34,12 @@ ordered_json limits_json(const StudySeries& series, const References& refs) {
   for (const auto& entry : refs)
     if (const auto limit = series_limit(series, entry.first)) {
       ordered_json& out = json[entry.first];
-      if (limit->order)
+      if (limit->order) {
         out["order"] = *limit->order;
-      else
+        out["fitted"] = limit->fitted;
+      } else {
         out["no_order_because"] = limit->reason;
+      }
       out["value"] = limit->value;
       out["uncertainty"] = limit->uncertainty;
       out["uncertainty_of_finest"] = limit->grid_uncertainty;

@@ -54,8 +54,9 @@ std::string sentence(const StudyRecord& record, const StudyPlace& place, const S
                                  series.vary.empty() ? "" : ", ", series.vary, name_of(place, key));
   if (limit && limit->order)
     text += fmt::format(
-        "{:.6g}{} on the finest level and {:.6g} +- {:.2g}{} extrapolated, with order {:.2f}",
-        finest, unit, limit->value, limit->uncertainty, unit, *limit->order);
+        "{:.6g}{} on the finest level and {:.6g} +- {:.2g}{} extrapolated, with order {:.2f}{}",
+        finest, unit, limit->value, limit->uncertainty, unit, *limit->order,
+        limit->fitted ? " fitted to all levels" : "");
   else if (limit)
     text += fmt::format("{:.6g} +- {:.2g}{} on the finest level; no order can be claimed: {}",
                         finest, limit->grid_uncertainty, unit, limit->reason);
@@ -92,7 +93,11 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
                     order ? fmt::format("{:.2f}", *order) : "");
   }
   const auto limit = series_limit(series, key);
-  if (limit && limit->order)
+  if (limit && limit->fitted)
+    text += fmt::format(
+        "    limit {:.7g} +- {:.2g}, order {:.2f} fitted to all levels (of the last three {})\n",
+        limit->value, limit->uncertainty, *limit->order, limit->reason);
+  else if (limit && limit->order)
     text += fmt::format("    limit {:.7g} +- {:.2g}, order {:.2f} from the last three levels{}\n",
                         limit->value, limit->uncertainty, *limit->order,
                         *limit->order > 2.5 ? " (partly chance: the method has 2)" : "");

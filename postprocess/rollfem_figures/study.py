@@ -188,7 +188,9 @@ def _limit_cell(limit):
     value = tables.number(limit["value"], 6)
     html = f"<b>{value}</b>" if "order" in limit else value
     html += f" <span class=e>± {tables.number(limit['uncertainty'], 2)}</span><br><span class=d>"
-    return html + (f"order {tables.number(limit['order'], 3)}" if "order" in limit else "no order") + "</span>"
+    if "order" not in limit:
+        return html + "no order</span>"
+    return html + f"order {tables.number(limit['order'], 3)}{', fitted' if limit['fitted'] else ''}</span>"
 
 
 def _reference_cell(reference):
@@ -230,8 +232,9 @@ def _overview(study):
 
 HINTS = """Errors in percent of the reference, of traction coefficients in percent of μ. Orders: from the
 errors of a level and the one before where the reference is exact or given, else from the last three values.
-Limit: Richardson's value of the three finest levels with its uncertainty, or the finest value with three
-times the largest change where the sequence shows no order (it is not monotone, or its changes do not fall).
+Limit: Richardson's value of the three finest levels with its uncertainty; where these show no order (they are
+not monotone, or their changes do not fall) that of a curve fitted to all levels, if four or more follow one;
+else the finest value with three times the largest change.
 An order well above 2 is partly chance. Seconds: what a user waits for, all load points and the error
 estimates included."""
 

@@ -32,7 +32,7 @@ Outcome on_two(const Folder& folder, std::vector<std::string> arguments) {
 /// Runs the command on one process and on two; its JSON of both.
 std::array<Json, 2> both(const Folder& folder, const std::string& command,
                          const std::vector<std::string>& options) {
-  const std::string input = folder.file("coarse.toml", coarse_case("1.5"));
+  const std::string input = folder.file("coarse.toml", coarse_case("1.4"));
   std::array<Json, 2> results;
   for (const int processes : {1, 2}) {
     const std::string output = "on_" + std::to_string(processes);

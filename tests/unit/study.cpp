@@ -78,6 +78,22 @@ TEST(Limit, NoOrderIsClaimedWhereThereIsNone) {
   EXPECT_THROW(limit_of({1.0, 2.0}, 1.0), std::logic_error);
 }
 
+TEST(Limit, ALittleScatterDoesNotHideTheOrderOfManyLevels) {
+  // The last three changes do not fall, but all five values follow 3 + 0.1 / 4^k within 2e-3.
+  std::vector<double> values = sequence(2.0, 5);
+  values[3] += 2e-3;
+  const Limit limit = limit_of(values, 2.0);
+  ASSERT_TRUE(limit.order) << limit.reason;
+  EXPECT_TRUE(limit.fitted);
+  EXPECT_NE(limit.reason, "");
+  EXPECT_NEAR(*limit.order, 2.0, 0.2);
+  EXPECT_LT(std::abs(limit.value - 3.0), limit.uncertainty);
+  EXPECT_LT(limit.uncertainty, 5e-3);
+  // As much scatter as change, or an order that no method here has, is no curve.
+  EXPECT_FALSE(limit_of({3.1, 3.0, 3.05, 2.98, 3.06}, 2.0).order);
+  EXPECT_FALSE(limit_of({3.1, 3.001, 3.0, 2.9995, 3.0001}, 2.0).order);
+}
+
 TEST(Limit, OrderOfErrorsOnAnyRatio) {
   EXPECT_NEAR(*order_of_errors(9.0, 1.0, 3.0), 2.0, 1e-12);
   EXPECT_NEAR(*order_of_errors(-2.0, 4.0, 2.0), -1.0, 1e-12);
