@@ -111,6 +111,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
   for (const LevelPlan::Level& wanted : plan.levels) {
     const auto failed = [&](const std::exception& error) {
       if (!work.how.together) throw;  // the others may be inside a collective call
+      work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
       if (series.failure.find(error.what()) == std::string::npos)
         series.failure +=
             fmt::format("{}{}: {}", series.failure.empty() ? "" : "; ", wanted.label, error.what());
