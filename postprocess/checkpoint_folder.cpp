@@ -60,6 +60,12 @@ unsigned long long checksum_of(const contact::Case& input) {
       hash = contact::checksum(
           {reinterpret_cast<const char*>(column.data()), column.size() * sizeof(double)}, hash);
   }
+  std::error_code error;  // built-in profiles are no files
+  for (const std::string* name :
+       {&input.wheel.profile.name, &input.rail.profile.name, &input.wheel.mesh, &input.rail.mesh})
+    if (const fs::path file = fs::path(input.file).parent_path() / *name;
+        !name->empty() && fs::is_regular_file(file, error))
+      hash = contact::checksum(contents(file), hash);
   return hash;
 }
 

@@ -91,6 +91,25 @@ TEST(StudyResume, LevelsOfAChangedCaseAreRefused) {
   EXPECT_FALSE(fs::exists(folder.work() / "out"));
 }
 
+TEST(StudyResume, LevelsOfAChangedProfileAreRefused) {
+  const Folder folder;
+  const std::string points =
+      contents(fs::path(ROLLFEM_SOURCE_DIR) / "cases/profiles/hollow_s1002.csv");
+  folder.file("wheel.csv", points);
+  const std::string file = folder.file(
+      "slow.toml",
+      "[load]\nvertical_force = 80e3\n[friction]\ncoefficient = 0.4\n"
+      "[wheel]\nrolling_radius = 460.0\nprofile = \"wheel.csv\"\n[rail]\nprofile = "
+      "\"60E1\"\n[track]\ninclination = \"1:40\"\n"
+      "[rolling]\nlongitudinal_creepage = [0.0, 0.0005, 0.001, 0.0015, 0.002, 0.0025, 0.003]\n"
+      "[contact_grid]\nelements_across = 40\n");
+  leave_unfinished(folder, file);
+  folder.file("wheel.csv", points + "\n");
+  const Outcome outcome = execute(folder, study(file, "out", {"--resume"}));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("has changed"), std::string::npos) << outcome.err;
+}
+
 TEST(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_case());
