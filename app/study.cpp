@@ -99,8 +99,8 @@ StudyLevel level_of(const LevelPlan& plan, const LevelPlan::Level& wanted,
   return level;
 }
 
-/// A coarse level may be too coarse to be solved: then the series begins with a finer one. After a
-/// level that was solved a failure ends it, since limits need levels in a row.
+/// A level may be too coarse to be laid out or to be solved: then the series begins with a finer
+/// one. After a level that was solved a failure ends it, since limits need levels in a row.
 StudySeries run_series(const LevelPlan& plan, const std::string& place, const Work& work) {
   StudySeries series;
   series.model = plan.model;
@@ -109,22 +109,25 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
   series.ratio = plan.ratio;
   if (plan.model != "fem" && !work.how.first) return series;
   for (const LevelPlan::Level& wanted : plan.levels) {
-    const auto failed = [&](const std::exception& error) {
+    const auto failed = [&](const std::exception& error, std::string& list) {
       if (!work.how.together) throw;  // the others may be inside a collective call
       work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
-      if (series.failure.find(error.what()) == std::string::npos)
-        series.failure +=
-            fmt::format("{}{}: {}", series.failure.empty() ? "" : "; ", wanted.label, error.what());
+      if (list.find(error.what()) == std::string::npos)
+        list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", wanted.label, error.what());
     };
     try {
       series.levels.push_back(level_of(plan, wanted, series, place, work));
       continue;
     } catch (const contact::SolveError& error) {
-      failed(error);
+      failed(error, series.failure);
     } catch (const InputError& error) {
-      failed(error);
+      failed(error, series.levels.empty() ? series.left_out : series.failure);
     }
     if (!series.levels.empty()) break;
+  }
+  if (series.levels.empty() && !series.left_out.empty()) {
+    series.failure += (series.failure.empty() ? "" : "; ") + series.left_out;
+    series.left_out.clear();
   }
   return series;
 }

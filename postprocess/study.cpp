@@ -44,6 +44,7 @@ std::size_t reference_series(const StudyPlace& place) {
   int best_rank = -1;
   for (std::size_t k = 0; k < place.series.size(); ++k) {
     const StudySeries& series = place.series[k];
+    if (series.levels.empty()) continue;
     int rank = series.levels.size() >= 3 ? 1 : 0;
     if (series.model == "halfspace" && rank == 1) rank = 2;
     if (rank > best_rank) {

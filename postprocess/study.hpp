@@ -33,7 +33,8 @@ struct StudySeries {
   /// By which cells shrink (domains grow) from level to level; 0 where that has no meaning.
   double ratio = 0.0;
   std::vector<StudyLevel> levels;  ///< coarsest first
-  std::string failure;             ///< why it ended early; empty: it did not
+  std::string failure;             ///< of levels that should have a result; empty: none
+  std::string left_out = {};       ///< coarse levels that the case cannot be laid out on, and why
 };
 
 enum class ReferenceRule {

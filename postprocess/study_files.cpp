@@ -62,13 +62,10 @@ void add_orders(const StudyRecord& record, const StudySeries& series, const Refe
 
 ordered_json series_json(const StudyRecord& record, const StudySeries& series,
                          const References& refs) {
-  ordered_json json{{"model", series.model},
-                    {"vary", series.vary},
-                    {"parameter", series.parameter},
-                    {"ratio", series.ratio},
-                    {"failure", series.failure},
-                    {"levels", ordered_json::array()},
-                    {"limits", limits_json(series, refs)}};
+  ordered_json json{{"model", series.model},           {"vary", series.vary},
+                    {"parameter", series.parameter},   {"ratio", series.ratio},
+                    {"failure", series.failure},       {"left_out", series.left_out},
+                    {"levels", ordered_json::array()}, {"limits", limits_json(series, refs)}};
   for (const StudyLevel& level : series.levels)
     json["levels"].push_back(level_json(record, level, refs));
   add_orders(record, series, refs, json["levels"]);

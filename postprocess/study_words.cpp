@@ -116,6 +116,9 @@ std::vector<std::string> study_words(const StudyRecord& record, const StudyPlace
     for (const auto& [key, reference] : refs)
       if (const double* finest = finest_value(series, key))
         sentences.push_back(sentence(record, place, series, key, reference, *finest));
+    if (!series.left_out.empty())
+      sentences.push_back(fmt::format("{}, {}: too coarse and left out: {}", series.model,
+                                      series.vary, series.left_out));
     if (!series.failure.empty())
       sentences.push_back(fmt::format("{}, {}: levels without a result: {}", series.model,
                                       series.vary, series.failure));
@@ -131,6 +134,7 @@ std::string study_table(const StudyRecord& record) {
     for (const StudySeries& series : place.series) {
       text += fmt::format("{}{}{}{}{}\n", name, name.empty() ? "" : ": ", series.model,
                           series.vary.empty() ? "" : ", refined in ", series.vary);
+      if (!series.left_out.empty()) text += "  too coarse: " + series.left_out + "\n";
       if (!series.failure.empty()) text += "  levels without a result: " + series.failure + "\n";
       for (const auto& [key, reference] : refs)
         if (finest_value(series, key) != nullptr)

@@ -272,6 +272,8 @@ def _place_parts(study, place, images):
                      f"</{heading}>")
         if series["failure"]:
             parts.append(f"<p class=bad>Levels without a result: {escape(series['failure'])}</p>")
+        if series["left_out"]:
+            parts.append(f"<p class=hint>Too coarse and left out: {escape(series['left_out'])}</p>")
         if series["levels"]:
             parts.append(_series_table(place, series))
     words = "".join(f"<li>{escape(sentence)}</li>" for sentence in place["words"])
