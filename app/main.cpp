@@ -279,11 +279,15 @@ void add_commands(CLI::App& program, Call& call) {
   study
       ->add_option("--reference", call.study.references,
                    "what errors are measured against: exact (Hertz), finest, extrapolated, or "
-                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722; without it "
-                   "exact where there is such a value, else extrapolated")
+                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722 (of one of "
+                   "several patches left_1_2.max_pressure=1010); without it exact where there is "
+                   "such a value, else extrapolated")
       ->delimiter(',');
   study->add_option("-o,--output", call.study.directory,
                     "folder for the study; without it results/<name of the case file>_study");
+  study->add_flag("--resume", call.study.resume,
+                  "go on with a study that was ended: its finished levels are in FOLDER.unfinished "
+                  "beside the results");
   study->add_flag("-q,--quiet", call.study.quiet, "print errors and warnings only");
   study->add_flag("!--no-report", call.study.report,
                   "write results only, no figures and no report");

@@ -125,6 +125,13 @@ FemSession::~FemSession() {
   entry_.stop();
 }
 
+contact::ModelResult solve_scene(const std::string& model, const contact::Case& scene,
+                                 const std::vector<std::string>& notes, const Solving& how) {
+  contact::ModelResult result = run_model(model, scene, how);
+  finish(scene, notes, result);
+  return result;
+}
+
 Solved solve(const contact::Case& input, const Solving& how) {
   Solved solved;
   Scenes scenes = scenes_of(input, how.progress);
@@ -138,8 +145,7 @@ Solved solve(const contact::Case& input, const Solving& how) {
       };
       const bool must_throw = !how.go_on || (name == "fem" && !how.together);
       try {
-        solved.results.push_back(run_model(name, scene, how));
-        finish(scene, scenes.notes, solved.results.back());
+        solved.results.push_back(solve_scene(name, scene, scenes.notes, how));
       } catch (const contact::SolveError& error) {
         if (must_throw) throw;
         miss(error, true);

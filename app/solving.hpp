@@ -59,6 +59,11 @@ struct Solving {
 /// thrown whatever `go_on` says: the others may be inside a collective call.
 Solved solve(const contact::Case& input, const Solving& how);
 
+/// One model on one scene, or on a case with radii: what `solve` does for each. With the model fem
+/// every process calls it, the others on the first alone. Throws as `solve` does.
+contact::ModelResult solve_scene(const std::string& model, const contact::Case& scene,
+                                 const std::vector<std::string>& notes, const Solving& how);
+
 /// Where finished load points of a result in `directory` are kept; says what is there already.
 std::unique_ptr<postprocess::CheckpointFolder> open_checkpoint(const std::string& directory,
                                                                const contact::Case& input,

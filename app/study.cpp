@@ -1,41 +1,34 @@
 #include "app/study.hpp"
 
+#include "app/files_together.hpp"
 #include "app/processes.hpp"
 #include "app/progress_display.hpp"
-#include "app/run.hpp"
+#include "app/scenes.hpp"
 #include "app/solving.hpp"
+#include "app/study_checkpoint.hpp"
+#include "app/study_checks.hpp"
 #include "app/study_levels.hpp"
-#include "contact/abilities.hpp"
 #include "contact/case_reader.hpp"
 #include "contact/errors.hpp"
 #include "halfspace/registry.hpp"
-#include "postprocess/result_folder.hpp"
 #include "postprocess/study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <iostream>
 
 namespace rollfem::app {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 using contact::InputError;
-using postprocess::ReferenceRule;
+using postprocess::StudyLevel;
+using postprocess::StudyPlace;
 using postprocess::StudySeries;
 using postprocess::StudyValues;
 
-fs::path directory_of(const StudyRequest& request) {
-  if (!request.directory.empty()) return request.directory;
-  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_study");
-}
-
-StudyValues values_of(const contact::ModelResult& result) {
+StudyValues values_of(const contact::ModelResult& result, bool patch) {
   StudyValues values;
   if (result.points.empty()) return values;
   const contact::PointResult& first = result.points.front();
@@ -43,162 +36,193 @@ StudyValues values_of(const contact::ModelResult& result) {
     if (value != 0.0) values[name] = value;  // 0: the model does not give it
   };
   put("max_pressure", first.max_pressure);
-  put("semi_axis_x", first.semi_axis_x);
-  put("semi_axis_y", first.semi_axis_y);
+  if (patch) {  // no ellipse
+    put("contact_length", first.contact_length);
+    put("contact_width", first.contact_width);
+  } else {
+    put("semi_axis_x", first.semi_axis_x);
+    put("semi_axis_y", first.semi_axis_y);
+  }
   put("approach", first.approach);
-  const bool friction =
-      std::any_of(result.points.begin(), result.points.end(),
-                  [](const contact::PointResult& point) { return point.max_traction > 0.0; });
-  for (std::size_t k = 0; friction && k < result.points.size(); ++k)
+  for (std::size_t k = 0; k < result.points.size(); ++k)
     if (result.points[k].max_traction > 0.0)
       values[fmt::format("traction_coefficient:{}", k + 1)] = result.points[k].traction_coefficient;
   return values;
 }
 
 /// Hertz's values where the case is one that they are exact for.
-StudyValues exact_values(const contact::Case& input) {
+StudyValues exact_values(const contact::Case& scene) {
+  if (scene.patch) return {};
   try {
-    StudyValues values = values_of(halfspace::run_model("hertz", input, {}));
-    return values;
+    return values_of(halfspace::run_model("hertz", scene, {}), false);
   } catch (const InputError&) {
     return {};
   }
 }
 
-const char* const allowed_references =
-    "allowed: exact, finest, extrapolated, or QUANTITY=VALUE with max_pressure, semi_axis_x, "
-    "semi_axis_y, approach or traction_coefficient:N of load point N";
+/// What all series of a study share while they run.
+struct Work {
+  Solving how;
+  postprocess::CheckpointFolder* kept = nullptr;  ///< of the first process
+  std::vector<std::string> notes;                 ///< of the scenes
+  std::function<void(const std::string&)> say;
+};
 
-void read_references(const StudyRequest& request, std::size_t points,
-                     postprocess::StudyRecord& record) {
-  for (const std::string& word : request.references) {
-    const auto refuse = [&](const std::string& why) {
-      throw InputError(
-          fmt::format("--reference {}: {}; {}; do: correct it", word, why, allowed_references));
-    };
-    if (word == "exact") {
-      record.rule = ReferenceRule::exact;
-      if (record.exact.empty()) refuse("no exact value is known for this case");
-    } else if (word == "finest") {
-      record.rule = ReferenceRule::finest;
-    } else if (word == "extrapolated") {
-      record.rule = ReferenceRule::extrapolated;
-    } else {
-      const std::size_t at = word.find('=');
-      if (at == std::string::npos) refuse("not a reference");
-      const std::string key = word.substr(0, at);
-      bool known = key == "max_pressure" || key == "semi_axis_x" || key == "semi_axis_y" ||
-                   key == "approach";
-      for (std::size_t k = 1; k <= points; ++k)
-        known = known || key == fmt::format("traction_coefficient:{}", k);
-      if (!known) refuse("no such quantity in this case");
-      char* end = nullptr;
-      const double value = std::strtod(word.c_str() + at + 1, &end);
-      if (end == word.c_str() + at + 1 || *end != '\0' || !std::isfinite(value))
-        refuse("the value is not a number");
-      record.given[key] = value;
-    }
+/// The level as an earlier call left it, or solved. With the model fem collective.
+StudyLevel level_of(const LevelPlan& plan, const LevelPlan::Level& wanted,
+                    const StudySeries& series, const std::string& place, const Work& work) {
+  StudyLevel level;
+  level.label = wanted.label;
+  level.parameter = wanted.parameter;
+  const std::string name = level_record_name(place, series, level);
+  const bool several = plan.model == "fem" && !work.how.together;
+  if (const auto kept = find_level(work.kept, name, several ? work.how.session : nullptr)) {
+    work.say(fmt::format("{} {}: taken up", plan.model, level.label));
+    return *kept;
   }
+  LevelPoints points(work.kept, name);
+  Solving how = work.how;
+  how.checkpoint = &points;
+  how.progress = [&](contact::ProgressEvent event) {
+    event.stage = wanted.label + ": " + event.stage;
+    contact::report(work.how.progress, event);
+  };
+  const contact::ModelResult result = solve_scene(plan.model, wanted.input, work.notes, how);
+  const auto total = result.seconds.find("total");
+  level.unknowns = result.unknowns;
+  level.contact_elements = result.contact_elements;
+  level.seconds = points.seconds_before() + (total == result.seconds.end() ? 0.0 : total->second);
+  level.values = values_of(result, wanted.input.patch != nullptr);
+  keep_level(work.kept, name, level);
+  points.drop();
+  work.say(fmt::format("{} {}: {:.2g} s", plan.model, level.label, level.seconds));
+  return level;
 }
 
-/// The models of the study, and of those that cannot take the case a line on stderr with "all".
-std::vector<std::string> models_of(const StudyRequest& request, const contact::Case& input) {
-  if (request.models.empty()) return {"halfspace"};
-  if (request.models.front() != "all") {
-    for (const std::string& name : request.models) contact::check_able(input, name);
-    return request.models;
-  }
-  std::vector<std::string> able;
-  for (const std::string& name : known_models()) try {
-#if !ROLLFEM_WITH_FEM
-      if (name == "fem") continue;
-#endif
-      contact::check_able(input, name);
-      able.push_back(name);
-    } catch (const InputError&) {  // "all" means all that can
-    }
-  return able;
-}
-
-void check_call(const StudyRequest& request, const contact::Case& input,
-                const std::vector<std::string>& models) {
-  if (input.has_profiles())
-    throw InputError(fmt::format(
-        "{}: study: a case with profiles has several patches, which a study does not take; do: "
-        "study a case with radii",
-        input.file));
-  for (const std::string& word : request.vary) {
-    const auto& known = varied_words();
-    if (std::find(known.begin(), known.end(), word) == known.end())
-      throw InputError(fmt::format(
-          "--vary {}: not something to refine; allowed: grid, cell, degree, domain; do: name one "
-          "of them",
-          word));
-    const bool any = std::any_of(models.begin(), models.end(),
-                                 [&](const std::string& model) { return can_vary(model, word); });
-    if (!any)
-      throw InputError(fmt::format(
-          "--vary {}: none of the models of this study has it; allowed: grid of halfspace, "
-          "fastsim, strip and carter, cell, degree and domain of fem; do: add --model fem, or vary "
-          "grid",
-          word));
-  }
-  if (request.levels != 0 && (request.levels < 2 || request.levels > 8))
-    throw InputError(fmt::format("--levels {}: allowed: 2 to 8; do: correct it", request.levels));
-  for (const char* other : {"summary.json", "compare.json"})
-    if (fs::exists(directory_of(request) / other))
-      throw InputError(fmt::format(
-          "study: {} holds the result of another command ({}); do: name another folder with -o",
-          directory_of(request).string(), other));
-}
-
-StudySeries run_series(const LevelPlan& plan, const Solving& how, ProgressDisplay& display,
-                       bool quiet) {
+/// A level may be too coarse to be laid out or to be solved: then the series begins with a finer
+/// one. After a level that was solved a failure ends it, since limits need levels in a row.
+StudySeries run_series(const LevelPlan& plan, const std::string& place, const Work& work) {
   StudySeries series;
   series.model = plan.model;
   series.vary = plan.vary;
   series.parameter = plan.parameter;
   series.ratio = plan.ratio;
-  for (const LevelPlan::Level& level : plan.levels) {
+  if (plan.model != "fem" && !work.how.first) return series;
+  for (const LevelPlan::Level& wanted : plan.levels) {
+    const auto failed = [&](const std::exception& error, std::string& list) {
+      if (!work.how.together) throw;  // the others may be inside a collective call
+      work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
+      if (list.find(error.what()) == std::string::npos)
+        list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", wanted.label, error.what());
+    };
     try {
-      const Solved solved = solve(level.input, how);
-      if (solved.results.empty()) continue;
-      const contact::ModelResult& result = solved.results.front();
-      const auto total = result.seconds.find("total");
-      series.levels.push_back(
-          {level.label, level.parameter, result.unknowns, result.contact_elements,
-           total == result.seconds.end() ? 0.0 : total->second, values_of(result)});
-    } catch (const std::exception& error) {
-      const bool input_error = dynamic_cast<const InputError*>(&error) != nullptr;
-      if (!how.together || (!input_error && !dynamic_cast<const contact::SolveError*>(&error)))
-        throw;
-      series.failure = error.what();
-      break;
+      series.levels.push_back(level_of(plan, wanted, series, place, work));
+      continue;
+    } catch (const contact::SolveError& error) {
+      failed(error, series.failure);
+    } catch (const InputError& error) {
+      failed(error, series.levels.empty() ? series.left_out : series.failure);
     }
-    display.clear();
-    if (how.first && !quiet)
-      std::cerr << fmt::format("study: {} {}: {:.2g} s\n", plan.model, level.label,
-                               series.levels.back().seconds);
+    if (!series.levels.empty()) break;
+  }
+  if (series.levels.empty() && !series.left_out.empty()) {
+    series.failure += (series.failure.empty() ? "" : "; ") + series.left_out;
+    series.left_out.clear();
   }
   return series;
 }
 
-void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord& record) {
-  const fs::path directory = directory_of(request);
-  std::error_code error;
-  fs::create_directories(directory, error);
-  postprocess::replace_file(directory / "study.json", postprocess::study_json(record));
-  postprocess::replace_file(directory / "study.csv", postprocess::study_csv(record));
-  const bool drawn = request.report && report_drawn(directory.string());
-  if (request.quiet) return;
-  std::cout << record.title << "\n\n" << postprocess::study_table(record);
-  std::cout << "\nresults: " << directory.string() << '\n';
-  if (drawn) std::cout << "report:  " << (directory / "study.html").string() << '\n';
+/// The places of the case with what is known of them before any level is solved.
+std::vector<StudyPlace> places_of(const Scenes& scenes) {
+  std::vector<StudyPlace> places;
+  for (const contact::Case& scene : scenes.cases) {
+    StudyPlace place;
+    place.place = scene.place;
+    place.creepages = scene.rolling.creepages;
+    place.exact = exact_values(scene);
+    places.push_back(std::move(place));
+  }
+  return places;
 }
 
-/// Theories that cannot take a case say so when they run: with "all" they are left out.
-bool only_unable(const StudyRequest& request, const StudySeries& series) {
-  return series.levels.empty() && !request.models.empty() && request.models.front() == "all";
+/// All series of a place. A theory that cannot take it says so when it runs: of "all" it is left
+/// out.
+void run_place(const StudyRequest& request, const std::vector<std::string>& models,
+               const contact::Case& scene, StudyPlace& place, Work work) {
+  const std::string name = place_name(place);
+  const auto say = work.say;
+  work.say = [&](const std::string& text) { say(name.empty() ? text : name + ": " + text); };
+  const bool all = !request.models.empty() && request.models.front() == "all";
+  for (const std::string& model : models)
+    for (const LevelPlan& plan :
+         level_plans(scene, model, request.vary, request.together, request.levels)) {
+      StudySeries series = run_series(plan, place_key(place), work);
+      if (series.levels.empty() && all)
+        work.say(fmt::format("{} is left out: {}", model, series.failure));
+      else
+        place.series.push_back(std::move(series));
+    }
+}
+
+/// Failures of all series in one text; throws when no level at all was solved.
+std::string failures_of(const postprocess::StudyRecord& record) {
+  std::string failures;
+  bool any = false;
+  for (const StudyPlace& place : record.places)
+    for (const StudySeries& series : place.series) {
+      any = any || !series.levels.empty();
+      if (!series.failure.empty()) failures += (failures.empty() ? "" : "; ") + series.failure;
+    }
+  if (!any) throw contact::SolveError(failures);
+  return failures;
+}
+
+void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord& record) {
+  const std::string directory = directory_of(request).string();
+  FilesTogether files("study", directory);
+  files.write("study.json", postprocess::study_json(record));
+  files.write("study.csv", postprocess::study_csv(record));
+  files.commit();
+  const bool drawn = request.report && report_drawn(directory);
+  if (request.quiet) return;
+  std::cout << record.title << "\n\n" << postprocess::study_table(record);
+  for (const std::string& note : record.notes) std::cout << '\n' << note << '\n';
+  std::cout << "\nresults: " << directory << '\n';
+  if (drawn) std::cout << "report:  " << directory << "/study.html\n";
+}
+
+/// After a failure: finished work is not lost.
+void tell_about(const StudyRequest& request, const postprocess::CheckpointFolder* kept) {
+  if (kept == nullptr || request.quiet || !kept->holds_records()) return;
+  std::cerr << fmt::format(
+      "finished levels are kept; the same command with --resume takes them up: {}\n",
+      kept->folder().string());
+}
+
+postprocess::StudyRecord record_of(const StudyRequest& request, const contact::Case& input,
+                                   const Scenes& scenes, int process_count) {
+  postprocess::StudyRecord record;
+  record.title = input.title;
+  record.case_file = input.file;
+  record.case_text = input.text;
+  record.friction = input.friction_coefficient;
+  record.provenance = provenance_of(request.command, process_count);
+  record.places = places_of(scenes);
+  if (input.has_profiles()) {
+    record.notes = scenes.notes;
+    record.notes.emplace_back(
+        "the wheelset's balance is found once: every level of a patch has the same normal force "
+        "and creepages, so that only the discretisation differs");
+  }
+  read_references(request, record);
+  return record;
+}
+
+/// Places without any series (every model left out) say nothing.
+void forget_empty(std::vector<StudyPlace>& places) {
+  places.erase(std::remove_if(places.begin(), places.end(),
+                              [](const StudyPlace& place) { return place.series.empty(); }),
+               places.end());
 }
 
 }  // namespace
@@ -206,59 +230,46 @@ bool only_unable(const StudyRequest& request, const StudySeries& series) {
 void study(const StudyRequest& request) {
   const Processes here = processes();
   const contact::Case input = contact::read_case(request.case_file);
-  const std::vector<std::string> models = models_of(request, input);
-  const bool parallel = std::find(models.begin(), models.end(), "fem") != models.end();
+  const std::vector<std::string> named = named_models(request);
+  const bool parallel = std::find(named.begin(), named.end(), "fem") != named.end();
   if (!here.first() && !parallel) return;
-  check_call(request, input, models);
-  postprocess::StudyRecord record;
-  record.title = input.title;
-  record.case_file = input.file;
-  record.case_text = input.text;
-  record.friction = input.friction_coefficient;
-  record.creepages = input.rolling.creepages;
-  record.exact = exact_values(input);
-  read_references(request, input.rolling.creepages.size(), record);
-  record.provenance = provenance_of(request.command, parallel ? here.count : 1);
-  std::vector<LevelPlan> plans;
-  for (const std::string& model : models)
-    for (LevelPlan& plan :
-         level_plans(input, model, request.vary, request.together, request.levels))
-      plans.push_back(std::move(plan));
+  check_call(request, input);
+  ProgressDisplay display(request.quiet || !here.first() ? ProgressDisplay::Mode::silent
+                                                         : ProgressDisplay::mode_of_stderr());
+  Work work;
+  work.how.progress = [&](const contact::ProgressEvent& event) { display.show(event); };
+  work.how.first = here.first();
+  work.how.together = here.count == 1;
+  work.say = [&](const std::string& text) {
+    display.clear();
+    if (here.first() && !request.quiet) std::cerr << "study: " << text << '\n';
+  };
+  const Scenes scenes = scenes_of(input, work.how.progress);
+  const std::vector<std::string> models = models_of(request, scenes);
+  postprocess::StudyRecord record = record_of(request, input, scenes, parallel ? here.count : 1);
+  work.notes = scenes.notes;
 
   std::unique_ptr<FemSession> session;
   if (parallel) session = std::make_unique<FemSession>("--model fem", request.argc, request.argv);
-  ProgressDisplay display(request.quiet || !here.first() ? ProgressDisplay::Mode::silent
-                                                         : ProgressDisplay::mode_of_stderr());
-  Solving how;
-  how.session = session.get();
-  how.progress = [&](const contact::ProgressEvent& event) { display.show(event); };
-  how.first = here.first();
-  how.together = here.count == 1;
+  work.how.session = session.get();
+  std::unique_ptr<postprocess::CheckpointFolder> kept;
   try {
-    for (const LevelPlan& plan : plans) {
-      StudySeries series = run_series(plan, how, display, request.quiet);
-      if (only_unable(request, series)) {
-        if (here.first() && !request.quiet)
-          std::cerr << fmt::format("study: {} is left out: {}\n", plan.model, series.failure);
-        continue;
-      }
-      record.series.push_back(std::move(series));
-    }
+    if (here.first())
+      kept = open_checkpoint(directory_of(request).string(), input, request.resume, request.quiet);
+    work.kept = kept.get();
+    for (std::size_t k = 0; k < scenes.cases.size(); ++k)
+      run_place(request, models, scenes.cases[k], record.places[k], work);
     display.clear();
     if (!here.first()) return;
-    std::string failures;
-    bool any = false;
-    for (const StudySeries& series : record.series) {
-      any = any || !series.levels.empty();
-      if (!series.failure.empty())
-        failures += fmt::format("{}{}", failures.empty() ? "" : "; ", series.failure);
-    }
-    if (!any) throw contact::SolveError(failures);
+    forget_empty(record.places);
+    const std::string failures = failures_of(record);
     write_and_tell(request, record);
     if (!failures.empty())
       throw contact::SolveError("the study is written without what failed: " + failures);
+    kept->remove();
   } catch (...) {
     display.clear();
+    tell_about(request, kept.get());
     // As in run: finalising MPI would wait for processes that may not have failed.
     static_cast<void>(session.release());
     throw;

@@ -1,7 +1,7 @@
 #include "app/study_levels.hpp"
 
 #include "contact/errors.hpp"
-#include "halfspace/registry.hpp"
+#include "halfspace/expected_patch.hpp"
 
 #include <fmt/format.h>
 
@@ -14,16 +14,17 @@ namespace {
 
 using contact::Case;
 
-/// Semi-axes after Hertz, to start from where the case says nothing.
-std::array<double, 2> hertz_axes(const Case& input, const char* key) {
+/// Half of the patch's extents along x and y, from which the model fem takes what the case does not
+/// say.
+std::array<double, 2> half_extents(const Case& input, const char* key) {
   try {
-    const auto result = halfspace::run_model("hertz", input, {});
-    return {result.points.at(0).semi_axis_x, result.points.at(0).semi_axis_y};
-  } catch (const contact::InputError&) {
-    throw contact::InputError(fmt::format(
-        "{}: study: fem.{} is where the study starts, and this case has no ellipse to take it "
-        "from; do: give fem.{}",
-        input.file, key, key));
+    const halfspace::ExpectedPatch patch = halfspace::expected_patch(input);
+    return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width()};
+  } catch (const contact::InputError& error) {
+    throw contact::InputError(
+        fmt::format("{}: study: fem.{} is where the study starts, and this case has no patch to "
+                    "take it from ({}); do: give fem.{}",
+                    input.file, key, error.what(), key));
   }
 }
 
@@ -65,8 +66,8 @@ LevelPlan::Level grid_level(Case input, int k, int /*n*/) {
 /// The case's own cell is the last level.
 LevelPlan::Level cell_level(Case input, int k, int n) {
   if (!input.fem.cell_size) {
-    const auto axes = hertz_axes(input, "cell_size");
-    input.fem.cell_size = std::min(axes[0], axes[1]) / 8.0;
+    const auto half = half_extents(input, "cell_size");
+    input.fem.cell_size = std::min(half[0], half[1]) / 8.0;
   }
   const double size = *input.fem.cell_size * std::exp2(n - 1 - k);
   input.fem.cell_size = size;
@@ -81,8 +82,8 @@ LevelPlan::Level degree_level(Case input, int k, int /*n*/) {
 /// The case's own domain is the last but one.
 LevelPlan::Level domain_level(Case input, int k, int n) {
   if (!input.fem.extent) {
-    const auto axes = hertz_axes(input, "extent");
-    input.fem.extent = 8.0 * std::max(axes[0], axes[1]);
+    const auto half = half_extents(input, "extent");
+    input.fem.extent = 8.0 * std::max(half[0], half[1]);
   }
   const double factor = std::exp2(k - (n - 2));
   for (auto* length : {&input.fem.extent, &input.fem.width, &input.fem.depth, &input.fem.length})

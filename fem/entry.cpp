@@ -22,8 +22,12 @@ int process() {
   return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
 }
 
-const rollfem::fem::Entry entry{start, stop, process, rollfem::fem::run_fem,
-                                rollfem::fem::mesh_case};
+std::string from_first(const std::string& text) {
+  return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text);
+}
+
+const rollfem::fem::Entry entry{
+    start, stop, process, from_first, rollfem::fem::run_fem, rollfem::fem::mesh_case};
 
 }  // namespace
 

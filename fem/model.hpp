@@ -6,6 +6,8 @@
 #include "contact/model.hpp"
 #include "fem/mesh_report.hpp"
 
+#include <string>
+
 namespace rollfem::fem {
 
 /// Runs the case. Every MPI process of the run calls it; the result is complete on process 0.
@@ -19,6 +21,8 @@ struct Entry {
   void (*start)(int& argc, char**& argv);  ///< MPI_Init, once, before any model
   void (*stop)();                          ///< MPI_Finalize
   int (*process)();                        ///< rank
+  /// Collective: the text of process 0 on every process.
+  std::string (*from_first)(const std::string& text);
   contact::ModelResult (*run)(const contact::Case&, const contact::Progress&, contact::Checkpoint*);
   std::vector<MeshedBody> (*mesh)(const contact::Case&);
 };

@@ -115,7 +115,9 @@ RunLayout run_layout(const Case& input, double cell) {
   const double exact = layout.patch.middle;
   layout.patch.middle = std::round(exact / cell) * cell;
   layout.patch.half_width += std::abs(layout.patch.middle - exact);
-  layout.grid = lattice_grid(layout.patch, cell);
+  // Linear displacements cannot follow a traction of their own on every face: elements of one face
+  // let it oscillate, and the contact iteration then ends nowhere.
+  layout.grid = lattice_grid(layout.patch, input.fem.degree == 1 ? 2.0 * cell : cell);
   layout.bodies = body_options(input, layout.patch, layout.grid, cell);
   return layout;
 }

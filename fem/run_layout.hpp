@@ -29,7 +29,8 @@ bool has_true_sections(const contact::Case& input);
 
 struct RunLayout {
   PatchBox patch;
-  contact::ContactGrid grid;  ///< square elements on the lattice of the FE faces
+  contact::ContactGrid grid;  ///< square elements on the lattice of the FE faces: one face each,
+                              ///< of degree 1 two by two
   BodyOptions bodies;
 };
 /// Throws contact::InputError when the profiles cannot be meshed so far.

@@ -60,6 +60,12 @@ unsigned long long checksum_of(const contact::Case& input) {
       hash = contact::checksum(
           {reinterpret_cast<const char*>(column.data()), column.size() * sizeof(double)}, hash);
   }
+  std::error_code error;  // built-in profiles are no files
+  for (const std::string* name :
+       {&input.wheel.profile.name, &input.rail.profile.name, &input.wheel.mesh, &input.rail.mesh})
+    if (const fs::path file = fs::path(input.file).parent_path() / *name;
+        !name->empty() && fs::is_regular_file(file, error))
+      hash = contact::checksum(contents(file), hash);
   return hash;
 }
 
@@ -208,6 +214,21 @@ void CheckpointFolder::keep(const std::string& name, const std::string& record) 
         "warning: finished load points are not kept from here on, the run goes on without: {}",
         problem.what()));
   }
+}
+
+void CheckpointFolder::drop(const std::string& begin) {
+  const auto fits = [&](const std::string& name) { return name.rfind(begin, 0) == 0; };
+  held_back_.erase(std::remove_if(held_back_.begin(), held_back_.end(),
+                                  [&](const auto& held) { return fits(held.first); }),
+                   held_back_.end());
+  if (!begun_) return;
+  std::error_code error;
+  std::vector<fs::path> gone;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error))
+    if (is_record(entry->path().filename()) && fits(entry->path().filename().string()))
+      gone.push_back(entry->path());
+  for (const fs::path& file : gone) fs::remove(file, error);
 }
 
 void CheckpointFolder::remove() {

@@ -33,6 +33,8 @@ class CheckpointFolder : public contact::Checkpoint {
   int found() const { return found_; }
   /// Whether a later run finds something.
   bool holds_records() const;
+  /// Records whose names begin so are needed no more.
+  void drop(const std::string& begin);
   /// The results are written: the folder goes.
   void remove();
 

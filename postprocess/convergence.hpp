@@ -10,16 +10,21 @@
 
 namespace rollfem::postprocess {
 
-/// f(h) = limit + C h^p, from the three finest of the values.
+/// f(h) = limit + C h^p, from the three finest of the values; where these show no order, from all
+/// of them by least squares if they are four or more and follow such a curve.
 struct Limit {
-  /// Observed order p; none where the three values allow none, `reason` says why.
+  /// Observed order p; none where neither the three values nor all allow one.
   std::optional<double> order;
+  bool fitted = false;  ///< to all values
+  /// Why the three values show no order; empty when they do.
   std::string reason;
   /// Richardson value with an order; the finest value without.
   double value = 0.0;
   /// Of `value`, absolute. With an order and four values or more: the change of the Richardson
   /// value from the level before, at least a fourth of its distance to the finest value; with three
-  /// values grid_uncertainty; without an order three times the largest change.
+  /// values grid_uncertainty; with a fitted order that of Eca and Hoekstra: 1.25 times the distance
+  /// to the finest value, the scatter about the curve and the finest value's own distance from it;
+  /// without an order three times the largest change.
   double uncertainty = 0.0;
   /// Of the finest value itself, absolute: Roache's grid convergence index with the factor 1.25 and
   /// an order of at most 2 (what the methods of this program have); without an order as above.

@@ -12,8 +12,8 @@
 
 namespace rollfem::postprocess {
 
-/// Values by key: "max_pressure", "semi_axis_x", "semi_axis_y", "approach" of the first load point,
-/// "traction_coefficient:4" of the fourth.
+/// Values by key: "max_pressure", "semi_axis_x", "semi_axis_y" (of true profiles "contact_length",
+/// "contact_width"), "approach" of the first load point, "traction_coefficient:4" of the fourth.
 using StudyValues = std::map<std::string, double>;
 
 struct StudyLevel {
@@ -33,7 +33,8 @@ struct StudySeries {
   /// By which cells shrink (domains grow) from level to level; 0 where that has no meaning.
   double ratio = 0.0;
   std::vector<StudyLevel> levels;  ///< coarsest first
-  std::string failure;             ///< why it ended early; empty: it did not
+  std::string failure;             ///< of levels that should have a result; empty: none
+  std::string left_out = {};       ///< coarse levels that the case cannot be laid out on, and why
 };
 
 enum class ReferenceRule {
@@ -49,25 +50,42 @@ struct StudyReference {
   std::string kind;          ///< "exact", "given", "extrapolated", "finest"
 };
 
+/// What is studied at one contact: that of a case with radii, or one patch of true profiles. Each
+/// has limits of its own.
+struct StudyPlace {
+  std::optional<contact::ContactPlace> place;  ///< of a patch; none with radii
+  std::vector<contact::Creepage> creepages;    ///< of the load points
+  StudyValues exact;                           ///< Hertz, where it holds
+  StudyValues given;                           ///< of the user; take precedence
+  std::vector<StudySeries> series;
+};
+
 struct StudyRecord {
   Provenance provenance;
   std::string title;
   std::string case_file;
   std::string case_text;
   double friction = 0.0;
-  std::vector<contact::Creepage> creepages;  ///< of the load points
-  StudyValues exact;                         ///< Hertz, where it holds
-  StudyValues given;                         ///< of the user; take precedence
   ReferenceRule rule = ReferenceRule::automatic;
-  std::vector<StudySeries> series;
+  std::vector<std::string> notes;  ///< what a reader must know of all places
+  std::vector<StudyPlace> places;
 };
+
+/// "left wheel, position 3, patch 1 of 2"; empty with radii.
+std::string place_name(const StudyPlace& place);
+/// "left_3_1"; empty with radii.
+std::string place_key(const StudyPlace& place);
 
 /// Index of the series whose levels are the reference for all: the half-space refined in its grid,
 /// else the first with three levels, else the first. Throws std::logic_error without series.
-std::size_t reference_series(const StudyRecord& record);
+std::size_t reference_series(const StudyPlace& place);
 
 /// Reference of every key that any level has.
-std::map<std::string, StudyReference> references(const StudyRecord& record);
+std::map<std::string, StudyReference> references(const StudyPlace& place, ReferenceRule rule);
+
+/// Whether the finest value of a series is itself the reference: it then shows no error.
+bool is_reference(const StudyPlace& place, const StudySeries& series,
+                  const StudyReference& reference);
 
 /// |value - reference|, relative to the reference, of coefficients to the coefficient of friction.
 double study_error(const StudyRecord& record, const std::string& key, double value,
@@ -83,13 +101,13 @@ std::vector<std::optional<double>> level_orders(const StudyRecord& record,
                                                 const StudySeries& series, const std::string& key,
                                                 const StudyReference& reference);
 
-/// One sentence for each series and quantity. Without markup.
-std::vector<std::string> study_words(const StudyRecord& record);
+/// One sentence for each series and quantity of a place. Without markup.
+std::vector<std::string> study_words(const StudyRecord& record, const StudyPlace& place);
 
 std::string study_json(const StudyRecord& record);
-/// One row per series, level and key.
+/// One row per place, series, level and key.
 std::string study_csv(const StudyRecord& record);
-/// For the terminal: a table for each series.
+/// For the terminal: a table for each series of each place.
 std::string study_table(const StudyRecord& record);
 
 }  // namespace rollfem::postprocess

@@ -41,7 +41,7 @@ void expect_resumed_like(const fs::path& whole, const Folder& folder, const std:
   EXPECT_FALSE(fs::exists(folder.work() / "killed"));
   const Outcome outcome = execute(folder, run(processes, file, "killed", true));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("load points of an earlier run"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("solutions of an earlier run"), std::string::npos) << outcome.err;
   expect_same_results(folder, whole, folder.work() / "killed");
   EXPECT_FALSE(fs::exists(unfinished));
   fs::remove_all(folder.work() / "killed");

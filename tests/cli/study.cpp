@@ -26,8 +26,8 @@ TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   for (const char* name : {"study.csv", "study.html", "figures/speed_error.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder_of_study / name)) << name;
   const auto all = read(folder_of_study / "study.json");
-  EXPECT_EQ(all.at("references").at("max_pressure").at("kind"), "exact");
-  const auto& levels = all.at("series")[0].at("levels");
+  EXPECT_EQ(all.at("places")[0].at("references").at("max_pressure").at("kind"), "exact");
+  const auto& levels = all.at("places")[0].at("series")[0].at("levels");
   ASSERT_EQ(levels.size(), 5U);
   EXPECT_EQ(levels[0].at("label"), "5 across");
   EXPECT_EQ(levels[4].at("label"), "80 across");
@@ -59,9 +59,9 @@ TEST(Study, AllModelsAndGivenReferences) {
   const Outcome outcome = call(folder, arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto all = read(folder.work() / "out" / "study.json");
-  EXPECT_EQ(all.at("references").at("max_pressure").at("kind"), "given");
+  EXPECT_EQ(all.at("places")[0].at("references").at("max_pressure").at("kind"), "given");
   std::vector<std::string> models;
-  for (const auto& series : all.at("series")) {
+  for (const auto& series : all.at("places")[0].at("series")) {
     models.push_back(series.at("model"));
     const auto& level = series.at("levels").back();
     EXPECT_NEAR(level.at("errors").at("max_pressure").get<double>(),

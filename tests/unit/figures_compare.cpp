@@ -101,8 +101,9 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   StudyRecord study;
   study.title = "a <study>";
   study.friction = 0.5;
-  study.creepages = {{0.0, 0.0, 0.0}, {0.002, 0.0, 0.0}};
-  study.exact = {{"max_pressure", 100.0}};
+  StudyPlace place;
+  place.creepages = {{0.0, 0.0, 0.0}, {0.002, 0.0, 0.0}};
+  place.exact = {{"max_pressure", 100.0}};
   StudySeries fine{"halfspace", "grid", "contact grid", 2.0, {}, ""};
   StudySeries jumpy{"fem", "cell", "FE cell", 2.0, {}, "ran out of memory"};
   for (int k = 0; k < 4; ++k) {
@@ -118,7 +119,8 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   }
   StudySeries theory{"hertz", "", "", 0.0, {fine.levels[0]}, ""};
   theory.levels[0].values = {{"max_pressure", 100.0}};
-  study.series = {fine, jumpy, theory};
+  place.series = {fine, jumpy, theory};
+  study.places = {place};
   replace_file(base_ / "study.json", study_json(study));
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = read(base_ / "study.html");

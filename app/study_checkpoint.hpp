@@ -1,0 +1,50 @@
+// What a study keeps for a later call: its finished levels, and the finished load points of the
+// level that it is at, each with the seconds that it has taken until then.
+#pragma once
+
+#include "app/solving.hpp"
+#include "contact/checkpoint.hpp"
+#include "postprocess/checkpoint_folder.hpp"
+#include "postprocess/study.hpp"
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace rollfem::app {
+
+/// Load points of one level. Their records carry the seconds of the level so far, so that a level
+/// that was taken up costs what its calls took together.
+class LevelPoints : public contact::Checkpoint {
+ public:
+  /// `folder` may be null: nothing is kept or found.
+  LevelPoints(postprocess::CheckpointFolder* folder, std::string level);
+  std::optional<std::string> find(const std::string& name) override;
+  void keep(const std::string& name, const std::string& record) override;
+
+  /// Of earlier calls; known after the level is solved.
+  double seconds_before() const { return before_; }
+  /// The level is kept as a whole: its load points go.
+  void drop();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  postprocess::CheckpointFolder* folder_;
+  std::string prefix_;
+  double before_ = 0.0;
+  Clock::time_point begin_ = Clock::now();
+};
+
+/// The name under which a level is kept: of the place, model and level as the study shows them.
+std::string level_record_name(const std::string& place_key, const postprocess::StudySeries& series,
+                              const postprocess::StudyLevel& level);
+
+/// A level that an earlier call has finished. `everywhere` (the model is parallel): collective, the
+/// folder of process 0 counts; null: each process by itself.
+std::optional<postprocess::StudyLevel> find_level(postprocess::CheckpointFolder* folder,
+                                                  const std::string& name,
+                                                  const FemSession* everywhere);
+void keep_level(postprocess::CheckpointFolder* folder, const std::string& name,
+                const postprocess::StudyLevel& level);
+
+}  // namespace rollfem::app

@@ -1,0 +1,175 @@
+#include "app/study_checks.hpp"
+
+#include "app/run.hpp"
+#include "app/study_levels.hpp"
+#include "contact/abilities.hpp"
+#include "contact/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using contact::InputError;
+using postprocess::ReferenceRule;
+using postprocess::StudyPlace;
+
+void check_directory(const StudyRequest& request) {
+  const fs::path directory = directory_of(request);
+  for (const char* other : {"summary.json", "compare.json"})
+    if (fs::exists(directory / other))
+      throw InputError(fmt::format(
+          "study: {} holds the result of another command ({}); do: name another folder with -o",
+          directory.string(), other));
+  fs::path there = fs::absolute(directory).lexically_normal();
+  while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there))
+    throw InputError(fmt::format(
+        "study: the folder {} cannot be made: {} is a file; do: name another folder with -o",
+        directory.string(), there.string()));
+}
+
+/// A domain can be varied where the program chooses it.
+void check_domain(const contact::Case& input) {
+  const char* why = nullptr;
+  if (input.has_profiles())
+    why = "the bodies are true sections of rail and rim, or end where their profiles do";
+  else if (!input.wheel.mesh.empty() || !input.rail.mesh.empty())
+    why = "the bodies end where the meshes do that the case names";
+  if (why != nullptr)
+    throw InputError(
+        fmt::format("{}: study --vary domain: {}; allowed for this case: grid, cell, degree; do: "
+                    "vary one of these, or compare runs with other [fem] length, depth and "
+                    "rim_thickness, or other meshes",
+                    input.file, why));
+}
+
+/// "left_3_1." of a place among several.
+std::string prefix_of(const StudyPlace& place) {
+  const std::string key = place_key(place);
+  return key.empty() ? key : key + ".";
+}
+
+std::vector<std::string> quantities_of(const StudyPlace& place) {
+  std::vector<std::string> all{"max_pressure", "approach"};
+  if (place.place)
+    all.insert(all.end(), {"contact_length", "contact_width"});
+  else
+    all.insert(all.end(), {"semi_axis_x", "semi_axis_y"});
+  for (std::size_t k = 1; k <= place.creepages.size(); ++k)
+    all.push_back(fmt::format("traction_coefficient:{}", k));
+  return all;
+}
+
+[[noreturn]] void refuse_reference(const std::string& word, const std::string& why,
+                                   const std::vector<StudyPlace>& places) {
+  const bool patches = places.front().place.has_value();
+  std::string allowed = fmt::format(
+      "allowed: exact, finest, extrapolated, or QUANTITY=VALUE with max_pressure, {}, approach or "
+      "traction_coefficient:N of load point N",
+      patches ? "contact_length, contact_width" : "semi_axis_x, semi_axis_y");
+  if (places.size() > 1)
+    allowed += fmt::format(", as PLACE.QUANTITY=VALUE with one of the places {} to {}",
+                           place_key(places.front()), place_key(places.back()));
+  throw InputError(fmt::format("--reference {}: {}; {}; do: correct it", word, why, allowed));
+}
+
+/// PLACE.QUANTITY=VALUE; of one place its name may be left out.
+void read_number(const std::string& word, std::vector<StudyPlace>& places) {
+  const std::size_t at = word.find('=');
+  if (at == std::string::npos) refuse_reference(word, "not a reference", places);
+  std::string key = word.substr(0, at);
+  StudyPlace* meant = places.size() == 1 ? &places.front() : nullptr;
+  for (StudyPlace& place : places)
+    if (place.place && key.rfind(prefix_of(place), 0) == 0) {
+      meant = &place;
+      key = key.substr(prefix_of(place).size());
+      break;
+    }
+  if (meant == nullptr)
+    refuse_reference(word, "the case has several patches, and this names none of them", places);
+  const auto known = quantities_of(*meant);
+  if (std::find(known.begin(), known.end(), key) == known.end())
+    refuse_reference(word, "no such quantity in this case", places);
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str() + at + 1, &end);
+  if (end == word.c_str() + at + 1 || *end != '\0' || !std::isfinite(value))
+    refuse_reference(word, "the value is not a number", places);
+  meant->given[key] = value;
+}
+
+}  // namespace
+
+fs::path directory_of(const StudyRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_study");
+}
+
+void check_call(const StudyRequest& request, const contact::Case& input) {
+  const auto& known = varied_words();
+  for (const std::string& word : request.vary) {
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      throw InputError(fmt::format(
+          "--vary {}: not something to refine; allowed: grid, cell, degree, domain; do: name one "
+          "of them",
+          word));
+    const auto names = named_models(request);
+    if (std::none_of(names.begin(), names.end(),
+                     [&](const std::string& model) { return can_vary(model, word); }))
+      throw InputError(fmt::format(
+          "--vary {}: none of the models of this study has it; allowed: grid of halfspace, "
+          "fastsim, strip and carter, cell, degree and domain of fem; do: add --model fem, or vary "
+          "grid",
+          word));
+    if (word == "domain") check_domain(input);
+  }
+  if (request.levels != 0 && (request.levels < 2 || request.levels > 8))
+    throw InputError(fmt::format("--levels {}: allowed: 2 to 8; do: correct it", request.levels));
+  check_directory(request);
+}
+
+std::vector<std::string> named_models(const StudyRequest& request) {
+  if (request.models.empty()) return {"halfspace"};
+  if (request.models.front() != "all") return request.models;
+  std::vector<std::string> all = known_models();
+#if !ROLLFEM_WITH_FEM
+  all.erase(std::find(all.begin(), all.end(), "fem"));
+#endif
+  return all;
+}
+
+std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes) {
+  std::vector<std::string> able;
+  for (const std::string& name : named_models(request)) try {
+      for (const contact::Case& scene : scenes.cases) contact::check_able(scene, name);
+      able.push_back(name);
+    } catch (const InputError&) {  // "all" means all that can
+      if (request.models.empty() || request.models.front() != "all") throw;
+    }
+  return able;
+}
+
+void read_references(const StudyRequest& request, postprocess::StudyRecord& record) {
+  for (const std::string& word : request.references) {
+    if (word == "exact") {
+      record.rule = ReferenceRule::exact;
+      if (record.places.front().exact.empty())
+        refuse_reference(word, "no exact value is known for this case", record.places);
+    } else if (word == "finest") {
+      record.rule = ReferenceRule::finest;
+    } else if (word == "extrapolated") {
+      record.rule = ReferenceRule::extrapolated;
+    } else {
+      read_number(word, record.places);
+    }
+  }
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,104 @@
+// The command study on true profiles: every patch is a series of its own, with the forces of one
+// balance on all levels; what makes no sense for patches is refused.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+std::string wheel_case(const std::string& side, const std::string& shifts,
+                       const std::string& across = "20") {
+  return "title = \"S1002\"\nmodels = [\"halfspace\"]\n"
+         "[load]\nvertical_force = 100e3\n[friction]\ncoefficient = 0.55\n"
+         "[wheel]\nrolling_radius = 450.0\nprofile = \"S1002\"\n"
+         "[rail]\nprofile = \"UIC60-manchester\"\n[track]\ninclination = \"1:40\"\n"
+         "[wheelset]\nside = \"" +
+         side + "\"\nlateral_shift = " + shifts +
+         "\nroll = 0.0\n[rolling]\nlongitudinal_creepage = 0.001\n"
+         "[contact_grid]\nelements_across = " +
+         across + "\n";
+}
+
+nlohmann::json read(const fs::path& file) {
+  return nlohmann::json::parse(contents(file));
+}
+
+TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
+  const Folder folder;
+  const Outcome outcome =
+      call(folder, {"study", folder.file("left.toml", wheel_case("left", "2.0", "40")),
+                    "--no-report", "-o", "out"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("left wheel, position 1: halfspace, refined in grid"),
+            std::string::npos)
+      << outcome.out;
+  const auto all = read(folder.work() / "out" / "study.json");
+  const auto& place = all.at("places").at(0);
+  EXPECT_EQ(place.at("key"), "left_1_1");
+  EXPECT_EQ(place.at("lateral_shift"), 2.0);
+  EXPECT_FALSE(all.at("notes").empty());
+  const auto& levels = place.at("series").at(0).at("levels");
+  ASSERT_EQ(levels.size(), 5U);
+  // Between neighbouring grids the order jumps, as the kink in curvature lies differently in their
+  // elements: all levels together show it.
+  const auto& limit = place.at("series").at(0).at("limits").at("max_pressure");
+  ASSERT_TRUE(limit.contains("order")) << limit;
+  EXPECT_NEAR(limit.at("order").get<double>(), 2.0, 0.3);
+  EXPECT_LT(limit.at("uncertainty").get<double>(), 0.2);  // MPa
+  EXPECT_NEAR(limit.at("value").get<double>(), 1011.2, 0.001 * 1011.2);
+  // CONTACT: 1011.2 MPa and 16.2 mm.
+  const auto& finest = levels.at(4).at("values");
+  EXPECT_NEAR(finest.at("max_pressure").get<double>(), 1011.2, 0.001 * 1011.2);
+  EXPECT_NEAR(finest.at("contact_width").get<double>(), 16.2, 0.1);
+  EXPECT_EQ(finest.count("semi_axis_x"), 0U);
+}
+
+TEST(StudyProfiles, EveryPatchIsASeriesWithOneBalance) {
+  const Folder folder;
+  const Outcome outcome =
+      call(folder, {"study", folder.file("both.toml", wheel_case("both", "[0.0, 2.0]")), "--levels",
+                    "3", "-o", "out", "--reference", "right_2_1.max_pressure=1510.7"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto all = read(folder.work() / "out" / "study.json");
+  std::vector<std::string> keys;
+  for (const auto& place : all.at("places")) {
+    keys.push_back(place.at("key"));
+    EXPECT_EQ(place.at("series").at(0).at("levels").size(), 3U);
+    EXPECT_EQ(place.at("references").at("max_pressure").at("kind") == "given",
+              keys.back() == "right_2_1");
+    EXPECT_TRUE(
+        fs::exists(folder.work() / "out/figures" / ("error_unknowns_" + keys.back() + ".svg")));
+  }
+  EXPECT_EQ(keys, (std::vector<std::string>{"left_1_1", "right_1_1", "left_2_1", "right_2_1"}));
+  // Found once, not for each of the twelve levels.
+  const std::size_t balance = outcome.err.find("balance");
+  EXPECT_EQ(outcome.err.find("position 1 of 2", outcome.err.find("position 1 of 2") + 1),
+            std::string::npos);
+  EXPECT_NE(balance, std::string::npos) << outcome.err;
+  const std::string page = contents(folder.work() / "out" / "study.html");
+  for (const char* text : {"Largest pressure of every patch", "right wheel, position 2"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_NE(contents(folder.work() / "out" / "study.csv").find("\nright_2_1,halfspace,grid,"),
+            std::string::npos);
+}
+
+TEST(StudyProfiles, RefusesWhatMakesNoSenseForPatches) {
+  const Folder folder;
+  const std::string file = folder.file("both.toml", wheel_case("both", "2.0"));
+  if (ROLLFEM_WITH_FEM)
+    expect_refused(call(folder, {"study", file, "--model", "fem", "--vary", "domain"}),
+                   "true sections of rail and rim");
+  expect_refused(call(folder, {"study", file, "-q", "--reference", "exact"}),
+                 "no exact value is known");
+  expect_refused(call(folder, {"study", file, "-q", "--reference", "max_pressure=1000"}),
+                 "the case has several patches");
+  expect_refused(call(folder, {"study", file, "-q", "--reference", "left_1_1.semi_axis_x=6"}),
+                 "no such quantity in this case");
+  EXPECT_TRUE(folder.made().empty());
+}
+
+}  // namespace

@@ -1,0 +1,125 @@
+// The command study after a kill: finished levels are taken up and the numbers are the same to the
+// last bit; what belongs to another case is refused.
+#include "cli/resume.hpp"
+#include "unit/case_examples.hpp"
+
+namespace {
+
+using namespace rollfem::test;
+namespace fs = std::filesystem;
+
+/// Levels of 10, 20, 40 and 80 across; the last takes a second or so.
+std::string slow_case(const std::string& creepage = "0.0003") {
+  return small_case + "[rolling]\nlongitudinal_creepage = [0.0, " + creepage +
+         ", 0.0006, 0.0009, 0.0012, 0.0015, 0.002, 0.0025, 0.003, 0.004]\nspin = 1e-4\n"
+         "[contact_grid]\nelements_across = 40\n";
+}
+
+std::vector<std::string> study(const std::string& file, const std::string& directory,
+                               const std::vector<std::string>& options = {}) {
+  std::vector<std::string> command{ROLLFEM_PROGRAM, "study", file,         "-o",
+                                   directory,       "-q",    "--no-report"};
+  command.insert(command.end(), {"--levels", "4"});
+  command.insert(command.end(), options.begin(), options.end());
+  return command;
+}
+
+/// Records of whole levels in a folder, and of load points of the level at work.
+int levels_kept(const fs::path& unfinished, bool whole) {
+  std::error_code error;
+  int count = 0;
+  for (fs::directory_iterator entry(unfinished, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (entry->path().extension() == ".point" && (name.find("-of-") == std::string::npos) == whole)
+      ++count;
+  }
+  return count;
+}
+
+/// study.json without times and without what names the call.
+nlohmann::json timeless(const fs::path& folder) {
+  auto all = nlohmann::json::parse(contents(folder / "study.json"));
+  for (const char* name : {"command", "started"}) all.erase(name);
+  for (auto& place : all.at("places"))
+    for (auto& series : place.at("series"))
+      for (auto& level : series.at("levels")) {
+        EXPECT_GT(level.at("seconds").get<double>(), 0.0);
+        level.erase("seconds");
+      }
+  return all;
+}
+
+/// Kills a study in the middle of its last level.
+void leave_unfinished(const Folder& folder, const std::string& file) {
+  const fs::path unfinished = folder.work() / "out.unfinished";
+  const Killed killed = kill_when(folder, study(file, "out"), [&] {
+    return levels_kept(unfinished, true) >= 2 && levels_kept(unfinished, false) >= 2;
+  });
+  ASSERT_TRUE(killed.killed) << killed.err;
+  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+}
+
+TEST(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  ASSERT_EQ(execute(folder, study(file, "whole")).status, 0);
+  EXPECT_FALSE(fs::exists(folder.work() / "whole.unfinished"));
+  leave_unfinished(folder, file);
+  const int kept = levels_kept(folder.work() / "out.unfinished", true);
+  std::vector<std::string> again = study(file, "out", {"--resume"});
+  again.erase(std::find(again.begin(), again.end(), "-q"));
+  const Outcome outcome = execute(folder, again);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  int taken_up = 0;
+  for (std::size_t at = outcome.err.find(" across: taken up\n"); at != std::string::npos;
+       at = outcome.err.find(" across: taken up\n", at + 1))
+    ++taken_up;
+  EXPECT_EQ(taken_up, kept) << outcome.err;
+  EXPECT_EQ(timeless(folder.work() / "whole"), timeless(folder.work() / "out"));
+  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
+}
+
+TEST(StudyResume, LevelsOfAChangedCaseAreRefused) {
+  const Folder folder;
+  leave_unfinished(folder, folder.file("slow.toml", slow_case()));
+  const std::string file = folder.file("slow.toml", slow_case("0.0004"));
+  const Outcome outcome = execute(folder, study(file, "out", {"--resume"}));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("slow.toml (or a file that it names) has changed"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+}
+
+TEST(StudyResume, LevelsOfAChangedProfileAreRefused) {
+  const Folder folder;
+  const std::string points =
+      contents(fs::path(ROLLFEM_SOURCE_DIR) / "cases/profiles/hollow_s1002.csv");
+  folder.file("wheel.csv", points);
+  const std::string file = folder.file(
+      "slow.toml",
+      "[load]\nvertical_force = 80e3\n[friction]\ncoefficient = 0.4\n"
+      "[wheel]\nrolling_radius = 460.0\nprofile = \"wheel.csv\"\n[rail]\nprofile = "
+      "\"60E1\"\n[track]\ninclination = \"1:40\"\n"
+      "[rolling]\nlongitudinal_creepage = [0.0, 0.0005, 0.001, 0.0015, 0.002, 0.0025, 0.003]\n"
+      "[contact_grid]\nelements_across = 40\n");
+  leave_unfinished(folder, file);
+  folder.file("wheel.csv", points + "\n");
+  const Outcome outcome = execute(folder, study(file, "out", {"--resume"}));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("has changed"), std::string::npos) << outcome.err;
+}
+
+TEST(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  leave_unfinished(folder, file);
+  std::vector<std::string> anew = study(file, "out");
+  *std::find(anew.begin(), anew.end(), "4") = "2";
+  const Outcome short_study = execute(folder, anew);
+  EXPECT_EQ(short_study.status, 0) << short_study.err;
+  EXPECT_NE(short_study.err.find("--resume takes them up"), std::string::npos) << short_study.err;
+  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
+}
+
+}  // namespace
