@@ -30,8 +30,9 @@ def captions(result):
     yield ("contact_area.svg", "Zones of adhesion and slip, model by model.",
            lambda: maps.contact_area(result))
     for model in result.models:
-        yield (f"oblique_px_{model.name}.svg",
-               f"Pressure and tangential traction over the patch: {style.label(model)}.",
+        what = ("px", "Pressure and tangential traction") if model.has_friction else ("pn", "Pressure")
+        yield (f"oblique_{what[0]}_{model.name}.svg",
+               f"{what[1]} over the patch: {style.label(model)}.",
                lambda model=model: maps.oblique(result, model))
     for number, kind, body in stresses.lines(result):
         yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),

@@ -185,11 +185,27 @@ def _frame(panel, view, title, unit_label):
     panel.axis("off")
 
 
+def _oblique_pressure(model):
+    """p_n alone, of the first load point."""
+    pressure = model.points[0].fields.get("pressure") if model.points else None
+    if pressure is None or not (pressure > 0).any():
+        return None
+    figure, panel = plt.subplots(figsize=(4.8, 4.4))
+    view = _Oblique(*extent([model]), pressure)
+    _frame(panel, view, "contact pressure", r"$p_n$ [MPa]")
+    _strips(panel, view, model, pressure, None)
+    figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
+    figure.tight_layout(rect=(0, 0.03, 1, 1))
+    return figure
+
+
 def oblique(result, model):
-    """p_n and -p_x over the patch at one creepage, the same for every model, strip by strip. None for
-    a model without tangential tractions."""
+    """p_n and -p_x over the patch at one creepage, the same for every model, strip by strip; p_n alone
+    of a model without friction. None without fields."""
+    if not model.has_friction:
+        return _oblique_pressure(model)
     shown = selection.reference_for_forces(result)
-    creepages = selection.typical_key([shown]) if shown and model.has_friction else None
+    creepages = selection.typical_key([shown]) if shown else None
     point = model.at(creepages) if creepages else None
     if point is None or not {"pressure", "traction_x"} <= set(point.fields):
         return None

@@ -57,7 +57,8 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
     EXPECT_NE(read(figure).find("</svg>"), std::string::npos) << name;
     EXPECT_LT(fs::file_size(figure), 1500000U) << name;
   }
-  // A frictionless model has no tangential tractions to draw.
+  // A frictionless model has no tangential tractions to draw, but a pressure.
+  EXPECT_TRUE(fs::exists(folder / "figures/oblique_pn_hertz.svg"));
   EXPECT_FALSE(fs::exists(folder / "figures/oblique_px_hertz.svg"));
 
   const std::string report = read(folder / "report.html");
@@ -67,7 +68,7 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   for (std::size_t at = report.find("data:image/svg"); at != std::string::npos;
        at = report.find("data:image/svg", at + 1))
     ++images;
-  EXPECT_EQ(images, 9U);
+  EXPECT_EQ(images, 10U);
   for (const char* text :
        {"thesis case a: conforming plane", "578.7", "0.51136", "half-space", "FEM", "446 000",
         "symmetry plane y = 0 used", "normal_force = 50e3", "not converged"})
