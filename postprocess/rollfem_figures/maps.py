@@ -153,12 +153,13 @@ def _frame(panel, view, title, unit_label):
     panel.plot(*zip(*[view(a * view.half_x, b * view.half_y) for a, b in corners]), **ink)
     text = {"fontsize": 8, "color": "#333333", "zorder": 1000}
     small = 0.05 * view.half_x
+    below = view.lift * view.low  # labels stand under what hangs below the plane
     for tick in _ticks(view.half_x):
         x, y = view(tick, -view.half_y)
         panel.plot([x, x], [y, y - small], **ink)
-        panel.text(x, y - 1.6 * small, f"{tick:g}".replace("-", "−"), ha="center", va="top", **text)
+        panel.text(x, y + below - 1.6 * small, f"{tick:g}".replace("-", "−"), ha="center", va="top", **text)
     x, y = view(0, -view.half_y)
-    panel.text(x, y - 6.5 * small, r"$x$ [mm], rolling $\rightarrow$", ha="center", va="top", **text)
+    panel.text(x, y + below - 6.5 * small, r"$x$ [mm], rolling $\rightarrow$", ha="center", va="top", **text)
     for tick in _ticks(view.half_y):
         x, y = view(view.half_x, tick)
         panel.plot([x, x + small], [y, y], **ink)
@@ -179,7 +180,7 @@ def _frame(panel, view, title, unit_label):
     left, bottom = view(-view.half_x, -view.half_y)
     right, back = view(view.half_x, view.half_y)
     panel.set_xlim(left - 8 * small, right + 10 * small)
-    panel.set_ylim(bottom - 12 * small + 0.6 * view.lift * view.low, max(back, view.lift * view.top) + 6 * small)
+    panel.set_ylim(bottom - 12 * small + below, max(back, view.lift * view.top) + 6 * small)
     panel.set_title(title, pad=14)
     panel.set_aspect("equal")
     panel.axis("off")
