@@ -26,7 +26,7 @@ summary{cursor:pointer;color:#0072B2}.say{border-left:4px solid #E69F00;padding:
 @media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
 .scroll img{min-width:34rem}tbody th{white-space:normal;min-width:5.5rem}}code{overflow-wrap:anywhere}
 @media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}.hint{break-before:avoid}table,tr{break-inside:avoid}
-.wide{overflow:visible}table,td .d,td .e,th .d{font-size:8pt}th,td{padding:.15rem .35rem;
+.wide{overflow:visible}table,td .d,td .e,th .d{font-size:7pt}th,td{padding:.12rem .28rem;
 white-space:normal}tbody th{white-space:nowrap}summary,.screen{display:none}}
 """
 
