@@ -129,7 +129,13 @@ TEST(Comparison, TheSummaryTellsQuantityByQuantityWhichModelsAgree) {
   EXPECT_EQ(
       words[1],
       "The traction coefficient against halfspace, in % of mu: beyond the error bars in every "
-      "case: fastsim (2.0 % in a to 2.0 % in b).");
+      "case: fastsim (2.0 % in a, where they allow 0.80 %; 2.0 % in b, where they allow 0.80 "
+      "%; at 2 of 4 load points there).");
+  CaseStandings third = good;
+  third.name = "c";
+  EXPECT_NE(summary_words({good, bad, third})[1].find("fastsim (2.0 % in a to 2.0 % in c; at 3 of "
+                                                      "6 load points there)"),
+            std::string::npos);
   EXPECT_EQ(words[3], "Cost a case: hertz 0.5 to 2 s, fastsim 0.5 s, halfspace 0.5 s.");
 }
 
