@@ -202,6 +202,33 @@ void report_and_tell(const CompareRequest& request, const postprocess::Compariso
   if (drawn) std::cout << "report:  " << (directory / "compare.html").string() << '\n';
 }
 
+/// Why a case has no result at all, though nothing failed: "a: hertz: ...; fastsim: ..."; else
+/// empty.
+std::string refusal_of(const ComparedCase& compared) {
+  const auto failed = [](const postprocess::MissingModel& missing) { return missing.failed; };
+  if (!compared.summary.empty() ||
+      std::any_of(compared.missing.begin(), compared.missing.end(), failed))
+    return {};
+  std::string text = compared.name;
+  for (const postprocess::MissingModel& missing : compared.missing)
+    text += fmt::format("{} {}: {}", &missing == &compared.missing.front() ? ":" : ";",
+                        missing.model, missing.reason);
+  return text;
+}
+
+/// A case that no model takes has not been compared.
+void refuse_untaken(const postprocess::ComparisonRecord& record) {
+  std::string text;
+  for (const ComparedCase& compared : record.cases)
+    if (const std::string why = refusal_of(compared); !why.empty())
+      text += (text.empty() ? "" : "; ") + why;
+  if (!text.empty())
+    throw contact::InputError(
+        fmt::format("compare: none of the models can take {}; do: name one with --model that can "
+                    "(docs/theories.md), or leave the case out",
+                    text));
+}
+
 /// A failure is told at the end, when everything else is safe.
 void refuse_failures(const postprocess::ComparisonRecord& record) {
   std::string text;
@@ -257,11 +284,14 @@ void compare(const CompareRequest& request) {
       if (here.first()) write_data(request, record);
       if (here.first() && !request.quiet)
         std::cerr << fmt::format("compare: {} {}\n", task.name,
-                                 task.done ? "was done before" : "done");
+                                 task.done                             ? "was done before"
+                                 : record.cases.back().summary.empty() ? "has no result"
+                                                                       : "done");
     }
     if (here.first()) {
       report_and_tell(request, record);
       refuse_failures(record);
+      refuse_untaken(record);
     }
   } catch (...) {
     display.clear();

@@ -11,6 +11,15 @@
 
 namespace rollfem::contact {
 
+/// Errors of forces in partial slip below this over the number of elements across are not believed,
+/// relative to the value: what the leading edge leaves uncertain on the contact grid, whatever the
+/// elasticity (found on 10 problems, docs/accuracy.md).
+constexpr double least_rolling_error = 0.15;
+
+/// The change between two grids is taken times this where the order is 1 on the whole but no two
+/// grids are even, as is usual for two grids (Roache 1994).
+constexpr double uneven_safety = 1.5;
+
 /// Error of the last of the values, which belong to cells of h, h/2, h/4, ... (coarsest first; two
 /// at least), absolute. The order is that which the last three show, within [`least_order`, 2];
 /// `assumed_order` when there are only two or the changes have opposite signs. Two grids may agree

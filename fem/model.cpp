@@ -4,6 +4,7 @@
 #include "contact/patch_size.hpp"
 #include "contact/refinement.hpp"
 #include "fem/contact_run.hpp"
+#include "fem/force_error.hpp"
 #include "fem/run_layout.hpp"
 
 #include <fmt/format.h>
@@ -63,8 +64,8 @@ void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
   const ModelResult& coarse = levels[levels.size() - 2];
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
     contact::PointResult& point = fine.points[k];
-    for (const char* name : {"max_pressure", "normal_force", "approach", "semi_axis_x",
-                             "semi_axis_y", "max_traction_x", "traction_coefficient"}) {
+    for (const char* name :
+         {"max_pressure", "normal_force", "approach", "semi_axis_x", "semi_axis_y"}) {
       std::vector<double> values;
       for (const ModelResult& level : levels)
         values.push_back(contact::quantity(level.points[k], name));
@@ -78,6 +79,7 @@ void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
          {std::tuple{"semi_axis_x", point.semi_axis_x, fine.grid.dx},
           std::tuple{"semi_axis_y", point.semi_axis_y, fine.grid.dy}})
       error[name] = std::max(error[name], counting_error(size, element));
+    estimate_force_errors(input, levels, k, assumed_order);
     estimate_stress_errors(point, coarse.points[k]);
   }
 }
@@ -169,8 +171,10 @@ ModelResult run_fem(const Case& input, const contact::Progress& progress,
   result.seconds["estimate"] = estimate_seconds;
   result.seconds["total"] = elapsed();
   result.notes.push_back(fmt::format(
-      "error estimates: change between cells of {:.4g} and {:.4g} mm divided by 2^{:.1f} - 1",
-      2.0 * cell, cell, assumed_order));
+      "error estimates: change between cells of {:.4g} and {:.4g} mm divided by 2^{:.1f} - 1; of "
+      "the forces of partial slip at least {:g} over the number of contact elements across; of the "
+      "largest traction and the spin moment {:g} times the change",
+      2.0 * cell, cell, assumed_order, contact::least_rolling_error, contact::uneven_safety));
   return result;
 }
 

@@ -27,6 +27,28 @@ constexpr int elements_for_ellipse = 90;
 /// Extents or pressure that differ by more than this from the half-space are said.
 constexpr double worth_a_note = 0.02;
 
+/// A row of `count` elements from `first` on, made longer by whole elements to hold low to high.
+void widen(double low, double high, double cell, double& first, int& count) {
+  const double lowest = first - 0.5 * cell;
+  const double highest = lowest + count * cell;
+  const int before = std::max(0, static_cast<int>(std::ceil((lowest - low) / cell)));
+  first -= before * cell;
+  count += before + std::max(0, static_cast<int>(std::ceil((high - highest) / cell)));
+}
+
+/// The potential area of the case, which may end within the ellipse where the true patch is shorter
+/// on one side of its centre of pressure.
+ContactGrid area_around(const Case& input, const EquivalentEllipse& ellipse) {
+  ContactGrid grid = potential_area(input);
+  if (input.contact_grid.extent) return grid;  // what the user wants to see
+  const ExpectedPatch& patch = ellipse.patch;
+  widen(patch.x_centre - ellipse.semi_axis_x - grid.dx,
+        patch.x_centre + ellipse.semi_axis_x + grid.dx, grid.dx, grid.x_first, grid.nx);
+  widen(patch.y_centre - ellipse.semi_axis_y - grid.dy,
+        patch.y_centre + ellipse.semi_axis_y + grid.dy, grid.dy, grid.y_first, grid.ny);
+  return grid;
+}
+
 /// The grid as [contact_grid] of a case whose origin is at (x, y) of this grid's frame.
 contact::GridOptions fixed_grid(const ContactGrid& grid, double x, double y) {
   contact::GridOptions options;
@@ -63,7 +85,7 @@ EquivalentEllipse equivalent_ellipse(const Case& input) {
   Case& local = ellipse.input;
   local = input;
   local.patch = nullptr;
-  local.contact_grid = fixed_grid(potential_area(input), patch.x_centre, patch.y_centre);
+  local.contact_grid = fixed_grid(area_around(input, ellipse), patch.x_centre, patch.y_centre);
   local.given_pressure = contact::GivenPressure{ellipse.semi_axis_x, ellipse.semi_axis_y,
                                                 1.5 * patch.normal_force / patch.area};
   local.load = {patch.normal_force, {}, {}, {}};

@@ -31,11 +31,8 @@ struct Convergence {
 constexpr Convergence smooth{2.0, 0.1, 2.0};      ///< pressure, approach
 constexpr Convergence patch_size{1.0, 0.5, 2.0};  ///< not evenly, between 1 and 2
 /// Forces of partial slip converge with order 1.5 to 2 on the whole, but unevenly: the change is
-/// taken as if the order were 1, and errors below 0.15/n of the value are not believed (errors
-/// found on 10 problems: docs/accuracy.md).
-constexpr Convergence partial_slip{1.0, 0.15, 1.0};
-/// Estimates are made larger by this factor, as is usual for two grids (Roache 1994).
-constexpr double safety = 1.5;
+/// taken as if the order were 1.
+constexpr Convergence partial_slip{1.0, contact::least_rolling_error, 1.0};
 
 /// Below this many elements across, a coarser level helps nobody.
 constexpr int fewest_elements_across = 10;
@@ -78,7 +75,7 @@ double two_level_error(double fine, double coarse, double scale, const Convergen
   const double change = std::abs(fine - coarse) / (std::pow(2.0, convergence.order) - 1.0);
   const double floor = convergence.floor /
                        std::pow(static_cast<double>(std::max(across, 1)), convergence.floor_power);
-  return std::max(safety * change / reference, floor);
+  return std::max(contact::uneven_safety * change / reference, floor);
 }
 
 void estimate_errors(PointResult& fine, const PointResult& coarse, double friction, int across) {

@@ -162,6 +162,28 @@ void append_patch(std::vector<ComparedNumber>& numbers, const std::vector<const 
       }
 }
 
+/// By how much a difference exceeds what the error bars allow.
+double excess(const ComparedNumber& number) {
+  return std::abs(number.difference()) - number.allowed();
+}
+
+/// Adds to the standing of the same place, model and quantity, or as a new one.
+void gather(std::vector<Standing>& all, const Standing& more) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Standing& standing) {
+    return standing.patch == more.patch && standing.model == more.model &&
+           standing.quantity == more.quantity;
+  });
+  if (found == all.end()) {
+    all.push_back(more);
+    return;
+  }
+  found->compared += more.compared;
+  found->differ += more.differ;
+  if (std::abs(more.worst.difference()) > std::abs(found->worst.difference()))
+    found->worst = more.worst;
+  if (excess(more.beyond) > excess(found->beyond)) found->beyond = more.beyond;
+}
+
 }  // namespace
 
 bool ComparedNumber::differs() const {
@@ -194,22 +216,18 @@ std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
 
 std::vector<Standing> standings(const std::vector<ComparedNumber>& numbers) {
   std::vector<Standing> all;
-  for (const ComparedNumber& number : numbers) {
-    if (!number.reference_value) continue;
-    auto found = std::find_if(all.begin(), all.end(), [&](const Standing& standing) {
-      return standing.model == number.model && standing.quantity == number.quantity;
-    });
-    if (found == all.end()) {
-      all.push_back({number.model, number.reference, number.quantity, 0, 0, number, number});
-      found = std::prev(all.end());
-    }
-    ++found->compared;
-    if (number.differs()) ++found->differ;
-    if (std::abs(number.difference()) > std::abs(found->worst.difference())) found->worst = number;
-    const auto excess = [](const ComparedNumber& n) {
-      return std::abs(n.difference()) - n.allowed();
-    };
-    if (excess(number) > excess(found->beyond)) found->beyond = number;
+  for (const ComparedNumber& number : numbers)
+    if (number.reference_value)
+      gather(all, {number.patch, number.model, number.reference, number.quantity, 1,
+                   number.differs() ? 1 : 0, number, number});
+  return all;
+}
+
+std::vector<Standing> over_places(const std::vector<Standing>& standings) {
+  std::vector<Standing> all;
+  for (Standing standing : standings) {
+    standing.patch.clear();
+    gather(all, standing);
   }
   return all;
 }

@@ -65,8 +65,9 @@ std::string reference_of(const std::vector<std::string>& models, const std::stri
 std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
                                              const std::string& wished_reference);
 
-/// How a model stands to the reference in one quantity of one case.
+/// How a model stands to the reference in one quantity at one place of one case.
 struct Standing {
+  std::string patch;  ///< as in ComparedNumber; empty also when it is of all places together
   std::string model;
   std::string reference;
   std::string quantity;
@@ -77,8 +78,11 @@ struct Standing {
 };
 std::vector<Standing> standings(const std::vector<ComparedNumber>& numbers);
 
-/// One sentence for each model: where it agrees with the reference within the error bars, where
-/// not and by how much. Without markup.
+/// The places of a case taken together: one standing for each model and quantity.
+std::vector<Standing> over_places(const std::vector<Standing>& standings);
+
+/// One sentence for each model, and place where there are a few: where it agrees with the reference
+/// within the error bars, where not and by how much. Without markup.
 std::vector<std::string> comparison_words(const std::vector<Standing>& standings);
 
 /// A case and how its models stand.
@@ -89,7 +93,8 @@ struct CaseStandings {
 };
 CaseStandings case_standings(const ComparedCase& compared, const std::string& wished_reference);
 
-/// One sentence for each model over all cases: which agree where, by how much, at what cost.
+/// Over all cases: one sentence for each quantity, which models agree where and by how much; what
+/// each costs; what is not error where finite elements and half-space differ.
 std::vector<std::string> summary_words(const std::vector<CaseStandings>& cases);
 
 /// compare.json: everything above; docs/compare.md has the layout.

@@ -34,14 +34,17 @@ ordered_json number_json(const ComparedNumber& number) {
 }
 
 ordered_json standing_json(const Standing& standing) {
-  return {{"model", standing.model},
-          {"reference", standing.reference},
-          {"quantity", standing.quantity},
-          {"compared", standing.compared},
-          {"differ", standing.differ},
-          {"largest_difference", standing.worst.difference()},
-          {"allowed_there", standing.worst.allowed()},
-          {"point", standing.worst.point}};
+  ordered_json json;
+  if (!standing.patch.empty()) json["patch"] = standing.patch;
+  json["model"] = standing.model;
+  json["reference"] = standing.reference;
+  json["quantity"] = standing.quantity;
+  json["compared"] = standing.compared;
+  json["differ"] = standing.differ;
+  json["largest_difference"] = standing.worst.difference();
+  json["allowed_there"] = standing.worst.allowed();
+  json["point"] = standing.worst.point;
+  return json;
 }
 
 ordered_json case_json(const ComparedCase& compared, const std::string& reference) {

@@ -1,7 +1,7 @@
 """All figures and the report of one result folder."""
 import os
 
-from . import curves, maps, places, stresses, style
+from . import curves, lateral, maps, overlay, places, stresses, style
 from .reader import read_result
 from .report import write_report
 
@@ -18,14 +18,21 @@ def captions(result):
                "its bound (thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two "
                "coincide the surfaces slip.",
                lambda axis=axis: curves.path(result, axis))
+    yield ("path_lateral.svg",
+           "Lateral traction along both middle lines. It vanishes along y = 0 where nothing drives the "
+           "material sideways and the patch is symmetric.", lambda: lateral.paths(result))
     yield ("strip_force.svg",
            "Force per strip: pressure and tangential traction summed along rolling, for each mm of "
            "width. Thin: the same strip sliding fully.", lambda: curves.strip_forces(result))
-    yield ("contact_area.svg", "Contact area of every model, and its zones of adhesion and slip. "
-           "Material enters on the right.", lambda: maps.contact_area(result))
+    yield ("outlines.svg", "Contact areas of all models on each other, with the border between adhesion "
+           "and slip of each; shaded: the zones of the reference model. Material enters on the right.",
+           lambda: overlay.outlines(result))
+    yield ("contact_area.svg", "Zones of adhesion and slip, model by model.",
+           lambda: maps.contact_area(result))
     for model in result.models:
-        yield (f"oblique_px_{model.name}.svg",
-               f"Pressure and tangential traction over the patch: {style.label(model)}.",
+        what = ("px", "Pressure and tangential traction") if model.has_friction else ("pn", "Pressure")
+        yield (f"oblique_{what[0]}_{model.name}.svg",
+               f"{what[1]} over the patch: {style.label(model)}.",
                lambda model=model: maps.oblique(result, model))
     for number, kind, body in stresses.lines(result):
         yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),

@@ -1,6 +1,7 @@
 """compare.html: several models on one or several cases, laid beside each other."""
 import json
 import os
+import re
 from html import escape
 from types import SimpleNamespace
 
@@ -30,11 +31,42 @@ def _models(cases):
     return list(dict.fromkeys(m for case in cases for m in case["seconds"]))
 
 
-def _standing(case, model, quantity):
-    for standing in case["standings"]:
-        if standing["model"] == model and standing["quantity"] == quantity:
-            return standing
-    return None
+# With more places than this a case has one column for the worst of them.
+MOST_PLACES = 4
+
+
+def _places(case):
+    """Names of the places of a case; [""] for one without profiles, [None] for all of many together."""
+    found = list(dict.fromkeys(s.get("patch", "") for s in case["standings"])) or [""]
+    return found if len(found) <= MOST_PLACES else [None]
+
+
+def _standing(case, model, quantity, place=None):
+    """How a model stands in a quantity at a place; of all places together (None) the worst, with the
+    counts of all."""
+    found = [s for s in case["standings"] if s["model"] == model and s["quantity"] == quantity
+             and place in (None, s.get("patch", ""))]
+    if not found:
+        return None
+    worst = max(found, key=lambda s: abs(s["largest_difference"]))
+    return {**worst, "differ": sum(s["differ"] for s in found),
+            "compared": sum(s["compared"] for s in found)}
+
+
+def _columns(cases):
+    """(case, place, heading) of the columns of the tables of differences."""
+    columns = []
+    for case in cases:
+        names = _places(case)
+        for place in names:
+            note = ""
+            if place is None:
+                note = "worst place"
+            elif len(names) > 1:
+                note = escape(place).replace(", ", ",<br>")
+            columns.append((case, place, escape(case["name"])
+                            + (f"<br><span class=d>{note}</span>" if note else "")))
+    return columns
 
 
 def _size(value):
@@ -53,31 +85,34 @@ def _difference_cell(standing):
     return (f"<b>{value}</b>" if beyond else value) + f"<br><span class=d>{note}</span>"
 
 
-def _difference_table(cases, quantity, heading, of):
-    """Largest difference of every model in every case; empty when nothing was compared."""
-    models = [m for m in _models(cases) if any(_standing(c, m, quantity) for c in cases)]
+def _difference_table(columns, quantity, heading, of):
+    """Largest difference of every model in every column; empty when nothing was compared."""
+    models = [m for m in _models([c for c, _, _ in columns])
+              if any(_standing(c, m, quantity) for c, _, _ in columns)]
     if not models:
         return ""
-    rows = []
-    for model in models:
-        rows.append([escape(style.label(_model(model)))]
-                    + [_difference_cell(_standing(case, model, quantity)) for case in cases])
-    head = [f"{heading}<br><span class=d>percent {of}</span>"] + [escape(c["name"]) for c in cases]
+    rows = [[escape(style.label(_model(model)))]
+            + [_difference_cell(_standing(case, model, quantity, place)) for case, place, _ in columns]
+            for model in models]
+    head = [f"{heading}<br><span class=d>% {of}</span>"] + [text for _, _, text in columns]
     return tables.table(head, rows)
 
 
 def _differences(cases):
-    """The tables of differences; of a single case one table with a column for each quantity."""
-    if len(cases) != 1:
-        return "".join(_difference_table(cases, *row) for row in DIFFERENCES)
-    models = [m for m in _models(cases) if any(s["model"] == m for s in cases[0]["standings"])]
-    columns = [row for row in DIFFERENCES if any(_standing(cases[0], m, row[0]) for m in models)]
-    if not columns:
+    """The tables of differences; of one case at one place one table with a column for each quantity."""
+    columns = _columns(cases)
+    if len(columns) != 1:
+        found = "".join(_difference_table(columns, *row) for row in DIFFERENCES)
+        return f"<div class=side>{found}</div>" if found else ""
+    case, place, _ = columns[0]
+    models = [m for m in _models(cases) if any(s["model"] == m for s in case["standings"])]
+    shown = [row for row in DIFFERENCES if any(_standing(case, m, row[0], place) for m in models)]
+    if not shown:
         return ""
-    rows = [[escape(style.label(_model(m)))] + [_difference_cell(_standing(cases[0], m, q))
-                                                for q, _, _ in columns] for m in models]
-    return tables.table(["largest difference"] + [f"{heading}<br><span class=d>percent {of}</span>"
-                                                  for _, heading, of in columns], rows)
+    rows = [[escape(style.label(_model(m)))] + [_difference_cell(_standing(case, m, q, place))
+                                                for q, _, _ in shown] for m in models]
+    return tables.table(["largest difference"] + [f"{heading}<br><span class=d>% {of}</span>"
+                                                  for _, heading, of in shown], rows)
 
 
 def _cost_table(cases):
@@ -129,6 +164,24 @@ def cost_figure(cases):
     return figure
 
 
+# What the sentences of compare.json, made for a terminal, look like on a page.
+_LOOKS = [(r"\bmu p0\b", "μ p<sub>0</sub>"), (r"\bmu\b", "μ"), (r"\bxi\b", "ξ"),
+          (r"\|p_x\|", "|p<sub>x</sub>|")]
+
+
+def _said(sentences):
+    """Sentences as a list, models by the names that figures and tables have."""
+    rows = []
+    for sentence in sentences:
+        text = escape(sentence)
+        for pattern, look in _LOOKS:
+            text = re.sub(pattern, look, text)
+        for name, (label, *_) in style.MODELS.items():
+            text = re.sub(rf"(?<![\w.-]){name}(?![\w-])", label, text)
+        rows.append(f"<li>{text}</li>")
+    return f"<ul>{''.join(rows)}</ul>"
+
+
 def _missing(case):
     return "".join(
         f"<p class={'bad' if m['failed'] else 'say'}><b>{escape(m['model'])}</b> "
@@ -143,13 +196,12 @@ def _case_section(comparison, case, directory, png_folder):
     folder = os.path.join(directory, case["name"])
     png = os.path.join(png_folder, case["name"]) if png_folder else None
     result, figures = build(folder, png, comparison["reference"] or "halfspace")
-    words = "".join(f"<li>{escape(sentence)}</li>" for sentence in case["words"])
-    inner = report.patches(result, figures)
+    inner = report.touching(result, figures) + report.patches(result, figures, every=True)
     inner += "<h2>Cost</h2>" + tables.cost_table(result) + report.notes(result)
     inner = inner.replace("<h3>", "<h4>").replace("</h3>", "</h4>")
     inner = inner.replace("<h2>", "<h3>").replace("</h2>", "</h3>")
     return "".join([heading, report.asked(result), _missing(case),
-                    f"<h3>In words</h3><ul>{words}</ul>" if words else "", inner,
+                    f"<h3>In words</h3>{_said(case['words'])}" if case["words"] else "", inner,
                     f"<p class=screen><a href=\"{escape(case['name'])}/report.html\">"
                     "its own report with every number</a></p>"])
 
@@ -184,7 +236,6 @@ def build_comparison(directory, png_folder=None):
         picture = report.image(directory, "difference_cost.svg",
                                "What a model differs from the reference by, and what it costs: one marker "
                                "for each case. Differences below 0.0001 % are drawn there.")
-    words = "".join(f"<li>{escape(sentence)}</li>" for sentence in comparison["words"])
     found = _differences(cases)
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
@@ -193,7 +244,8 @@ def build_comparison(directory, png_folder=None):
     report.write_page(os.path.join(directory, "compare.html"), report.page(title, [
         f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(comparison['command'])}</code></p>",
         _asked(comparison),
-        f"<h2>Which models agree where, by how much, at what cost</h2><ul>{words}</ul>" if words else "",
+        "<h2>Which models agree where, by how much, at what cost</h2>" + _said(comparison["words"])
+        if comparison["words"] else "",
         picture, found,
         "<p class=hint>Largest difference over the load points of the case, with its sign. Bold: at least one "
         "load point is beyond the error bars of both models together, at how many stands below; “bars”: "

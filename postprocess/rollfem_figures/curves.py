@@ -16,6 +16,25 @@ def relative_error(point, *quantities):
     return None
 
 
+def absolute_error(point, value, sliding, *quantities):
+    """The error bar of a value from the first estimate among `quantities`, 0 without one. Estimates
+    are relative to the value, or to a hundredth of full sliding where that is more."""
+    return (relative_error(point, *quantities) or 0.0) * max(abs(value), 0.01 * sliding)
+
+
+def _draw_published(panel, result, models):
+    """Values of others as points, where our curves are: a point far outside would shrink them."""
+    own = [p["longitudinal_creepage"] for m in models for p in m.points]
+    room = 0.05 * (max(own) - min(own))
+    for number, row in enumerate(published.creep_curves(result)):
+        points = [(100 * xi, value) for xi, value in zip(row["xi"], row["traction_coefficient"])
+                  if min(own) - room <= xi <= max(own) + room]
+        if points:
+            panel.plot(*zip(*points), linestyle="none", marker="s^*"[number % 3], markersize=8,
+                       markerfacecolor="none", markeredgecolor="black", markeredgewidth=0.9, zorder=5,
+                       label=row["name"])
+
+
 def creep_curve(result):
     """-F_x/F_z of every model with friction, and below the difference to the reference model. None
     when no model has two load points."""
@@ -48,7 +67,7 @@ def creep_curve(result):
         at = np.array([factor * p[scalar] for p in points])
         values = np.array([coefficient(p) for p in points])
         bounded += [v for v in values if model.has_bound]
-        errors = [abs(v) * (relative_error(p, "traction_coefficient", force) or 0.0)
+        errors = [absolute_error(p, v, friction, "traction_coefficient", force)
                   for v, p in zip(values, points)]
         top.errorbar(at, values, yerr=errors if any(errors) else None, capsize=2, elinewidth=0.8,
                      marker=style.marker(model), markersize=4.5, label=style.label(model),
@@ -60,10 +79,8 @@ def creep_curve(result):
                 gaps += [g for _, g in pairs if model.has_bound]
                 axes[1, 0].plot(*zip(*pairs), marker=style.marker(model), markersize=4.5,
                                 **style.line(model))
-    for number, row in enumerate([] if lateral else published.creep_curves(result)):
-        top.plot([100 * xi for xi in row["xi"]], row["traction_coefficient"], linestyle="none",
-                 marker="s^*"[number % 3], markersize=8, markerfacecolor="none",
-                 markeredgecolor="black", markeredgewidth=0.9, zorder=5, label=row["name"])
+    if not lateral:
+        _draw_published(top, result, models)
     top.set_ylabel(f"traction coefficient {ratio} [-]")
     shared = style.key_texts(selection.all_keys(models))[1]
     if shared:
@@ -87,7 +104,7 @@ def creep_curve(result):
     return figure
 
 
-def _line_of(model, point, name, axis):
+def line_of(model, point, name, axis):
     """Positions and values of a field on the middle line within the patch, 0 at its edges; None when
     the model does not give it. Separate patches are separated by NaN."""
     values, pressure = point.fields.get(name), point.fields.get("pressure")
@@ -103,7 +120,7 @@ def _line_of(model, point, name, axis):
 
 def _pressure_panel(panel, models, axis):
     for model in models:
-        curve = _line_of(model, model.points[0], "pressure", axis)
+        curve = line_of(model, model.points[0], "pressure", axis)
         if curve is not None:
             panel.plot(*curve, label=style.label(model), zorder=3 if model.name == "hertz" else 2,
                        **style.line(model))
@@ -112,40 +129,32 @@ def _pressure_panel(panel, models, axis):
     panel.set_ylim(bottom=0)
 
 
-def _traction_panel(panel, models, creepages, axis, with_lateral):
+def _traction_panel(panel, models, creepages, axis):
     for model in models:
         point = model.at(creepages)
         if point is None or not model.has_friction:
             continue
         for name, sign, ink in (
                 ("traction_bound", 1, {"color": style.colour(model), "linewidth": 0.7, "alpha": 0.7}),
-                ("traction_x", -1, style.line(model)),
-                ("traction_y", -1, {**style.line(model), "linestyle": ":"})):
-            curve = _line_of(model, point, name, axis)
-            if curve is not None and (with_lateral or name != "traction_y"):
+                ("traction_x", -1, style.line(model))):
+            curve = line_of(model, point, name, axis)
+            if curve is not None:
                 panel.plot(curve[0], sign * curve[1], **ink)
 
 
-def _traction_limits(models, key, axis, with_lateral):
+def _traction_limits(models, key, axis):
     """Lowest and highest value of the curves of a panel but those that nothing bounds."""
     values = [0.0]
     for model in models:
         point = model.at(key)
         if point is None or not model.has_friction or not model.has_bound:
             continue
-        for name, sign in (("traction_bound", 1), ("traction_x", -1), ("traction_y", -1)):
-            curve = _line_of(model, point, name, axis)
-            if curve is not None and curve[1].size and (with_lateral or name != "traction_y"):
+        for name, sign in (("traction_bound", 1), ("traction_x", -1)):
+            curve = line_of(model, point, name, axis)
+            if curve is not None and curve[1].size:
                 values += [sign * np.nanmin(curve[1]), sign * np.nanmax(curve[1])]
     room = 0.05 * (max(values) - min(values)) or 1.0
     return min(values) - room, max(values) + room
-
-
-def _has_lateral(model, point, axis):
-    """Whether p_y is worth a curve on this line."""
-    curve = _line_of(model, point, "traction_y", axis)
-    return (curve is not None and curve[1].size > 0 and point["max_traction"] > 0
-            and np.nanmax(np.abs(curve[1])) > 0.02 * point["max_traction"])
 
 
 def path(result, axis):
@@ -155,7 +164,6 @@ def path(result, axis):
     if not models:
         return None
     chosen = selection.chosen_keys(models, 5)
-    with_lateral = any(_has_lateral(m, p, axis) for m in models for p in m.points)
     texts, shared = style.key_texts(chosen)
     columns = min(3, 1 + len(chosen))
     rows = math.ceil((1 + len(chosen)) / columns)
@@ -164,13 +172,13 @@ def path(result, axis):
     panels = list(axes.flat)
     _pressure_panel(panels[0], models, axis)
     for panel, creepages in zip(panels[1:], chosen):
-        _traction_panel(panel, models, creepages, axis, with_lateral)
+        _traction_panel(panel, models, creepages, axis)
         panel.set_title(texts[creepages])
-    tops = [_traction_limits(models, key, axis, with_lateral) for key in chosen]
+    tops = [_traction_limits(models, key, axis) for key in chosen]
     for panel in panels[1:1 + len(chosen)]:
         panel.set_ylim(min(t[0] for t in tops), max(t[1] for t in tops))
     for panel in panels[1:1 + len(chosen)]:
-        panel.set_ylabel(r"$-p_x$, $-p_y$ (dotted) [MPa]" if with_lateral else r"$-p_x$ [MPa]")
+        panel.set_ylabel(r"$-p_x$ [MPa]")
     for panel in panels[1 + len(chosen):]:
         panel.set_visible(False)
     half = extent(models)[0 if axis == "x" else 1]

@@ -1,4 +1,4 @@
-"""Pictures over the patch: outlines with adhesion and slip zones, oblique views of tractions."""
+"""Pictures over the patch: zones of adhesion and slip of each model, oblique views of tractions."""
 import numpy as np
 from matplotlib import patches
 from matplotlib import pyplot as plt
@@ -11,7 +11,7 @@ from .outline import edge_function, extent, padded
 from .reader import ADHESION
 
 
-def _outline(panel, model, point, **options):
+def outline_of(panel, model, point, **options):
     """Draws the edge of the patch; returns it as one path in data coordinates, or None."""
     pressure = point.fields.get("pressure")
     if pressure is None or not (pressure > 0).any():
@@ -22,7 +22,7 @@ def _outline(panel, model, point, **options):
     return Path.make_compound_path(*paths) if paths else None
 
 
-def _spread(state):
+def spread(state):
     """1 in adhesion, 0 in slip, averaged over neighbours so that the border between the zones runs
     through the steps of the elements, and continued beyond the edge of the patch."""
     values = np.where(state == ADHESION, 1.0, 0.0)
@@ -41,7 +41,7 @@ def _spread(state):
 
 
 def _zones(panel, model, point):
-    edge = _outline(panel, model, point, colors="black", linewidths=0.9, linestyles="solid")
+    edge = outline_of(panel, model, point, colors="black", linewidths=0.9, linestyles="solid")
     state = point.fields.get("state")
     if edge is None or state is None:
         return
@@ -49,7 +49,7 @@ def _zones(panel, model, point):
     panel.add_patch(patches.PathPatch(edge, facecolor=style.SLIP_COLOUR, edgecolor="none", zorder=1))
     panel.add_patch(clip)
     if (state == ADHESION).any():
-        x, y, values = padded(model, _spread(state), 0.0)
+        x, y, values = padded(model, spread(state), 0.0)
         filled = panel.contourf(x, y, values, levels=[0.5, 2.0], colors=[style.ADHESION_COLOUR],
                                 zorder=2)
         for part in filled.collections:
@@ -57,57 +57,44 @@ def _zones(panel, model, point):
 
 
 def contact_area(result):
-    """Left the outlines of all models on each other; right adhesion and slip of every model with
-    friction at a few creepages. None when no model has a pressure field."""
-    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
-    if not models:
-        return None
-    zoned = [m for m in models if m.has_friction and m.has_bound and "state" in m.points[0].fields]
+    """Adhesion and slip of every model with friction at a few creepages. None when no model has
+    them."""
+    zoned = [m for m in selection.friction_models(result)
+             if m.has_bound and {"pressure", "state"} <= set(m.points[0].fields)]
     chosen = selection.chosen_keys(zoned, 4) if zoned else []
+    if not chosen:
+        return None
     texts, shared = style.key_texts(chosen)
-    half_x, half_y = extent(models)
+    half_x, half_y = extent(zoned)
     # Tall patches and few models: a row for each model; else a row for each creepage.
     tall = half_x <= 1.3 * half_y and len(zoned) <= max(3, len(chosen))
     rows, columns = (len(zoned), len(chosen)) if tall else (len(chosen), len(zoned))
-    rows, columns = max(1, rows), 1 + columns
     scale = min(1.75 / half_x, 3.4 / half_y) / 2 if tall else min(2.9 / half_x, 2.2 / half_y) / 2
     width, height = max(2 * half_x * scale, 1.25), 2 * half_y * scale  # inches
-    figure = plt.figure(figsize=((width + 0.35) * columns + 0.9,
-                                 (height + (0.55 if tall else 0.8)) * rows + 0.75))
-    grid = figure.add_gridspec(rows, columns)
-    left = figure.add_subplot(grid[0, 0])
-    for model in models:
-        ink = style.line(model)
-        _outline(left, model, model.points[0], colors=ink["color"], linewidths=ink["linewidth"],
-                 linestyles=[ink["linestyle"]])
-    left.set_title("all models\n")
-    panels = [left]
+    figure, panels = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True,
+                                  figsize=(max((width + 0.35) * columns + 0.9, 3.2),
+                                           (height + (0.55 if tall else 0.8)) * rows + 0.75))
     for j, model in enumerate(zoned):
         for i, creepages in enumerate(chosen):
-            row, column = (j, i) if tall else (i, j)
-            panel = figure.add_subplot(grid[row, 1 + column])
-            panels.append(panel)
+            panel = panels[(j, i) if tall else (i, j)]
             point = model.at(creepages)
             if point is not None:
                 _zones(panel, model, point)
                 panel.set_title(f"{style.label(model)}\n{texts[creepages]}")
-            panel.tick_params(labelleft=column == 0, labelbottom=row == rows - 1)
-            if row == rows - 1:
-                panel.set_xlabel(r"$x$ [mm]")
-    for panel in panels:
-        panel.set_aspect("equal")
-        panel.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
-        panel.set_xlim(-half_x, half_x)
-        panel.set_ylim(-half_y, half_y)
-    left.set_xlabel(r"$x$ [mm], rolling $\rightarrow$")
-    left.set_ylabel(r"$y$ [mm], lateral")
-    handles = [plt.Line2D([], [], label=style.label(m), **style.line(m)) for m in models]
-    if chosen:
-        handles += [patches.Patch(color=style.ADHESION_COLOUR, label="adhesion"),
-                    patches.Patch(color=style.SLIP_COLOUR, label="slip")]
+            panel.set_aspect("equal")
+            panel.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+    panels[0, 0].set_xlim(-half_x, half_x)
+    panels[0, 0].set_ylim(-half_y, half_y)
+    for panel in panels[-1]:
+        panel.set_xlabel(r"$x$ [mm]")
+    panels[-1, 0].set_xlabel(r"$x$ [mm], rolling $\rightarrow$" if width > 1.6 else r"$x$ [mm]")
+    for panel in panels[:, 0]:
+        panel.set_ylabel(r"$y$ [mm]")
+    handles = [patches.Patch(color=style.ADHESION_COLOUR, label="adhesion"),
+               patches.Patch(color=style.SLIP_COLOUR, label="slip")]
     if shared:
         handles.append(plt.Line2D([], [], linestyle="none", label=shared))
-    across = max(2, int(figure.get_figwidth() / 1.45))
+    across = max(1, int(figure.get_figwidth() / 1.45))
     legend_rows = -(-len(handles) // across)
     figure.tight_layout(rect=(0, 0, 1, 1 - (0.13 + 0.22 * legend_rows) / figure.get_figheight()))
     figure.legend(handles=handles, loc="upper center", ncol=-(-len(handles) // legend_rows))
@@ -144,13 +131,13 @@ def _strips(panel, view, model, values, state, count=26):
         ends = np.stack([along, up], 1)
         kinds = state[j, columns] if state is not None else np.zeros(len(columns))
         both = np.maximum(kinds[:-1], kinds[1:])
-        inks = np.where(both == 1, "#0072B2", np.where(both == 2, "#D55E00", "#aaaaaa"))
+        inks = np.where(both == 1, style.ADHESION_COLOUR, np.where(both == 2, style.SLIP_COLOUR, "#aaaaaa"))
         if state is None:
             inks = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, "#333333", "#aaaaaa")
         starts = np.flatnonzero(np.concatenate([[True], inks[1:] != inks[:-1]]))
         runs = list(zip(starts, [*starts[1:], len(inks)]))  # segments of one colour are one line
         panel.add_collection(LineCollection([ends[a:b + 1] for a, b in runs],
-                                            colors=[inks[a] for a, _ in runs], linewidths=0.9,
+                                            colors=[inks[a] for a, _ in runs], linewidths=1.1,
                                             capstyle="round", snap=False, zorder=2 + depth))
 
 
@@ -166,12 +153,13 @@ def _frame(panel, view, title, unit_label):
     panel.plot(*zip(*[view(a * view.half_x, b * view.half_y) for a, b in corners]), **ink)
     text = {"fontsize": 8, "color": "#333333", "zorder": 1000}
     small = 0.05 * view.half_x
+    below = view.lift * view.low  # labels stand under what hangs below the plane
     for tick in _ticks(view.half_x):
         x, y = view(tick, -view.half_y)
         panel.plot([x, x], [y, y - small], **ink)
-        panel.text(x, y - 1.6 * small, f"{tick:g}".replace("-", "−"), ha="center", va="top", **text)
+        panel.text(x, y + below - 1.6 * small, f"{tick:g}".replace("-", "−"), ha="center", va="top", **text)
     x, y = view(0, -view.half_y)
-    panel.text(x, y - 6.5 * small, r"$x$ [mm], rolling $\rightarrow$", ha="center", va="top", **text)
+    panel.text(x, y + below - 6.5 * small, r"$x$ [mm], rolling $\rightarrow$", ha="center", va="top", **text)
     for tick in _ticks(view.half_y):
         x, y = view(view.half_x, tick)
         panel.plot([x, x + small], [y, y], **ink)
@@ -192,16 +180,33 @@ def _frame(panel, view, title, unit_label):
     left, bottom = view(-view.half_x, -view.half_y)
     right, back = view(view.half_x, view.half_y)
     panel.set_xlim(left - 8 * small, right + 10 * small)
-    panel.set_ylim(bottom - 12 * small + 0.6 * view.lift * view.low, max(back, view.lift * view.top) + 6 * small)
+    panel.set_ylim(bottom - 12 * small + below, max(back, view.lift * view.top) + 6 * small)
     panel.set_title(title, pad=14)
     panel.set_aspect("equal")
     panel.axis("off")
 
 
+def _oblique_pressure(model):
+    """p_n alone, of the first load point."""
+    pressure = model.points[0].fields.get("pressure") if model.points else None
+    if pressure is None or not (pressure > 0).any():
+        return None
+    figure, panel = plt.subplots(figsize=(4.8, 4.4))
+    view = _Oblique(*extent([model]), pressure)
+    _frame(panel, view, "contact pressure", r"$p_n$ [MPa]")
+    _strips(panel, view, model, pressure, None)
+    figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
+    figure.tight_layout(rect=(0, 0.03, 1, 1))
+    return figure
+
+
 def oblique(result, model):
-    """p_n and -p_x over the patch at one creepage, strip by strip. None for a model without
-    tangential tractions."""
-    creepages = selection.typical_key([model]) if model.has_friction else None
+    """p_n and -p_x over the patch at one creepage, the same for every model, strip by strip; p_n alone
+    of a model without friction. None without fields."""
+    if not model.has_friction:
+        return _oblique_pressure(model)
+    shown = selection.reference_for_forces(result)
+    creepages = selection.typical_key([shown]) if shown else None
     point = model.at(creepages) if creepages else None
     if point is None or not {"pressure", "traction_x"} <= set(point.fields):
         return None
@@ -216,8 +221,8 @@ def oblique(result, model):
     view = _Oblique(half_x, half_y, traction)
     _frame(axes[1], view, f"tangential traction, {text}", r"$-p_x$ [MPa]")
     _strips(axes[1], view, model, traction, state)
-    handles = [plt.Line2D([], [], color="#0072B2", label="adhesion"),
-               plt.Line2D([], [], color="#D55E00", label="slip")]
+    handles = [plt.Line2D([], [], color=style.ADHESION_COLOUR, label="adhesion"),
+               plt.Line2D([], [], color=style.SLIP_COLOUR, label="slip")]
     figure.legend(handles=handles, loc="lower center", ncol=2)
     figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
     figure.tight_layout(rect=(0, 0.03, 1, 1))

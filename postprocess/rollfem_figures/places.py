@@ -115,7 +115,9 @@ def sweep(result):
     by_shift = len({round(s, 9) for s in shifts.values()}) == len(shifts)
     figure, panels = plt.subplots(2, 3, figsize=(9.4, 5.2), sharex=True)
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
-    reference = models[0].name
+    # Of what all models share, the one that has most places: Hertz cannot take every patch.
+    reference = max(dict.fromkeys(m.name for m in models),
+                    key=lambda name: sum(m.name == name for m in models))
     for panel, (label, value) in zip(panels.flat, _curves(result)):
         per_model = label.startswith("largest")
         for wheel, fill in (("left", "full"), ("right", "none")):

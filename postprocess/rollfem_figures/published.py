@@ -12,16 +12,33 @@ def _all():
 
 
 def _is(value, wanted):
+    """Whether an input is what the entry says: null is flat, a list has all that are allowed, near and
+    within a range."""
+    if value is None:
+        return False
     if wanted is None:
-        return value is not None and math.isinf(value)
+        return math.isinf(value)
+    if isinstance(wanted, list):
+        return value in wanted
+    if isinstance(wanted, dict):
+        return abs(value - wanted["near"]) <= wanted["within"]
     return value == wanted
 
 
+def _has(values, wanted):
+    return all(_is(values.get(name), value) for name, value in wanted.items())
+
+
 def _case(result):
-    """The entry whose inputs are all those of the result; empty when there is none."""
+    """The entry whose inputs are all those of the result, and whose place is that of its patch; empty
+    when there is none. A result of several patches has none: ask for one of its scenes."""
+    places = {m.place["wheel"]: m.place for m in result.models if m.place}
+    if len(result.scenes()) > 1:
+        return {}
     for entry in _all()["cases"].values():
-        wanted = {**_all()["common"], **entry["radii"]}
-        if all(_is(result.case.get(name), value) for name, value in wanted.items()):
+        wanted = entry.get("place")
+        at_place = not places if wanted is None else any(_has(p, wanted) for p in places.values())
+        if at_place and _has(result.case, {**_all()["common"], **entry["inputs"]}):
             return entry
     return {}
 
@@ -32,9 +49,15 @@ def creep_curves(result):
 
 
 def patches(result):
-    """Rows name, source, and of semi_axis_x, semi_axis_y (mm), max_pressure (MPa), approach (mm),
-    max_traction_x ({"xi", "value" in MPa}) those that are known."""
+    """Rows name, source, and of semi_axis_x, semi_axis_y, contact_length, contact_width (mm),
+    contact_area (mm²), max_pressure (MPa), approach (mm), max_traction_x ({"xi", "value" in MPa}) those
+    that are known."""
     return _case(result).get("patch", [])
+
+
+def says(result):
+    """What the thesis says of the case in words; empty if nothing."""
+    return _case(result).get("says", "")
 
 
 def sources(result):

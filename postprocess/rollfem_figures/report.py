@@ -13,7 +13,7 @@ margin:0 auto;max-width:62rem;padding:1rem}
 h1{font-size:1.6rem;line-height:1.2;margin:.6rem 0}h2{font-size:1.15rem;margin:2rem 0 .4rem;
 border-bottom:2px solid #0072B2;padding-bottom:.15rem}
 p,li{max-width:48rem}.meta,figcaption,.d,.e,.hint{color:#555;font-size:.85rem}
-.wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem;
+.wide{overflow-x:auto}.side{display:flex;flex-wrap:wrap;gap:0 2.5rem}.side .wide{max-width:100%}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem;
 margin:.4rem 0}th,td{padding:.25rem .8rem;border-bottom:1px solid #ddd;text-align:right;
 vertical-align:top;white-space:nowrap}thead th{border-bottom:2px solid #888;vertical-align:bottom}
 tbody th{font-weight:normal;text-align:left}thead th:first-child{text-align:left}
@@ -26,7 +26,8 @@ summary{cursor:pointer;color:#0072B2}.say{border-left:4px solid #E69F00;padding:
 @media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
 .scroll img{min-width:34rem}tbody th{white-space:normal;min-width:5.5rem}}code{overflow-wrap:anywhere}
 @media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}.hint{break-before:avoid}table,tr{break-inside:avoid}
-.wide{overflow:visible}summary,.screen{display:none}}
+.wide{overflow:visible}table,td .d,td .e,th .d{font-size:7pt}th,td{padding:.12rem .28rem;
+white-space:normal}tbody th{white-space:nowrap}summary,.screen{display:none}}
 """
 
 CONVENTIONS = """x is the rolling direction, and material enters the patch at large x (on the right of
@@ -93,7 +94,7 @@ def _numbers(result):
         return "<p>No model was run.</p>"
     html = ["<h2>Patch and pressure</h2>", tables.patch_table(result), tables.published_table(result),
             f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}. "
-            "±: the model's own error estimate.</p>"]
+            "±: the model's own error estimate. Bold percentages: more than both error bars allow.</p>"]
     failed = [f"{style.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
               for m in result.models for p in m.points if not p["converged"]]
     if failed:
@@ -110,20 +111,26 @@ def _forces(result, creep_curve):
         return ""
     friction = result.case["friction_coefficient"]
     models = selection.friction_models(result)
-    several = len(models) > 1
     points = [p for m in models for p in m.points]
+    shared = tables.shared_creepage(models)
+    note = ""
+    if len(models) > 1:
+        note = (f"Small percentages: difference to {escape(style.label(reference))}, in percent of full "
+                "sliding (μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow.")
+    hint = f"<p class=hint>{note}{shared}</p>" if note or shared else ""
     html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
             tables.creepage_table(result, lambda p: p["traction_coefficient"],
-                                  ("traction_coefficient", "longitudinal_force"), friction or None),
-            f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}, in "
-            "percent of the friction coefficient.</p>" if several else "", creep_curve,
+                                  ("traction_coefficient", "longitudinal_force"), lambda p: friction),
+            hint, creep_curve,
             "<h2>Largest tangential traction |p<sub>x</sub>| [MPa]</h2>",
             tables.creepage_table(result, lambda p: p["max_traction_x"],
-                                  ("max_traction_x", "max_traction"), None)]
+                                  ("max_traction_x", "max_traction"),
+                                  lambda p: friction * p["max_pressure"])]
     largest = max(abs(p["normal_force"]) for p in points)
     if any(abs(p["lateral_force"]) > 1e-4 * largest for p in points):
         html += ["<h2>Lateral force F<sub>y</sub> [N]</h2>",
-                 tables.creepage_table(result, lambda p: p["lateral_force"], ("lateral_force",), None)]
+                 tables.creepage_table(result, lambda p: p["lateral_force"], ("lateral_force",),
+                                       lambda p: friction * abs(p["normal_force"]))]
     return "".join(html)
 
 
@@ -150,7 +157,7 @@ def _details(result):
 
 def _patch(result, images, heading):
     """Everything about one patch; `images(start)` gives its figures whose names begin so."""
-    html = [_numbers(result), images("contact_area"), _forces(result, images("creep_curve")),
+    html = [_numbers(result), images("outlines", "contact_area"), _forces(result, images("creep_curve")),
             "<h2>Tractions in the patch</h2>" if images("path", "strip_force", "oblique") else "",
             images("path", "strip_force", "oblique"), _stresses(result, images("stress_"))]
     text = "".join(html)
@@ -159,14 +166,15 @@ def _patch(result, images, heading):
     return text
 
 
-def patches(result, figures):
-    """The patches one after the other; of a long row of positions the first ones."""
+def patches(result, figures, every=False):
+    """The patches one after the other; of a long row of positions the first ones have figures, and the
+    others tables if `every` one is wanted."""
     scenes = result.scenes()
     drawn = {name.split("_", 1)[0] for name, _ in figures if name[0] == "s" and name[1].isdigit()}
     html = []
     for number, (label, scene) in enumerate(scenes, 1):
         prefix = f"s{number}_" if len(scenes) > 1 else ""
-        if prefix and f"s{number}" not in drawn:
+        if prefix and f"s{number}" not in drawn and not every:
             break
 
         def images(*starts, prefix=prefix):
@@ -178,23 +186,27 @@ def patches(result, figures):
     return "".join(html)
 
 
+def touching(result, figures):
+    """Where wheel and rail touch, with profiles; else nothing."""
+    if not (result.models and result.models[0].place):
+        return ""
+    return ("<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
+            + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
+            "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
+            + "".join(image(result.directory, n, c) for n, c in figures
+                      if n.startswith(("pair_", "positions"))))
+
+
 def report_html(result, figures):
     """The page as text; `figures` are (file name in figures/, caption)."""
     made = result.provenance
     meta = f"rollfem {made['version']} ({made['commit']}), {made['started']}, {made['host']}"
     if made["processes"] > 1:
         meta += f", {made['processes']} processes"
-    touching = ""
-    if result.models and result.models[0].place:
-        touching = ("<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
-                    + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
-                    "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
-                    + "".join(image(result.directory, n, c) for n, c in figures
-                              if n.startswith(("pair_", "positions"))))
     title = escape(result.title or result.case_file or "rollfem result")
     return page(title, [
         f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(made['command'])}</code></p>",
-        asked(result), touching, patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
+        asked(result), touching(result, figures), patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
         notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result),
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "

@@ -3,7 +3,7 @@ import math
 from html import escape
 
 from . import published, selection, style
-from .curves import relative_error
+from .curves import absolute_error
 from .reader import place_label
 
 
@@ -36,12 +36,19 @@ def percent(value):
 
 
 def cell(value, error=None, difference=None, digits=5):
-    """value ± error, and the difference to the reference under it."""
+    """value ± error (relative), and the difference to the reference under it."""
+    return measured(value, abs(value) * error if error else 0.0, difference, digits)
+
+
+def measured(value, bar, difference=None, digits=5, beyond=False):
+    """value ± bar (absolute), and the difference to the reference in percent under it, bold where it
+    is `beyond` both error bars."""
     html = f"<b>{number(value, digits)}</b>"
-    if error and value:
-        html += f"&nbsp;<span class=e>±&nbsp;{number(abs(value) * error, 2)}</span>"
+    if bar and bar > 1e-7 * abs(value):  # less is rounding
+        html += f"&nbsp;<span class=e>±&nbsp;{number(bar, 2)}</span>"
     if difference is not None:
-        html += f"<br><span class=d>{percent(difference)}</span>"
+        text = f"<b>{percent(difference)}</b>" if beyond else percent(difference)
+        html += f"<br><span class=d>{text}</span>"
     return html
 
 
@@ -62,9 +69,30 @@ def _difference(value, reference, scale=None):
 
 
 PATCH = [("max_pressure", "largest pressure p<sub>0</sub> [MPa]"),
+         ("contact_length", "length along x [mm]"), ("contact_width", "width along y [mm]"),
          ("semi_axis_x", "semi-axis along x [mm]"), ("semi_axis_y", "semi-axis along y [mm]"),
          ("contact_area", "contact area [mm²]"), ("approach", "approach [mm]"),
          ("normal_force", "normal force F<sub>z</sub> [N]")]
+
+
+def _beyond(value, bar, base, base_bar):
+    """Whether a number differs from the reference by more than both bars; a theory without an
+    estimate has none."""
+    return abs(value - base) > bar + base_bar + 1e-9 * abs(base)
+
+
+# Under which other name the relative error of a size stands.
+SAME_ERROR = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
+
+
+def _tells(result, quantity):
+    """Whether a row of the patch table says anything: a given force is the same in every model, and
+    an ellipse has semi-axes, a patch of profiles a length and a width."""
+    of_profiles = bool(result.models and result.models[0].place)
+    if quantity.startswith(("contact_length", "contact_width", "semi_axis")):
+        return quantity.startswith("contact") == of_profiles
+    values = [m.points[0][quantity] for m in result.models if m.points]
+    return quantity != "normal_force" or not values or max(values) - min(values) > 1e-6 * abs(values[0])
 
 
 def patch_table(result):
@@ -73,13 +101,20 @@ def patch_table(result):
     reference = selection.reference_for_patch(result)
     rows = []
     for quantity, heading in PATCH:
+        if not _tells(result, quantity):
+            continue
         row = [heading]
         for model in models:
             point = model.points[0]
-            against = None
+            names = (quantity, SAME_ERROR.get(quantity, quantity))
+            bar = absolute_error(point, point[quantity], 0.0, *names)
+            against, beyond = None, False
             if model is not reference and reference and reference.points:
-                against = _difference(point[quantity], reference.points[0][quantity])
-            row.append(cell(point[quantity], relative_error(point, quantity), against, 6))
+                base = reference.points[0]
+                against = _difference(point[quantity], base[quantity])
+                beyond = _beyond(point[quantity], bar, base[quantity],
+                                 absolute_error(base, base[quantity], 0.0, *names))
+            row.append(measured(point[quantity], bar, against, 6, beyond))
         rows.append(row)
     return table(["first load point"] + [escape(style.label(m)) for m in models], rows)
 
@@ -89,49 +124,72 @@ def published_table(result):
     rows = published.patches(result)
     if not rows:
         return ""
-    quantities = [(name, heading) for name, heading in PATCH if any(name in row for row in rows)]
-    html = table(["published"] + [escape(row["name"]) for row in rows],
-                 [[heading] + [plain(row[name]) if name in row else "–" for row in rows]
-                  for name, heading in quantities]
-                 + [["largest |p<sub>x</sub>| [MPa]"]
-                    + [f"{plain(row['max_traction_x']['value'])}<br><span class=d>ξ = "
-                       f"{plain(100 * row['max_traction_x']['xi'])} %</span>"
-                       if "max_traction_x" in row else "–" for row in rows]]
-                 * any("max_traction_x" in row for row in rows))
-    return html + f"<p class=hint>{escape(published.sources(result))}</p>"
+    names = [(name, heading) for name, heading in PATCH if any(name in row for row in rows)]
+    lines = [[heading] + [plain(row[name]) if name in row else "–" for row in rows]
+             for name, heading in names]
+    if any("max_traction_x" in row for row in rows):
+        lines.append(["largest |p<sub>x</sub>| [MPa]"] + [_at_creepage(row.get("max_traction_x"))
+                                                         for row in rows])
+    said = published.says(result)
+    words = f"The thesis says: {escape(said)}. " if said else ""
+    return (table(["published"] + [escape(row["name"]).replace(": ", ":<br>") for row in rows], lines)
+            + f"<p class=hint>{words}Sources: {escape(published.sources(result))}.</p>")
+
+
+def _at_creepage(entry):
+    """A published value with the creepage it belongs to."""
+    if entry is None:
+        return "–"
+    return f"{plain(entry['value'])}<br><span class=d>ξ = {plain(100 * entry['xi'])} %</span>"
 
 
 def _creepage_head(models):
-    points = [p for m in models for p in m.points]
-    if any(len(p.key) == 1 for p in points):
+    """(heading, number in the key, factor) of what varies over the load points; what they share is in
+    `shared_creepage`."""
+    keys = selection.all_keys(models)
+    if any(len(key) == 1 for key in keys):
         return [("load point", 0, 1)]
-    columns = [("ξ [%]", 0, 100)]
-    if any(p.key[1] for p in points):
-        columns.append(("η [%]", 1, 100))
-    if any(p.key[2] for p in points):
-        columns.append(("φ [rad/mm]", 2, 1))
-    return columns
+    names = [("ξ [%]", 0, 100), ("η [%]", 1, 100), ("φ [rad/mm]", 2, 1)]
+    return [row for row in names if len({key[row[1]] for key in keys}) > 1] or names[:1]
 
 
-def creepage_table(result, value, quantities, scale):
-    """`value(point)` of every model with friction at every creepage. Differences to the reference
-    are in percent of `scale`, or of the reference where it is None."""
+def shared_creepage(models):
+    """" All at η = 0.1 %.", of what is not zero and not in the table, since it is the same at every load
+    point; empty if nothing is."""
+    keys = selection.all_keys(models)
+    if not keys or len(keys[0]) == 1:
+        return ""
+    told = [row[1] for row in _creepage_head(models)]
+    names = [("ξ = {} %", 100), ("η = {} %", 100), ("φ = {} rad/mm", 1)]
+    said = [names[k][0].format(plain(names[k][1] * keys[0][k])) for k in range(3)
+            if keys[0][k] and k not in told]
+    return f" All at {', '.join(said)}." if said else ""
+
+
+def creepage_table(result, value, quantities, sliding):
+    """`value(point)` of every model with friction at every creepage. Differences to the reference are
+    in percent of `sliding(point)`, its value in full sliding, of the reference."""
     models = selection.friction_models(result)
     reference = selection.reference_for_forces(result)
     columns = _creepage_head(models)
+
+    def bar(point):
+        return absolute_error(point, value(point), sliding(point), *quantities)
+
     rows = []
     for creepages in selection.all_keys(models):
         row = [", ".join(plain(creepages[k] * factor) for _, k, factor in columns)]
+        base = reference.at(creepages)
         for model in models:
             point = model.at(creepages)
             if point is None:
                 row.append("–")
-                continue
-            base = reference.at(creepages)
-            against = None
-            if model is not reference and base is not None:
-                against = _difference(value(point), value(base), scale)
-            row.append(cell(value(point), relative_error(point, *quantities), against))
+            elif model is reference or base is None:
+                row.append(measured(value(point), bar(point)))
+            else:
+                row.append(measured(value(point), bar(point),
+                                    _difference(value(point), value(base), sliding(base) or None),
+                                    beyond=_beyond(value(point), bar(point), value(base), bar(base))))
         rows.append(row)
     head = [", ".join(c[0] for c in columns)] + [escape(style.label(m)) for m in models]
     return table(head, rows)

@@ -37,7 +37,9 @@ TEST(Compare, LaysModelsOfSeveralCasesBesideEachOther) {
   EXPECT_NE(outcome.out.find("fastsim against halfspace: "), std::string::npos) << outcome.out;
   const auto all = read(folder.work() / "results" / "compare" / "compare.json");
   ASSERT_EQ(all.at("cases").size(), 2U);
-  EXPECT_EQ(all.at("words").size(), 3U);
+  // Pressure, traction coefficient, largest traction, cost.
+  ASSERT_EQ(all.at("words").size(), 4U);
+  EXPECT_EQ(all.at("words")[3].get<std::string>().rfind("Cost a case: hertz ", 0), 0U);
   // The same numbers as run's own, and Hertz within a coarse grid's error of the half-space.
   const auto summary = read(folder.work() / "results" / "compare" / "one" / "summary.json");
   int found = 0;
@@ -80,6 +82,30 @@ TEST(Compare, AModelThatCannotTakeACaseIsLeftOutWithASentence) {
   const auto all = read(folder.work() / "out" / "compare.json");
   ASSERT_EQ(all.at("cases")[0].at("missing").size(), 1U);
   EXPECT_FALSE(all.at("cases")[0].at("missing")[0].at("failed").get<bool>());
+}
+
+TEST(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
+  const Folder folder;
+  const std::string none =
+      folder.file("forces.toml", small_case +
+                                     "[rolling]\nlongitudinal_force = -1000.0\n"
+                                     "[contact_grid]\nelements_across = 10\n");
+  const std::vector<std::string> models{"--no-report", "--model", "fastsim", "strip", "-o", "out"};
+  std::vector<std::string> arguments{"compare", none};
+  arguments.insert(arguments.end(), models.begin(), models.end());
+  const Outcome alone = call(folder, arguments);
+  EXPECT_EQ(alone.status, 2) << alone.err;
+  for (const char* part : {"none of the models can take forces: fastsim: ", "; strip: ",
+                           "prescribed tangential force", "; do: name one"})
+    EXPECT_NE(alone.err.find(part), std::string::npos) << alone.err;
+  // Beside a case that they take: that one is written.
+  arguments.insert(arguments.begin() + 2, folder.file("good.toml", quick));
+  const Outcome both = call(folder, arguments);
+  EXPECT_EQ(both.status, 2);
+  EXPECT_NE(both.err.find("none of the models can take forces"), std::string::npos) << both.err;
+  const auto all = read(folder.work() / "out" / "compare.json");
+  EXPECT_FALSE(all.at("cases")[1].at("numbers").empty());
+  EXPECT_FALSE(all.at("cases")[0].at("complete").get<bool>());
 }
 
 TEST(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/output_placed_run.hpp"
 #include "unit/output_python.hpp"
-#include "unit/output_synthetic_run.hpp"
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -90,11 +90,36 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   for (const char* text :
        {"Comparison of models on 3 cases", "second &lt;case&gt;", "it cannot take this &amp; that",
         "is left out", "no contact", "failed", "Which models agree where", "Cost",
-        "hertz against halfspace", "Force per strip", "id=\"one\""})
+        "Hertz against half-space", "Force per strip", "Lateral traction", "id=\"one\""})
     EXPECT_NE(page.find(text), std::string::npos) << text;
-  // Seven figures in the first case, as many in the second, and differences against cost.
-  EXPECT_EQ(count(page, "<img"), 15U);
+  // Ten figures in the first case, one less in the second without Hertz, and differences against
+  // cost.
+  EXPECT_EQ(count(page, "<img"), 20U);
+  // Names of the page, not of the program, and no words of a terminal.
+  EXPECT_EQ(page.find("halfspace against"), std::string::npos);
+  EXPECT_EQ(page.find(" of mu"), std::string::npos);
   EXPECT_TRUE(fs::exists(base_ / "one" / "report.html"));
+}
+
+TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByPlace) {
+  RunRecord run = tests::placed_run(1);  // two patches
+  for (contact::ModelResult& model : run.models) {
+    model.points.resize(2);
+    if (model.name == "fem" && model.place->patch == 2)
+      for (contact::PointResult& point : model.points) point.max_pressure *= 1.3;
+  }
+  ComparisonRecord record;
+  record.models = {"halfspace", "fem"};
+  record.cases.push_back(written("wheels", run));
+  replace_file(base_ / "compare.json", comparison_json(record));
+  ASSERT_EQ(make_report(base_.string(), scripts), "");
+  const std::string page = read(base_ / "compare.html");
+  expect_self_contained(page);
+  for (const char* text :
+       {"Where wheel and rail touch", "y track [mm]", "with the contact points",
+        "left wheel,<br>position 1,<br>patch 2 of 2", "Left wheel, position 1, patch 1 of 2",
+        "left wheel, position 1, patch 2 of 2: FEM against half-space: "})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
 TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
@@ -133,21 +158,63 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
     EXPECT_NE(read(base_ / "figures" / name).find("</svg>"), std::string::npos) << name;
 }
 
+/// What rollfem_figures/published.py gives for a result, name by name.
+std::string published(const fs::path& folder) {
+  return tests::python("import sys; sys.path.insert(0, '" + scripts +
+                           "'); sys.dont_write_bytecode = True\n"
+                           "from rollfem_figures import published, read_result\n"
+                           "r = read_result(sys.argv[1])\n"
+                           "print(*[row['name'] for _, s in r.scenes() for row in "
+                           "published.patches(s) + published.creep_curves(s)], sep='; ')",
+                       folder.string());
+}
+
 TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
   RunRecord run = tests::synthetic_run();
   run.input.load.normal_force = 50e3;
   run.input.friction_coefficient = 0.55;
   run.input.wheel.rolling_radius = 405.0;
   run.input.wheel.transverse_radius = contact::infinity;
-  run.input.rail.transverse_radius = 2000.0;
-  const auto report = [&](const char* name) {
+  const auto names = [&](const char* name, double rail, double wheel) {
+    run.input.rail.transverse_radius = rail;
+    run.input.wheel.transverse_radius = wheel;
     write_results((base_ / name).string(), run);
-    EXPECT_EQ(make_report((base_ / name).string(), scripts), "");
-    return read(base_ / name / "report.html");
+    return published(base_ / name);
   };
-  EXPECT_NE(report("thesis").find("Hertz, from a diagram"), std::string::npos);
+  EXPECT_NE(names("a", 2000.0, contact::infinity).find("thesis: Hertz, from a diagram"),
+            std::string::npos);
+  EXPECT_EQ(names("b", 500.0, contact::infinity), "Hertz, exact\n");
+  EXPECT_EQ(names("d", 2000.0, 105.263), "Hertz, exact\n");
+  EXPECT_EQ(names("f", 50.0, -51.282), "Hertz, exact\n");
+  EXPECT_EQ(names("none", 501.0, contact::infinity), "\n");
   run.input.load.normal_force = 60e3;
-  EXPECT_EQ(report("other").find("Hertz, from a diagram"), std::string::npos);
+  EXPECT_EQ(names("other", 2000.0, contact::infinity), "\n");
+}
+
+TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
+  RunRecord run = tests::placed_run(1);
+  run.models.resize(2);
+  run.input.load.vertical_force = 100e3;
+  run.input.friction_coefficient = 0.55;
+  run.input.wheel.rolling_radius = 450.0;
+  run.input.rail.profile.name = "UIC60-manchester";
+  for (contact::ModelResult& model : run.models) {
+    model.place->patches = 1;
+    model.place->lateral_shift = 2.0;
+    model.place->y_track = -755.7;
+  }
+  const auto names = [&](const char* name) {
+    write_results((base_ / name).string(), run);
+    return published(base_ / name);
+  };
+  EXPECT_NE(names("left").find("thesis: SRS (FE)"), std::string::npos);
+  for (contact::ModelResult& model : run.models) model.place->lateral_shift = 3.0;
+  EXPECT_EQ(names("shifted"), "\n");
+  for (contact::ModelResult& model : run.models) {
+    model.place->lateral_shift = 2.0;
+    model.place->y_track = -750.0;  // another gauge or inclination
+  }
+  EXPECT_EQ(names("elsewhere"), "\n");
 }
 
 TEST_F(PagesTest, DataOfAnotherKindIsRefusedInALine) {

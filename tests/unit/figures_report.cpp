@@ -49,14 +49,16 @@ class FiguresTest : public ::testing::Test {
 
 TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   const fs::path folder = draw(tests::synthetic_run());
-  for (const char* name : {"creep_curve", "path_x", "path_y", "contact_area", "strip_force",
-                           "oblique_px_halfspace", "oblique_px_fem"}) {
+  for (const char* name :
+       {"creep_curve", "path_x", "path_y", "path_lateral", "outlines", "contact_area",
+        "strip_force", "oblique_px_halfspace", "oblique_px_fem"}) {
     const fs::path figure = folder / "figures" / (std::string(name) + ".svg");
     ASSERT_TRUE(fs::exists(figure)) << name;
     EXPECT_NE(read(figure).find("</svg>"), std::string::npos) << name;
     EXPECT_LT(fs::file_size(figure), 1500000U) << name;
   }
-  // A frictionless model has no tangential tractions to draw.
+  // A frictionless model has no tangential tractions to draw, but a pressure.
+  EXPECT_TRUE(fs::exists(folder / "figures/oblique_pn_hertz.svg"));
   EXPECT_FALSE(fs::exists(folder / "figures/oblique_px_hertz.svg"));
 
   const std::string report = read(folder / "report.html");
@@ -66,7 +68,7 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   for (std::size_t at = report.find("data:image/svg"); at != std::string::npos;
        at = report.find("data:image/svg", at + 1))
     ++images;
-  EXPECT_EQ(images, 7U);
+  EXPECT_EQ(images, 10U);
   for (const char* text :
        {"thesis case a: conforming plane", "578.7", "0.51136", "half-space", "FEM", "446 000",
         "symmetry plane y = 0 used", "normal_force = 50e3", "not converged"})
@@ -77,8 +79,10 @@ TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
   RunRecord run = tests::synthetic_run();
   run.models.resize(1);
   const fs::path folder = draw(run);
-  EXPECT_TRUE(fs::exists(folder / "figures/path_x.svg"));
-  EXPECT_FALSE(fs::exists(folder / "figures/creep_curve.svg"));
+  for (const char* drawn : {"path_x", "outlines"})
+    EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(drawn) + ".svg"))) << drawn;
+  for (const char* not_drawn : {"creep_curve", "path_lateral", "contact_area"})
+    EXPECT_FALSE(fs::exists(folder / "figures" / (std::string(not_drawn) + ".svg"))) << not_drawn;
   EXPECT_EQ(read(folder / "report.html").find("Traction coefficient"), std::string::npos);
 }
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "unit/output_placed_run.hpp"
 #include "unit/output_python.hpp"
-#include "unit/output_synthetic_run.hpp"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -25,44 +25,6 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
-/// Left wheel at `positions` positions, of which the last has two patches.
-RunRecord placed_run(int positions) {
-  const RunRecord plain = tests::synthetic_run();
-  RunRecord run = plain;
-  run.models.clear();
-  run.input.wheel.profile.name = "S1002";
-  run.input.rail.profile.name = "60E1";
-  run.input.load.normal_force.reset();
-  run.input.load.vertical_force = 50e3;
-  for (int position = 1; position <= positions; ++position)
-    for (int patch = 1; patch <= (position == positions ? 2 : 1); ++patch)
-      for (std::size_t k = 1; k < plain.models.size(); ++k) {
-        contact::ModelResult model = plain.models[k];
-        contact::ContactPlace place;
-        place.position = position;
-        place.patch = patch;
-        place.patches = position == positions ? 2 : 1;
-        place.lateral_shift = position - 1.0;
-        place.y_track = -755.0 - position + 30.0 * (patch - 1);
-        place.z_track = patch == 1 ? 0.1 : 12.5;
-        place.contact_angle = patch == 1 ? 0.016 : 1.1;
-        place.rolling_radius = 450.177;
-        model.place = place;
-        model.bodies.clear();
-        run.models.push_back(model);
-      }
-  for (int position = 1; position <= positions; ++position) {
-    PlacedPair pair;
-    pair.position = position;
-    for (int k = -30; k <= 30; ++k) {
-      pair.rail.push_back({-760.5 + k, k * k / 300.0});
-      pair.wheel.push_back({-760.0 + k, -0.1 + k / 40.0});
-    }
-    run.pairs.push_back(pair);
-  }
-  return run;
-}
-
 class PlacesTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -77,7 +39,7 @@ class PlacesTest : public ::testing::Test {
 
 TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
   const fs::path folder = base_ / "result";
-  write_results(folder.string(), placed_run(3));
+  write_results(folder.string(), tests::placed_run(3));
   const auto summary = nlohmann::json::parse(read(folder / "summary.json"));
   ASSERT_EQ(summary["models"].size(), 8U);
   const auto& last = summary["models"][7];
@@ -103,7 +65,7 @@ TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
 }
 
 TEST_F(PlacesTest, TwoResultsOfOnePatchAndModelAreRefused) {
-  RunRecord run = placed_run(2);
+  RunRecord run = tests::placed_run(2);
   run.models.push_back(run.models.front());
   EXPECT_THROW(write_results((base_ / "result").string(), run), std::logic_error);
 }
@@ -112,7 +74,7 @@ TEST_F(PlacesTest, ReportHasAFigureOfEveryPatchAndOneOfTheRow) {
   if (!tests::python_can_import("matplotlib, h5py, numpy"))
     GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
   const fs::path folder = base_ / "result";
-  write_results(folder.string(), placed_run(3));
+  write_results(folder.string(), tests::placed_run(3));
   ASSERT_EQ(make_report(folder.string(), scripts), "");
   for (const char* name : {"pair_left_1", "pair_left_3", "positions", "s1_creep_curve",
                            "s4_contact_area", "s4_oblique_px_fem"})
@@ -127,7 +89,7 @@ TEST_F(PlacesTest, ReportHasAFigureOfEveryPatchAndOneOfTheRow) {
 TEST_F(PlacesTest, OnePatchIsReportedAsACaseWithRadii) {
   if (!tests::python_can_import("matplotlib, h5py, numpy"))
     GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
-  RunRecord run = placed_run(1);
+  RunRecord run = tests::placed_run(1);
   run.models.resize(2);
   const fs::path folder = base_ / "result";
   write_results(folder.string(), run);
