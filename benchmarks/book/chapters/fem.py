@@ -9,7 +9,7 @@ def fem_hertz(bench):
     """Finite elements on finer cells: Hertz's case a"""
     study = bench.study("study_fem_a", "cases/thesis_a.toml", ["--model", "fem", "--vary", "cell"],
                         {"rolling.longitudinal_creepage": "[0.0, 0.002]"})
-    series = study["series"][0]
+    series = study["places"][0]["series"][0]
     exact = dict(zip(("semi_axis_x", "semi_axis_y", "max_pressure", "approach"),
                      closed_forms.hertz(1 / 810, 1 / 4000, 50e3, 210e3 / (2 * (1 - 0.3**2)))))
     finest = series["levels"][-1]

@@ -39,7 +39,7 @@ def hertz(bench):
 def grid_order(bench):
     """Order of the half-space's pressure, and CONTACT's own digits"""
     study = bench.study("study_a", "cases/thesis_a.toml", ["--model", "halfspace"])
-    series = study["series"][0]
+    series = study["places"][0]["series"][0]
     exact = closed_forms.hertz(1 / 810, 1 / 4000, 50e3, 210e3 / (2 * (1 - 0.3**2)))
     levels = {round(level["parameter"]): level for level in series["levels"]}
     rows = []
