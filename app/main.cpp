@@ -167,8 +167,7 @@ void add_stress(CLI::App& program, Call& call) {
       ->allow_extra_args(false);
   stress->add_option("--patch", request.patch,
                      "with profiles: SIDE,POSITION,PATCH, as left,1,1; without it the first");
-  stress->add_option("--point", request.point,
-                     "load point, from 0; without it the last one, the only one of fem");
+  stress->add_option("--point", request.point, "load point, from 0; without it the last one");
   stress->add_option("--creepage", request.creepage, "load point of this longitudinal creepage");
   stress->add_option("--at", request.places, "x,y,z in mm: a place; may be repeated")
       ->allow_extra_args(false);

@@ -99,7 +99,7 @@ void mesh(const MeshRequest& request) {
     FilesTogether files("mesh", folder);
     for (const MeshedBody& body : bodies) {
       files.write(body.name + ".msh", body.msh);
-      files.write(body.name + ".vtu", postprocess::body_vtu(body.refined));
+      files.write(body.name + ".vtu", postprocess::BodyVtu(body.refined).text());
     }
     files.commit();
     std::cout << input.title << "\n\n"

@@ -227,10 +227,19 @@ struct FemOptions {
   LinearSolver linear_solver = LinearSolver::automatic;
 };
 
+/// Of which load points displacement and stress of the whole bodies are kept.
+enum class BodyFields { all, last, none };
+
 struct OutputOptions {
   std::vector<std::string> paths{"x", "y"};  ///< middle lines written as path_x.csv, path_y.csv
-  bool fields = true;                        ///< ParaView files of wheel and rail
+  bool fields = true;                        ///< ParaView files, and what body_fields says
+  BodyFields body_fields = BodyFields::all;  ///< only with `fields`
   std::optional<bool> stress_maxima;         ///< not given: with the model fem only
+  /// Whether load point k of `count` keeps displacement and stress of wheel and rail.
+  bool keeps_bodies(std::size_t k, std::size_t count) const {
+    return fields &&
+           (body_fields == BodyFields::all || (body_fields == BodyFields::last && k + 1 == count));
+  }
 };
 
 struct Case {

@@ -93,6 +93,7 @@ std::vector<Key> history_keys();     ///< [history]
 std::vector<Key> surface_keys();     ///< [undeformed_distance], [given_pressure]
 std::vector<Key> theory_keys();      ///< [fastsim], [strip], [carter]
 std::vector<Key> subsurface_keys();  ///< [[subsurface.*]]
+std::vector<Key> output_keys();      ///< [output]
 std::vector<Key> mesh_keys();        ///< meshes of [wheel], [rail] and [fem]
 std::vector<Key> profile_keys();   ///< profile of [wheel], [rail]; [wheel_profile], [rail_profile]
 std::vector<Key> track_keys();     ///< [track], vertical_force

@@ -467,55 +467,6 @@ std::vector<Key> fem_keys() {
   };
 }
 
-std::vector<Key> output_keys() {
-  return {
-      {"output",
-       "paths",
-       KeyKind::words,
-       "",
-       "",
-       {},
-       {"x", "y"},
-       false,
-       "",
-       "",
-       "Middle lines of the patch along which stresses are written and drawn.",
-       [](const Case& c) -> KeyValue { return c.output.paths; },
-       [](Case& c, const KeyValue& v) { c.output.paths = std::get<Words>(v); }},
-      {"output",
-       "fields",
-       KeyKind::boolean,
-       "",
-       "",
-       {},
-       {},
-       false,
-       "",
-       "",
-       "Keep displacement and stress of wheel and rail (model fem) as ParaView files and in "
-       "results.h5, from which rollfem stress reads them; with them the contact surfaces.",
-       [](const Case& c) -> KeyValue { return c.output.fields; },
-       [](Case& c, const KeyValue& v) { c.output.fields = std::get<bool>(v); }},
-      {"output",
-       "stress_maxima",
-       KeyKind::boolean,
-       "",
-       "",
-       {},
-       {},
-       false,
-       "true for the model fem, false for halfspace, where it costs some 0.3 s a load point",
-       "true",
-       "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail at "
-       "every "
-       "load point, with their places (models fem and halfspace).",
-       [](const Case& c) -> KeyValue {
-         return c.output.stress_maxima ? KeyValue(*c.output.stress_maxima) : KeyValue();
-       },
-       [](Case& c, const KeyValue& v) { c.output.stress_maxima = std::get<bool>(v); }},
-  };
-}
-
 }  // namespace
 
 bool Bounds::contains(double value) const {

@@ -91,6 +91,22 @@ void Record::value(SubsurfaceField& field) {
   plain(field.stress);
 }
 
+void Record::value(BodyValues& values) {
+  plain(values.displacement);
+  plain(values.stress);
+}
+
+void Record::value(std::vector<BodyField>& bodies) {
+  bodies.resize(length(bodies.size(), 1));
+  for (BodyField& body : bodies) {
+    value(body.name);
+    plain(body.points);
+    plain(body.cells);
+    plain(body.displacement);
+    plain(body.stress);
+  }
+}
+
 void Record::value(PointResult& p) {
   values(p.creepage.longitudinal, p.creepage.lateral, p.creepage.spin, p.step);
   values(p.longitudinal_shift, p.lateral_shift, p.spin_shift, p.distance);
@@ -109,6 +125,8 @@ void Record::value(PointResult& p) {
     values(maximum.body, maximum.measure, maximum.value);
     for (double& coordinate : maximum.place) value(coordinate);
   }
+  p.bodies.resize(length(p.bodies.size(), 1));
+  for (BodyValues& body : p.bodies) value(body);
 }
 
 unsigned long long checksum(std::string_view bytes, unsigned long long begin) {

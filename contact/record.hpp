@@ -41,6 +41,8 @@ class Record {
   void value(std::vector<ElementState>& states);
   void value(std::map<std::string, double>& numbers);
   void value(SubsurfaceField& field);
+  void value(BodyValues& values);
+  void value(std::vector<BodyField>& bodies);
   void value(PointResult& point);
 
   /// Several in a row.

@@ -31,6 +31,21 @@ std::string ModelResult::key() const {
                      place->patch);
 }
 
+BodyField ModelResult::body_at(std::size_t point, std::size_t body) const {
+  BodyField field = bodies.at(body);
+  const BodyValues& values = points.at(point).bodies.at(body);
+  for (const auto& u : values.displacement) field.displacement.push_back({u[0], u[1], u[2]});
+  for (const auto& s : values.stress) field.stress.push_back({s[0], s[1], s[2], s[3], s[4], s[5]});
+  return field;
+}
+
+std::vector<std::size_t> ModelResult::points_with_bodies() const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (!bodies.empty() && points[k].bodies.size() == bodies.size()) found.push_back(k);
+  return found;
+}
+
 void integrate_tractions(const ContactGrid& grid, PointResult& point, const PatchShape& shape) {
   const Field& pressure = point.fields.traction.n;
   const Field px = filled(point.fields.traction.x, pressure.size());

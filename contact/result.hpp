@@ -43,6 +43,13 @@ struct StressMaximum {
   std::array<double, 3> place{};  ///< mm, global frame
 };
 
+/// Displacement and stress at the nodes of a body under one load point. Single precision: 6e-8 of
+/// each value, far below what the elements are good for, and half the memory and file.
+struct BodyValues {
+  std::vector<std::array<float, 3>> displacement;  ///< mm
+  std::vector<std::array<float, 6>> stress;        ///< MPa: xx yy zz xy yz xz
+};
+
 /// One load point of one model: the entries of summary.json and the fields behind them.
 struct PointResult {
   Creepage creepage;  ///< as prescribed, or as found for a prescribed force
@@ -79,9 +86,11 @@ struct PointResult {
   ContactFields fields;
   std::vector<SubsurfaceField> subsurface;   ///< as the case asks for, models halfspace and fem
   std::vector<StressMaximum> stress_maxima;  ///< of both bodies; models halfspace and fem
+  /// In the order of ModelResult::bodies; empty where none are kept, and but for fem.
+  std::vector<BodyValues> bodies;
 };
 
-/// Nodal fields of a body for ParaView: hexahedra with eight corners each.
+/// A body as hexahedra with eight corners each, with or without values at its nodes.
 struct BodyField {
   std::string name;                                 ///< "wheel", "rail"
   std::vector<std::array<double, 3>> points;        ///< mm
@@ -97,7 +106,7 @@ struct ModelResult {
   int contact_elements = 0;
   ContactGrid grid;
   std::vector<PointResult> points;
-  std::vector<BodyField> bodies;   ///< of the last load point; empty but for fem
+  std::vector<BodyField> bodies;   ///< undeformed, without values (PointResult::bodies); fem only
   std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
   /// What was asked for and not reached, though the results are sound as far as they go; else
   /// empty. The run then ends with status 1 after they are written.
@@ -106,6 +115,10 @@ struct ModelResult {
   /// What tells the results of a run apart: "halfspace", "halfspace_left_3_1" for the first patch
   /// of the left wheel at position 3.
   std::string key() const;
+  /// Number `body` of `bodies` with its values at a load point, which keeps them.
+  BodyField body_at(std::size_t point, std::size_t body) const;
+  /// Load points that keep the values of all bodies, from 0.
+  std::vector<std::size_t> points_with_bodies() const;
 };
 
 /// Fills forces, maxima, patch size and areas of `point` from its fields. On a curved patch

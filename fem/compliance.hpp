@@ -6,7 +6,6 @@
 
 #include "contact/compliance.hpp"
 #include "contact/contact_surface.hpp"
-#include "contact/result.hpp"
 #include "fem/body.hpp"
 
 #include <memory>
@@ -79,10 +78,5 @@ class FemCompliance : public contact::Compliance {
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
-
-/// Displacement and recovered nodal stress of a body as plain arrays (gathered on process 0),
-/// mirrored to the full body when it is half. Every FE cell becomes 8 hexahedra (degree 2).
-contact::BodyField body_field(const Body& body, const Vector& displacement,
-                              const std::string& name);
 
 }  // namespace rollfem::fem

@@ -48,6 +48,7 @@ class LevelRun {
   contact::ModelResult run();
 
  private:
+  int points_with_bodies() const;
   void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
   /// Takes up what an earlier run has solved of this level; true when that is all there is to
   /// solve.
@@ -61,7 +62,7 @@ class LevelRun {
                           const contact::Preconditioner& halfspace, const StressOutput& stresses,
                           contact::ModelResult& result);
   contact::ContactFields fields(const contact::CoupledSolution& solution) const;
-  void add_stresses(const StressOutput& stresses, const FemCompliance& compliance,
+  void add_stresses(std::size_t k, const StressOutput& stresses, const FemCompliance& compliance,
                     PointResult& point, contact::ModelResult& result) const;
   void add_no_tractions(contact::ContactFields& fields) const;
   void refuse_patch_at_border(const contact::NormalSolution& solution) const;
@@ -81,6 +82,10 @@ class LevelRun {
   contact::SurfaceField last_traction_;
   std::optional<WheelExpansion> expansion_;  ///< of a wheel that turns fast
 };
+
+int LevelRun::points_with_bodies() const {
+  return options_.body_fields ? points_that_keep_bodies(input_) : 0;
+}
 
 void LevelRun::tell(contact::ProgressEvent event, const std::string& stage, bool finished) const {
   event.model = "fem";
@@ -172,7 +177,8 @@ bool LevelRun::take_up(contact::ModelResult& result) {
   event.note = fmt::format("{} of {} load points of an earlier run", result.points.size(), count);
   tell(event, "taken up", true);
   if (!result.points.empty()) last_traction_ = result.points.back().fields.traction;
-  return result.points.size() == count && !options_.body_fields;
+  result.bodies = start_.bodies;
+  return result.points.size() == count;
 }
 
 PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance,
@@ -210,17 +216,19 @@ PointResult LevelRun::solve_point(std::size_t k, const FemCompliance& compliance
   point.seconds = watch.seconds();
   point.error_estimate["approach"] =
       approach_left_out(input_, point.normal_force, start_.reach) / point.approach;
-  if (stresses.wanted()) add_stresses(stresses, compliance, point, result);
+  if (stresses.wanted(k)) add_stresses(k, stresses, compliance, point, result);
   checkpoint_.keep(k, point, defect_);
   tell(event, "rolling", true);
   return point;
 }
 
-void LevelRun::add_stresses(const StressOutput& stresses, const FemCompliance& compliance,
-                            PointResult& point, contact::ModelResult& result) const {
+void LevelRun::add_stresses(std::size_t k, const StressOutput& stresses,
+                            const FemCompliance& compliance, PointResult& point,
+                            contact::ModelResult& result) const {
   const Stopwatch watch;
   tell({}, "stresses");
-  stresses.fill(point, compliance.body_displacements(last_traction_));
+  stresses.fill(k, point, compliance.body_displacements(last_traction_),
+                expansion_ ? &expansion_->displacement : nullptr);
   tell({}, "stresses", true);
   result.seconds["stresses"] += watch.seconds();
 }
@@ -250,7 +258,7 @@ void LevelRun::solve(contact::ModelResult& result) {
   contact::ProgressEvent event;
   MemoryDemand demand =
       memory_demand(static_cast<double>(wheel.unknowns()), static_cast<double>(rail.unknowns()),
-                    options, options_.body_fields);
+                    options, points_with_bodies());
   demand.algebraic = takes_algebraic(input_, wheel) || takes_algebraic(input_, rail);
   demand.factorisation = takes_factorisation(input_, demand);
   event.note = fmt::format("wheel {} + rail {} unknowns, {}", wheel.unknowns(), rail.unknowns(),
@@ -262,7 +270,9 @@ void LevelRun::solve(contact::ModelResult& result) {
   const Stopwatch solver_watch;
   tell({}, "linear solvers");
   const Solvers solvers = make_solvers(input_, wheel, rail, demand.factorisation);
-  const StressOutput stresses(input_, wheel, rail, grid_, default_cell_size(input_));
+  const StressOutput stresses(input_, wheel, rail, grid_, default_cell_size(input_),
+                              options_.body_fields);
+  start_.bodies = result.bodies = stresses.bodies();
   const FemCompliance compliance({&wheel, solvers.wheel.get()}, {&rail, solvers.rail.get()}, grid_,
                                  far_boundary_of(input_));
   start_.unknowns = result.unknowns;
@@ -302,17 +312,6 @@ void LevelRun::solve(contact::ModelResult& result) {
   for (std::size_t k = result.points.size(); k < input_.rolling.creepages.size(); ++k)
     result.points.push_back(solve_point(k, compliance, halfspace, stresses, result));
   result.seconds["tangential"] = rolling_watch.seconds();
-
-  if (options_.body_fields) {
-    const Stopwatch stress_watch;
-    tell({}, "stresses");
-    std::vector<Vector> displacement = compliance.body_displacements(last_traction_);
-    if (expansion_) displacement[0] += expansion_->displacement;
-    result.bodies = {body_field(wheel, displacement[0], "wheel"),
-                     body_field(rail, displacement[1], "rail")};
-    tell({}, "stresses", true);
-    result.seconds["stresses"] += stress_watch.seconds();
-  }
 }
 
 void LevelRun::add_notes(contact::ModelResult& result) const {

@@ -10,7 +10,8 @@ namespace rollfem::fem {
 struct LevelOptions {
   double cell_size = 0.0;    ///< mm, FE cells in the patch and contact elements
   std::string stage_prefix;  ///< put before stage names in progress reports
-  bool body_fields = false;  ///< displacement and stress of the bodies at the last load point
+  bool body_fields =
+      false;  ///< displacement and stress of the bodies, as [output] body_fields says
   contact::Checkpoint* checkpoint = nullptr;  ///< of process 0; null: none
 };
 

@@ -13,7 +13,7 @@ using contact::Record;
 
 void exchange(Record& record, LevelStart& start) {
   record.values(start.defect, start.contact_elements, start.unknowns, start.solver);
-  record.values(start.reach, start.half, start.notes);
+  record.values(start.reach, start.half, start.notes, start.bodies);
 }
 
 }  // namespace
@@ -41,6 +41,7 @@ bool LevelCheckpoint::find(LevelStart& start) const {
   if (bytes.empty()) return false;
   Record record(bytes);
   exchange(record, start);
+  if (!first_) start.bodies.clear();
   return true;
 }
 
@@ -59,6 +60,7 @@ bool LevelCheckpoint::find(std::size_t k, contact::PointResult& point,
   Record record(bytes);
   record.value(point);
   record.value(defect);
+  if (!first_) point.bodies.clear();
   return true;
 }
 

@@ -9,6 +9,7 @@
 
 #include <mpi.h>
 #include <string>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -21,6 +22,8 @@ struct LevelStart {
   double reach = 0.0;  ///< mm, from the patch to where the nearer body is held
   bool half = false;   ///< half of each body is modelled
   std::string notes;   ///< on the meshes
+  /// For ModelResult::bodies; read back whole on process 0 alone.
+  std::vector<contact::BodyField> bodies;
 };
 
 /// Collective: process 0 reads and tells the others, and writes alone.
@@ -32,7 +35,7 @@ class LevelCheckpoint {
   /// False when nothing is kept; then the argument is as it was.
   bool find(LevelStart& start) const;
   void keep(const LevelStart& start) const;
-  /// Load point k, counted from 0, and the defect at its solution.
+  /// Load point k, counted from 0, and the defect at its solution; its `bodies` on process 0 alone.
   bool find(std::size_t k, contact::PointResult& point, contact::Response& defect) const;
   void keep(std::size_t k, const contact::PointResult& point,
             const contact::Response& defect) const;

@@ -29,6 +29,7 @@ constexpr double matrix_per_unknown = 1900.0;
 constexpr double multigrid_per_unknown = 580.0;
 constexpr double algebraic_per_unknown = 5000.0;
 constexpr double fields_per_unknown = 70.0;
+constexpr double fields_per_unknown_and_point = 35.0;
 
 double number_in(const std::string& file) {
   std::ifstream stream(file);
@@ -126,7 +127,9 @@ double predicted_bytes(const MemoryDemand& demand) {
     shared += (demand.algebraic ? algebraic_per_unknown : multigrid_per_unknown) * unknowns;
   double bytes = program + shared / demand.processes;
   // Process 0 gathers the fields of all.
-  if (demand.body_fields) bytes += fields_per_unknown * unknowns * (demand.half ? 2.0 : 1.0);
+  if (demand.body_fields > 0)
+    bytes += (fields_per_unknown + fields_per_unknown_and_point * demand.body_fields) * unknowns *
+             (demand.half ? 2.0 : 1.0);
   return bytes;
 }
 
@@ -167,10 +170,11 @@ void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm
     advice += fmt::format(", [fem] linear_solver = \"multigrid\" (about {})",
                           in_gigabytes(at.processes * predicted_bytes(other)));
   }
-  if (demand.body_fields) {
+  if (demand.body_fields > 0) {
     MemoryDemand other = demand;
-    other.body_fields = false;
-    advice += fmt::format(", [output] fields = false (about {})",
+    other.body_fields = demand.body_fields > 1 ? 1 : 0;
+    advice += fmt::format(", [output] body_fields = \"{}\" (about {})",
+                          other.body_fields > 0 ? "last" : "none",
                           in_gigabytes(at.processes * predicted_bytes(other)));
   }
   throw contact::SolveError(fmt::format(

@@ -14,7 +14,7 @@ struct MemoryDemand {
   double unknowns_of_rail = 0.0;
   bool factorisation = false;  ///< else multigrid
   bool algebraic = false;      ///< of which this kind, on an assembled matrix
-  bool body_fields = false;    ///< displacement and stress of both bodies for ParaView
+  int body_fields = 0;         ///< load points that keep displacement and stress of both bodies
   bool half = false;           ///< half of each body is modelled; fields are mirrored
   int processes = 1;           ///< in all
 };

@@ -91,6 +91,12 @@ constexpr double parts_at_start = 8.0;
 /// Cells larger than this part of the smaller semi-axis say nothing.
 constexpr double coarsest_part = 0.55;
 
+/// Those of the finest level alone are asked for.
+void drop_bodies(ModelResult& level) {
+  level.bodies.clear();
+  for (contact::PointResult& point : level.points) point.bodies.clear();
+}
+
 /// Two levels alone can agree by chance, and cannot show an order.
 constexpr std::size_t fewest_levels = 3;
 
@@ -131,7 +137,7 @@ ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress
       break;
     }
     cell *= 0.5;
-    levels.back().bodies.clear();
+    drop_bodies(levels.back());
     levels.push_back(solve(cell, input.output.fields));
     estimate_errors(input, levels);
     worst = contact::worst_error(input, levels.back().points);

@@ -122,7 +122,14 @@ RunLayout run_layout(const Case& input, double cell) {
   return layout;
 }
 
-MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, bool body_fields) {
+int points_that_keep_bodies(const Case& input) {
+  const std::size_t count = input.rolling.creepages.size();
+  int keep = 0;
+  for (std::size_t k = 0; k < count; ++k) keep += input.output.keeps_bodies(k, count) ? 1 : 0;
+  return keep;
+}
+
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields) {
   MemoryDemand demand;
   demand.unknowns_of_wheel = wheel;
   demand.unknowns_of_rail = rail;
@@ -136,7 +143,7 @@ void refuse_beyond_memory(const Case& input, double cell_size) {
   const BodyOptions bodies = run_layout(input, cell_size).bodies;
   constexpr double beyond_all_memory = 2e9;
   const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
-  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, input.output.fields);
+  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, points_that_keep_bodies(input));
   demand.algebraic = input.fem.linear_solver == contact::LinearSolver::algebraic;
   demand.factorisation = takes_factorisation(input, demand);
   refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);

@@ -36,8 +36,12 @@ struct RunLayout {
 /// Throws contact::InputError when the profiles cannot be meshed so far.
 RunLayout run_layout(const contact::Case& input, double cell);
 
-/// Of a body with half of it or all modelled, by a solver that is not chosen yet.
-MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, bool body_fields);
+/// Number of load points that keep displacement and stress of the bodies.
+int points_that_keep_bodies(const contact::Case& input);
+
+/// Of a body with half of it or all modelled, by a solver that is not chosen yet. `body_fields`:
+/// load points that keep those of the bodies.
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields);
 
 /// Throws contact::SolveError when the level will not fit into memory, without making a mesh.
 /// Collective.

@@ -3,6 +3,7 @@
 #include "contact/errors.hpp"
 #include "contact/maximum_search.hpp"
 #include "contact/stress_measures.hpp"
+#include "fem/body_nodes.hpp"
 #include "fem/body_points.hpp"
 #include "fem/energy_error.hpp"
 #include "fem/profile_shape.hpp"
@@ -107,15 +108,20 @@ struct StressOutput::Implementation {
     std::vector<std::size_t> requests;   ///< of the case
     std::vector<BodyPoints> points;      ///< of each
     std::vector<SurfaceStress> surface;  ///< of each
+    std::unique_ptr<BodyNodes> nodes;    ///< where a load point keeps their values
   };
 
   Implementation(const contact::Case& the_input, const Body& wheel, const Body& rail,
-                 const contact::ContactGrid& grid, double reach)
-      : input(the_input), maxima(the_input.output.stress_maxima.value_or(true)) {
-    if (!wanted()) return;
+                 const contact::ContactGrid& grid, double reach, bool bodies)
+      : input(the_input), maxima(the_input.output.stress_maxima.value_or(true)), keeps(bodies) {
+    const std::size_t last = count() - 1;
+    if (!wanted(last)) return;
     const contact::ContactSurface shared = common_surface(wheel.shape(), rail.shape());
     parts.push_back(std::make_unique<Part>(wheel, "wheel"));
     parts.push_back(std::make_unique<Part>(rail, "rail"));
+    if (keeps_bodies(last))
+      for (const auto& part : parts)
+        part->nodes = std::make_unique<BodyNodes>(part->body, part->name);
     for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
       Part& part = *parts[input.subsurface[k].wheel ? 0 : 1];
       const auto places = places_of(input.subsurface[k], part.body.shape());
@@ -128,10 +134,25 @@ struct StressOutput::Implementation {
     }
   }
 
-  bool wanted() const { return maxima || !input.subsurface.empty(); }
+  std::size_t count() const { return input.rolling.creepages.size(); }
+  bool keeps_bodies(std::size_t k) const { return keeps && input.output.keeps_bodies(k, count()); }
+  bool wanted(std::size_t k) const {
+    return maxima || !input.subsurface.empty() || keeps_bodies(k);
+  }
 
-  void fill_part(const Part& part, const Vector& displacement, contact::PointResult& point) const {
+  static contact::BodyValues values(const Part& part, const Vector& displacement,
+                                    const NodalStress& stress, const Vector* expansion) {
+    if (expansion == nullptr) return part.nodes->values(displacement, stress);
+    Vector total(displacement);
+    total += *expansion;
+    total.update_ghost_values();
+    return part.nodes->values(total, part.recovery.recover(total));
+  }
+
+  void fill_part(const Part& part, const Vector& displacement, const Vector* expansion, bool keep,
+                 contact::PointResult& point) const {
     const NodalStress stress = part.recovery.recover(displacement);
+    if (keep) point.bodies.push_back(values(part, displacement, stress, expansion));
     point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
         energy_error(part.body, displacement, stress).relative();
     for (std::size_t k = 0; k < part.requests.size(); ++k) {
@@ -209,24 +230,34 @@ struct StressOutput::Implementation {
 
   const contact::Case& input;
   bool maxima;
+  bool keeps;
   std::vector<std::unique_ptr<Part>> parts;
 };
 
 StressOutput::StressOutput(const contact::Case& input, const Body& wheel, const Body& rail,
-                           const contact::ContactGrid& grid, double reach)
-    : implementation_(std::make_unique<Implementation>(input, wheel, rail, grid, reach)) {}
+                           const contact::ContactGrid& grid, double reach, bool bodies)
+    : implementation_(std::make_unique<Implementation>(input, wheel, rail, grid, reach, bodies)) {}
 
 StressOutput::~StressOutput() = default;
 
-bool StressOutput::wanted() const {
-  return implementation_->wanted();
+bool StressOutput::wanted(std::size_t k) const {
+  return implementation_->wanted(k);
 }
 
-void StressOutput::fill(contact::PointResult& point,
-                        const std::vector<Vector>& displacement) const {
-  point.subsurface.resize(implementation_->input.subsurface.size());
-  for (std::size_t k = 0; k < 2; ++k)
-    implementation_->fill_part(*implementation_->parts[k], displacement[k], point);
+void StressOutput::fill(std::size_t k, contact::PointResult& point,
+                        const std::vector<Vector>& displacement, const Vector* expansion) const {
+  const Implementation& all = *implementation_;
+  point.subsurface.resize(all.input.subsurface.size());
+  const bool keep = all.keeps_bodies(k);
+  all.fill_part(*all.parts[0], displacement[0], expansion, keep, point);
+  all.fill_part(*all.parts[1], displacement[1], nullptr, keep, point);
+}
+
+std::vector<contact::BodyField> StressOutput::bodies() const {
+  std::vector<contact::BodyField> meshes;
+  for (const auto& part : implementation_->parts)
+    if (part->nodes) meshes.push_back(part->nodes->mesh());
+  return meshes;
 }
 
 }  // namespace rollfem::fem

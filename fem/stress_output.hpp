@@ -1,5 +1,5 @@
-// The stresses that a case asks for in finite elements: at its [[subsurface.*]] points and the
-// largest ones of each body.
+// The stresses that a case asks for in finite elements: at its [[subsurface.*]] points, the largest
+// ones of each body, and those of all nodes where the load point keeps them.
 #pragma once
 
 #include "contact/result.hpp"
@@ -13,16 +13,22 @@ class StressOutput {
  public:
   /// Finds the points of the case in the bodies, which outlive this. Points above a contact surface
   /// by up to `reach` (mm) are moved onto it; further out they are an contact::InputError that
-  /// names the request. `grid`: of the tractions of the load points. Collective.
+  /// names the request. `grid`: of the tractions of the load points. `bodies`: values of all nodes
+  /// are kept as [output] body_fields says. Collective.
   StressOutput(const contact::Case& input, const Body& wheel, const Body& rail,
-               const contact::ContactGrid& grid, double reach);
+               const contact::ContactGrid& grid, double reach, bool bodies);
   ~StressOutput();
-  /// Whether the case asks for anything: else fill() need not be called.
-  bool wanted() const;
-  /// Adds `subsurface` and `stress_maxima` for the displacements of wheel and rail, which belong to
-  /// the tractions in the fields of the point; at the surface these enter (surface_stress.hpp).
-  /// Collective.
-  void fill(contact::PointResult& point, const std::vector<Vector>& displacement) const;
+  /// Whether load point k asks for anything: else fill() need not be called.
+  bool wanted(std::size_t k) const;
+  /// Adds `subsurface`, `stress_maxima` and `bodies` to load point k for the displacements of wheel
+  /// and rail, which belong to the tractions in the fields of the point; at the surface these enter
+  /// (surface_stress.hpp). `expansion`: displacement of the wheel by its spinning, which is in
+  /// `bodies` alone; may be null. Collective.
+  void fill(std::size_t k, contact::PointResult& point, const std::vector<Vector>& displacement,
+            const Vector* expansion) const;
+  /// Wheel and rail for ModelResult::bodies: whole on process 0; none when no load point keeps
+  /// them.
+  std::vector<contact::BodyField> bodies() const;
 
  private:
   struct Implementation;

@@ -24,7 +24,7 @@ namespace {
 using contact::InputError;
 
 /// Of the folder and of the records; to be raised when contact/record.cpp changes.
-constexpr int format = 1;
+constexpr int format = 2;
 
 /// Less work than this is not worth a disk access.
 constexpr auto grace = std::chrono::milliseconds(500);

@@ -105,6 +105,11 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hs
 }
 
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const float* values) {
+  return write_numbers(parent, name, shape, H5T_NATIVE_FLOAT, values);
+}
+
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      const unsigned char* values) {
   return write_numbers(parent, name, shape, H5T_NATIVE_UCHAR, values);
 }
@@ -135,6 +140,11 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::string& t
 
 void write_comment(hid_t object, const std::string& comment) {
   check(H5Oset_comment(object, comment.c_str()), "H5Oset_comment");
+}
+
+void link(hid_t parent, const std::string& path, hid_t group, const std::string& name) {
+  check(H5Lcreate_hard(parent, path.c_str(), group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        "H5Lcreate_hard");
 }
 
 void describe(hid_t object, const std::string& unit, const std::string& description,

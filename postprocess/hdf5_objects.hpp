@@ -42,6 +42,8 @@ void write_attribute(hid_t object, const std::string& name, const std::string& v
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      const double* values);
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const float* values);
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      const unsigned char* values);
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      const int* values);
@@ -50,15 +52,18 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::string& t
 
 void write_comment(hid_t object, const std::string& comment);
 
+/// A second name, in `group`, for what `path` in `parent` is.
+void link(hid_t parent, const std::string& path, hid_t group, const std::string& name);
+
 /// What a reader must know of a dataset, as attributes unit, description and sign and as a comment.
 void describe(hid_t object, const std::string& unit, const std::string& description,
               const std::string& sign);
 
 /// N numbers of every point as a dataset [points, N].
-template <std::size_t N>
-void write_rows(hid_t group, const char* name, const std::vector<std::array<double, N>>& rows,
+template <std::size_t N, class Number>
+void write_rows(hid_t group, const char* name, const std::vector<std::array<Number, N>>& rows,
                 const std::string& unit, const std::string& description) {
-  std::vector<double> flat;
+  std::vector<Number> flat;
   flat.reserve(N * rows.size());
   for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
   describe(write_dataset(group, name, {rows.size(), N}, flat.data()), unit, description, "");
@@ -88,8 +93,8 @@ struct Numbers {
 };
 Numbers read_dataset(hid_t parent, const std::string& name);
 /// A dataset [n, N]; std::runtime_error when it has another shape.
-template <std::size_t N>
-std::vector<std::array<double, N>> read_rows(hid_t parent, const std::string& name);
+template <std::size_t N, class Number = double>
+std::vector<std::array<Number, N>> read_rows(hid_t parent, const std::string& name);
 /// A dataset of texts; a single text is one line.
 std::vector<std::string> read_lines(hid_t parent, const std::string& name);
 

@@ -190,20 +190,21 @@ Numbers read_dataset(hid_t parent, const std::string& name) {
   return numbers;
 }
 
-template <std::size_t N>
-std::vector<std::array<double, N>> read_rows(hid_t parent, const std::string& name) {
+template <std::size_t N, class Number>
+std::vector<std::array<Number, N>> read_rows(hid_t parent, const std::string& name) {
   const Numbers numbers = read_dataset(parent, name);
   if (numbers.shape.size() != 2 || numbers.shape[1] != N)
     fail(fmt::format("not {} numbers in a row: dataset", N), name);
-  std::vector<std::array<double, N>> rows(numbers.shape[0]);
+  std::vector<std::array<Number, N>> rows(numbers.shape[0]);
   for (std::size_t k = 0; k < rows.size(); ++k)
-    std::copy_n(numbers.values.begin() + static_cast<std::ptrdiff_t>(N * k), N, rows[k].begin());
+    for (std::size_t c = 0; c < N; ++c) rows[k][c] = static_cast<Number>(numbers.values[N * k + c]);
   return rows;
 }
 
 template std::vector<std::array<double, 3>> read_rows(hid_t, const std::string&);
-template std::vector<std::array<double, 6>> read_rows(hid_t, const std::string&);
 template std::vector<std::array<double, 8>> read_rows(hid_t, const std::string&);
+template std::vector<std::array<float, 3>> read_rows(hid_t, const std::string&);
+template std::vector<std::array<float, 6>> read_rows(hid_t, const std::string&);
 
 std::vector<std::string> read_lines(hid_t parent, const std::string& name) {
   const Silence silence;

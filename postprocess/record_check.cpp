@@ -16,7 +16,13 @@ void require(bool condition, const std::string& where, const std::string& what) 
 }
 
 void require_finite(double value, const std::string& where) {
-  require(std::isfinite(value), where, fmt::format("is {}, which is not a finite number", value));
+  if (std::isfinite(value)) return;
+  require(false, where, fmt::format("is {}, which is not a finite number", value));
+}
+
+/// The same of entry k; millions of them are checked, so that names are made for the bad ones only.
+void require_finite(double value, const std::string& where, std::size_t k) {
+  if (!std::isfinite(value)) require_finite(value, fmt::format("{}[{}]", where, k));
 }
 
 void check_model_name(const std::string& name, std::set<std::string>& seen) {
@@ -39,7 +45,7 @@ void check_fields(const std::string& where, const contact::ContactGrid& grid,
     require(values.size() == 0 || values.size() == grid.size(), name,
             fmt::format("has {} values, its grid {}", values.size(), grid.size()));
     for (Eigen::Index k = 0; k < values.size(); ++k)
-      require_finite(values[k], fmt::format("{}[{}]", name, k));
+      require_finite(values[k], name, static_cast<std::size_t>(k));
   }
   require(fields.state.empty() || static_cast<int>(fields.state.size()) == grid.size(),
           where + "/state", fmt::format("has {} values", fields.state.size()));
@@ -50,7 +56,7 @@ void check_vectors(const std::string& where, const Vectors& vectors, std::size_t
   require(vectors.empty() || vectors.size() == count, where,
           fmt::format("has {} entries for {} points", vectors.size(), count));
   for (std::size_t k = 0; k < vectors.size(); ++k)
-    for (const double value : vectors[k]) require_finite(value, fmt::format("{}[{}]", where, k));
+    for (const double value : vectors[k]) require_finite(value, where, k);
 }
 
 void check_point(const std::string& where, const contact::ContactGrid& grid,
@@ -82,12 +88,27 @@ void check_point(const std::string& where, const contact::ContactGrid& grid,
 
 void check_body(const std::string& where, const contact::BodyField& body) {
   check_vectors(where + "/points", body.points, body.points.size());
-  check_vectors(where + "/displacement", body.displacement, body.points.size());
-  check_vectors(where + "/stress", body.stress, body.points.size());
   for (const auto& cell : body.cells)
     for (const int corner : cell)
-      require(corner >= 0 && corner < static_cast<int>(body.points.size()), where + "/cells",
-              fmt::format("name point {} of {}", corner, body.points.size()));
+      if (corner < 0 || corner >= static_cast<int>(body.points.size()))
+        require(false, where + "/cells",
+                fmt::format("name point {} of {}", corner, body.points.size()));
+}
+
+/// A load point keeps the values of all bodies or of none.
+void check_body_values(const std::string& where, const std::vector<contact::BodyField>& bodies,
+                       const std::vector<contact::BodyValues>& values) {
+  if (values.empty()) return;
+  require(values.size() == bodies.size(), where + "/bodies",
+          fmt::format("has {} entries for {} bodies", values.size(), bodies.size()));
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const std::string name = fmt::format("{}/{}", where, bodies[b].name);
+    const std::size_t count = bodies[b].points.size();
+    require(values[b].displacement.size() == count && values[b].stress.size() == count, name,
+            fmt::format("has not {} values, one for each point", count));
+    check_vectors(name + "/displacement", values[b].displacement, count);
+    check_vectors(name + "/stress", values[b].stress, count);
+  }
 }
 
 }  // namespace
@@ -102,8 +123,11 @@ void check_record(const RunRecord& run) {
     for (const double value :
          {model.grid.dx, model.grid.dy, model.grid.x_first, model.grid.y_first})
       require_finite(value, key + "/grid");
-    for (std::size_t k = 0; k < model.points.size(); ++k)
-      check_point(fmt::format("{}/points[{}]", key, k), model.grid, model.points[k]);
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      const std::string where = fmt::format("{}/points[{}]", key, k);
+      check_point(where, model.grid, model.points[k]);
+      check_body_values(where, model.bodies, model.points[k].bodies);
+    }
     if (model.place)
       for (const PlaceScalar& scalar : place_scalars())
         require_finite(scalar.value(*model.place), fmt::format("{}/place/{}", key, scalar.name));

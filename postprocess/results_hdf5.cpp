@@ -3,6 +3,7 @@
 #include "contact/stress_measures.hpp"
 #include "postprocess/hdf5_objects.hpp"
 #include "postprocess/point_table.hpp"
+#include "postprocess/stored_bodies.hpp"
 
 #include <fmt/core.h>
 
@@ -181,8 +182,8 @@ void write_quantities(hid_t parent, const char* name, const char* comment,
   for (const auto& [quantity, value] : quantities) write_attribute(group, quantity, value);
 }
 
-void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
-                 const PointResult& point) {
+void write_point(hid_t points, std::size_t number, const ModelResult& model) {
+  const PointResult& point = model.points[number];
   const Handle group = create_group(
       points, fmt::format("{:04}", number),
       fmt::format("Creepage xi = {}, eta = {}, spin = {} rad/mm; attributes: see /documentation",
@@ -201,35 +202,10 @@ void write_point(hid_t points, std::size_t number, const ContactGrid& grid,
                    point.richardson);
   write_quantities(group, "derived",
                    "Attributes: elastic energy in N mm, work in N mm per mm rolled", point.derived);
-  write_point_fields(group, grid, point);
+  write_point_fields(group, model.grid, point);
   write_subsurface(group, point.subsurface);
   write_stress_maxima(group, point.stress_maxima);
-}
-
-/// Wheel and rail of a finite-element model under the last load point.
-void write_bodies(hid_t model, const ModelResult& result) {
-  if (result.bodies.empty()) return;
-  const Handle all =
-      create_group(model, "bodies",
-                   "Wheel and rail at the load point of the attribute load_point (from 0): nodes, "
-                   "hexahedra, displacement and stress of the nodes; between them trilinear");
-  write_attribute(all, "load_point", static_cast<long>(result.points.size()) - 1);
-  for (const contact::BodyField& body : result.bodies) {
-    const Handle group = create_group(all, body.name, "The whole segment, both halves");
-    write_rows(group, "points", body.points, "mm",
-               "x, y, z of the undeformed nodes in the global frame, z into the wheel");
-    std::vector<int> corners;
-    corners.reserve(8 * body.cells.size());
-    for (const auto& cell : body.cells) corners.insert(corners.end(), cell.begin(), cell.end());
-    describe(write_dataset(group, "cells", {body.cells.size(), 8}, corners.data()), "-",
-             "nodes of every hexahedron, from 0, in VTK's order", "");
-    if (!body.displacement.empty())
-      write_rows(group, "displacement", body.displacement, "mm",
-                 "displacement of the nodes, x, y, z");
-    if (!body.stress.empty())
-      write_rows(group, "stress", body.stress, "MPa",
-                 "stress: xx, yy, zz, xy, yz, xz; tension positive");
-  }
+  write_body_values(group, model.bodies, point);
 }
 
 void write_place(hid_t model, const contact::ContactPlace& place) {
@@ -253,8 +229,7 @@ void write_model(hid_t models, const ModelResult& model, long order) {
   write_comment(notes, "What a reader must know: domain, symmetry, limits");
   write_grid(group, model.grid);
   const Handle points = create_group(group, "points", "Load points in the order of the case");
-  for (std::size_t k = 0; k < model.points.size(); ++k)
-    write_point(points, k, model.grid, model.points[k]);
+  for (std::size_t k = 0; k < model.points.size(); ++k) write_point(points, k, model);
   write_bodies(group, model);
 }
 

@@ -3,6 +3,7 @@
 #include "contact/errors.hpp"
 #include "postprocess/hdf5_objects.hpp"
 #include "postprocess/results_hdf5.hpp"
+#include "postprocess/stored_bodies.hpp"
 
 #include <fmt/format.h>
 
@@ -125,7 +126,7 @@ std::vector<StoredModel> list_models(hid_t file) {
     StoredModel model;
     model.key = key;
     model.name = has_attribute(group, "model") ? read_text(group, "model") : key;
-    model.bodies = has_member(group, "bodies");
+    model.points_with_bodies = points_with_bodies(group);
     model.points = static_cast<int>(members(open_group(group, "points")).size());
     if (has_member(group, "place")) {
       const Handle place = open_group(group, "place");
@@ -250,30 +251,6 @@ PointResult read_point(hid_t group, const contact::ContactGrid& grid) {
   return point;
 }
 
-contact::BodyField read_body(hid_t bodies, const std::string& name) {
-  const Handle group = open_group(bodies, name);
-  contact::BodyField body;
-  body.name = name;
-  body.points = read_rows<3>(group, "points");
-  if (has_member(group, "displacement")) body.displacement = read_rows<3>(group, "displacement");
-  if (has_member(group, "stress")) body.stress = read_rows<6>(group, "stress");
-  const double nodes = static_cast<double>(body.points.size());
-  for (const auto& row : read_rows<8>(group, "cells")) {
-    std::array<int, 8> cell{};
-    for (std::size_t k = 0; k < 8; ++k) {
-      if (!(row[k] >= 0.0 && row[k] < nodes))
-        throw std::runtime_error(
-            fmt::format("a cell of the {} names node {} of {}", name, row[k], body.points.size()));
-      cell[k] = static_cast<int>(row[k]);
-    }
-    body.cells.push_back(cell);
-  }
-  if ((!body.displacement.empty() && body.displacement.size() != body.points.size()) ||
-      (!body.stress.empty() && body.stress.size() != body.points.size()))
-    throw std::runtime_error(fmt::format("nodes and values of the {} differ in number", name));
-  return body;
-}
-
 }  // namespace
 
 ResultsFile::ResultsFile(const std::string& path) : path_(find_file(path)) {
@@ -309,12 +286,17 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
     const Handle points = open_group(group, "points");
     for (const std::string& number : members(points))
       result.points.push_back(read_point(open_group(points, number), result.grid));
-    if (model.bodies) {
-      const Handle bodies = open_group(group, "bodies");
-      for (const char* name : {"wheel", "rail"})
-        if (has_member(bodies, name)) result.bodies.push_back(read_body(bodies, name));
-    }
+    result.bodies = postprocess::read_bodies(group);
     return result;
+  });
+}
+
+void ResultsFile::read_bodies(const StoredModel& model, std::size_t point,
+                              ModelResult& result) const {
+  const Handle file = open_checked(path_);
+  guarded(path_, [&] {
+    const Handle group = open_group(open_group(file, "models"), model.key);
+    result.points.at(point).bodies = read_body_values(group, point, result.bodies);
   });
 }
 

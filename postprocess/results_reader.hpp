@@ -18,7 +18,7 @@ struct StoredModel {
   int position = 1;
   int patch = 1;
   int points = 0;
-  bool bodies = false;  ///< nodes and stress of wheel and rail are stored
+  std::vector<std::size_t> points_with_bodies;  ///< load points, from 0, with wheel and rail
 };
 
 class ResultsFile {
@@ -36,8 +36,11 @@ class ResultsFile {
   const std::vector<StoredModel>& models() const { return models_; }
 
   /// The record of a model: grid, load points with scalars, fields, error estimates and stress
-  /// maxima, bodies. Left empty: subsurface, seconds; of the place all but what StoredModel has.
+  /// maxima, nodes and cells of the bodies. Left empty: values of the bodies, subsurface, seconds;
+  /// of the place all but what StoredModel has.
   contact::ModelResult read(const StoredModel& model) const;
+  /// Adds displacement and stress of the bodies at one of `model.points_with_bodies`.
+  void read_bodies(const StoredModel& model, std::size_t point, contact::ModelResult& result) const;
 
  private:
   std::string path_;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace rollfem::postprocess {
 namespace {
@@ -80,6 +81,23 @@ Json limits_json(const ShakedownLimits& limits, double load_factor) {
           {"region", shakedown_region(limits, load_factor)}};
 }
 
+/// Largest von Mises stress of the bodies over that at which the material yields, sqrt(3) k.
+double yield_ratio(const std::vector<StressMaximum>& maxima, double k) {
+  double most = 0.0;
+  for (const StressMaximum& maximum : maxima)
+    if (maximum.measure == "von_mises") most = std::max(most, maximum.value);
+  return most / (std::sqrt(3.0) * k);
+}
+
+/// Of a load point: of the one that was looked at closely what was found there, of the others what
+/// is stored, which may be nothing.
+std::optional<double> yield_ratio_at(const StressOfModel& model, std::size_t number, double k) {
+  if (number == model.point) return yield_ratio(model.maxima, k);
+  const auto& stored = model.result.points[number].stress_maxima;
+  if (stored.empty()) return std::nullopt;
+  return yield_ratio(stored, k);
+}
+
 /// Every load point in the map.
 Json shakedown_json(const StressOfModel& model, double k) {
   Json list = Json::array();
@@ -95,6 +113,7 @@ Json shakedown_json(const StressOfModel& model, double k) {
                     {"surface_fatigue_index", surface_fatigue_index(traction, factor)},
                     {"line", limits_json(line_contact_limits(traction), factor)},
                     {"circle", limits_json(point_contact_limits(traction), factor)}});
+    if (const auto ratio = yield_ratio_at(model, number, k)) list.back()["yield_ratio"] = *ratio;
   }
   return list;
 }
@@ -115,9 +134,12 @@ Json map_json() {
   return map;
 }
 
-std::string heading(const StressOfModel& model) {
+std::string heading(const StressOfModel& model, bool named) {
   const PointResult& point = model.result.points[model.point];
+  const std::size_t count = model.result.points.size();
   std::string text = fmt::format("{}: load point {}", model.result.key(), model.point);
+  if (!named && count > 1)
+    text += fmt::format(" (the last of {}; others: --point 0 to {}, --creepage)", count, count - 1);
   if (point.step > 0)
     text += fmt::format(" (step {})", point.step);
   else
@@ -137,39 +159,34 @@ std::string row(const std::string& what, const StressMaximum& maximum, double pr
                      zero(p[2]));
 }
 
-/// Largest von Mises stress of the bodies over that at which the material yields, sqrt(3) k.
-double yield_ratio(const StressOfModel& model, double k) {
-  double most = 0.0;
-  for (const StressMaximum& maximum : model.maxima)
-    if (maximum.measure == "von_mises") most = std::max(most, maximum.value);
-  return most / (std::sqrt(3.0) * k);
-}
-
 std::string shakedown_table(const StressOfModel& model, double k) {
   std::string text = fmt::format(
       "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limits of p0/k: line | circle\n"
-      "  {:<6}{:>11}{:>8}{:>8}{:>17}{:>17}   {:<38}{:>8}\n",
-      k, "point", "xi", "T/F_z", "p0/k", "elastic", "shakedown", "region: line | circle",
-      "FI_surf");
+      "  {:<6}{:>11}{:>8}{:>8}{:>17}{:>17}   {:<38}{:>8}{:>8}\n",
+      k, "point", "xi", "T/F_z", "p0/k", "elastic", "shakedown", "region: line | circle", "FI_surf",
+      "Y-ratio");
   for (std::size_t number = 0; number < model.result.points.size(); ++number) {
     const PointResult& point = model.result.points[number];
     const double traction = tangential_coefficient(point);
     const double factor = point.max_pressure / k;
     const ShakedownLimits line = line_contact_limits(traction);
     const ShakedownLimits circle = point_contact_limits(traction);
+    const std::optional<double> ratio = yield_ratio_at(model, number, k);
     text += fmt::format(
-        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>8.2f} |{:>7.2f}{:>8.2f} |{:>7.2f}   {:<38}{:>8.3f}{}\n",
+        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>8.2f} |{:>7.2f}{:>8.2f} |{:>7.2f}   "
+        "{:<38}{:>8.3f}{:>8}{}\n",
         number, point.creepage.longitudinal, traction, factor, line.elastic, circle.elastic,
         line.shakedown, circle.shakedown,
         shakedown_region(line, factor) + " | " + shakedown_region(circle, factor),
-        surface_fatigue_index(traction, factor), number == model.point ? "  <" : "");
+        surface_fatigue_index(traction, factor), ratio ? fmt::format("{:.3f}", *ratio) : "-",
+        number == model.point ? "  <" : "");
   }
-  const double ratio = yield_ratio(model, k);
+  const double here = yield_ratio(model.maxima, k);
   return text + fmt::format(
-                    "  this contact at load point {}: largest von Mises stress / (sqrt(3) k) = "
-                    "{:.3f}: {}\n",
-                    model.point, ratio,
-                    ratio < 1.0 ? "nothing yields" : "it yields where that is reached");
+                    "  this contact at load point {}: largest von Mises stress / (sqrt(3) k) "
+                    "(Y-ratio) = {:.3f}: {}\n",
+                    model.point, here,
+                    here < 1.0 ? "nothing yields" : "it yields where that is reached");
 }
 
 }  // namespace
@@ -212,7 +229,7 @@ std::string stress_json(const StressReport& report) {
     for (const StressSet& set : model.sets)
       entry["sets"].push_back(set_json(set, point.max_pressure));
     if (k) {
-      entry["yield_ratio"] = yield_ratio(model, *k);
+      entry["yield_ratio"] = yield_ratio(model.maxima, *k);
       entry["shakedown"] = shakedown_json(model, *k);
     }
     json["models"].push_back(entry);
@@ -225,8 +242,9 @@ std::string stress_table(const StressReport& report) {
   std::string text = report.title + "\n" + report.source + "\n";
   for (const StressOfModel& model : report.models) {
     const double pressure = model.result.points[model.point].max_pressure;
-    text += fmt::format("\n{}  {:<22}{:<6} {:<17}{:>10}{:>9}{:>10}{:>9}{:>9}\n", heading(model),
-                        "largest", "body", "stress", "MPa", "of p0", "x in mm", "y", "z");
+    text += fmt::format("\n{}  {:<22}{:<6} {:<17}{:>10}{:>9}{:>10}{:>9}{:>9}\n",
+                        heading(model, report.point_named), "largest", "body", "stress", "MPa",
+                        "of p0", "x in mm", "y", "z");
     for (const StressMaximum& maximum : model.maxima) text += row("of the body", maximum, pressure);
     for (const StressSet& set : model.sets)
       for (const StressMaximum& maximum : largest(set)) text += row(set.name, maximum, pressure);

@@ -29,6 +29,7 @@ struct StressReport {
   std::string source;  ///< results.h5
   std::string title;
   std::optional<double> yield_shear_stress;  ///< k, MPa
+  bool point_named = false;                  ///< else it is the last, which the table says
   std::vector<StressOfModel> models;
 };
 
@@ -38,7 +39,7 @@ double tangential_coefficient(const contact::PointResult& point);
 /// One row per model, set and place; the columns of subsurface.csv.
 std::string stress_csv(const StressReport& report);
 /// Everything but the rows of stress.csv: largest values of the bodies and of every set with their
-/// places, shakedown points and boundaries of the map. Layout: docs/results.md.
+/// places, shakedown points and boundaries of the map. Layout: docs/subsurface.md.
 std::string stress_json(const StressReport& report);
 /// For the screen.
 std::string stress_table(const StressReport& report);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <numeric>
 #include <stdexcept>
 #include <string_view>
@@ -73,19 +74,28 @@ std::string array_xml(const char* type, const std::string& attributes, std::stri
                      attributes, encode(bytes));
 }
 
-std::string doubles(const std::string& name, const std::vector<double>& values,
+const char* type_of(const std::vector<double>& /*values*/) {
+  return "Float64";
+}
+
+const char* type_of(const std::vector<float>& /*values*/) {
+  return "Float32";
+}
+
+template <class Number>
+std::string numbers(const std::string& name, const std::vector<Number>& values,
                     const std::vector<std::string>& components = {}) {
   std::string attributes = fmt::format("Name=\"{}\"", name);
   if (!components.empty())
     attributes += fmt::format(" NumberOfComponents=\"{}\"", components.size());
   for (std::size_t k = 0; k < components.size(); ++k)
     attributes += fmt::format(" ComponentName{}=\"{}\"", k, components[k]);
-  return array_xml("Float64", attributes, as_bytes(values));
+  return array_xml(type_of(values), attributes, as_bytes(values));
 }
 
-template <std::size_t N>
-std::vector<double> flatten(const std::vector<std::array<double, N>>& values) {
-  std::vector<double> flat;
+template <class Number, std::size_t N>
+std::vector<Number> flatten(const std::vector<std::array<Number, N>>& values) {
+  std::vector<Number> flat;
   flat.reserve(N * values.size());
   for (const auto& value : values) flat.insert(flat.end(), value.begin(), value.end());
   return flat;
@@ -108,16 +118,21 @@ std::string cells_xml(const std::vector<std::array<int, N>>& cells, std::uint8_t
          array_xml("UInt8", "Name=\"types\"", as_bytes(types)) + "</Cells>\n";
 }
 
-std::string grid_xml(const std::vector<std::array<double, 3>>& points, std::size_t cells,
-                     const std::string& body) {
-  return fmt::format(
+std::string points_xml(const std::vector<std::array<double, 3>>& points) {
+  return "<Points>\n" + numbers("Points", flatten(points), xyz) + "</Points>\n";
+}
+
+/// `parts`: points, data and cells.
+std::string file_xml(std::size_t points, std::size_t cells,
+                     std::initializer_list<std::string_view> parts) {
+  std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
-      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
-      "<Points>\n{}</Points>\n{}"
-      "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n",
-      points.size(), cells, doubles("Points", flatten(points), xyz), body);
+      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+      points, cells);
+  for (const std::string_view part : parts) text += part;
+  return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 const double* data_or_null(const Field& field) {
@@ -133,30 +148,38 @@ std::string vector_xml(const std::string& name, const Field& x, const Field& y, 
   values.reserve(3 * static_cast<std::size_t>(size));
   for (Eigen::Index k = 0; k < size; ++k)
     for (const double* part : parts) values.push_back(part ? part[k] : 0.0);
-  return doubles(name, values, xyz);
+  return numbers(name, values, xyz);
 }
 
 std::string scalar_xml(const std::string& name, const Field& field) {
   if (field.size() == 0) return {};
-  return doubles(name, std::vector<double>(field.data(), field.data() + field.size()));
+  return numbers(name, std::vector<double>(field.data(), field.data() + field.size()));
 }
+
+constexpr std::uint8_t vtk_hexahedron = 12;
+constexpr std::uint8_t vtk_quadrilateral = 9;
 
 }  // namespace
 
-std::string body_vtu(const contact::BodyField& body) {
+BodyVtu::BodyVtu(const contact::BodyField& body)
+    : point_count_(body.points.size()),
+      cell_count_(body.cells.size()),
+      points_(points_xml(body.points)),
+      cells_(cells_xml(body.cells, vtk_hexahedron)) {}
+
+std::string BodyVtu::text(const contact::BodyValues* values) const {
   std::string data = "<PointData>\n";
-  if (!body.displacement.empty())
-    data += doubles("displacement [mm]", flatten(body.displacement), xyz);
-  if (!body.stress.empty()) {
-    data += doubles("stress [MPa]", flatten(body.stress), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
-    std::vector<double> equivalent;
-    for (const auto& stress : body.stress)
-      equivalent.push_back(contact::von_mises(contact::Stress::from_array(stress)));
-    data += doubles("von Mises stress [MPa]", equivalent);
+  if (values != nullptr) {
+    data += numbers("displacement [mm]", flatten(values->displacement), xyz);
+    data += numbers("stress [MPa]", flatten(values->stress), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
+    std::vector<float> equivalent;
+    for (const auto& s : values->stress)
+      equivalent.push_back(static_cast<float>(
+          contact::von_mises(contact::Stress::from_array({s[0], s[1], s[2], s[3], s[4], s[5]}))));
+    data += numbers("von Mises stress [MPa]", equivalent);
   }
   data += "</PointData>\n";
-  constexpr std::uint8_t hexahedron = 12;
-  return grid_xml(body.points, body.cells.size(), data + cells_xml(body.cells, hexahedron));
+  return file_xml(point_count_, cell_count_, {points_, data, cells_});
 }
 
 std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointResult& point) {
@@ -185,8 +208,8 @@ std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointRe
     data += array_xml("UInt8", "Name=\"state (0 exterior, 1 adhesion, 2 slip)\"", as_bytes(state));
   }
   data += "</CellData>\n";
-  constexpr std::uint8_t quadrilateral = 9;
-  return grid_xml(points, cells.size(), data + cells_xml(cells, quadrilateral));
+  return file_xml(points.size(), cells.size(),
+                  {points_xml(points), data, cells_xml(cells, vtk_quadrilateral)});
 }
 
 std::vector<double> series_times(const std::vector<contact::PointResult>& points) {
@@ -199,13 +222,15 @@ std::vector<double> series_times(const std::vector<contact::PointResult>& points
   return times;
 }
 
-std::string series_pvd(const std::vector<double>& times, const std::vector<std::string>& files) {
+std::string series_pvd(const std::vector<double>& times,
+                       const std::vector<std::vector<std::string>>& files) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
       "byte_order=\"LittleEndian\">\n<Collection>\n";
   for (std::size_t k = 0; k < files.size(); ++k)
-    text += fmt::format("<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", times[k],
-                        files[k]);
+    for (std::size_t part = 0; part < files[k].size(); ++part)
+      text += fmt::format("<DataSet timestep=\"{}\" group=\"\" part=\"{}\" file=\"{}\"/>\n",
+                          times[k], part, files[k][part]);
   return text + "</Collection>\n</VTKFile>\n";
 }
 

@@ -4,6 +4,7 @@ Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx]; x is the ro
 material enters the patch at large x. Tractions and forces act on the wheel.
 """
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import h5py
@@ -15,6 +16,45 @@ EXTERIOR, ADHESION, SLIP = 0, 1, 2
 
 class ResultError(Exception):
     """The folder or file is not a complete rollfem result."""
+
+
+@dataclass
+class Body:
+    """Wheel or rail of a finite-element model: `points` [n, 3] mm undeformed, `cells` [m, 8] numbers
+    of points in VTK's order of a hexahedron, `displacement` [n, 3] mm, `stress` [n, 6] MPa (xx, yy,
+    zz, xy, yz, xz; tension positive)."""
+
+    points: np.ndarray
+    cells: np.ndarray
+    displacement: np.ndarray
+    stress: np.ndarray
+
+
+class Bodies(Mapping):
+    """{"wheel": Body, "rail": Body} under one load. They are large: read from the file each time
+    that one is looked up."""
+
+    def __init__(self, nodes, values):
+        """`nodes`, `values`: the groups that hold points and cells, displacement and stress."""
+        self._file, self._nodes, self._values = values.file.filename, nodes.name, values.name
+        self._names = sorted(values)
+
+    def __getitem__(self, name):
+        if name not in self._names:
+            raise KeyError(name)
+        try:
+            with h5py.File(self._file, "r") as file:
+                nodes, values = file[self._nodes][name], file[self._values][name]
+                return Body(nodes["points"][()], nodes["cells"][()],
+                            *(values[n][()].astype(float) for n in ("displacement", "stress")))
+        except (OSError, KeyError) as error:
+            raise ResultError(f"{self._file}: the {name} cannot be read: {error}") from error
+
+    def __iter__(self):
+        return iter(self._names)
+
+    def __len__(self):
+        return len(self._names)
 
 
 @dataclass
@@ -36,6 +76,8 @@ class Point:
     subsurface: list = field(default_factory=list)
     # the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm)
     stress_maxima: list = field(default_factory=list)
+    # {"wheel": Body, "rail": Body}; empty but for finite elements, where the file keeps them
+    bodies: Mapping = field(default_factory=dict)
 
     def __getitem__(self, name):
         return self.scalars[name]
@@ -50,18 +92,6 @@ class Point:
         """What tells the load points of a case apart, the same in every model: (xi, eta, spin); the
         number from 1 in a history and where forces are prescribed, so that creepages are results."""
         return (float(self.number + 1),) if self.by_number else self.creepages
-
-
-@dataclass
-class Body:
-    """Wheel or rail of a finite-element model: `points` [n, 3] mm undeformed, `cells` [m, 8] numbers
-    of points in VTK's order of a hexahedron, `displacement` [n, 3] mm, `stress` [n, 6] MPa (xx, yy,
-    zz, xy, yz, xz; tension positive)."""
-
-    points: np.ndarray
-    cells: np.ndarray
-    displacement: np.ndarray
-    stress: np.ndarray
 
 
 @dataclass
@@ -82,8 +112,9 @@ class Model:
     # with profiles: where the patch is, a dict of wheel, position, patch, y_track (mm),
     # contact_angle (rad), ...; else None
     place: dict = None
-    # {"wheel": Body, "rail": Body} of the last load point; empty but for finite elements
-    bodies: dict = field(default_factory=dict)
+    # {"wheel": Body, "rail": Body} of the last load point that has them (see Point.bodies); empty
+    # but for finite elements
+    bodies: Mapping = field(default_factory=dict)
 
     @property
     def has_friction(self):
@@ -184,34 +215,30 @@ def _read_maxima(point):
                                                    columns["value"], columns["place"])]
 
 
-def _read_point(group, number, by_number):
+def _read_point(group, number, by_number, nodes):
+    bodies = Bodies(nodes, group["bodies"]) if nodes is not None and "bodies" in group else {}
     fields = {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
              for _, part in sorted(group["subsurface"].items())] if "subsurface" in group else []
     return Point(_attributes(group), fields, _attributes(group["error_estimate"]), number, by_number,
-                 below, _read_maxima(group))
-
-
-def _read_bodies(model):
-    """Files of format_minor 0 have none."""
-    if "bodies" not in model:
-        return {}
-    return {name: Body(*(group[n][()] if n in group else None
-                         for n in ("points", "cells", "displacement", "stress")))
-            for name, group in model["bodies"].items()}
+                 below, _read_maxima(group), bodies)
 
 
 def _read_model(key, group, by_number):
     grid = group["grid"]
     name = _plain(group.attrs.get("model", key))
     place = _attributes(group["place"]) if "place" in group else None
+    nodes = group.get("bodies")  # files of format_minor 0 have none
     # Hertz has one point whatever the case asks for.
-    points = [_read_point(group["points"][key], number, by_number and name != "hertz")
+    points = [_read_point(group["points"][key], number, by_number and name != "hertz", nodes)
               for number, key in enumerate(sorted(group["points"]))]
+    bodies = Bodies(nodes, nodes) if nodes is not None else {}
+    if bodies and not any(p.bodies for p in points):  # format_minor 1: at one load point
+        points[_plain(nodes.attrs["load_point"])].bodies = bodies
     return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
                  _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
                  grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
-                 points, key, place, _read_bodies(group))
+                 points, key, place, bodies)
 
 
 def _read_profiles(file):
@@ -247,7 +274,12 @@ def read_result(path):
     file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
     if not os.path.exists(file):
         raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
+    if not h5py.is_hdf5(file):
+        raise ResultError(f"{file} is not a result of rollfem (no HDF5 file)")
     try:
         return _read_file(file, directory)
-    except (OSError, KeyError) as error:
-        raise ResultError(f"{file} cannot be read as a result of rollfem: {error}") from error
+    except OSError as error:
+        raise ResultError(f"{file} is cut short or damaged: {error}; run the case again") from error
+    except KeyError as error:
+        raise ResultError(f"{file} cannot be read as a result of rollfem: {error}; "
+                          "run the case again") from error

@@ -178,6 +178,17 @@ def plane(result, model, part):
     return figure
 
 
+def _name_ends(axis, model, curve):
+    """Creepages (number of the step in a history) of the first and the last load point of a path."""
+    if len(curve) < 2:
+        return
+    for point, side in ((curve[0], "left"), (curve[-1], "right")):
+        text = f"step {point['point'] + 1}" if model.data["step"] else (
+            rf"$\xi$ = {100 * point['longitudinal_creepage']:.4g} %")
+        axis.annotate(text, (point["tangential_coefficient"], point["load_factor"]),
+                      (5, 6), textcoords="offset points", ha=side, va="bottom", fontsize=8)
+
+
 def shakedown_map(result):
     """Load factor against tangential coefficient: boundaries of line and circular contact, and every
     load point of every model. None without a yield stress."""
@@ -198,6 +209,8 @@ def shakedown_map(result):
         axis.plot([p["tangential_coefficient"] for p in curve], [p["load_factor"] for p in curve],
                   marker=style.marker(model), markersize=size, markerfacecolor="white",
                   **style.line(model), label=style.label(model), clip_on=False, zorder=4)
+        if model is result.models[0]:
+            _name_ends(axis, model, curve)
         here = curve[model.data["point"]]
         axis.plot(here["tangential_coefficient"], here["load_factor"], marker=style.marker(model),
                   markersize=size, linestyle="none", color=style.colour(model), clip_on=False, zorder=5)
@@ -206,6 +219,8 @@ def shakedown_map(result):
     axis.set_xlabel(r"tangential force over normal force $T/F_z$ [-]")
     axis.set_ylabel(r"load factor $p_0/k$ [-]")
     axis.text(0.02, 0.35, "elastic", color=style.GREY)
+    if top < 6:  # else there is no room between the limits
+        axis.text(0.01, 3.17, "elastic shakedown", color=style.GREY, fontsize=8.5)
     axis.text(0.45, 0.93, "material flows at every passage", transform=axis.transAxes, color=style.GREY)
     figure.tight_layout(rect=(0, 0, 1, 0.87))
     handles, labels = axis.get_legend_handles_labels()

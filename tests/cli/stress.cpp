@@ -196,19 +196,26 @@ TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
 std::string synthetic_file(bool placed) {
   rollfem::postprocess::RunRecord run = rollfem::tests::synthetic_run();
   rollfem::contact::ModelResult& fem = run.models[2];
-  for (rollfem::contact::BodyField& body : fem.bodies) {
+  for (std::size_t b = 0; b < fem.bodies.size(); ++b) {
+    rollfem::contact::BodyField& body = fem.bodies[b];
     const double side = body.name == "wheel" ? -1.0 : 1.0;
     if (side < 0.0) {  // the example is a rail: turned over, with its cells
       for (auto& point : body.points) point = {point[0], point[1], -point[2]};
       for (auto& cell : body.cells)
         for (int k = 0; k < 4; ++k) std::swap(cell[k], cell[k + 4]);
     }
-    for (std::size_t k = 0; k < body.points.size(); ++k) {
-      const auto& p = body.points[k];
-      body.stress[k] = {10.0 * p[0], -3.0 * p[1], 7.0 * p[2] - 50.0, p[0] + p[2], 2.0, p[1]};
-      body.displacement[k] = {p[0] + p[1], 0.0, 1e-3 * p[2]};
-    }
+    for (std::size_t load = 0; load < fem.points.size(); ++load)
+      for (std::size_t k = 0; k < body.points.size(); ++k) {
+        const auto& p = body.points[k];
+        const std::array<double, 6> stress{10.0 * p[0], -3.0 * p[1], 7.0 * p[2] - 50.0,
+                                           p[0] + p[2], 2.0 + load,  p[1]};
+        rollfem::contact::BodyValues& values = fem.points[load].bodies[b];
+        std::copy(stress.begin(), stress.end(), values.stress[k].begin());
+        values.displacement[k] = {static_cast<float>(p[0] + p[1]), 0.0F, 0.0F};
+      }
   }
+  for (std::size_t load = 0; load < fem.points.size(); ++load)
+    if (load != 2 && load + 1 != fem.points.size()) fem.points[load].bodies.clear();
   if (placed)
     for (std::size_t k = 0; k < run.models.size(); ++k) {
       run.models[k].place.emplace();
@@ -245,15 +252,44 @@ TEST(StressOfBodies, IsInterpolatedBetweenTheNodes) {
   EXPECT_NEAR(columns(out, "at_1", "wheel").at("zz")[0], 7.0 * 1.7 - 50.0, 1e-12);
 }
 
-TEST(StressOfBodies, AreThereForTheLastLoadPointOnly) {
+TEST(StressOfBodies, IsThatOfTheLoadPointAskedFor) {
   const Folder folder;
   const std::string file = folder.file("results.h5", synthetic_file(false));
-  expect_refused(call(folder, {"stress", file, "-m", "fem", "--point", "0", "--at", "0,0,0"}),
-                 "stored for the last load point, 6, only");
+  const auto yz_at = [&](const std::vector<std::string>& which, const std::string& says) {
+    std::vector<std::string> arguments{"stress", file, "-m",  "fem",         "--at",
+                                       "0,0,-1", "-o", "out", "--no-figures"};
+    arguments.insert(arguments.end(), which.begin(), which.end());
+    const Outcome outcome = call(folder, arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(says), std::string::npos) << outcome.out;
+    return columns(folder.work() / "out", "at_1", "rail").at("yz").at(0);
+  };
+  EXPECT_NEAR(yz_at({"--point", "2"}, "fem: load point 2, xi = 0.001"), 4.0, 1e-12);
+  EXPECT_NEAR(yz_at({"--creepage", "0.001"}, "fem: load point 2, xi = 0.001"), 4.0, 1e-12);
+  EXPECT_NEAR(
+      yz_at({}, "fem: load point 6 (the last of 7; others: --point 0 to 6, --creepage), xi"), 8.0,
+      1e-12);
+  // Down from the surface at any of them.
+  ASSERT_EQ(call(folder, {"stress", file, "-m", "fem", "--point", "2", "--depth", "1.5", "-o",
+                          "out", "--body", "rail", "--no-figures"})
+                .status,
+            0);
+  const Columns down = columns(folder.work() / "out", "depth_centre", "rail");
+  ASSERT_EQ(down.at("zz").size(), 121U);
+  EXPECT_NEAR(down.at("zz").back(), 7.0 * -1.5 - 50.0, 1e-7);
+  EXPECT_NEAR(down.at("yz").back(), 4.0, 1e-12);
+}
+
+TEST(StressOfBodies, IsRefusedWhereALoadPointKeepsNone) {
+  const Folder folder;
+  const std::string file = folder.file("results.h5", synthetic_file(false));
+  expect_refused(
+      call(folder, {"stress", file, "-m", "fem", "--point", "0", "--at", "0,0,0"}),
+      "load point 0: of model fem the bodies are stored for these load points only: 2, 6; do: ");
   const Outcome both =
       call(folder, {"stress", file, "--point", "0", "--at", "0,0,-1", "-o", "out", "--no-figures"});
   EXPECT_EQ(both.status, 0) << both.err;
-  EXPECT_NE(both.err.find("warning: left out: --point 0: of model fem"), std::string::npos);
+  EXPECT_NE(both.err.find("warning: left out: load point 0: of model fem"), std::string::npos);
   EXPECT_EQ(report(folder.work() / "out")["models"].size(), 1U);
   expect_refused(call(folder, {"stress", file, "-m", "fem", "--at", "0,0,-9"}),
                  "--at 0,0,-9: the place (0, 0, -9) mm is 7 mm outside of the rail");

@@ -87,7 +87,8 @@ TEST(FemMemory, IsWhatTheEnvironmentSays) {
 TEST(FemMemory, ARunThatDoesNotFitSaysWhatWouldHelp) {
   fem::MemoryDemand demand;
   demand.unknowns_of_wheel = demand.unknowns_of_rail = 1e6;
-  demand.factorisation = demand.body_fields = true;
+  demand.factorisation = true;
+  demand.body_fields = 1;
   setenv("ROLLFEM_MEMORY_GB", "10", 1);
   try {
     fem::refuse_beyond_memory(demand, 0.2, MPI_COMM_WORLD);
@@ -95,7 +96,7 @@ TEST(FemMemory, ARunThatDoesNotFitSaysWhatWouldHelp) {
   } catch (const contact::SolveError& error) {
     const std::string text = error.what();
     for (const char* part : {"10 GB are available", "2 million unknowns", "cell_size",
-                             "linear_solver = \"multigrid\"", "fields = false", "mpirun"})
+                             "linear_solver = \"multigrid\"", "body_fields = \"none\"", "mpirun"})
       EXPECT_NE(text.find(part), std::string::npos) << part << ": " << text;
   }
   demand.factorisation = false;

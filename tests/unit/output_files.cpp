@@ -152,8 +152,16 @@ TEST(WriteResults, RefusesNumbersThatAreNotFiniteAndNamesThem) {
   EXPECT_NE(refusal(run).find("fem/points[0]/slip_x[17]"), std::string::npos);
 
   run = synthetic_run();
-  run.models[2].bodies[0].stress[4][2] = nan;
-  EXPECT_NE(refusal(run).find("fem/wheel/stress[4]"), std::string::npos);
+  run.models[2].points[5].bodies[0].stress[4][2] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(refusal(run).find("fem/points[5]/wheel/stress[4]"), std::string::npos);
+
+  run = synthetic_run();
+  run.models[2].points[5].bodies[1].displacement.pop_back();
+  EXPECT_NE(refusal(run).find("fem/points[5]/rail has not 12 values"), std::string::npos);
+
+  run = synthetic_run();
+  run.models[2].bodies[0].points[1][0] = nan;
+  EXPECT_NE(refusal(run).find("fem/wheel/points[1]"), std::string::npos);
 
   run = synthetic_run();
   run.models[0].points[0].error_estimate["approach"] = nan;

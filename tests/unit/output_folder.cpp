@@ -69,7 +69,8 @@ TEST_F(ResultFolderTest, HoldsAllFilesAndNothingIsLeftBeside) {
 
 TEST_F(ResultFolderTest, HoldsOnlyWhatTheCaseAsksFor) {
   RunRecord run = synthetic_run();
-  run.input.output = {{"y"}, false, {}};
+  run.input.output.paths = {"y"};
+  run.input.output.fields = false;
   write_results(target(), run);
   EXPECT_FALSE(fs::exists(fs::path(target()) / "path_x.csv"));
   EXPECT_TRUE(fs::exists(fs::path(target()) / "path_y.csv"));

@@ -33,6 +33,10 @@ print(f['models/fem/notes'][0].decode())
 b = f['models/fem/bodies']
 print(f.attrs['format_minor'], b.attrs['load_point'], b['rail/points'].shape, b['wheel/cells'].shape,
       b['rail/displacement'].attrs['unit'], b['rail/stress'].attrs['unit'], b['rail/stress'][:, 2].min())
+for k in range(7):  # xz tells the load points apart
+    v = f['models/fem/points/%04d/bodies' % k]
+    print('xz', v['wheel/stress'][0, 5], v['rail/stress'][11, 5], v['rail/stress'].attrs['unit'], v['rail/stress'].dtype)
+assert b['rail/stress'] == f['models/fem/points/0006/bodies/rail/stress'], 'Error: stored twice'
 def dress(name, o):
     if isinstance(o, h5py.Dataset) and name.startswith('models') and not name.endswith('notes'):
         assert {'unit', 'description'} <= set(o.attrs), name
@@ -58,7 +62,9 @@ TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   EXPECT_NE(printed.find("title = \"thesis case a: conforming plane\" | 2000.0"), std::string::npos)
       << printed;
   EXPECT_NE(printed.find("symmetry plane"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("1 6 (12, 3) (2, 8) mm MPa -102.0\n"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("2 6 (12, 3) (2, 8) mm MPa -102.0\n"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("\nxz 90.0 390.0 MPa float32\n"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("\nxz 210.0 510.0 MPa float32\n"), std::string::npos) << printed;
   EXPECT_EQ(printed.find("Error"), std::string::npos) << printed;
 
   double pressure = 0.0;

@@ -34,6 +34,7 @@ inline RunRecord placed_run(int positions) {
         place.rolling_radius = 450.177;
         model.place = place;
         model.bodies.clear();
+        for (contact::PointResult& point : model.points) point.bodies.clear();
         run.models.push_back(model);
       }
   for (int position = 1; position <= positions; ++position) {

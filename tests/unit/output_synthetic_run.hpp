@@ -102,16 +102,25 @@ inline ModelResult synthetic_model(const std::string& name, const SyntheticPatch
   return model;
 }
 
-/// Two elements on top of each other under uniaxial stress.
+/// Uniaxial stress in the points of synthetic_body; `load` tells load points apart.
+inline contact::BodyValues synthetic_values(int load = 0) {
+  contact::BodyValues values;
+  for (int level = 0; level < 3; ++level)
+    for (int corner = 0; corner < 4; ++corner) {
+      values.displacement.push_back({0.0F, 0.0F, 0.0078125F * static_cast<float>(level)});
+      values.stress.push_back({0.0F, 0.0F, -100.0F - static_cast<float>(level), 0.0F, 0.0F,
+                               30.0F * static_cast<float>(load + 1)});
+    }
+  return values;
+}
+
+/// Two elements on top of each other.
 inline contact::BodyField synthetic_body(const std::string& name) {
   contact::BodyField body;
   body.name = name;
   for (int level = 0; level < 3; ++level)
-    for (const auto& [x, y] : {std::pair{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}) {
+    for (const auto& [x, y] : {std::pair{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}})
       body.points.push_back({x, y, -1.0 * level});
-      body.displacement.push_back({0.0, 0.0, 0.01 * level});
-      body.stress.push_back({0.0, 0.0, -100.0 - level, 0.0, 0.0, 30.0});
-    }
   body.cells = {{4, 5, 6, 7, 0, 1, 2, 3}, {8, 9, 10, 11, 4, 5, 6, 7}};
   return body;
 }
@@ -152,6 +161,9 @@ inline postprocess::RunRecord synthetic_run() {
   fem.unknowns = 446000;
   fem.seconds = {{"total", 171.0}, {"setup", 62.0}, {"normal", 30.0}, {"tangential", 79.0}};
   fem.bodies = {synthetic_body("wheel"), synthetic_body("rail")};
+  for (std::size_t k = 0; k < fem.points.size(); ++k)
+    fem.points[k].bodies = {synthetic_values(static_cast<int>(k)),
+                            synthetic_values(10 + static_cast<int>(k))};
   fem.notes = {"Segments reach 45 mm from the patch; symmetry plane y = 0 used.",
                "Far boundaries are clamped: the approach is the least certain number."};
   for (ModelResult* model : {&halfspace, &fem})

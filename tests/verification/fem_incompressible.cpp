@@ -218,7 +218,7 @@ TEST(NearlyIncompressible, RubberBallPressesAndRollsAsTheHalfSpaceSays) {
     EXPECT_NEAR(level.points[k].traction_coefficient, half.points[k].traction_coefficient,
                 0.01 * 0.5);
   // Under the middle of the patch an incompressible body is in hydrostatic compression p0.
-  const auto& rail = level.bodies.at(1);
+  const contact::BodyField rail = level.body_at(1, 1);
   int found = 0;
   for (std::size_t i = 0; i < rail.points.size(); ++i) {
     const auto& x = rail.points[i];

@@ -1,6 +1,6 @@
 // Patch test: a linear displacement is in equilibrium on skew cells with hanging nodes, its strain
 // energy is exact, and recovered stress is the constant one.
-#include "fem/compliance.hpp"
+#include "fem/body_nodes.hpp"
 #include "fem/elasticity_assembly.hpp"
 
 #include <deal.II/dofs/dof_tools.h>

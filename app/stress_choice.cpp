@@ -1,0 +1,138 @@
+#include "app/stress_choice.hpp"
+
+#include "contact/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::app {
+namespace {
+
+using contact::InputError;
+using contact::ModelResult;
+using contact::PointResult;
+using postprocess::ResultsFile;
+using postprocess::StoredModel;
+
+std::string patch_name(const StoredModel& model) {
+  return fmt::format("{},{},{}", model.left ? "left" : "right", model.position, model.patch);
+}
+
+template <class Range, class Name>
+std::string listed(const Range& range, const Name& name) {
+  std::vector<std::string> once;
+  std::string text;
+  for (const auto& entry : range) {
+    const std::string one = name(entry);
+    if (std::find(once.begin(), once.end(), one) != once.end()) continue;
+    once.push_back(one);
+    text += (text.empty() ? "" : ", ") + one;
+  }
+  return text;
+}
+
+/// The models of the patch that is asked for.
+std::vector<StoredModel> models_of_patch(const ResultsFile& file, const std::string& patch) {
+  if (file.models().empty())
+    throw InputError(fmt::format("{} holds no models; do: run a case", file.path()));
+  const bool placed = file.models().front().placed;
+  if (!patch.empty() && !placed)
+    throw InputError(
+        fmt::format("--patch {}: {} is of a case without profiles and has one patch; do: leave "
+                    "--patch out",
+                    patch, file.path()));
+  const std::string wanted = patch.empty() && placed ? patch_name(file.models().front()) : patch;
+  std::vector<StoredModel> found;
+  for (const StoredModel& model : file.models())
+    if (!placed || patch_name(model) == wanted) found.push_back(model);
+  if (found.empty())
+    throw InputError(
+        fmt::format("--patch {}: there is no such patch in {}; allowed: {}; do: name "
+                    "one of them",
+                    patch, file.path(), listed(file.models(), patch_name)));
+  return found;
+}
+
+/// The models that are asked for, else half-space and finite elements, else the first there is.
+std::vector<StoredModel> models_by_name(const std::vector<StoredModel>& there,
+                                        const StressRequest& request) {
+  std::vector<StoredModel> chosen;
+  const auto take = [&](const std::string& name) {
+    for (const StoredModel& model : there)
+      if (model.name == name) chosen.push_back(model);
+  };
+  for (const std::string& name : request.models) {
+    const std::size_t before = chosen.size();
+    take(name);
+    if (chosen.size() == before)
+      throw InputError(fmt::format(
+          "--model {}: it is not in {}; allowed: {}; do: name one of them", name, request.result,
+          listed(there, [](const StoredModel& model) { return model.name; })));
+  }
+  if (!request.models.empty()) return chosen;
+  take("halfspace");
+  take("fem");
+  if (chosen.empty()) chosen.push_back(there.front());
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<StoredModel> chosen_models(const ResultsFile& file, const StressRequest& request) {
+  return models_by_name(models_of_patch(file, request.patch), request);
+}
+
+std::size_t chosen_point(const ModelResult& model, const StressRequest& request) {
+  if (model.points.empty())
+    throw InputError(fmt::format("{}: model {} has no load points; do: run the case again",
+                                 request.result, model.key()));
+  const int count = static_cast<int>(model.points.size());
+  if (request.point && request.creepage)
+    throw InputError(
+        "--point and --creepage are both given; allowed: one of them; do: leave one out");
+  if (request.point) {
+    if (*request.point < 0 || *request.point >= count)
+      throw InputError(
+          fmt::format("--point {}: model {} has load points 0 to {}; do: name one of "
+                      "them",
+                      *request.point, model.key(), count - 1));
+    return static_cast<std::size_t>(*request.point);
+  }
+  if (!request.creepage) return model.points.size() - 1;
+  for (std::size_t k = 0; k < model.points.size(); ++k) {
+    const double xi = model.points[k].creepage.longitudinal;
+    if (std::abs(xi - *request.creepage) <= 1e-9 * std::max(std::abs(xi), 1e-6)) return k;
+  }
+  throw InputError(fmt::format(
+      "--creepage {:g}: model {} has no load point of it; allowed: {}; do: name one of them",
+      *request.creepage, model.key(), listed(model.points, [](const PointResult& point) {
+        return fmt::format("{:g}", point.creepage.longitudinal);
+      })));
+}
+
+void check_stored(const StoredModel& stored, const PointResult& point, std::size_t number,
+                  const StressRequest& request) {
+  if (stored.name != "fem") {
+    if (point.fields.traction.n.size() == 0)
+      throw InputError(
+          fmt::format("{}: model {} stores no tractions; do: name another with --model",
+                      request.result, stored.key));
+    return;
+  }
+  const std::vector<std::size_t>& kept = stored.points_with_bodies;
+  if (kept.empty())
+    throw InputError(fmt::format(
+        "{}: the bodies of model {} are not stored; they are in results of this version unless the "
+        "case has [output] fields = false or body_fields = \"none\"; do: run the case again",
+        request.result, stored.key));
+  if (std::find(kept.begin(), kept.end(), number) != kept.end()) return;
+  throw InputError(fmt::format(
+      "load point {}: of model {} the bodies are stored for these load points only: {}; do: ask "
+      "for one, "
+      "or for --model halfspace, or run the case again with [output] body_fields = \"all\"",
+      number, stored.key, listed(kept, [](std::size_t k) { return fmt::format("{}", k); })));
+}
+
+}  // namespace rollfem::app
