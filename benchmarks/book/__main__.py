@@ -111,4 +111,8 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        print("interrupted: finished runs are kept; the same command takes them up", file=sys.stderr)
+        sys.exit(130)

@@ -3,6 +3,8 @@ import json
 import math
 import os
 
+from rollfem_figures.report import write_page
+
 INTRO = """# Verification book
 
 What rollfem's numbers are worth: every benchmark computed again and laid beside a closed form, a published value or
@@ -144,20 +146,8 @@ def book_json(chapters, left_out, made):
                                    for k in c.cost]} for c in chapters]}
 
 
-def write(path, text):
-    """Whole or not at all."""
-    part = f"{path}.part-{os.getpid()}"
-    try:
-        with open(part, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.replace(part, path)
-    finally:
-        if os.path.exists(part):
-            os.remove(part)
-
-
 def write_book(directory, chapters, left_out, made):
     """README.md, which is what a browser of the repository shows of a folder, and book.json."""
-    write(os.path.join(directory, "README.md"), book_text(chapters, left_out, made))
-    write(os.path.join(directory, "book.json"),
-          json.dumps(book_json(chapters, left_out, made), indent=1, ensure_ascii=False) + "\n")
+    write_page(os.path.join(directory, "README.md"), book_text(chapters, left_out, made))
+    write_page(os.path.join(directory, "book.json"),
+               json.dumps(book_json(chapters, left_out, made), indent=1, ensure_ascii=False) + "\n")

@@ -42,6 +42,27 @@ def with_settings(text, settings):
     return "\n".join(lines) + added
 
 
+def _read(path):
+    """The text of a file, None when there is none."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+    except OSError:
+        return None
+
+
+def _write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def _remove(path):
+    if os.path.isdir(path):
+        shutil.rmtree(path)
+    elif os.path.exists(path):
+        os.remove(path)
+
+
 class Bench:
     """The program, its tests and a folder for what they compute.
 
@@ -82,28 +103,20 @@ class Bench:
             raise RunFailed(f"{name}: {' '.join(command)} left no {made}")
         self.say(f"  {name}: {time.time() - begin:.1f} s")
 
-    def _kept(self, target, stamp):
-        """Whether the run is there already, by the same program on the same input."""
-        if self.fresh or not os.path.exists(target):
-            return False
-        try:
-            with open(target + ".stamp", encoding="utf-8") as file:
-                return file.read() == stamp
-        except OSError:
-            return False
-
-    def _stamped(self, target, stamp, command, made):
-        if self._kept(target, stamp):
+    def _stamped(self, target, stamp, command, resumable=False):
+        """Makes `target` by the command unless it is there of the same stamp; takes up one that was ended."""
+        if not self.fresh and _read(target + ".stamp") == stamp and os.path.exists(target):
             self.say(f"  {os.path.basename(target)}: kept")
             return
-        for old in (target, target + ".stamp"):
-            if os.path.isdir(old):
-                shutil.rmtree(old)
-            elif os.path.exists(old):
-                os.remove(old)
-        self._call(os.path.basename(target), command, made)
-        with open(target + ".stamp", "w", encoding="utf-8") as file:
-            file.write(stamp)
+        if resumable and not self.fresh and _read(target + ".begun") == stamp:
+            command = [*command, "--resume"]
+        else:
+            for old in (target, target + ".unfinished", target + ".stamp"):
+                _remove(old)
+        _write(target + ".begun", stamp)
+        self._call(os.path.basename(target), command, target)
+        _write(target + ".stamp", stamp)
+        _remove(target + ".begun")
 
     def _program(self, verb, name, cases, settings, options):
         """One call of the program; returns the folder of its results."""
@@ -114,14 +127,13 @@ class Bench:
             texts.append(text)
             if settings:
                 own = f"{target}.toml"
-                with open(own, "w", encoding="utf-8") as file:
-                    file.write(text)
+                _write(own, text)
                 files.append(own)
             else:
                 files.append(case)
         command = [self.program, verb, *files, *options, "--quiet", "-o", target]
         stamp = "\n".join([self.version, verb, *options, *texts])
-        self._stamped(target, stamp, command, target)
+        self._stamped(target, stamp, command, resumable=True)
         return target
 
     def save(self, figure, name):
@@ -161,7 +173,7 @@ class Bench:
             raise BookError(f"there is no test {path}; do: ./rollfem build")
         target = os.path.join(self.folder, re.sub(r"[^A-Za-z0-9]+", "_", test) + ".json")
         command = [path, f"--gtest_filter={test}", f"--gtest_output=json:{target}"]
-        self._stamped(target, f"{self.version}\n{os.path.getmtime(path)}\n{test}", command, target)
+        self._stamped(target, f"{self.version}\n{os.path.getmtime(path)}\n{test}", command)
         with open(target, encoding="utf-8") as file:
             suites = json.load(file)["testsuites"]
         cases = [case for suite in suites for case in suite["testsuite"]]
