@@ -8,11 +8,12 @@ from rollfem_figures.report import write_page
 INTRO = """# Verification book
 
 What rollfem's numbers are worth: every benchmark computed again and laid beside a closed form, a published value or
-an independent method. Reference values are computed by the book's own formulas
-(`benchmarks/book/closed_forms.py`) or quoted with their source; no number below was typed in. *Difference* is
-(reached − reference) in percent of the reference, or of what is said beside it; *allowed* is what the test that holds the
-number allows too; where it is empty, the difference is shown and not judged. How the numbers came about, and what was
-tried on the way: [verification](../verification.md).
+an independent method. References are computed by the book's own formulas (`benchmarks/book/closed_forms.py`) or quoted
+with their source (`benchmarks/book/published.py`); what was reached comes from the runs and tests named. *Difference*
+is (reached − reference) in percent of the reference, or of what is said beside it. *Allowed* is what the book holds the
+number to: what the test allows where one of those named holds that very number; where it is empty, the difference is
+shown and not judged. `./rollfem book` makes this page again and fails when a number is beyond. How the numbers came about,
+and what was tried on the way: [verification](../verification.md).
 """
 
 
