@@ -220,7 +220,8 @@ def _limit_table(letter, result, bent):
 
 def _largest_principal(stress):
     """Of stresses [n, 6] (xx, yy, zz, xy, yz, xz)."""
-    return np.linalg.eigvalsh(stress[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]].reshape(-1, 3, 3))[:, -1]
+    largest = np.linalg.eigvalsh(stress[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]].reshape(-1, 3, 3))[:, -1]
+    return np.where(np.abs(largest) < 1e-9 * np.abs(stress).max(), 0.0, largest)  # rounding, not stress
 
 
 def _below(bench):
