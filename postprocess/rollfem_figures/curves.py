@@ -157,6 +157,40 @@ def _traction_limits(models, key, axis):
     return min(values) - room, max(values) + room
 
 
+def _panels(count):
+    """(figure, its `count` panels over one abscissa, columns): at most three beside each other."""
+    columns = min(3, count)
+    rows = math.ceil(count / columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
+                                squeeze=False, sharex=True)
+    for panel in list(axes.flat)[count:]:
+        panel.set_visible(False)
+    return figure, list(axes.flat)[:count], columns
+
+
+def _label_lowest(panels, columns, half, label):
+    """The abscissa from -half to half, named under the lowest panel of every column."""
+    panels[0].set_xlim(-half, half)
+    for panel in panels[-columns:]:
+        panel.set_xlabel(label)
+        panel.tick_params(labelbottom=True)
+
+
+def _legend_above(figure, panel, bound, shared):
+    """The curves of `panel`, the thin lines of the traction `bound` and what all panels share; either
+    may be empty."""
+    handles, labels = panel.get_legend_handles_labels()
+    if bound:
+        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
+        labels.append(bound)
+    if shared:
+        handles.append(plt.Line2D([], [], linestyle="none"))
+        labels.append(shared)
+    rows = math.ceil(len(labels) / 5)
+    figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * rows) / figure.get_figheight()))
+    figure.legend(handles, labels, loc="upper center", ncol=math.ceil(len(labels) / rows))
+
+
 def path(result, axis):
     """p_n, and p_x with the traction bound at several creepages, along the middle line of "x" or
     "y". None when no model has a pressure field."""
@@ -165,40 +199,20 @@ def path(result, axis):
         return None
     chosen = selection.chosen_keys(models, 5)
     texts, shared = style.key_texts(chosen)
-    columns = min(3, 1 + len(chosen))
-    rows = math.ceil((1 + len(chosen)) / columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
-                                squeeze=False, sharex=True)
-    panels = list(axes.flat)
+    figure, panels, columns = _panels(1 + len(chosen))
     _pressure_panel(panels[0], models, axis)
-    for panel, creepages in zip(panels[1:], chosen):
-        _traction_panel(panel, models, creepages, axis)
-        panel.set_title(texts[creepages])
-    tops = [_traction_limits(models, key, axis) for key in chosen]
-    for panel in panels[1:1 + len(chosen)]:
-        panel.set_ylim(min(t[0] for t in tops), max(t[1] for t in tops))
-    for panel in panels[1:1 + len(chosen)]:
+    limits = [_traction_limits(models, key, axis) for key in chosen]
+    for panel, key in zip(panels[1:], chosen):
+        _traction_panel(panel, models, key, axis)
+        panel.set_title(texts[key])
+        panel.set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
         panel.set_ylabel(r"$-p_x$ [MPa]")
-    for panel in panels[1 + len(chosen):]:
-        panel.set_visible(False)
     half = extent(models)[0 if axis == "x" else 1]
-    panels[0].set_xlim(-half, half)
-    for k, panel in enumerate(panels[:1 + len(chosen)]):
-        panel.label_outer() if columns == 1 else None
-        if k + columns >= 1 + len(chosen):
-            panel.set_xlabel(r"$x$ [mm], rolling $\rightarrow$" if axis == "x" else r"$y$ [mm], lateral")
-            panel.tick_params(labelbottom=True)
-    handles, labels = panels[0].get_legend_handles_labels()
+    _label_lowest(panels, columns, half,
+                  r"$x$ [mm], rolling $\rightarrow$" if axis == "x" else r"$y$ [mm], lateral")
     own = any(m.name in ("fastsim", "strip") for m in models)
-    if chosen:
-        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
-        labels.append("traction bound" if own else r"traction bound $\mu\,p_n$")
-    if shared:
-        handles.append(plt.Line2D([], [], linestyle="none"))
-        labels.append(shared)
-    rows_of_legend = math.ceil(len(labels) / 5)
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * rows_of_legend) / figure.get_figheight()))
-    figure.legend(handles, labels, loc="upper center", ncol=math.ceil(len(labels) / rows_of_legend))
+    bound = "traction bound" if own else r"traction bound $\mu\,p_n$"
+    _legend_above(figure, panels[0], bound if chosen else "", shared)
     return figure
 
 
@@ -216,11 +230,7 @@ def strip_forces(result):
         return None
     chosen = selection.chosen_keys(models, 5)
     texts, shared = style.key_texts(chosen)
-    columns = min(3, 1 + len(chosen))
-    rows = math.ceil((1 + len(chosen)) / columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
-                                squeeze=False, sharex=True)
-    panels = list(axes.flat)
+    figure, panels, columns = _panels(1 + len(chosen))
     for model in models:
         panels[0].plot(model.y, _strip_force(model, model.points[0].fields["pressure"]),
                        label=style.label(model), **style.line(model))
@@ -237,25 +247,9 @@ def strip_forces(result):
             panel.plot(model.y, -_strip_force(model, point.fields["traction_x"]), **style.line(model))
         panel.set_title(texts[key])
         panel.set_ylabel(r"$-\int p_x\,dx$ [N/mm]")
-    _same_limits(panels[1:1 + len(chosen)], models, chosen)
-    for panel in panels[1 + len(chosen):]:
-        panel.set_visible(False)
-    half = extent(models)[1]
-    panels[0].set_xlim(-half, half)
-    for k, panel in enumerate(panels[:1 + len(chosen)]):
-        if k + columns >= 1 + len(chosen):
-            panel.set_xlabel(r"$y$ [mm], lateral")
-            panel.tick_params(labelbottom=True)
-    handles, labels = panels[0].get_legend_handles_labels()
-    if chosen:
-        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
-        labels.append("full sliding of the strip")
-    if shared:
-        handles.append(plt.Line2D([], [], linestyle="none"))
-        labels.append(shared)
-    rows_of_legend = math.ceil(len(labels) / 5)
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * rows_of_legend) / figure.get_figheight()))
-    figure.legend(handles, labels, loc="upper center", ncol=math.ceil(len(labels) / rows_of_legend))
+    _same_limits(panels[1:], models, chosen)
+    _label_lowest(panels, columns, extent(models)[1], r"$y$ [mm], lateral")
+    _legend_above(figure, panels[0], "full sliding of the strip" if chosen else "", shared)
     return figure
 
 
