@@ -99,11 +99,6 @@ def circle_axis_stress(depth, poisson):
     return radial, -1 / (1 + z * z)
 
 
-def vermeulen_johnson(tau):
-    """F/(mu N) for the reduced creepage tau (Vermeulen and Johnson 1964)."""
-    return 1 - (1 - tau / 3) ** 3 if tau < 3 else 1.0
-
-
 def persson(half_angle):
     """(E1* dR/Q, p(0) R/Q) of a pin in the hole of a plate, contact over 2 half_angle (Persson 1964).
 

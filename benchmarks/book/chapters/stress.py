@@ -3,17 +3,12 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from rollfem_figures import style
+from rollfem_figures.stresses import measures
 
 from .. import closed_forms, published
 from ..chapter import Chapter, Cost, Row
 
 MODULUS = 210e3 / (2 * (1 - 0.3**2))  # E* of two steels, MPa
-
-
-def von_mises(s):
-    """Of stresses [n, 6] (xx, yy, zz, xy, yz, xz)."""
-    xx, yy, zz, xy, yz, xz = np.asarray(s).T
-    return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy**2 + yz**2 + xz**2))
 
 
 def _peak(depth, value):
@@ -55,7 +50,7 @@ def stress_circle(bench):
     figure, axis = plt.subplots(figsize=(4.4, 3.8))
     for values, exact_values, words, ink in (
             (stress[:, 0], radial, r"$\sigma_r$", "#0072B2"), (stress[:, 2], vertical, r"$\sigma_z$", "#D55E00"),
-            (von_mises(stress), np.abs(vertical - radial), "von Mises", "#009E73")):
+            (measures(stress)["von_mises"], np.abs(vertical - radial), "von Mises", "#009E73")):
         axis.plot(exact_values / p0, depth / a, color=ink, linewidth=1.2, label=words)
         axis.plot(values[::5] / p0, depth[::5] / a, linestyle="none", marker="o", markersize=3, color=ink)
     axis.invert_yaxis()
@@ -87,14 +82,14 @@ def stress_case_a(bench):
             worst = {"sxx": 0.0, "syy": 0.0, "szz": 0.0, "von Mises": 0.0}
             for z, contact in published.CONTACT_STRESS_A.items():
                 s = line["stress"][np.abs(depth - z).argmin()]
-                ours = (s[0], s[1], s[2], von_mises([s])[0])
+                ours = (s[0], s[1], s[2], measures([s])["von_mises"][0])
                 for key, mine, theirs in zip(worst, ours, contact):
                     worst[key] = max(worst[key], mine - theirs, key=abs)
             by = "FEM, 0.47 mm, " + body if model.name == "fem" else "half-space, 40 across"
             for key, value in worst.items():
                 rows.append(Row(f"{key}: largest difference over eight depths", "MPa", 0.0, value,
                                 0.01 if model.name == "fem" else 0.002, of=p0, of_words="p0", by=by))
-            lines.append((model, body, depth, von_mises(line["stress"])))
+            lines.append((model, body, depth, measures(line["stress"])["von_mises"]))
         cost.append(Cost(style.label(model), model.seconds["total"], model.unknowns))
     figure, axis = plt.subplots(figsize=(4.4, 3.8))
     for model, body, depth, value in lines:
