@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/output_in_folder.hpp"
 #include "unit/output_placed_run.hpp"
 #include "unit/output_python.hpp"
 #include <cmath>
@@ -20,14 +21,8 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-const std::string scripts = std::string(ROLLFEM_SOURCE_DIR) + "/postprocess";
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using tests::read;
+using tests::scripts;
 
 std::size_t count(const std::string& text, const std::string& piece) {
   std::size_t found = 0;
@@ -44,16 +39,13 @@ void expect_self_contained(const std::string& page) {
   EXPECT_NE(page.find("@media print"), std::string::npos);
 }
 
-class PagesTest : public ::testing::Test {
+class PagesTest : public tests::InFolder {
  protected:
   void SetUp() override {
     if (!tests::python_can_import("matplotlib, h5py, numpy"))
       GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
-    std::string name = (fs::path(::testing::TempDir()) / "rollfem_pages_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    base_ = name;
+    InFolder::SetUp();
   }
-  void TearDown() override { fs::remove_all(base_); }
 
   ComparedCase written(const std::string& name, const RunRecord& run) {
     write_results((base_ / name).string(), run);
@@ -65,8 +57,6 @@ class PagesTest : public ::testing::Test {
     compared.summary = read(base_ / name / "summary.json");
     return compared;
   }
-
-  fs::path base_;
 };
 
 TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/output_in_folder.hpp"
 #include "unit/output_python.hpp"
 #include "unit/output_synthetic_run.hpp"
 #include <cstdlib>
@@ -16,25 +17,16 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-const std::string scripts = std::string(ROLLFEM_SOURCE_DIR) + "/postprocess";
+using tests::read;
+using tests::scripts;
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class FiguresTest : public ::testing::Test {
+class FiguresTest : public tests::InFolder {
  protected:
   void SetUp() override {
     if (!tests::python_can_import("matplotlib, h5py, numpy"))
       GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
-    std::string name = (fs::path(::testing::TempDir()) / "rollfem_figures_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    base_ = name;
+    InFolder::SetUp();
   }
-  void TearDown() override { fs::remove_all(base_); }
 
   /// Writes the run and draws it; returns the folder.
   fs::path draw(const RunRecord& run) {
@@ -43,8 +35,6 @@ class FiguresTest : public ::testing::Test {
     EXPECT_EQ(make_report(folder.string(), scripts), "");
     return folder;
   }
-
-  fs::path base_;
 };
 
 TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {

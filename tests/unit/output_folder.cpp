@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/output_in_folder.hpp"
 #include "unit/output_synthetic_run.hpp"
 #include <csignal>
 #include <filesystem>
@@ -19,24 +20,11 @@ namespace rollfem::postprocess {
 namespace {
 
 using contact::InputError;
+using tests::read;
 using tests::synthetic_run;
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class ResultFolderTest : public ::testing::Test {
+class ResultFolderTest : public tests::InFolder {
  protected:
-  void SetUp() override {
-    std::string name = (fs::path(::testing::TempDir()) / "rollfem_output_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    base_ = name;
-  }
-  void TearDown() override { fs::remove_all(base_); }
-
   std::string target() const { return (base_ / "result").string(); }
   std::size_t entries() const {
     return static_cast<std::size_t>(
@@ -51,8 +39,6 @@ class ResultFolderTest : public ::testing::Test {
     }
     return {};
   }
-
-  fs::path base_;
 };
 
 TEST_F(ResultFolderTest, HoldsAllFilesAndNothingIsLeftBeside) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "unit/output_in_folder.hpp"
 #include "unit/output_placed_run.hpp"
 #include "unit/output_python.hpp"
 #include <cstdlib>
@@ -16,25 +17,11 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-const std::string scripts = std::string(ROLLFEM_SOURCE_DIR) + "/postprocess";
+using tests::read;
+using tests::scripts;
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class PlacesTest : public ::testing::Test {
+class PlacesTest : public tests::InFolder {
  protected:
-  void SetUp() override {
-    std::string name = (fs::path(::testing::TempDir()) / "rollfem_places_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    base_ = name;
-  }
-  void TearDown() override { fs::remove_all(base_); }
-
-  fs::path base_;
 };
 
 TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
