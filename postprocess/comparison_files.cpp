@@ -1,5 +1,6 @@
 // compare.json and compare.csv.
 #include "postprocess/comparison.hpp"
+#include "postprocess/json_head.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -80,14 +81,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::string comparison_json(const ComparisonRecord& record) {
-  ordered_json json;
-  json["format"] = 1;
-  json["kind"] = "compare";
-  json["program"] = {{"version", record.provenance.version}, {"commit", record.provenance.commit}};
-  json["host"] = record.provenance.host;
-  json["started"] = record.provenance.started;
-  json["command"] = record.provenance.command;
-  json["processes"] = record.provenance.processes;
+  ordered_json json = json_head(1, "compare", record.provenance);
   json["models"] = record.models;
   json["reference"] = record.reference;
   std::vector<CaseStandings> all;
@@ -97,7 +91,7 @@ std::string comparison_json(const ComparisonRecord& record) {
   json["cases"] = ordered_json::array();
   for (const ComparedCase& compared : record.cases)
     json["cases"].push_back(case_json(compared, record.reference));
-  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string comparison_csv(const ComparisonRecord& record) {

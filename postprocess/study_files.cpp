@@ -1,4 +1,5 @@
 // study.json and study.csv.
+#include "postprocess/json_head.hpp"
 #include "postprocess/study.hpp"
 
 #include <fmt/format.h>
@@ -121,14 +122,7 @@ std::string reference_cells(const StudyRecord& record, const StudySeries& series
 }  // namespace
 
 std::string study_json(const StudyRecord& record) {
-  ordered_json json;
-  json["format"] = 2;
-  json["kind"] = "study";
-  json["program"] = {{"version", record.provenance.version}, {"commit", record.provenance.commit}};
-  json["host"] = record.provenance.host;
-  json["started"] = record.provenance.started;
-  json["command"] = record.provenance.command;
-  json["processes"] = record.provenance.processes;
+  ordered_json json = json_head(2, "study", record.provenance);
   json["title"] = record.title;
   json["case_file"] = record.case_file;
   json["case_text"] = record.case_text;
@@ -136,7 +130,7 @@ std::string study_json(const StudyRecord& record) {
   json["notes"] = record.notes;
   json["places"] = ordered_json::array();
   for (const StudyPlace& place : record.places) json["places"].push_back(place_json(record, place));
-  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string study_csv(const StudyRecord& record) {
