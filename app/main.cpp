@@ -202,11 +202,14 @@ void add_stress(CLI::App& program, Call& call) {
   stress->callback([&request] { app::stress(request); });
 }
 
-void add_commands(CLI::App& program, Call& call) {
-  program.set_version_flag("--version",
-                           fmt::format("rollfem {} ({})", app::version(), app::commit()));
-  program.require_subcommand(1);
+/// The flags that run, compare and study share.
+template <class Request>
+void add_report_flags(CLI::App& command, Request& request) {
+  command.add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
+  command.add_flag("!--no-report", request.report, "write results only, no figures and no report");
+}
 
+void add_run(CLI::App& program, Call& call) {
   CLI::App* run = program.add_subcommand("run", "compute a case with one or more models");
   run->add_option("case", call.run.case_file, "case file (.toml)");
   run->add_option(
@@ -221,14 +224,15 @@ void add_commands(CLI::App& program, Call& call) {
       "--resume", call.run.resume,
       "go on with a run that was ended: its finished load points are in FOLDER.unfinished "
       "beside the results");
-  run->add_flag("-q,--quiet", call.run.quiet, "print errors and warnings only");
-  run->add_flag("!--no-report", call.run.report, "write results only, no figures and no report");
+  add_report_flags(*run, call.run);
   run->footer("example: rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a");
   run->callback([&call] {
     settle_run(call.run);
     app::run(call.run);
   });
+}
 
+void add_compare(CLI::App& program, Call& call) {
   CLI::App* compare = program.add_subcommand(
       "compare", "compute cases with several models and lay the results beside each other");
   compare->add_option("case", call.compare.case_files, "case files (.toml), one or more");
@@ -245,15 +249,15 @@ void add_commands(CLI::App& program, Call& call) {
                       "file>, results/compare for several");
   compare->add_flag("--resume", call.compare.resume,
                     "keep the cases that an earlier call finished and go on with the others");
-  compare->add_flag("-q,--quiet", call.compare.quiet, "print errors and warnings only");
-  compare->add_flag("!--no-report", call.compare.report,
-                    "write results only, no figures and no report");
+  add_report_flags(*compare, call.compare);
   compare->footer("example: rollfem compare cases/thesis_*.toml --reference halfspace");
   compare->callback([&call] {
     settle_compare(call.compare);
     app::compare(call.compare);
   });
+}
 
+void add_study(CLI::App& program, Call& call) {
   CLI::App* study = program.add_subcommand(
       "study", "compute a case on ever finer grids: errors, observed orders, cost");
   study->add_option("case", call.study.case_file, "case file (.toml)");
@@ -287,14 +291,22 @@ void add_commands(CLI::App& program, Call& call) {
   study->add_flag("--resume", call.study.resume,
                   "go on with a study that was ended: its finished levels are in FOLDER.unfinished "
                   "beside the results");
-  study->add_flag("-q,--quiet", call.study.quiet, "print errors and warnings only");
-  study->add_flag("!--no-report", call.study.report,
-                  "write results only, no figures and no report");
+  add_report_flags(*study, call.study);
   study->footer("example: rollfem study cases/thesis_a.toml --models all");
   study->callback([&call] {
     settle_study(call.study);
     app::study(call.study);
   });
+}
+
+void add_commands(CLI::App& program, Call& call) {
+  program.set_version_flag("--version",
+                           fmt::format("rollfem {} ({})", app::version(), app::commit()));
+  program.require_subcommand(1);
+
+  add_run(program, call);
+  add_compare(program, call);
+  add_study(program, call);
   add_stress(program, call);
 
   CLI::App* mesh = program.add_subcommand(
