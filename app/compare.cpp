@@ -5,10 +5,10 @@
 #include "app/run.hpp"
 #include "app/solving.hpp"
 #include "app/version.hpp"
-#include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
-#include "postprocess/comparison.hpp"
-#include "postprocess/result_folder.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "postprocess/compare/comparison.hpp"
+#include "postprocess/write/result_folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

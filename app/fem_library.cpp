@@ -1,7 +1,7 @@
 #include "app/fem_library.hpp"
 
 #include "app/places.hpp"
-#include "contact/errors.hpp"
+#include "contact/base/errors.hpp"
 
 #include <fmt/format.h>
 

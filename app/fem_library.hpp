@@ -2,7 +2,7 @@
 // than a whole half-space run.
 #pragma once
 
-#include "fem/model.hpp"
+#include "fem/model/model.hpp"
 
 namespace rollfem::app {
 

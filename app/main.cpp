@@ -10,8 +10,8 @@
 #include "app/stress.hpp"
 #include "app/study.hpp"
 #include "app/version.hpp"
-#include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,11 +4,11 @@
 #include "app/files_together.hpp"
 #include "app/processes.hpp"
 #include "app/scenes.hpp"
-#include "contact/abilities.hpp"
-#include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
-#include "fem/mesh_report.hpp"
-#include "postprocess/vtu.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/abilities.hpp"
+#include "contact/case/case_reader.hpp"
+#include "fem/body/mesh_report.hpp"
+#include "postprocess/write/vtu.hpp"
 
 #include <fmt/format.h>
 

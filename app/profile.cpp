@@ -2,13 +2,13 @@
 
 #include "app/places.hpp"
 #include "app/scenes.hpp"
-#include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
-#include "meshes/built_in_profiles.hpp"
-#include "meshes/profile_features.hpp"
-#include "meshes/profiles.hpp"
-#include "postprocess/output.hpp"
-#include "postprocess/result_folder.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "meshes/profiles/built_in_profiles.hpp"
+#include "meshes/profiles/profile_features.hpp"
+#include "meshes/profiles/profiles.hpp"
+#include "postprocess/write/output.hpp"
+#include "postprocess/write/result_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // line for every finished stage (and for slow load points within it).
 #pragma once
 
-#include "contact/progress.hpp"
+#include "contact/base/progress.hpp"
 
 #include <chrono>
 #include <string>

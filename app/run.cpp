@@ -4,12 +4,12 @@
 #include "app/progress_display.hpp"
 #include "app/run_table.hpp"
 #include "app/solving.hpp"
-#include "contact/abilities.hpp"
-#include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
-#include "halfspace/registry.hpp"
-#include "postprocess/checkpoint_folder.hpp"
-#include "postprocess/output.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/abilities.hpp"
+#include "contact/case/case_reader.hpp"
+#include "halfspace/model/registry.hpp"
+#include "postprocess/write/checkpoint_folder.hpp"
+#include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // patch, so that patches do not take up each other's load points.
 #pragma once
 
-#include "contact/checkpoint.hpp"
-#include "contact/patch_geometry.hpp"
+#include "contact/base/checkpoint.hpp"
+#include "contact/scene/patch_geometry.hpp"
 
 #include <optional>
 #include <string>

@@ -1,11 +1,11 @@
 #include "app/scenes.hpp"
 
-#include "meshes/placement.hpp"
-#include "meshes/scenes.hpp"
+#include "meshes/track/placement.hpp"
+#include "meshes/track/scenes.hpp"
+#include "wheelset/balance.hpp"
 
 #include <fmt/format.h>
 
-#include "wheelset/balance.hpp"
 #include <array>
 #include <cmath>
 

@@ -2,10 +2,10 @@
 // what of that is drawn and said.
 #pragma once
 
-#include "contact/case.hpp"
-#include "contact/progress.hpp"
-#include "meshes/scenes.hpp"
-#include "postprocess/output.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/case/case.hpp"
+#include "meshes/track/scenes.hpp"
+#include "postprocess/write/output.hpp"
 
 #include <string>
 #include <utility>

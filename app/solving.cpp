@@ -4,10 +4,10 @@
 #include "app/scene_checkpoint.hpp"
 #include "app/scenes.hpp"
 #include "app/version.hpp"
-#include "contact/abilities.hpp"
-#include "contact/errors.hpp"
-#include "halfspace/registry.hpp"
-#include "meshes/scenes.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/abilities.hpp"
+#include "halfspace/model/registry.hpp"
+#include "meshes/track/scenes.hpp"
 
 #include <fmt/format.h>
 

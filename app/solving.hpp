@@ -3,11 +3,11 @@
 #pragma once
 
 #include "app/fem_library.hpp"
-#include "contact/case.hpp"
-#include "contact/progress.hpp"
-#include "contact/result.hpp"
-#include "postprocess/checkpoint_folder.hpp"
-#include "postprocess/output.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/case/case.hpp"
+#include "contact/result/result.hpp"
+#include "postprocess/write/checkpoint_folder.hpp"
+#include "postprocess/write/output.hpp"
 
 #include <memory>
 #include <string>

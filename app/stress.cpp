@@ -4,12 +4,12 @@
 #include "app/places.hpp"
 #include "app/stress_choice.hpp"
 #include "app/stress_places.hpp"
-#include "contact/errors.hpp"
-#include "contact/stress_measures.hpp"
-#include "halfspace/stress_maxima.hpp"
-#include "postprocess/output.hpp"
-#include "postprocess/results_reader.hpp"
-#include "postprocess/stress_report.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "halfspace/stress/stress_maxima.hpp"
+#include "postprocess/read/results_reader.hpp"
+#include "postprocess/stress/stress_report.hpp"
+#include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "app/stress_choice.hpp"
 
-#include "contact/errors.hpp"
+#include "contact/base/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/stress_request.hpp"
-#include "postprocess/results_reader.hpp"
+#include "postprocess/read/results_reader.hpp"
 
 #include <cstddef>
 #include <vector>

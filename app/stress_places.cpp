@@ -1,9 +1,9 @@
 #include "app/stress_places.hpp"
 
-#include "contact/errors.hpp"
-#include "halfspace/subsurface.hpp"
-#include "halfspace/subsurface_fields.hpp"
-#include "postprocess/body_sampler.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/stress/subsurface.hpp"
+#include "halfspace/stress/subsurface_fields.hpp"
+#include "postprocess/read/body_sampler.hpp"
 
 #include <fmt/format.h>
 

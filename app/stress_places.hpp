@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/stress_request.hpp"
-#include "postprocess/stress_report.hpp"
+#include "postprocess/stress/stress_report.hpp"
 
 #include <cstddef>
 #include <vector>

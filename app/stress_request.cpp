@@ -1,7 +1,7 @@
 #include "app/stress_request.hpp"
 
-#include "contact/errors.hpp"
-#include "postprocess/shakedown.hpp"
+#include "contact/base/errors.hpp"
+#include "postprocess/stress/shakedown.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // a case file.
 #pragma once
 
-#include "contact/case.hpp"
+#include "contact/case/case.hpp"
 
 #include <optional>
 #include <string>

@@ -8,10 +8,10 @@
 #include "app/study_checkpoint.hpp"
 #include "app/study_checks.hpp"
 #include "app/study_levels.hpp"
-#include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
-#include "halfspace/registry.hpp"
-#include "postprocess/study.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "halfspace/model/registry.hpp"
+#include "postprocess/study/study.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "app/study_checkpoint.hpp"
 
-#include "contact/record.hpp"
+#include "contact/result/record.hpp"
 
 #include <fmt/format.h>
 

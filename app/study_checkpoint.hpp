@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/solving.hpp"
-#include "contact/checkpoint.hpp"
-#include "postprocess/checkpoint_folder.hpp"
-#include "postprocess/study.hpp"
+#include "contact/base/checkpoint.hpp"
+#include "postprocess/study/study.hpp"
+#include "postprocess/write/checkpoint_folder.hpp"
 
 #include <chrono>
 #include <optional>

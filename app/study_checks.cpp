@@ -2,8 +2,8 @@
 
 #include "app/run.hpp"
 #include "app/study_levels.hpp"
-#include "contact/abilities.hpp"
-#include "contact/errors.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/abilities.hpp"
 
 #include <fmt/format.h>
 

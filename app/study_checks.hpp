@@ -4,8 +4,8 @@
 
 #include "app/scenes.hpp"
 #include "app/study.hpp"
-#include "contact/case.hpp"
-#include "postprocess/study.hpp"
+#include "contact/case/case.hpp"
+#include "postprocess/study/study.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/study_levels.hpp"
 
-#include "contact/errors.hpp"
-#include "halfspace/expected_patch.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/model/expected_patch.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What a refinement study varies: the cases of its levels.
 #pragma once
 
-#include "contact/case.hpp"
+#include "contact/case/case.hpp"
 
 #include <string>
 #include <vector>

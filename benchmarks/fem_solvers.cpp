@@ -1,12 +1,12 @@
 // Linear solvers on half a rail of case a as cells shrink: unknowns, set-up, one solve to 1e-8,
 // iterations, memory per process. Runs under mpirun; the first process prints a table row a size.
 //   benchmark_fem_solvers multigrid|algebraic|factorisation CELL_MM ...
-#include "contact/stopwatch.hpp"
-#include "fem/algebraic_multigrid.hpp"
-#include "fem/body.hpp"
-#include "fem/compliance.hpp"
-#include "fem/factorisation.hpp"
-#include "fem/multigrid.hpp"
+#include "contact/base/stopwatch.hpp"
+#include "fem/body/body.hpp"
+#include "fem/coupling/compliance.hpp"
+#include "fem/solver/algebraic_multigrid.hpp"
+#include "fem/solver/factorisation.hpp"
+#include "fem/solver/multigrid.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

@@ -1,13 +1,13 @@
 // Speed of the half-space: the products, the normal problem (case a) and one steady-rolling
 // solution with combined creepage and spin (benchmark 9) from coarse to fine.
-#include "contact/leading_edge.hpp"
-#include "contact/normal.hpp"
-#include "contact/tangential.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/fastsim.hpp"
-#include "halfspace/hertz.hpp"
-#include "halfspace/interpolation.hpp"
-#include "halfspace/strip.hpp"
+#include "contact/solve/leading_edge.hpp"
+#include "contact/solve/normal.hpp"
+#include "contact/solve/tangential.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/interpolation.hpp"
+#include "halfspace/theories/fastsim.hpp"
+#include "halfspace/theories/strip.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,10 +1,10 @@
 #include "wheelset/balance.hpp"
 
-#include "contact/errors.hpp"
+#include "contact/base/errors.hpp"
+#include "wheelset/position.hpp"
 
 #include <fmt/format.h>
 
-#include "wheelset/position.hpp"
 #include <iterator>
 #include <utility>
 

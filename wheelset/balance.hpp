@@ -4,9 +4,9 @@
 // balance is found with.
 #pragma once
 
-#include "contact/case.hpp"
-#include "contact/progress.hpp"
-#include "meshes/scenes.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/case/case.hpp"
+#include "meshes/track/scenes.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "wheelset/patch_forces.hpp"
 
-#include "halfspace/model.hpp"
+#include "halfspace/model/model.hpp"
 
 namespace rollfem::wheelset {
 

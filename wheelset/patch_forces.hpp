@@ -2,7 +2,7 @@
 // balanced with.
 #pragma once
 
-#include "meshes/wheelset_motion.hpp"
+#include "meshes/track/wheelset_motion.hpp"
 
 #include <vector>
 

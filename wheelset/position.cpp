@@ -1,14 +1,14 @@
 #include "wheelset/position.hpp"
 
-#include "contact/errors.hpp"
-#include "halfspace/load_sharing.hpp"
-#include "meshes/scenes.hpp"
-#include "meshes/wheelset_motion.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/model/load_sharing.hpp"
+#include "meshes/track/scenes.hpp"
+#include "meshes/track/wheelset_motion.hpp"
+#include "wheelset/patch_forces.hpp"
+#include "wheelset/root.hpp"
 
 #include <fmt/format.h>
 
-#include "wheelset/patch_forces.hpp"
-#include "wheelset/root.hpp"
 #include <algorithm>
 #include <cmath>
 #include <functional>

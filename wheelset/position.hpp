@@ -1,7 +1,7 @@
 // One position of the wheelset in balance: the loads of its patches and its rotation.
 #pragma once
 
-#include "meshes/scenes.hpp"
+#include "meshes/track/scenes.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // The verification book: what `./rollfem book` calls once the program is built.
 #include <nlohmann/json.hpp>
 
-#include "program.hpp"
+#include "support/program.hpp"
 #include <cmath>
 
 namespace {

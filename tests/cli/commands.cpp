@@ -1,8 +1,8 @@
 // check, new-case, docs, --version, wrong calls and hostile files: exit status and message.
 #include <gtest/gtest.h>
 
-#include "cli/program.hpp"
-#include "unit/case_examples.hpp"
+#include "support/case_examples.hpp"
+#include "support/program.hpp"
 #include <sys/stat.h>
 
 namespace {

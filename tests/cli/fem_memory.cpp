@@ -1,7 +1,7 @@
 // The memory that a run says it will need against what it took, and a run that does not fit.
 #include <gtest/gtest.h>
 
-#include "cli/program.hpp"
+#include "support/program.hpp"
 #include <cmath>
 #include <sys/resource.h>
 

@@ -1,8 +1,8 @@
 // The command `mesh`: its files, that a case takes them again, and what it refuses.
 #include <gtest/gtest.h>
 
-#include "cli/program.hpp"
-#include "unit/case_examples.hpp"
+#include "support/case_examples.hpp"
+#include "support/program.hpp"
 #include <cmath>
 
 namespace {

@@ -1,6 +1,6 @@
 // The finite-element model after a kill, in one process and in two: the coarse level of the error
 // estimate and every finished load point are taken up, the result is the same to the last bit.
-#include "cli/resume.hpp"
+#include "support/resume.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // The command profile: what it prints, writes and draws, and how it refuses.
 #include <gtest/gtest.h>
 
-#include "cli/program.hpp"
+#include "support/program.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // The command run after a kill: finished load points are taken up and the result is the same to the
 // last bit; what belongs to another case, is damaged, or cannot be written is told and does no
 // harm.
-#include "cli/resume.hpp"
+#include "support/resume.hpp"
 
-#include "unit/case_examples.hpp"
+#include "support/case_examples.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/program.hpp"
-#include "unit/case_examples.hpp"
+#include "support/case_examples.hpp"
+#include "support/program.hpp"
 
 namespace {
 

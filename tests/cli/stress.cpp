@@ -1,13 +1,13 @@
 // The command stress on stored results: closed forms and CONTACT's values from the file of a run,
 // interpolation in stored bodies, patches, wrong calls.
-#include "postprocess/results_hdf5.hpp"
+#include "postprocess/write/results_hdf5.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/program.hpp"
-#include "unit/case_examples.hpp"
-#include "unit/output_synthetic_run.hpp"
+#include "support/case_examples.hpp"
+#include "support/output_synthetic_run.hpp"
+#include "support/program.hpp"
 #include <cmath>
 #include <map>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/program.hpp"
+#include "support/program.hpp"
 
 namespace fs = std::filesystem;
 using rollfem::test::call;

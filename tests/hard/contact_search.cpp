@@ -1,12 +1,12 @@
 // Contact search where it is hard: two points at the flange, the conformal gauge corner, worn
 // treads; and wheels that have left the rail, profiles that end too early.
-#include "meshes/contact_search.hpp"
+#include "meshes/track/contact_search.hpp"
 
-#include "contact/errors.hpp"
+#include "contact/base/errors.hpp"
 
 #include <gtest/gtest.h>
 
-#include "wheel_rail_cases.hpp"
+#include "support/wheel_rail_cases.hpp"
 #include <cmath>
 #include <ctime>
 

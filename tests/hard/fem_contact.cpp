@@ -1,14 +1,14 @@
 // Contacts where finite elements use to fail, each with a right answer: mostly the half-space on
 // the same contact elements, for patches so small beside the radii that the bodies are half-spaces.
-#include "contact/errors.hpp"
-#include "fem/contact_run.hpp"
-#include "fem/model.hpp"
-#include "halfspace/hertz.hpp"
-#include "halfspace/model.hpp"
+#include "contact/base/errors.hpp"
+#include "fem/model/contact_run.hpp"
+#include "fem/model/model.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mpi_environment.hpp"
+#include "support/mpi_environment.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

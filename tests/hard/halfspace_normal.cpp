@@ -1,8 +1,8 @@
 // The normal solver where half-space codes use to fail: each case has a right answer.
-#include "contact/errors.hpp"
-#include "contact/normal.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/hertz.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/solve/normal.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>
 

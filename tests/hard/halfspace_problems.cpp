@@ -1,12 +1,12 @@
 // Prescribed forces, unlike materials, histories and shapes where half-space codes use to fail:
 // each case has a right answer.
-#include "contact/errors.hpp"
-#include "contact/geometry.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/contact_problem.hpp"
-#include "halfspace/derived.hpp"
-#include "halfspace/hertz.hpp"
-#include "halfspace/model.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/scene/geometry.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/contact_problem.hpp"
+#include "halfspace/model/derived.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Steady rolling where half-space codes use to fail: each case has a right answer.
-#include "contact/errors.hpp"
-#include "contact/tangential.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/hertz.hpp"
-#include "halfspace/model.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/solve/tangential.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 

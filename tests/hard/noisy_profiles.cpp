@@ -1,9 +1,9 @@
 // Contact of measured profiles: S1002 on 60E1 with noise of 0.01 mm across both, smoothed with that
 // scatter, against the same contact of the true profiles.
-#include "halfspace/model.hpp"
-#include "meshes/built_in_profiles.hpp"
-#include "meshes/profiles.hpp"
-#include "meshes/scenes.hpp"
+#include "halfspace/model/model.hpp"
+#include "meshes/profiles/built_in_profiles.hpp"
+#include "meshes/profiles/profiles.hpp"
+#include "meshes/track/scenes.hpp"
 
 #include <gtest/gtest.h>
 

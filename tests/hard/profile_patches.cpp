@@ -1,10 +1,10 @@
 // Patches that are hard: conforming gauge corners, two regions that become one, profiles that end.
 #include "support/profile_patches.hpp"
 
-#include "contact/errors.hpp"
-#include "halfspace/expected_patch.hpp"
-#include "halfspace/hertz.hpp"
-#include "halfspace/registry.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/model/registry.hpp"
 
 #include <gtest/gtest.h>
 

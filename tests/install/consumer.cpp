@@ -1,6 +1,6 @@
 // Pressure of case a by the installed half-space model, against exact Hertz.
-#include "contact/case_reader.hpp"
-#include "halfspace/model.hpp"
+#include "contact/case/case_reader.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <cmath>
 #include <cstdio>

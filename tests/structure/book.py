@@ -12,7 +12,7 @@ def tests_of(root):
     """Names as CTest prints them, parameters left out."""
     names = set()
     for group in ("unit", "verification", "hard", "cli"):
-        for path in (root / "tests" / group).glob("*.cpp"):
+        for path in (root / "tests" / group).rglob("*.cpp"):
             names.add(f"{group}.{path.stem}")
             for suite, test in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", path.read_text("utf-8"), re.M):
                 names.add(f"{group}.{suite}.{test}")

@@ -1,7 +1,7 @@
 // Patch geometries in closed form for tests: circles and spheres given as profile curves.
 #pragma once
 
-#include "contact/patch_geometry.hpp"
+#include "contact/scene/patch_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

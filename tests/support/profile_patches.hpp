@@ -2,7 +2,7 @@
 // and S1002 on the Manchester benchmark's UIC60 from their published arcs and polynomial.
 #pragma once
 
-#include "contact/case.hpp"
+#include "contact/case/case.hpp"
 
 #include <cmath>
 #include <functional>

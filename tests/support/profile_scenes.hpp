@@ -1,8 +1,8 @@
 // Scenes of S1002 on UIC60: the study's left wheel, and a wheel at its flange.
 #pragma once
 
-#include "contact/case.hpp"
-#include "meshes/scenes.hpp"
+#include "contact/case/case.hpp"
+#include "meshes/track/scenes.hpp"
 
 #include <cmath>
 #include <vector>

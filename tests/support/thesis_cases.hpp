@@ -2,9 +2,9 @@
 // half-space that do not read case files.
 #pragma once
 
-#include "contact/case.hpp"
-#include "contact/geometry.hpp"
-#include "contact/tangential.hpp"
+#include "contact/case/case.hpp"
+#include "contact/scene/geometry.hpp"
+#include "contact/solve/tangential.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,9 +1,9 @@
 // Curved contact of the model halfspace ([halfspace] surface = "curved"). References: the plane
 // limit, rigid-body velocities of the wheel, planar contact with extra slip within its order, and
 // the finite elements of docs/verification.md on cases e and f.
-#include "contact/errors.hpp"
-#include "halfspace/curved_patch.hpp"
-#include "halfspace/registry.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/model/curved_patch.hpp"
+#include "halfspace/model/registry.hpp"
 
 #include <gtest/gtest.h>
 

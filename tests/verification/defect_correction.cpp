@@ -1,9 +1,9 @@
 // The outer contact iteration: whatever preconditions it, its fixed point is the solution with the
 // compliance it was given, and it says so when it does not get there.
-#include "contact/defect_correction.hpp"
+#include "contact/solve/defect_correction.hpp"
 
-#include "contact/errors.hpp"
-#include "halfspace/compliance.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>
 

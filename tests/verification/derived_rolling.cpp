@@ -1,9 +1,9 @@
 // Derived quantities of solved rolling contacts: frictional against creepage power, and Kalker's
 // coefficients as sensitivities at zero creepage.
-#include "contact/geometry.hpp"
-#include "contact/tangential.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/derived.hpp"
+#include "contact/scene/geometry.hpp"
+#include "contact/solve/tangential.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/derived.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // The accuracy that a case asks for, by finite elements on case a without friction: reached with an
 // estimate of the right size, or said not to be reached.
-#include "contact/case_reader.hpp"
-#include "contact/refinement.hpp"
-#include "fem/model.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/refinement.hpp"
+#include "fem/model/model.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mpi_environment.hpp"
+#include "support/mpi_environment.hpp"
 #include <cmath>
 #include <cstdlib>
 #include <string>

@@ -1,12 +1,12 @@
 // Algebraic multigrid against a direct solver, also on a coarse mesh that geometric multigrid would
 // have to factorise whole. The same program runs on one process and under mpirun.
-#include "contact/errors.hpp"
-#include "fem/algebraic_multigrid.hpp"
+#include "contact/base/errors.hpp"
+#include "fem/solver/algebraic_multigrid.hpp"
 
 #include <gtest/gtest.h>
 
-#include "fem_against_factorisation.hpp"
-#include "mpi_environment.hpp"
+#include "support/fem_against_factorisation.hpp"
+#include "support/mpi_environment.hpp"
 
 namespace rollfem {
 namespace {

@@ -1,8 +1,8 @@
 // Manufactured solution on curved bodies: error of order degree + 1 in displacement and degree in
 // stress.
-#include "fem/factorisation.hpp"
+#include "fem/solver/factorisation.hpp"
 
-#include "fem_manufactured.hpp"
+#include "support/fem_manufactured.hpp"
 #include "support/recorded.hpp"
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // A large flat body under a small loaded rectangle is a half-space: displacement differences
 // against the closed forms of Love and Cerruti behind halfspace::HalfspaceCompliance.
-#include "contact/geometry.hpp"
-#include "fem/compliance.hpp"
-#include "fem/factorisation.hpp"
-#include "halfspace/compliance.hpp"
+#include "contact/scene/geometry.hpp"
+#include "fem/coupling/compliance.hpp"
+#include "fem/solver/factorisation.hpp"
+#include "halfspace/elasticity/compliance.hpp"
 
-#include "fem_test_support.hpp"
+#include "support/fem_test_support.hpp"
 #include <cmath>
 
 using namespace rollfem;

@@ -1,12 +1,12 @@
 // The finite-element model on the thesis's case a, with cells of 0.47 mm: against exact Hertz and
 // against CONTACT's extrapolated creep curve. This is the program's main job.
-#include "contact/case_reader.hpp"
-#include "contact/stress_measures.hpp"
-#include "fem/model.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "fem/model/model.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mpi_environment.hpp"
+#include "support/mpi_environment.hpp"
 #include <algorithm>
 #include <cmath>
 #include <string>

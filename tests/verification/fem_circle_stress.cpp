@@ -1,12 +1,12 @@
 // Circular contact in finite elements: the largest shear stress of Hertz's theory and its place,
 // and how far the recovered stress at the surface is from the tractions.
-#include "contact/case_reader.hpp"
-#include "contact/stress_measures.hpp"
-#include "fem/contact_run.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "fem/model/contact_run.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mpi_environment.hpp"
+#include "support/mpi_environment.hpp"
 #include <cmath>
 
 namespace {

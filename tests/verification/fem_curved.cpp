@@ -1,13 +1,13 @@
 // Contact of curved conformal patches in finite elements: the flat limit, and the study's case f
 // (rail of 50 mm under a wheel of -51.282 mm) on coarse cells against the half-space.
-#include "contact/case_reader.hpp"
-#include "contact/contact_surface.hpp"
-#include "fem/contact_run.hpp"
-#include "halfspace/model.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/scene/contact_surface.hpp"
+#include "fem/model/contact_run.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mpi_environment.hpp"
+#include "support/mpi_environment.hpp"
 #include <cmath>
 #include <string>
 

@@ -1,15 +1,15 @@
 // Nearly incompressible bodies: orders at nu = 0.4999 where plain elements lock, a thick cylinder
 // and its stresses, contact of rubber-like bodies against the half-space.
-#include "contact/case_reader.hpp"
-#include "fem/cell_terms.hpp"
-#include "fem/compliance.hpp"
-#include "fem/contact_run.hpp"
-#include "fem/factorisation.hpp"
-#include "halfspace/registry.hpp"
+#include "contact/case/case_reader.hpp"
+#include "fem/coupling/compliance.hpp"
+#include "fem/model/contact_run.hpp"
+#include "fem/solver/cell_terms.hpp"
+#include "fem/solver/factorisation.hpp"
+#include "halfspace/model/registry.hpp"
 
-#include "fem_elastic_block.hpp"
-#include "fem_quarter_ring.hpp"
-#include "fem_test_support.hpp"
+#include "support/fem_elastic_block.hpp"
+#include "support/fem_quarter_ring.hpp"
+#include "support/fem_test_support.hpp"
 #include "support/recorded.hpp"
 #include <cmath>
 

@@ -1,17 +1,17 @@
 // Inertia of steady rolling against closed forms: a spinning ring, a pressure wave that moves over
 // a half-space, the spinning disc behind the wheel's expansion; and that it vanishes as V^2.
-#include "contact/case_reader.hpp"
-#include "contact/errors.hpp"
-#include "contact/rayleigh.hpp"
-#include "fem/cell_terms.hpp"
-#include "fem/compliance.hpp"
-#include "fem/contact_run.hpp"
-#include "fem/factorisation.hpp"
-#include "fem/rolling_inertia.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/solve/rayleigh.hpp"
+#include "fem/coupling/compliance.hpp"
+#include "fem/model/contact_run.hpp"
+#include "fem/solver/cell_terms.hpp"
+#include "fem/solver/factorisation.hpp"
+#include "fem/solver/rolling_inertia.hpp"
 
-#include "fem_elastic_block.hpp"
-#include "fem_quarter_ring.hpp"
-#include "fem_test_support.hpp"
+#include "support/fem_elastic_block.hpp"
+#include "support/fem_quarter_ring.hpp"
+#include "support/fem_test_support.hpp"
 #include "support/recorded.hpp"
 #include <array>
 #include <cmath>

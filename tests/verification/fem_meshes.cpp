@@ -1,12 +1,12 @@
 // The same contact under different meshes: the program's two families, and meshes of a user whose
 // lines follow neither rolling nor the lateral direction.
-#include "contact/case_reader.hpp"
-#include "fem/contact_run.hpp"
+#include "contact/case/case_reader.hpp"
+#include "fem/model/contact_run.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mesh_examples.hpp"
-#include "mpi_environment.hpp"
+#include "support/mesh_examples.hpp"
+#include "support/mpi_environment.hpp"
 #include <cmath>
 #include <string>
 

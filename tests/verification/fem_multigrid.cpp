@@ -1,12 +1,12 @@
 // Multigrid against a direct solver and a closed form; its convergence. The same program runs on
 // one process and under mpirun on two.
-#include "contact/errors.hpp"
-#include "fem/multigrid.hpp"
+#include "contact/base/errors.hpp"
+#include "fem/solver/multigrid.hpp"
 
 #include <gtest/gtest.h>
 
-#include "fem_against_factorisation.hpp"
-#include "mpi_environment.hpp"
+#include "support/fem_against_factorisation.hpp"
+#include "support/mpi_environment.hpp"
 #include <cmath>
 
 namespace rollfem {

@@ -1,12 +1,12 @@
 // Patch test: a linear displacement is in equilibrium on skew cells with hanging nodes, its strain
 // energy is exact, and recovered stress is the constant one.
-#include "fem/body_nodes.hpp"
-#include "fem/elasticity_assembly.hpp"
+#include "fem/body/body_nodes.hpp"
+#include "fem/solver/elasticity_assembly.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include "fem_elastic_block.hpp"
-#include "fem_test_support.hpp"
+#include "support/fem_elastic_block.hpp"
+#include "support/fem_test_support.hpp"
 #include <array>
 #include <cmath>
 

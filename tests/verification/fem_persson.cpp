@@ -1,10 +1,10 @@
 // Persson's conformal contact, benchmark 10: a disc in the hole of a large plate, plane strain
 // between two planes. Own meshes of both bodies go through the library's elasticity, factorisation
 // and normal contact solver.
-#include "contact/normal.hpp"
-#include "contact/patch_size.hpp"
-#include "fem/factorisation.hpp"
-#include "halfspace/persson.hpp"
+#include "contact/result/patch_size.hpp"
+#include "contact/solve/normal.hpp"
+#include "fem/solver/factorisation.hpp"
+#include "halfspace/closed_forms/persson.hpp"
 
 #include <Eigen/Cholesky>
 #include <deal.II/base/quadrature_lib.h>
@@ -18,7 +18,7 @@
 #include <deal.II/grid/manifold_lib.h>
 #include <gtest/gtest.h>
 
-#include "mpi_environment.hpp"
+#include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"
 #include <algorithm>
 #include <cmath>

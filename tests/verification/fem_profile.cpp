@@ -1,13 +1,13 @@
 // The model fem on patches of true profiles: circles given as profiles against radii, a sphere
 // about a tilted axle, S1002 on UIC60 against the half-space on the same grid.
-#include "contact/contact_surface.hpp"
-#include "fem/contact_run.hpp"
-#include "fem/run_layout.hpp"
-#include "halfspace/model.hpp"
+#include "contact/scene/contact_surface.hpp"
+#include "fem/model/contact_run.hpp"
+#include "fem/model/run_layout.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mpi_environment.hpp"
+#include "support/mpi_environment.hpp"
 #include "support/patch_examples.hpp"
 #include "support/profile_scenes.hpp"
 #include <cmath>

@@ -1,13 +1,13 @@
 // Recovered stress on curved bodies with hanging nodes: its order by a manufactured solution, and
 // the same numbers on any number of processes.
-#include "fem/body_points.hpp"
-#include "fem/compliance.hpp"
-#include "fem/energy_error.hpp"
-#include "fem/multigrid.hpp"
-#include "fem/stress_recovery.hpp"
-#include "halfspace/subsurface.hpp"
+#include "fem/body/body_points.hpp"
+#include "fem/coupling/compliance.hpp"
+#include "fem/solver/multigrid.hpp"
+#include "fem/stress/energy_error.hpp"
+#include "fem/stress/stress_recovery.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
-#include "fem_manufactured.hpp"
+#include "support/fem_manufactured.hpp"
 #include <algorithm>
 #include <cmath>
 #include <random>

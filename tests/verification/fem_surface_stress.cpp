@@ -1,14 +1,14 @@
 // Stress at the surface of a finite-element body from the tractions and the strain within the
 // surface: against Hertz's closed forms inside and outside of a circle, and better than the
 // recovered stress alone.
-#include "fem/compliance.hpp"
-#include "fem/multigrid.hpp"
-#include "fem/prescribed.hpp"
-#include "fem/stress_recovery.hpp"
-#include "fem/surface_stress.hpp"
-#include "halfspace/subsurface.hpp"
+#include "fem/body/prescribed.hpp"
+#include "fem/coupling/compliance.hpp"
+#include "fem/solver/multigrid.hpp"
+#include "fem/stress/stress_recovery.hpp"
+#include "fem/stress/surface_stress.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
-#include "fem_manufactured.hpp"
+#include "support/fem_manufactured.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // Steady rolling in three dimensions: prescribed forces against creep curves, Kalker's coefficients
 // over aspect ratio and Poisson's ratio, extra rigid slip against CONTACT, given pressure.
-#include "contact/errors.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/linear_theory.hpp"
-#include "halfspace/model.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/theories/linear_theory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Shifts and transient rolling against Cattaneo and Mindlin, Spence's datum and the steady solution
 // (reference/benchmarks.md, 3 and 4).
-#include "contact/geometry.hpp"
-#include "contact/patch_size.hpp"
-#include "halfspace/cattaneo_mindlin.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/contact_problem.hpp"
-#include "halfspace/hertz.hpp"
-#include "halfspace/model.hpp"
+#include "contact/result/patch_size.hpp"
+#include "contact/scene/geometry.hpp"
+#include "halfspace/closed_forms/cattaneo_mindlin.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/contact_problem.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Line contact of half-planes against closed forms and CONTACT: Carter, Bentall and Johnson, Spence
 // (reference/benchmarks.md, 2, 4 and 5).
-#include "contact/geometry.hpp"
-#include "contact/history.hpp"
-#include "contact/patch_size.hpp"
-#include "contact/prescribed_force.hpp"
-#include "halfspace/carter.hpp"
-#include "halfspace/contact_problem.hpp"
-#include "halfspace/line_compliance.hpp"
+#include "contact/result/patch_size.hpp"
+#include "contact/scene/geometry.hpp"
+#include "contact/solve/history.hpp"
+#include "contact/solve/prescribed_force.hpp"
+#include "halfspace/elasticity/line_compliance.hpp"
+#include "halfspace/model/contact_problem.hpp"
+#include "halfspace/theories/carter.hpp"
 
 #include <gtest/gtest.h>
 

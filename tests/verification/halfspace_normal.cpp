@@ -1,9 +1,9 @@
 // The normal solver on the half-space against Hertz, a punch, CONTACT and invariants.
-#include "contact/errors.hpp"
-#include "contact/normal.hpp"
-#include "contact/patch_size.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/hertz.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/result/patch_size.hpp"
+#include "contact/solve/normal.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Steady rolling on the half-space against CONTACT, converged values and invariants.
-#include "contact/tangential.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/model.hpp"
+#include "contact/solve/tangential.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 

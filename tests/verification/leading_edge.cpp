@@ -1,9 +1,9 @@
 // The leading edge below the element: order of the forces, smooth tractions across rolling.
-#include "contact/leading_edge.hpp"
+#include "contact/solve/leading_edge.hpp"
 
-#include "contact/normal.hpp"
-#include "halfspace/compliance.hpp"
-#include "halfspace/hertz.hpp"
+#include "contact/solve/normal.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // and CONTACT on S1002 over UIC60 (reference/wheelrail_left_*.csv).
 #include "support/profile_patches.hpp"
 
-#include "halfspace/hertz.hpp"
-#include "halfspace/registry.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/registry.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The boundaries of the shakedown map: values of the literature, the fields behind them made anew
 // with half-space elements, and Melan's theorem for the line contact.
-#include "postprocess/shakedown.hpp"
+#include "postprocess/stress/shakedown.hpp"
 
-#include "contact/stress_measures.hpp"
-#include "halfspace/subsurface.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Stress below Hertzian contact: CONTACT's values of case a, the closed forms of the circle and of
 // the line, with the order at which the grid converges to them.
-#include "contact/geometry.hpp"
-#include "halfspace/subsurface.hpp"
+#include "contact/scene/geometry.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The theories against CONTACT (its FASTSIM and its converged half-space solutions of the cases a,
 // c and e) and against the seed study.
-#include "contact/errors.hpp"
-#include "halfspace/carter.hpp"
-#include "halfspace/fastsim.hpp"
-#include "halfspace/model.hpp"
-#include "halfspace/strip.hpp"
-#include "halfspace/vermeulen_johnson.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/theories/carter.hpp"
+#include "halfspace/theories/fastsim.hpp"
+#include "halfspace/theories/strip.hpp"
+#include "halfspace/theories/vermeulen_johnson.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // A wheelset in balance, checked by what it must satisfy: vertical forces with friction add up to
 // the load on every wheel, free rolling has no torque or no force, patches of one wheel share its
 // load; and where there is no balance, that is said.
-#include "contact/errors.hpp"
-#include "halfspace/model.hpp"
-#include "meshes/scenes.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/model/model.hpp"
+#include "meshes/track/scenes.hpp"
+#include "wheelset/balance.hpp"
 
 #include <gtest/gtest.h>
 
-#include "wheelset/balance.hpp"
 #include <cmath>
 #include <map>
 #include <string>

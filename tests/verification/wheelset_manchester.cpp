@@ -1,11 +1,11 @@
 // The Manchester benchmark A-2.2 (Shackleton and Iwnicki 2008): a wheelset of 20 kN, shifted and
 // yawed, rolling without torque. Against CONTACT's shipped results for the left wheel (CONTACT user
 // guide, section 5.7, open version r2707): place, normal force, pressure and creepages.
-#include "halfspace/model.hpp"
+#include "halfspace/model/model.hpp"
+#include "wheelset/balance.hpp"
 
 #include <gtest/gtest.h>
 
-#include "wheelset/balance.hpp"
 #include <cmath>
 #include <vector>
 

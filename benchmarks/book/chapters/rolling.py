@@ -80,7 +80,7 @@ def bentall_johnson(bench):
     free = bench.test(program + "CreepageOfFreeRollingWithHardlyAnyFriction")
     rough = bench.test(program + "FrictionLowersTheCreepageAndRaisesThePressure")
     pulled = bench.test(program + "TractiveAndBrakedRolling")
-    # Al on steel: 1/G, nu/G and K/G are means of both bodies (design.md, section 3)
+    # Al on steel: 1/G, nu/G and K/G are means of both bodies
     g = 2 / (1 / 23000 + 1 / 82000)
     nu = g * (0.31 / 23000 + 0.28 / 82000) / 2
     k = g * ((1 - 0.62) / 23000 - (1 - 0.56) / 82000) / 4

@@ -1,0 +1,20 @@
+// Finished load points that outlive the run. The models only keep and find records here; the
+// program decides where they are (postprocess/write/checkpoint_folder.hpp).
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace rollfem::contact {
+
+class Checkpoint {
+ public:
+  virtual ~Checkpoint() = default;
+  /// What an earlier run of the same case has kept under that name. Names are file names: letters,
+  /// digits, '.', '-'.
+  virtual std::optional<std::string> find(const std::string& name) = 0;
+  /// Never throws: a run does not fail because its checkpoint cannot be written.
+  virtual void keep(const std::string& name, const std::string& record) = 0;
+};
+
+}  // namespace rollfem::contact

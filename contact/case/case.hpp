@@ -1,0 +1,281 @@
+// A case as the user describes it: bodies, load, friction, rolling, grids. Values in, no behaviour;
+// read from TOML by case_reader.hpp. Units: mm, N, MPa, rad.
+#pragma once
+
+#include "contact/case/track.hpp"
+#include "contact/scene/patch_geometry.hpp"
+#include "contact/solve/compliance.hpp"
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollfem::contact {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Linear-elastic isotropic material.
+struct Material {
+  double young_modulus = 210e3;  ///< MPa, inf: rigid (at most one of the two bodies)
+  double poisson_ratio = 0.3;
+  double density = 7.85e-9;  ///< t/mm^3, felt at Rolling::speed > 0 only
+};
+
+/// Upper body (1): a surface of revolution about the axle.
+struct Wheel {
+  double rolling_radius = 0.0;          ///< mm, radius at the running circle
+  double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
+  Material material;
+  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
+  ProfileSource profile;  ///< in place of the transverse radius
+};
+
+/// Lower body (2): a straight extruded rail.
+struct Rail {
+  double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
+  Material material;
+  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
+  ProfileSource profile;  ///< in place of the transverse radius
+};
+
+/// Exactly one of the first three is given; vertical_force with profiles only. Where the load comes
+/// from elsewhere (a history, a given pressure) the reader puts the largest normal force or
+/// approach of that here, which is what grids are sized by.
+struct Load {
+  std::optional<double> normal_force;    ///< N
+  std::optional<double> approach;        ///< mm
+  std::optional<double> vertical_force;  ///< N, on each wheel, friction included
+  /// N, of each load point where they differ: a patch that is tilted, whose friction carries a part
+  /// of the vertical force. Empty: normal_force for all. Not read from a file.
+  std::vector<double> normal_forces;
+  /// Load of load point k: normal_forces, else normal_force.
+  std::optional<double> normal_force_of(std::size_t k) const {
+    return k < normal_forces.size() ? std::optional<double>(normal_forces[k]) : normal_force;
+  }
+};
+
+/// Rigid slip that comes from the shape of the contact surface rather than from the creepages.
+enum class ExtraSlip {
+  none,
+  rolling_radius,  ///< s_x = -z(y)/R: the wheel's radius differs across a curved patch
+  file,            ///< s_x, s_y on a lattice of points, Rolling::extra_slip_values
+};
+
+/// Values on a regular lattice of points, as read from a file of lines `x, y, value ...`; evaluated
+/// by contact/case/lattice.hpp.
+struct Lattice {
+  std::string file;  ///< as given in the case file
+  int nx = 0;
+  int ny = 0;
+  double x_first = 0.0;                     ///< mm
+  double y_first = 0.0;                     ///< mm
+  double dx = 0.0;                          ///< mm
+  double dy = 0.0;                          ///< mm
+  std::vector<std::vector<double>> values;  ///< per column of the file; index j * nx + i
+};
+
+/// What is asked of friction.
+enum class Problem {
+  steady,        ///< steady rolling, every load point on its own
+  shift,         ///< bodies pressed and pushed without rolling (Cattaneo); load points are steps
+  transient,     ///< rolling in steps from the state before; load points are steps
+  frictionless,  ///< the normal problem alone, tangential tractions 0
+};
+
+/// One load point of a creep curve.
+struct Creepage {
+  double longitudinal = 0.0;  ///< xi
+  double lateral = 0.0;       ///< eta
+  double spin = 0.0;          ///< phi, rad/mm
+};
+
+/// Tangential force on the wheel (N) given in place of the creepage (shift) of that direction,
+/// which then is unknown and 0 in `Creepage` (`HistoryStep`).
+struct PrescribedForce {
+  std::optional<double> longitudinal;  ///< F_x, negative when braking (xi > 0)
+  std::optional<double> lateral;       ///< F_y
+  bool any() const { return longitudinal.has_value() || lateral.has_value(); }
+};
+
+/// Where the second-order difference takes the leading edge of the patch to be (docs/accuracy.md).
+enum class LeadingEdge {
+  fitted,  ///< where the pressure says, below the element size
+  plain,   ///< wherever the elements put it
+};
+
+/// Which creepages the case file gives; with profiles the others follow from the motion.
+struct GivenCreepages {
+  bool longitudinal = false;
+  bool lateral = false;
+  bool spin = false;
+};
+
+struct Rolling {
+  Problem problem = Problem::steady;
+  double speed = 0.0;  ///< mm/s; 0: quasi-static, no inertia
+  /// Lists in the file are broadcast to one length: that of the load points (steps of a history).
+  std::vector<Creepage> creepages{Creepage{}};
+  GivenCreepages given;
+  std::vector<PrescribedForce> forces;  ///< as long as `creepages`, or empty: none prescribed
+  UpwindOrder upwind_order = UpwindOrder::second;
+  LeadingEdge leading_edge = LeadingEdge::fitted;
+  ExtraSlip extra_slip = ExtraSlip::none;
+  std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
+};
+
+/// What is special to one step of the problems `shift` and `transient`. Shifts are rigid
+/// displacements of the wheel relative to the rail during this step, not since the beginning.
+struct HistoryStep {
+  std::optional<double> normal_force;  ///< N; neither: that of the whole case
+  std::optional<double> approach;      ///< mm
+  double longitudinal_shift = 0.0;     ///< mm, problem shift
+  double lateral_shift = 0.0;          ///< mm, problem shift
+  double spin_shift = 0.0;             ///< rad, rotation about the normal, problem shift
+  double step_length = 0.0;            ///< mm rolled in this step, problem transient
+};
+
+/// Undeformed distance in place of that of the radii; at most one of the two.
+struct DistanceOptions {
+  std::optional<std::array<double, 2>> quadratic;  ///< A, B in 1/mm: h = A x^2 + B y^2
+  std::optional<Lattice> values;                   ///< h in mm on a lattice of points
+};
+
+/// Hertzian pressure p0 sqrt(1 - (x/a)^2 - (y/b)^2) prescribed in place of the normal problem.
+struct GivenPressure {
+  double semi_axis_x = 0.0;   ///< a, mm
+  double semi_axis_y = 0.0;   ///< b, mm
+  double max_pressure = 0.0;  ///< p0, MPa; the reader finds it from Load::normal_force if need be
+};
+
+struct GridOptions {
+  int elements_across = 40;                        ///< along the smaller extent of the patch
+  std::optional<std::array<double, 2>> cell_size;  ///< dx, dy in mm; overrides elements_across
+  std::optional<std::array<double, 2>> extent;     ///< mm, of the whole potential contact area
+  std::array<double, 2> middle{0.0, 0.0};          ///< mm, of the potential contact area
+};
+
+/// Traction bound of the model fastsim.
+enum class BoundForm { parabolic, elliptic };
+/// Flexibilities of the model fastsim: one for each creepage, or their weighted mean.
+enum class FlexibilityCount { three, one };
+/// Elements of the strips of the model fastsim: equal parts of the chord, or those of a grid.
+enum class StripElementPlace { chord, grid };
+
+struct FastsimCase {
+  BoundForm bound = BoundForm::parabolic;
+  FlexibilityCount flexibilities = FlexibilityCount::three;
+  StripElementPlace elements = StripElementPlace::chord;
+  int strips = 100;
+  int strip_elements = 100;
+};
+
+/// Where the elements of the model halfspace lie: in the tangent plane, or along the arc of the
+/// common surface across.
+enum class SurfaceForm { planar, curved };
+
+struct HalfspaceCase {
+  SurfaceForm surface = SurfaceForm::planar;
+};
+
+struct StripCase {
+  int strips = 100;
+  int strip_elements = 100;
+};
+
+struct CarterCase {
+  int strips = 200;
+};
+
+/// Points at which stress and displacement are asked for: a point (1 by 1), a line (n by 1) or a
+/// plane (n by m) of them, the parallelogram `from`, `to`, `across`; or a line (n by 1) that
+/// follows the contact surface of the body at one depth, of which `from` and `to` hold x and y
+/// only.
+struct SubsurfaceRequest {
+  enum class Kind { point, line, plane, surface };
+  Kind kind = Kind::point;
+  bool wheel = true;  ///< else the rail
+  std::array<double, 3>
+      from{};  ///< mm, global frame: z >= 0 in the wheel, <= 0 in the rail unless that is concave
+  std::array<double, 3> to{};       ///< other end of the line; end of the first side
+  std::array<double, 3> across{};   ///< end of the second side, that begins at `from`
+  double depth = 0.0;               ///< mm below the surface of the body, kind surface
+  std::array<int, 2> points{1, 1};  ///< along the first and the second side
+};
+
+enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
+/// How the program meshes wheel and rail: a graded box laid on the surface, or a gmsh cross-section
+/// revolved and extruded, with profiles the true section of rail and rim.
+enum class MeshFamily { structured, gmsh };
+/// How the far boundary of the segments is held: fixed, or displaced as a half-space under the
+/// force on the patch, taken as a point load.
+enum class FarBoundary { clamped, point_load };
+
+struct FemOptions {
+  std::optional<double> cell_size;    ///< mm, FE cell and contact element in the patch
+  int degree = 2;                     ///< polynomial degree of the displacement
+  std::optional<double> extent;       ///< mm, how far the segments reach from the patch
+  std::optional<double> width;        ///< mm, of the segments across; else twice the extent
+  std::optional<double> depth;        ///< mm, of the segments; else the extent
+  std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
+  std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
+  std::optional<MeshFamily> mesh;     ///< not given: structured where it fits
+  std::optional<double> rim_thickness;      ///< mm, of the wheel's true section below the tread
+  std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
+  LinearSolver linear_solver = LinearSolver::automatic;
+};
+
+/// Of which load points displacement and stress of the whole bodies are kept.
+enum class BodyFields { all, last, none };
+
+struct OutputOptions {
+  std::vector<std::string> paths{"x", "y"};  ///< middle lines written as path_x.csv, path_y.csv
+  bool fields = true;                        ///< ParaView files, and what body_fields says
+  BodyFields body_fields = BodyFields::all;  ///< only with `fields`
+  std::optional<bool> stress_maxima;         ///< not given: with the model fem only
+  /// Whether load point k of `count` keeps displacement and stress of wheel and rail.
+  bool keeps_bodies(std::size_t k, std::size_t count) const {
+    return fields &&
+           (body_fields == BodyFields::all || (body_fields == BodyFields::last && k + 1 == count));
+  }
+};
+
+struct Case {
+  std::string title;
+  std::string file;  ///< as given by the user
+  std::string text;  ///< the whole case file, kept for provenance
+  std::vector<std::string> models;
+  std::optional<double> accuracy;  ///< relative; cells are halved until it is reached
+  std::vector<std::string> accuracy_of{"max_pressure", "semi_axis_x", "semi_axis_y",
+                                       "traction_coefficient"};
+  Load load;
+  double friction_coefficient = 0.0;
+  Wheel wheel;
+  Rail rail;
+  Track track;        ///< with profiles
+  Wheelset wheelset;  ///< with profiles
+  Rolling rolling;
+  std::vector<HistoryStep>
+      history;  ///< as long as rolling.creepages for shift and transient, else empty
+  DistanceOptions undeformed_distance;
+  std::optional<GivenPressure> given_pressure;
+  GridOptions contact_grid;
+  HalfspaceCase halfspace;
+  FastsimCase fastsim;
+  StripCase strip;
+  CarterCase carter;
+  std::vector<SubsurfaceRequest> subsurface;
+  FemOptions fem;
+  OutputOptions output;
+  /// Set in the scenes that are made of a case with profiles, one for each patch: the models take
+  /// undeformed distance and slip from it instead of from radii, `load.normal_force` and
+  /// `rolling.creepages` are those of the patch.
+  std::shared_ptr<const PatchGeometry> patch;
+  std::optional<ContactPlace> place;  ///< of `patch`
+  /// Wheel and rail are given by profiles: not to be solved as it is, but made into scenes.
+  bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,80 @@
+// The one declaration of the case file: every key with section, kind, unit, symbol, bounds, default
+// and a sentence. Reading, `check`, `new-case` and docs/case-file.md are all derived from it.
+#pragma once
+
+#include "contact/case/case.hpp"
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rollfem::contact {
+
+enum class KeyKind {
+  text,     ///< any string
+  word,     ///< one of `words`
+  words,    ///< a list of different `words`
+  number,   ///< a float or integer within `bounds`
+  integer,  ///< a whole number within `bounds`
+  boolean,
+  pair,     ///< a list of two numbers, each within `bounds`
+  triple,   ///< a list of three numbers, each within `bounds`
+  numbers,  ///< a number or a list of numbers, each within `bounds`
+};
+
+/// Range of a number. NaN and -inf are never inside, inf only when `infinite` says so.
+struct Bounds {
+  double lower = -infinity;
+  double upper = infinity;
+  bool upper_open = false;  ///< the upper bound itself is outside
+  bool magnitude = false;   ///< lower and upper bound the absolute value
+  bool infinite = false;    ///< inf is allowed
+  bool contains(double value) const;
+};
+
+/// Value of a key; integers are kept as double, a single number of KeyKind::numbers as a list of
+/// one, nothing as monostate.
+using KeyValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>,
+                              std::vector<std::string>>;
+
+struct Key {
+  std::string section;  ///< empty for the keys before the first section
+  std::string name;
+  KeyKind kind = KeyKind::number;
+  std::string symbol;  ///< as in the papers; may be empty
+  std::string unit;    ///< empty when it has none
+  Bounds bounds;
+  std::vector<std::string> words;
+  bool required = false;
+  std::string when_absent;  ///< what happens without it, for keys that have no default value
+  std::string example;      ///< TOML text for `new-case`; empty: the default, or left commented out
+  std::string sentence;
+  std::function<KeyValue(const Case&)> get;
+  std::function<void(Case&, const KeyValue&)> set;
+
+  /// "wheel.rolling_radius"
+  std::string path() const { return section.empty() ? name : section + "." + name; }
+};
+
+struct Section {
+  std::string name;
+  std::string sentence;
+  /// Written [[name]], any number of times; the keys' get and set work on the last one.
+  bool repeated = false;
+};
+
+/// Adds an empty entry of a repeated section, which the setters of its keys then fill.
+void begin_entry(Case& input, const std::string& section);
+
+/// Sections and keys in the order of the reference page.
+const std::vector<Section>& case_sections();
+const std::vector<Key>& case_keys();
+
+/// The key of that section and name, nullptr when there is none.
+const Key* find_key(const std::string& section, const std::string& name);
+
+/// A case in which every optional key has its default.
+Case default_case();
+
+}  // namespace rollfem::contact

@@ -1,0 +1,28 @@
+// TOML case files: reading with checks, printing what was understood, a commented template, and
+// the reference page, all from one declaration of the keys.
+#pragma once
+
+#include "contact/case/case.hpp"
+
+#include <string>
+
+namespace rollfem::contact {
+
+/// Reads and checks a case file. Throws InputError with one message:
+/// FILE:LINE:COLUMN, key, value, what is allowed, what to do.
+Case read_case(const std::string& path);
+
+/// The same from text; `name` stands in messages for the file.
+Case parse_case(const std::string& text, const std::string& name);
+
+/// What was understood: every key with value, unit and whether it is the default, and what follows
+/// (relative curvatures, combined constants). Multi-line text.
+std::string describe(const Case& input);
+
+/// A commented case file with defaults, which parse_case accepts.
+std::string case_template();
+
+/// docs/case-file.md: every key with type, unit, bounds, default and one sentence.
+std::string case_reference_markdown();
+
+}  // namespace rollfem::contact

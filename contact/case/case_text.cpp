@@ -1,0 +1,127 @@
+#include "contact/case/case_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rollfem::contact {
+
+namespace {
+
+std::string text_of(double value) {
+  return fmt::format("{}", value);
+}
+
+std::string text_of(const std::string& value) {
+  std::string escaped;
+  for (const char c : value) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  return '"' + escaped + '"';
+}
+
+template <class Item>
+std::string list_of(const std::vector<Item>& items) {
+  std::vector<std::string> texts;
+  for (const Item& item : items) texts.push_back(text_of(item));
+  return "[" + joined(texts) + "]";
+}
+
+struct ValueText {
+  std::string operator()(std::monostate) const { return ""; }
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(double value) const { return text_of(value); }
+  std::string operator()(const std::string& value) const { return text_of(value); }
+  std::string operator()(const std::vector<double>& value) const {
+    return value.size() == 1 ? text_of(value.front()) : list_of(value);
+  }
+  std::string operator()(const std::vector<std::string>& value) const { return list_of(value); }
+};
+
+std::string range(const Key& key) {
+  const Bounds& bounds = key.bounds;
+  const std::string unit = key.unit.empty() ? "" : " " + key.unit;
+  std::string text;
+  if (bounds.magnitude && bounds.lower == 0.0)
+    text = fmt::format("from {:g} to {:g}{}", -bounds.upper, bounds.upper, unit);
+  else if (bounds.magnitude)
+    text = fmt::format("of magnitude {:g} to {:g}{}", bounds.lower, bounds.upper, unit);
+  else
+    text = fmt::format("from {:g} to {}{:g}{}", bounds.lower, bounds.upper_open ? "below " : "",
+                       bounds.upper, unit);
+  return bounds.infinite ? text + ", or inf" : text;
+}
+
+/// Number of insertions, deletions and replacements that make one word the other (Levenshtein).
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+// Not fmt::join: gcc 12 takes its inlined format parser for a buffer overflow.
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
+  return all;
+}
+
+std::string toml_text(const KeyValue& value) {
+  return std::visit(ValueText{}, value);
+}
+
+std::string allowed_values(const Key& key) {
+  switch (key.kind) {
+    case KeyKind::text:
+      return "a text in quotes";
+    case KeyKind::word:
+      return "one of " + joined(key.words);
+    case KeyKind::words:
+      return "a list of some of " + joined(key.words);
+    case KeyKind::number:
+      return "a number " + range(key);
+    case KeyKind::integer:
+      return "a whole number " + range(key);
+    case KeyKind::boolean:
+      return "true or false";
+    case KeyKind::pair:
+      return "a list of two numbers " + range(key);
+    case KeyKind::triple:
+      return "a list of three numbers " + range(key);
+    case KeyKind::numbers:
+      return "a number or a list of numbers " + range(key);
+  }
+  return "";
+}
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  std::string nearest;
+  // Half of the letters may be wrong, or else the guess would puzzle more than it helps.
+  std::size_t smallest = (std::min<std::size_t>(name.size(), 40) + 1) / 2 + 1;
+  if (name.size() > 80) return nearest;
+  for (const std::string& candidate : candidates) {
+    const bool part = name.size() > 2 && candidate.find(name) != std::string::npos;
+    const std::size_t distance = part ? 1 : edit_distance(name, candidate);
+    if (distance < smallest) {
+      smallest = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,23 @@
+// Keys and values of a case file as text: for messages, `check`, `new-case` and the reference.
+#pragma once
+
+#include "contact/case/case_keys.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// As it would stand in a case file: 0.55, "second", [0.0, 0.001]. Empty for no value.
+std::string toml_text(const KeyValue& value);
+
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& texts);
+
+/// What a key accepts, in words: "a number from 0 to 1000", "one of first, second".
+std::string allowed_values(const Key& key);
+
+/// The candidate that is nearest to a misspelt name; empty when none is near.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
+
+}  // namespace rollfem::contact

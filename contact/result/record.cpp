@@ -1,0 +1,141 @@
+#include "contact/result/record.hpp"
+
+#include <cstring>
+#include <stdexcept>
+
+namespace rollfem::contact {
+
+void Record::raw(void* data, std::size_t size) {
+  if (size == 0) return;
+  if (!reading_) {
+    bytes_.append(static_cast<const char*>(data), size);
+    return;
+  }
+  if (size > bytes_.size() - position_) throw std::runtime_error("the record ends too early");
+  std::memcpy(data, bytes_.data() + position_, size);
+  position_ += size;
+}
+
+std::size_t Record::length(std::size_t size, std::size_t bytes_each) {
+  unsigned long long count = size;
+  raw(&count, sizeof count);
+  // A damaged length must not ask for all memory.
+  if (reading_ && count > (bytes_.size() - position_) / bytes_each)
+    throw std::runtime_error("the record ends too early");
+  return static_cast<std::size_t>(count);
+}
+
+template <class Entry>
+void Record::plain(std::vector<Entry>& entries) {
+  static_assert(std::is_trivially_copyable_v<Entry>);
+  entries.resize(length(entries.size(), sizeof(Entry)));
+  raw(entries.data(), entries.size() * sizeof(Entry));
+}
+
+void Record::value(bool& truth) {
+  unsigned char byte = truth ? 1 : 0;
+  raw(&byte, 1);
+  truth = byte != 0;
+}
+
+void Record::value(std::string& text) {
+  text.resize(length(text.size(), 1));
+  raw(text.data(), text.size());
+}
+
+void Record::value(Field& field) {
+  const auto size = length(static_cast<std::size_t>(field.size()), sizeof(double));
+  field.resize(static_cast<Eigen::Index>(size));
+  raw(field.data(), size * sizeof(double));
+}
+
+void Record::value(TangentialField& field) {
+  values(field.x, field.y);
+}
+
+void Record::value(SurfaceField& field) {
+  values(field.x, field.y, field.n);
+}
+
+void Record::value(Response& response) {
+  values(response.displacement, response.curvature_slip);
+}
+
+void Record::value(std::vector<ElementState>& states) {
+  plain(states);
+}
+
+void Record::value(std::map<std::string, double>& numbers) {
+  const std::size_t count = length(numbers.size(), 1);
+  if (reading_) {
+    numbers.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string name;
+      double number = 0.0;
+      values(name, number);
+      numbers[name] = number;
+    }
+    return;
+  }
+  for (auto& [name, number] : numbers) {
+    std::string copy = name;
+    values(copy, number);
+  }
+}
+
+void Record::value(SubsurfaceField& field) {
+  static_assert(std::is_trivially_copyable_v<SubsurfaceRequest>);
+  raw(&field.request, sizeof field.request);
+  plain(field.points);
+  plain(field.displacement);
+  plain(field.stress);
+}
+
+void Record::value(BodyValues& values) {
+  plain(values.displacement);
+  plain(values.stress);
+}
+
+void Record::value(std::vector<BodyField>& bodies) {
+  bodies.resize(length(bodies.size(), 1));
+  for (BodyField& body : bodies) {
+    value(body.name);
+    plain(body.points);
+    plain(body.cells);
+    plain(body.displacement);
+    plain(body.stress);
+  }
+}
+
+void Record::value(PointResult& p) {
+  values(p.creepage.longitudinal, p.creepage.lateral, p.creepage.spin, p.step);
+  values(p.longitudinal_shift, p.lateral_shift, p.spin_shift, p.distance);
+  values(p.normal_force, p.longitudinal_force, p.lateral_force, p.spin_moment);
+  values(p.traction_coefficient, p.max_pressure, p.max_traction, p.max_traction_x, p.approach);
+  values(p.semi_axis_x, p.semi_axis_y, p.contact_length, p.contact_width);
+  values(p.contact_area, p.adhesion_area, p.iterations, p.residual, p.seconds, p.converged);
+  values(p.error_estimate, p.richardson, p.derived);
+  ContactFields& f = p.fields;
+  values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.state);
+  std::size_t requests = length(p.subsurface.size(), 1);
+  p.subsurface.resize(requests);
+  for (SubsurfaceField& field : p.subsurface) value(field);
+  p.stress_maxima.resize(length(p.stress_maxima.size(), 1));
+  for (StressMaximum& maximum : p.stress_maxima) {
+    values(maximum.body, maximum.measure, maximum.value);
+    for (double& coordinate : maximum.place) value(coordinate);
+  }
+  p.bodies.resize(length(p.bodies.size(), 1));
+  for (BodyValues& body : p.bodies) value(body);
+}
+
+unsigned long long checksum(std::string_view bytes, unsigned long long begin) {
+  unsigned long long hash = begin;
+  for (const char c : bytes) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3U;
+  }
+  return hash;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,81 @@
+#include "contact/result/refinement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rollfem::contact {
+
+double estimated_error(const std::vector<double>& values, double assumed_order,
+                       double least_order) {
+  constexpr double best_order = 2.0;
+  constexpr double believed_fall = 16.0;  // of an error that changes its sign
+  const std::size_t n = values.size();
+  if (n < 2) throw std::logic_error("an error estimate takes two levels");
+  const double now = values[n - 1] - values[n - 2];
+  if (n == 2) return std::abs(now) / (std::exp2(assumed_order) - 1.0);
+  const double before = values[n - 2] - values[n - 3];
+  if (before * now > 0.0) {
+    const double order = std::clamp(std::log2(before / now), least_order, best_order);
+    return std::max(std::abs(now), std::abs(before) / std::exp2(best_order)) /
+           (std::exp2(order) - 1.0);
+  }
+  return std::max(std::abs(now), std::abs(before) / believed_fall) /
+         (std::exp2(assumed_order) - 1.0);
+}
+
+double quantity(const PointResult& point, const std::string& name) {
+  static const std::map<std::string, double PointResult::*> members{
+      {"max_pressure", &PointResult::max_pressure},
+      {"semi_axis_x", &PointResult::semi_axis_x},
+      {"semi_axis_y", &PointResult::semi_axis_y},
+      {"approach", &PointResult::approach},
+      {"normal_force", &PointResult::normal_force},
+      {"traction_coefficient", &PointResult::traction_coefficient},
+      {"max_traction_x", &PointResult::max_traction_x}};
+  const auto found = members.find(name);
+  if (found == members.end()) throw std::logic_error("no quantity of that name: " + name);
+  return point.*found->second;
+}
+
+double estimate_scale(const Case& input, const PointResult& point, const std::string& name) {
+  double scale = std::abs(quantity(point, name));
+  const double sliding = 0.01 * input.friction_coefficient;
+  if (name == "traction_coefficient") scale = std::max(scale, sliding);
+  if (name == "max_traction_x") scale = std::max(scale, sliding * point.max_pressure);
+  return scale;
+}
+
+double accuracy_scale(const Case& input, const std::vector<PointResult>& points, std::size_t k,
+                      const std::string& name) {
+  double scale = estimate_scale(input, points[k], name);
+  if (name == "traction_coefficient" || name == "max_traction_x")
+    for (const PointResult& point : points)
+      scale = std::max(scale, estimate_scale(input, point, name));
+  return scale;
+}
+
+WorstError worst_error(const Case& input, const std::vector<PointResult>& points) {
+  WorstError worst;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const std::string& name : input.accuracy_of) {
+      const auto estimate = points[k].error_estimate.find(name);
+      if (estimate == points[k].error_estimate.end()) continue;
+      const double scale = accuracy_scale(input, points, k, name);
+      if (scale == 0.0) continue;
+      const double error = estimate->second * estimate_scale(input, points[k], name) / scale;
+      if (error > worst.error) worst = {name, static_cast<int>(k) + 1, error};
+    }
+  return worst;
+}
+
+std::string shortfall_text(const Case& input, const WorstError& worst, const std::string& reason) {
+  return fmt::format(
+      "accuracy = {:g} was asked for and not reached: the estimated error of {} at load point {} "
+      "is {:.2g}; {}",
+      *input.accuracy, worst.quantity, worst.point, worst.error, reason);
+}
+
+}  // namespace rollfem::contact

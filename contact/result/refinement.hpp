@@ -1,0 +1,58 @@
+// When to stop halving cells: the error of what a case asks to be accurate, estimated from the
+// sequence of levels.
+#pragma once
+
+#include "contact/case/case.hpp"
+#include "contact/result/result.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// Errors of forces in partial slip below this over the number of elements across are not believed,
+/// relative to the value: what the leading edge leaves uncertain on the contact grid, whatever the
+/// elasticity (found on 10 problems, docs/accuracy.md).
+constexpr double least_rolling_error = 0.15;
+
+/// The change between two grids is taken times this where the order is 1 on the whole but no two
+/// grids are even, as is usual for two grids (Roache 1994).
+constexpr double uneven_safety = 1.5;
+
+/// Error of the last of the values, which belong to cells of h, h/2, h/4, ... (coarsest first; two
+/// at least), absolute. The order is that which the last three show, within [`least_order`, 2];
+/// `assumed_order` when there are only two or the changes have opposite signs. Two grids may agree
+/// by chance: a change is believed to be no less than a fourth of the one before, a sixteenth when
+/// they have opposite signs.
+double estimated_error(const std::vector<double>& values, double assumed_order,
+                       double least_order = 1.0);
+
+/// A quantity of PointResult by the name it has in summary.json; throws std::logic_error for one
+/// that is not among the words of `accuracy_of`.
+double quantity(const PointResult& point, const std::string& name);
+
+/// What PointResult::error_estimate is relative to: the value, or a hundredth of full sliding where
+/// that is more.
+double estimate_scale(const Case& input, const PointResult& point, const std::string& name);
+
+/// What the error of a quantity at load point k is relative to: its value, or the largest of the
+/// curve for tractions (at least a hundredth of full sliding).
+double accuracy_scale(const Case& input, const std::vector<PointResult>& points, std::size_t k,
+                      const std::string& name);
+
+/// The largest error of what the case asks for.
+struct WorstError {
+  std::string quantity;
+  int point = 0;  ///< counted from 1
+  double error = 0.0;
+};
+
+/// From the error estimates that the points carry (relative to the value, or to a hundredth of
+/// full sliding where that is more).
+WorstError worst_error(const Case& input, const std::vector<PointResult>& points);
+
+/// "accuracy 0.001 was asked for, ...": for ModelResult::shortfall.
+std::string shortfall_text(const Case& input, const WorstError& worst, const std::string& reason);
+
+}  // namespace rollfem::contact

@@ -1,0 +1,94 @@
+#include "contact/result/result.hpp"
+
+#include "contact/result/patch_size.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// An empty component counts as zero: frictionless results carry no tangential tractions.
+Field filled(const Field& field, Eigen::Index size) {
+  return field.size() == size ? field : Field(Field::Zero(size));
+}
+
+/// True area over projected area of the elements in contact.
+double mean_stretch(const PatchShape& shape, const Field& pressure) {
+  if (shape.stretch.size() == 0) return 1.0;
+  const Field mask = (pressure.array() > 0.0).cast<double>();
+  return mask.sum() > 0.0 ? shape.stretch.dot(mask) / mask.sum() : 1.0;
+}
+
+}  // namespace
+
+std::string ModelResult::key() const {
+  if (!place) return name;
+  return fmt::format("{}_{}_{}_{}", name, place->left ? "left" : "right", place->position,
+                     place->patch);
+}
+
+BodyField ModelResult::body_at(std::size_t point, std::size_t body) const {
+  BodyField field = bodies.at(body);
+  const BodyValues& values = points.at(point).bodies.at(body);
+  for (const auto& u : values.displacement) field.displacement.push_back({u[0], u[1], u[2]});
+  for (const auto& s : values.stress) field.stress.push_back({s[0], s[1], s[2], s[3], s[4], s[5]});
+  return field;
+}
+
+std::vector<std::size_t> ModelResult::points_with_bodies() const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (!bodies.empty() && points[k].bodies.size() == bodies.size()) found.push_back(k);
+  return found;
+}
+
+void integrate_tractions(const ContactGrid& grid, PointResult& point, const PatchShape& shape) {
+  const Field& pressure = point.fields.traction.n;
+  const Field px = filled(point.fields.traction.x, pressure.size());
+  const Field py = filled(point.fields.traction.y, pressure.size());
+  const double area = grid.element_area();
+  const Field x = grid.sample([](double at, double) { return at; });
+  const bool unrolled = shape.y.size() != 0;
+  const Field y = unrolled ? shape.y : grid.sample([](double, double at) { return at; });
+  // Tractions times the true area, projected, per unit of projected area.
+  const Field climb = filled(shape.climb, pressure.size());
+  const Field along = shape.stretch.size() == 0 ? px : Field(px.cwiseProduct(shape.stretch));
+  Field across = py - climb.cwiseProduct(pressure);
+  Field upwards = pressure + climb.cwiseProduct(py);
+  if (unrolled) {
+    // An element along the surface covers less of the projection.
+    const Field cosine = (1.0 + climb.array().square()).rsqrt();
+    across = across.cwiseProduct(cosine);
+    upwards = upwards.cwiseProduct(cosine);
+  }
+  point.normal_force = area * upwards.sum();
+  point.longitudinal_force = area * along.sum();
+  point.lateral_force = area * across.sum();
+  point.spin_moment = area * (x.dot(across) - y.dot(along));
+  // 0.0 - keeps a force of zero from giving a coefficient of minus zero.
+  point.traction_coefficient =
+      point.normal_force > 0.0 ? 0.0 - point.longitudinal_force / point.normal_force : 0.0;
+  point.max_pressure = pressure.maxCoeff();
+  point.max_traction = std::sqrt((px.array().square() + py.array().square()).maxCoeff());
+  point.max_traction_x = px.cwiseAbs().maxCoeff();
+
+  const PatchSize patch = patch_size(grid, pressure);
+  point.contact_length = patch.length;
+  point.contact_width = patch.width;
+  point.semi_axis_x = 0.5 * patch.length;
+  point.semi_axis_y = 0.5 * patch.width;
+  point.contact_area = patch.area * mean_stretch(shape, pressure);
+  const auto count = [&](ElementState state) {
+    return static_cast<double>(
+        std::count(point.fields.state.begin(), point.fields.state.end(), state));
+  };
+  const double adhesion = count(ElementState::adhesion);
+  const double contact = adhesion + count(ElementState::slip);
+  point.adhesion_area = contact > 0.0 ? point.contact_area * adhesion / contact : 0.0;
+}
+
+}  // namespace rollfem::contact

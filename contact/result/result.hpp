@@ -1,0 +1,129 @@
+// The result record that every model fills and every output reads. Signs: tractions and forces act
+// on the wheel; traction_coefficient = -F_x / F_z so that creep curves rise with xi.
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "contact/case/case.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// State of a contact element.
+enum class ElementState : unsigned char { exterior = 0, adhesion = 1, slip = 2 };
+
+/// Everything known per contact element at one load point.
+struct ContactFields {
+  SurfaceField traction;      ///< MPa, on the wheel
+  TangentialField slip;       ///< w = s + D u, relative to the rolling speed
+  Field traction_bound;       ///< g = mu p_n, MPa
+  Field gap;                  ///< deformed distance, mm, >= 0
+  SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty when a theory does not give it
+  std::vector<ElementState> state;
+};
+
+/// Displacement and stress at the points of one request of the case, in its order: first side
+/// fastest.
+struct SubsurfaceField {
+  SubsurfaceRequest request;
+  std::vector<std::array<double, 3>> points;        ///< mm, global frame
+  std::vector<std::array<double, 3>> displacement;  ///< mm, of the body's own material point
+  std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz
+};
+
+/// Largest value of a scalar measure of stress over a body (stress_measures.hpp), with its place.
+struct StressMaximum {
+  std::string body;               ///< "wheel", "rail"
+  std::string measure;            ///< "von_mises", "tresca", "orthogonal_shear", "principal_1"
+  double value = 0.0;             ///< MPa
+  std::array<double, 3> place{};  ///< mm, global frame
+};
+
+/// Displacement and stress at the nodes of a body under one load point. Single precision: 6e-8 of
+/// each value, far below what the elements are good for, and half the memory and file.
+struct BodyValues {
+  std::vector<std::array<float, 3>> displacement;  ///< mm
+  std::vector<std::array<float, 6>> stress;        ///< MPa: xx yy zz xy yz xz
+};
+
+/// One load point of one model: the entries of summary.json and the fields behind them.
+struct PointResult {
+  Creepage creepage;  ///< as prescribed, or as found for a prescribed force
+  int step = 0;       ///< 1, 2, ... in a history (problems shift and transient), else 0
+  double longitudinal_shift = 0.0;  ///< mm, of the wheel over the rail since the beginning
+  double lateral_shift = 0.0;       ///< mm, since the beginning
+  double spin_shift = 0.0;          ///< rad, since the beginning
+  double distance = 0.0;            ///< mm rolled since the beginning
+  double normal_force = 0.0;        ///< N
+  double longitudinal_force = 0.0;  ///< F_x, N, on the wheel
+  double lateral_force = 0.0;       ///< F_y, N, on the wheel
+  double spin_moment = 0.0;         ///< M_z, N mm, about the origin
+  double traction_coefficient = 0.0;
+  double max_pressure = 0.0;    ///< MPa
+  double max_traction = 0.0;    ///< largest |p_t|, MPa
+  double max_traction_x = 0.0;  ///< largest |p_x|, MPa
+  double approach = 0.0;        ///< mm
+  double semi_axis_x = 0.0;     ///< mm, found below the element size
+  double semi_axis_y = 0.0;
+  double contact_length = 0.0;  ///< mm, extent of the patch in x
+  double contact_width = 0.0;   ///< mm, extent of the patch in y
+  double contact_area = 0.0;    ///< mm^2
+  double adhesion_area = 0.0;   ///< mm^2
+  int iterations = 0;           ///< outer iterations (FE solves) or Newton steps
+  double residual = 0.0;        ///< relative residual at which the iteration stopped
+  double seconds = 0.0;
+  bool converged = false;
+  std::map<std::string, double> error_estimate;  ///< quantity -> relative error
+  std::map<std::string, double> richardson;      ///< quantity -> value extrapolated to cells of 0
+  /// What follows from the fields: elastic_energy (N mm); in steady rolling frictional_work and
+  /// creepage_work (N mm per mm rolled), which agree but for the discretisation; with profiles
+  /// patch_x_middle and patch_y_middle (mm), of the extents of the patch, which is off the origin.
+  std::map<std::string, double> derived;
+  ContactFields fields;
+  std::vector<SubsurfaceField> subsurface;   ///< as the case asks for, models halfspace and fem
+  std::vector<StressMaximum> stress_maxima;  ///< of both bodies; models halfspace and fem
+  /// In the order of ModelResult::bodies; empty where none are kept, and but for fem.
+  std::vector<BodyValues> bodies;
+};
+
+/// A body as hexahedra with eight corners each, with or without values at its nodes.
+struct BodyField {
+  std::string name;                                 ///< "wheel", "rail"
+  std::vector<std::array<double, 3>> points;        ///< mm
+  std::vector<std::array<int, 8>> cells;            ///< VTK_HEXAHEDRON order
+  std::vector<std::array<double, 3>> displacement;  ///< mm, per point
+  std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz, per point
+};
+
+struct ModelResult {
+  std::string name;                       ///< "hertz", "linear", ... "halfspace", "fem"
+  std::map<std::string, double> seconds;  ///< total, setup, normal, tangential, ...
+  long unknowns = 0;
+  int contact_elements = 0;
+  ContactGrid grid;
+  std::vector<PointResult> points;
+  std::vector<BodyField> bodies;   ///< undeformed, without values (PointResult::bodies); fem only
+  std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
+  /// What was asked for and not reached, though the results are sound as far as they go; else
+  /// empty. The run then ends with status 1 after they are written.
+  std::string shortfall;
+  std::optional<ContactPlace> place;  ///< with profiles: the patch, one ModelResult for each
+  /// What tells the results of a run apart: "halfspace", "halfspace_left_3_1" for the first patch
+  /// of the left wheel at position 3.
+  std::string key() const;
+  /// Number `body` of `bodies` with its values at a load point, which keeps them.
+  BodyField body_at(std::size_t point, std::size_t body) const;
+  /// Load points that keep the values of all bodies, from 0.
+  std::vector<std::size_t> points_with_bodies() const;
+};
+
+/// Fills forces, maxima, patch size and areas of `point` from its fields. On a curved patch
+/// (`shape`) tractions are along the local tangents and normal, forces along x, y, z: extents are
+/// those of the projection, areas those of the surface.
+void integrate_tractions(const ContactGrid& grid, PointResult& point, const PatchShape& shape = {});
+
+}  // namespace rollfem::contact

@@ -1,0 +1,233 @@
+#include "contact/scene/contact_surface.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+constexpr double steepest_sine = 0.7;
+
+double stretch_of(double climb) {
+  return std::sqrt(1.0 + climb * climb);
+}
+
+/// A body's surface as a height z over (x, y).
+struct Height {
+  double value;
+  double slope;  ///< dz/dy at x = 0
+};
+
+Height wheel_height(const ContactSurface& surface, double x, double y) {
+  const ProfileDrop drop = profile_drop(surface.wheel_transverse_radius, y);
+  const double radius = surface.rolling_radius - drop.value;
+  // R - sqrt(R^2 - x^2) without cancellation.
+  const double rise =
+      std::isfinite(radius) ? x * x / (radius + std::sqrt(radius * radius - x * x)) : 0.0;
+  return {drop.value + rise, drop.slope};
+}
+
+Height rail_height(const ContactSurface& surface, double y) {
+  const ProfileDrop drop = profile_drop(surface.rail_transverse_radius, y);
+  return {-drop.value, -drop.slope};
+}
+
+/// Way along the normal of the common surface at y to a surface of that height, by Newton's method;
+/// what the slope leaves out (x^2 / R^2 of it) costs digits of each step, not of the result.
+template <class HeightAt>
+double way_along_normal(const ContactSurface& surface, double y, HeightAt&& height_at) {
+  const double climb = surface.climb(y);
+  const double stretch = stretch_of(climb);
+  const double start = surface.height(y);
+  double way = 0.0;
+  for (int step = 0; step < 30; ++step) {
+    const Height height = height_at(y - climb * way / stretch);
+    const double change =
+        (height.value - (start + way / stretch)) * stretch / (1.0 + climb * height.slope);
+    way += change;
+    if (std::abs(change) < 1e-15 * (1.0 + std::abs(way))) break;
+  }
+  return way;
+}
+
+/// Where a ray goes on about the axle: distance from it, and what a way along `direction` changes.
+struct RayPlace {
+  double axial;
+  double radius;
+  double radius_by_way;
+  double axial_by_way;
+};
+
+RayPlace ray_place(const Axle& axle, const Vector3& place, const Vector3& direction) {
+  RayPlace at{0.0, 0.0, 0.0, 0.0};
+  for (int d = 0; d < 3; ++d) {
+    at.axial += (place[d] - axle.point[d]) * axle.direction[d];
+    at.axial_by_way += direction[d] * axle.direction[d];
+  }
+  double square = 0.0, along = 0.0;
+  for (int d = 0; d < 3; ++d) {
+    const double across = place[d] - axle.point[d] - at.axial * axle.direction[d];
+    square += across * across;
+    along += across * direction[d];
+  }
+  at.radius = std::sqrt(square);
+  at.radius_by_way = along / at.radius;
+  return at;
+}
+
+/// Way along the normal of the common surface at (x, y) to the wheel as a surface of revolution, by
+/// Newton's method; infinite where there is none.
+double way_to_profile(const ContactSurface& surface, double x, double y) {
+  const PatchGeometry& profiles = *surface.profiles;
+  const double climb = surface.climb(y);
+  const double stretch = stretch_of(climb);
+  const double start = surface.height(y);
+  const Vector3 normal{0.0, -climb / stretch, 1.0 / stretch};
+  double way = (profiles.wheel().at(y).value - start) / stretch +
+               0.5 * x * x / (surface.rolling_radius * stretch);
+  for (int step = 0; step < 40; ++step) {
+    const RayPlace at =
+        ray_place(profiles.axle(), {x, y + way * normal[1], start + way * normal[2]}, normal);
+    const CurveValue wheel = profiles.wheel_radius().at(at.axial);
+    const double by_way = at.radius_by_way - wheel.slope * at.axial_by_way;
+    if (!(by_way < -1e-3)) return infinity;
+    const double change = (at.radius - wheel.value) / by_way;
+    way -= change;
+    // A radius of 500 mm is known to 1e-13 mm.
+    if (std::abs(change) < 1e-11 * (1.0 + std::abs(way))) return way;
+  }
+  return infinity;
+}
+
+/// dR/dy of the wheel's surface at the origin, R its distance from the axle.
+double radius_slope(const PatchGeometry& profiles) {
+  const CurveValue wheel = profiles.wheel().at(0.0);
+  return ray_place(profiles.axle(), {0.0, 0.0, wheel.value}, {0.0, 1.0, wheel.slope}).radius_by_way;
+}
+
+}  // namespace
+
+ProfileDrop profile_drop(double transverse_radius, double y) {
+  if (!std::isfinite(transverse_radius)) return {};
+  const double radius = std::abs(transverse_radius);
+  const double sign = transverse_radius > 0 ? 1.0 : -1.0;
+  const double distance = std::min(std::abs(y), steepest_sine * radius);
+  const double root = std::sqrt(1.0 - (distance / radius) * (distance / radius));
+  const double slope = distance / (radius * root);
+  // y^2 / (R + sqrt(R^2 - y^2)) rather than R - sqrt(R^2 - y^2): no cancellation.
+  const double drop =
+      distance * distance / (radius * (1.0 + root)) + slope * (std::abs(y) - distance);
+  return {sign * drop, sign * (y < 0 ? -slope : slope)};
+}
+
+double ContactSurface::climb(double y) const {
+  if (profiles) return 0.5 * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);
+  return 0.5 * (profile_drop(wheel_transverse_radius, y).slope -
+                profile_drop(rail_transverse_radius, y).slope);
+}
+
+double ContactSurface::height(double y) const {
+  if (profiles) return 0.5 * (profiles->wheel().at(y).value + profiles->rail().at(y).value);
+  return 0.5 * (profile_drop(wheel_transverse_radius, y).value -
+                profile_drop(rail_transverse_radius, y).value);
+}
+
+double ContactSurface::local_rolling_radius(double y) const {
+  if (profiles) return profiles->local_rolling_radius(y);
+  return rolling_radius - profile_drop(wheel_transverse_radius, y).value;
+}
+
+double ContactSurface::axle_tilt() const {
+  return profiles ? profiles->tilt() : 0.0;
+}
+
+bool ContactSurface::known(double y) const {
+  return !profiles || profiles->known(y);
+}
+
+ContactSurface contact_surface(const Case& input) {
+  if (input.patch) return {input.patch->local_rolling_radius(0.0), infinity, infinity, input.patch};
+  return {input.wheel.rolling_radius, input.wheel.transverse_radius, input.rail.transverse_radius};
+}
+
+double surface_drop(const ContactSurface& surface, bool wheel, double x, double y) {
+  if (surface.profiles)
+    return wheel ? surface.profiles->wheel_height(x, y) : -surface.profiles->rail().at(y).value;
+  if (!wheel) return -rail_height(surface, y).value;
+  if (!(std::abs(x) < surface.local_rolling_radius(y))) return infinity;
+  return wheel_height(surface, x, y).value;
+}
+
+PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid) {
+  // Gauss's rule of four points: exact to rounding on elements that are small beside the radii.
+  constexpr std::array<double, 2> points{0.8611363115940526, 0.3399810435848563};
+  constexpr std::array<double, 2> weights{0.3478548451374538, 0.6521451548625461};
+  const auto mean = [&](double y, auto&& function) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 2; ++k)
+      for (const double side : {-1.0, 1.0})
+        sum += 0.5 * weights[k] * function(y + side * 0.5 * grid.dy * points[k]);
+    return sum;
+  };
+  const auto climb = [&](double y) { return surface.climb(y); };
+  PatchShape shape;
+  shape.climb = grid.sample([&](double, double y) { return mean(y, climb); });
+  shape.stretch = grid.sample(
+      [&](double, double y) { return mean(y, [&](double at) { return stretch_of(climb(at)); }); });
+  return shape;
+}
+
+double undeformed_distance(const ContactSurface& surface, double x, double y) {
+  if (surface.profiles) {
+    const double rail = way_along_normal(surface, y, [&](double at) {
+      const CurveValue height = surface.profiles->rail().at(at);
+      return Height{height.value, height.slope};
+    });
+    return way_to_profile(surface, x, y) - rail;
+  }
+  const double wheel =
+      way_along_normal(surface, y, [&](double at) { return wheel_height(surface, x, at); });
+  const double rail =
+      way_along_normal(surface, y, [&](double at) { return rail_height(surface, at); });
+  return wheel - rail;
+}
+
+namespace {
+
+TangentialField profile_slip(const ContactSurface& surface, const Creepage& creepage,
+                             const ContactGrid& grid) {
+  const double omega = (1.0 - creepage.longitudinal) / surface.rolling_radius;
+  const double spin_by_hand = creepage.spin - omega * radius_slope(*surface.profiles);
+  const double descent = omega * std::cos(surface.axle_tilt());
+  TangentialField slip;
+  slip.x = grid.sample([&](double, double y) {
+    const double drop = surface.rolling_radius - surface.local_rolling_radius(y);
+    return creepage.longitudinal + omega * drop - spin_by_hand * y;
+  });
+  slip.y = grid.sample([&](double x, double y) {
+    const double climb = surface.climb(y);
+    return (creepage.lateral + (creepage.spin - descent * climb) * x) / stretch_of(climb);
+  });
+  return slip;
+}
+
+}  // namespace
+
+TangentialField rigid_slip(const ContactSurface& surface, const Creepage& creepage,
+                           const ContactGrid& grid) {
+  if (surface.profiles) return profile_slip(surface, creepage, grid);
+  // omega R(y) = (1 - xi) (1 - drop / R0); 1 less it without cancellation.
+  const double turning = 1.0 - creepage.longitudinal;
+  TangentialField slip;
+  slip.x = grid.sample([&](double, double y) {
+    const double drop = profile_drop(surface.wheel_transverse_radius, y).value;
+    return creepage.longitudinal + turning * drop / surface.rolling_radius - creepage.spin * y;
+  });
+  slip.y = grid.sample([&](double x, double y) {
+    return (creepage.lateral + creepage.spin * x) / stretch_of(surface.climb(y));
+  });
+  return slip;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,137 @@
+#include "contact/scene/patch_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Steeper than this, a section is no height over y any more.
+constexpr double steepest = 12.0;
+/// Knots of the wheel's section.
+constexpr double knot_distance = 0.05;  // mm
+
+struct Along {
+  double axial;
+  Vector3 across;  ///< from the axle, at a right angle to it
+  double radius;
+};
+
+Along along_axle(const Axle& axle, const Vector3& place) {
+  Along result{};
+  for (int d = 0; d < 3; ++d) result.axial += (place[d] - axle.point[d]) * axle.direction[d];
+  double square = 0.0;
+  for (int d = 0; d < 3; ++d) {
+    result.across[d] = place[d] - axle.point[d] - result.axial * axle.direction[d];
+    square += result.across[d] * result.across[d];
+  }
+  result.radius = std::sqrt(square);
+  return result;
+}
+
+struct Height {
+  double value;
+  double slope;  ///< dz/dy
+  bool found;
+};
+
+/// Newton's method on radius(z) - wheel_radius(axial(z)) = 0 from `start`.
+Height height_of(const HeightCurve& wheel_radius, const Axle& axle, double x, double y,
+                 double start) {
+  double z = start;
+  double last = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < 60; ++step) {
+    const Along at = along_axle(axle, {x, y, z});
+    const CurveValue wanted = wheel_radius.at(at.axial);
+    const double defect = at.radius - wanted.value;
+    const double by_z = at.across[2] / at.radius - wanted.slope * axle.direction[2];
+    const double by_y = at.across[1] / at.radius - wanted.slope * axle.direction[1];
+    if (!(by_z < -1e-3)) return {z, 0.0, false};
+    const double change = defect / by_z;
+    if (std::abs(change) < 1e-13 * (1.0 + std::abs(z)) ||
+        (std::abs(change) < 1e-11 && std::abs(change) >= last))
+      return {z - change, -by_y / by_z, true};
+    last = std::abs(change);
+    z -= change;
+  }
+  return {z, 0.0, false};
+}
+
+HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_lower,
+                    double y_upper) {
+  std::vector<std::array<double, 3>> down, up;  // y, z, slope
+  const auto walk = [&](double end, std::vector<std::array<double, 3>>& knots) {
+    const double direction = end > 0.0 ? 1.0 : -1.0;
+    double y = 0.0, z = 0.0;
+    while (direction * y <= direction * end) {
+      const Height height = height_of(wheel_radius, axle, 0.0, y, z);
+      if (!height.found || std::abs(height.slope) > steepest) return;
+      if (!wheel_radius.contains(along_axle(axle, {0.0, y, height.value}).axial)) return;
+      knots.push_back({y, height.value, height.slope});
+      const double step = direction * knot_distance / std::sqrt(1.0 + height.slope * height.slope);
+      y += step;
+      z = height.value + height.slope * step;
+    }
+  };
+  walk(y_lower, down);
+  walk(y_upper, up);
+  std::vector<double> y, z, slope;
+  const auto add = [&](const std::array<double, 3>& knot) {
+    y.push_back(knot[0]);
+    z.push_back(knot[1]);
+    slope.push_back(knot[2]);
+  };
+  for (auto knot = down.rbegin(); knot != down.rend(); ++knot) add(*knot);
+  for (std::size_t k = down.empty() ? 0 : 1; k < up.size(); ++k) add(up[k]);
+  if (y.size() < 2)
+    throw std::invalid_argument("the wheel has no surface at the contact reference point");
+  return {std::move(y), std::move(z), std::move(slope)};
+}
+
+}  // namespace
+
+PatchGeometry::PatchGeometry(HeightCurve rail, HeightCurve wheel_radius, const Axle& axle,
+                             double y_lower, double y_upper)
+    : rail_(std::move(rail)),
+      wheel_radius_(std::move(wheel_radius)),
+      wheel_(section(wheel_radius_, axle, y_lower, y_upper)),
+      axle_(axle) {}
+
+AxlePlace PatchGeometry::axle_place(const Vector3& place) const {
+  const Along at = along_axle(axle_, place);
+  return {at.axial, at.radius};
+}
+
+double PatchGeometry::wheel_height(double x, double y) const {
+  const double radius = local_rolling_radius(y);
+  const double start = wheel_.at(y).value + 0.5 * x * x / radius;
+  const Height height = height_of(wheel_radius_, axle_, x, y, start);
+  return height.found ? height.value : std::numeric_limits<double>::infinity();
+}
+
+double PatchGeometry::distance(double x, double y) const {
+  return wheel_height(x, y) - rail_.at(y).value;
+}
+
+double PatchGeometry::local_rolling_radius(double y) const {
+  return axle_place({0.0, y, wheel_.at(y).value}).radius;
+}
+
+double PatchGeometry::tilt() const {
+  return std::atan2(axle_.direction[2], axle_.direction[1]);
+}
+
+std::string ContactPlace::label() const {
+  std::string text = left ? "left" : "right";
+  if (position > 0) text += fmt::format(", position {}", position);
+  if (patches > 1) text += fmt::format(", patch {} of {}", patch, patches);
+  return text;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,91 @@
+// Wheel and rail as they meet at one contact, in the frame of the patch: origin at the contact
+// reference point on the rail, x along the rail (the rolling direction), z along the normal of the
+// rail into the wheel, y = z cross x along the rail's tangent. Undeformed distance and rigid slip
+// of the true profiles follow from it (docs/profiles.md).
+#pragma once
+
+#include "contact/scene/height_curve.hpp"
+
+#include <array>
+#include <string>
+
+namespace rollfem::contact {
+
+using Vector3 = std::array<double, 3>;
+
+/// The wheel's axle: a point of it (the one at axial coordinate 0) and its unit direction, which
+/// points to larger axial coordinates and has a positive y component. A yaw of the wheelset turns
+/// it out of the plane x = 0.
+struct Axle {
+  Vector3 point{};  ///< mm
+  Vector3 direction{0.0, 1.0, 0.0};
+};
+
+/// Where a point is beside the axle.
+struct AxlePlace {
+  double axial = 0.0;   ///< mm along the axle
+  double radius = 0.0;  ///< mm from the axle
+};
+
+class PatchGeometry {
+ public:
+  PatchGeometry() = default;
+  /// `rail`: z over y in the patch frame, about (0, 0) with slope 0. `wheel_radius`: radius over
+  /// the axial coordinate. The wheel's section at x = 0 is taken between `y_lower` and `y_upper` as
+  /// far as the profile reaches. Throws std::invalid_argument when the wheel has no surface below
+  /// its axle there.
+  PatchGeometry(HeightCurve rail, HeightCurve wheel_radius, const Axle& axle, double y_lower,
+                double y_upper);
+
+  const HeightCurve& rail() const { return rail_; }
+  /// Section of the wheel at x = 0: height z over y.
+  const HeightCurve& wheel() const { return wheel_; }
+  const HeightCurve& wheel_radius() const { return wheel_radius_; }
+  const Axle& axle() const { return axle_; }
+
+  AxlePlace axle_place(const Vector3& place) const;
+  /// Height z of the wheel's surface, mm; infinite where the wheel is not.
+  double wheel_height(double x, double y) const;
+  /// Undeformed distance along z, mm; 0 where the bodies just touch, which need not be the origin.
+  double distance(double x, double y) const;
+  /// Distance of the wheel's surface at x = 0 from the axle, mm.
+  double local_rolling_radius(double y) const;
+  /// Angle of the axle against the y axis in the plane x = 0, rad: sine = e_z.
+  double tilt() const;
+  /// Both profiles are known here.
+  bool known(double y) const { return rail_.contains(y) && wheel_.contains(y); }
+
+ private:
+  HeightCurve rail_;
+  HeightCurve wheel_radius_;
+  HeightCurve wheel_;
+  Axle axle_;
+};
+
+/// Where a patch is on the track and on the profiles, for reports. Track frame: x along the track,
+/// y to the right, z down, origin in the middle of the track at the level of the rails. Profile
+/// coordinates are those of the profile files: y towards the field side positive, z down, of the
+/// wheel outward.
+struct ContactPlace {
+  bool left = true;             ///< wheel
+  int position = 1;             ///< 1, 2, ... of the wheelset in the case
+  int patch = 1;                ///< 1, 2, ... of this wheel at this position, the most loaded first
+  int patches = 1;              ///< of this wheel
+  double lateral_shift = 0.0;   ///< mm, of the wheelset, positive to the right
+  double yaw = 0.0;             ///< rad, of the wheelset, positive from x to y
+  double roll = 0.0;            ///< rad, of the wheelset, positive from y to z
+  double height = 0.0;          ///< mm, z of the middle of the axle plus the nominal radius
+  double y_track = 0.0;         ///< mm
+  double z_track = 0.0;         ///< mm
+  double y_rail = 0.0;          ///< mm, profile coordinate
+  double y_wheel = 0.0;         ///< mm, profile coordinate
+  double contact_angle = 0.0;   ///< rad, of the rail's tangent against the track plane, positive
+                                ///< where it falls towards the middle of the track
+  double rolling_radius = 0.0;  ///< mm, of the contact point
+  double separation = 0.0;      ///< mm, distance at first contact (0: touches; > 0: near miss)
+  double vertical_force = 0.0;  ///< N, of this patch with friction, 0: not known
+  /// "left, position 3, patch 1 of 2"; empty parts left out.
+  std::string label() const;
+};
+
+}  // namespace rollfem::contact

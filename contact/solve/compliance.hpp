@@ -1,0 +1,83 @@
+// Elasticity as the contact solvers see it: linear maps from tractions on the contact grid to
+// displacement differences (wheel minus rail) on the same grid. What stands behind the map,
+// half-space or finite elements, is not known here.
+#pragma once
+
+#include "contact/base/grid.hpp"
+
+#include <memory>
+
+namespace rollfem::contact {
+
+/// What tractions do to two bodies that roll over each other.
+struct Response {
+  SurfaceField displacement;
+  /// Slip beyond the upwind difference of the displacement: on a streamline of radius R a
+  /// displacement u_r towards the centre shortens the material by u_r / R along x; where the
+  /// surface is tilted across, the turning frame also brings a lateral part. Empty where
+  /// streamlines are straight.
+  TangentialField curvature_slip;
+};
+
+/// The whole compliance A: tractions on the wheel (MPa) -> u_wheel - u_rail (mm), all three
+/// components. Symmetric positive definite in the inner product sum over elements, each times its
+/// true area (dx dy, and the stretch of PatchShape where the patch is curved).
+class Compliance {
+ public:
+  virtual ~Compliance() = default;
+  virtual const ContactGrid& grid() const = 0;
+  virtual SurfaceField apply(const SurfaceField& traction) const = 0;
+
+  /// The displacement and what else it does to the slip of steady rolling.
+  virtual Response respond(const SurfaceField& traction) const { return {apply(traction), {}}; }
+};
+
+/// The normal block A_nn with an approximate inverse for conjugate gradients.
+class NormalOperator {
+ public:
+  virtual ~NormalOperator() = default;
+  virtual const ContactGrid& grid() const = 0;
+  /// u_n = A_nn p_n.
+  virtual Field apply(const Field& pressure) const = 0;
+  /// Symmetric positive definite approximation of A_nn^-1.
+  virtual Field precondition(const Field& residual) const = 0;
+};
+
+/// Order of the one-sided difference along the streamline.
+enum class UpwindOrder {
+  first,   ///< (u_i - u_i+1) / dx: what CONTACT does
+  second,  ///< (3 u_i - 4 u_i+1 + u_i+2) / (2 dx)
+};
+
+/// A tangential operator T that gives slip (steady rolling: T = D A_tt, dimensionless per MPa) or
+/// shift (T = A_tt, mm per MPa) from tangential tractions.
+class TangentialOperator {
+ public:
+  virtual ~TangentialOperator() = default;
+  virtual const ContactGrid& grid() const = 0;
+  virtual TangentialField apply(const TangentialField& traction) const = 0;
+  /// Mean diagonal entry of T, the scale of the projection parameter r = 1 / diagonal.
+  virtual double diagonal() const = 0;
+  /// Approximate inverse of (r T + shift I) as if every element were in adhesion; the solver
+  /// restricts it to the adhesion set.
+  virtual TangentialField precondition(const TangentialField& residual, double r,
+                                       double shift) const = 0;
+};
+
+/// A compliance whose blocks the contact solvers can solve with: half-space and half-plane.
+class SolvableCompliance : public Compliance {
+ public:
+  virtual const NormalOperator& normal() const = 0;
+  /// T = A_tt: shift problems.
+  virtual const TangentialOperator& shift() const = 0;
+  /// T = D A_tt: steady rolling.
+  virtual const TangentialOperator& rolling(UpwindOrder order) const = 0;
+};
+
+/// D u: the upwind difference along the streamline (upstream is +x) of a displacement difference
+/// known on the whole grid, approximating -du/dx. Elements without the needed upstream neighbours
+/// take the highest order that fits, the last column takes that of its neighbour.
+TangentialField upwind_difference(const ContactGrid& grid, const TangentialField& displacement,
+                                  UpwindOrder order);
+
+}  // namespace rollfem::contact

@@ -1,0 +1,47 @@
+// Second-order upwind differences that know where the patch begins. Material enters with a traction
+// like sqrt(d), d the distance behind the leading edge, and u ahead of the edge is a straight line
+// plus c d^(3/2). The usual difference across the edge therefore acts as if the patch began at the
+// border of its first element less 0.18 elements, wherever the edge lies in the element: a shift of
+// O(dx) that differs from row to row. In adhesion it is carried along the whole row, so that
+// tractions zigzag from row to row by O(sqrt(dx)) (docs/accuracy.md). One weight for each leading
+// element, calibrated on that local problem once and for all, puts the edge where it is.
+#pragma once
+
+#include "contact/solve/compliance.hpp"
+
+namespace rollfem::contact {
+
+/// kappa per element: D u_i = (1 + kappa) d_i - kappa d_{i+1} with d_i = (u_i - u_{i+1}) / dx. It
+/// is 1/2, the usual second order, but for the leading element of every run of contact elements
+/// (bound > 0) of a row that falls to an edge as sqrt(d). `traction_bound`: of any scale, e.g. the
+/// pressure.
+Field upwind_weights(const ContactGrid& grid, const Field& traction_bound);
+
+/// The weight of a leading element whose edge lies `beyond_border` elements ahead of the element's
+/// leading border, -0.75 to 0.75 (clamped): with it the discrete solution of a half-plane's
+/// adhesion area has its edge there. From 1.1 at -0.75 to -0.3 at 0.75.
+double leading_weight(double beyond_border);
+
+/// T = D A_tt with these weights.
+class EdgeFittedRolling : public TangentialOperator {
+ public:
+  /// `first` and `second` are D A_tt of these orders: the one is applied, the other preconditions.
+  /// Both must outlive this.
+  EdgeFittedRolling(const TangentialOperator& first, const TangentialOperator& second,
+                    Field weights);
+
+  const ContactGrid& grid() const override { return first_.grid(); }
+  TangentialField apply(const TangentialField& traction) const override;
+  double diagonal() const override { return second_.diagonal(); }
+  TangentialField precondition(const TangentialField& residual, double r,
+                               double shift) const override;
+
+ private:
+  Field combined(const Field& differences) const;
+
+  const TangentialOperator& first_;
+  const TangentialOperator& second_;
+  Field weights_;
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,38 @@
+// Frictionless normal contact: p >= 0, gap = h + A_nn p - approach >= 0, p gap = 0, by
+// bound-constrained conjugate gradients with a preconditioner (Polonsky & Keer 1999; Vollebregt
+// 2014, "The bound-constrained conjugate gradient method for non-negative matrices").
+#pragma once
+
+#include "contact/solve/compliance.hpp"
+
+#include <optional>
+
+namespace rollfem::contact {
+
+struct NormalProblem {
+  Field undeformed_distance;           ///< h, mm, with any defect of the compliance added
+  std::optional<double> normal_force;  ///< N; exactly one of the two
+  std::optional<double> approach;      ///< mm
+};
+
+struct NormalOptions {
+  double tolerance = 1e-8;  ///< on the largest violation of gap = 0, relative to the approach
+  int max_iterations = 500;
+};
+
+struct NormalSolution {
+  Field pressure;  ///< MPa
+  Field gap;       ///< mm
+  double approach = 0.0;
+  double normal_force = 0.0;
+  int contact_elements = 0;
+  int iterations = 0;
+  double residual = 0.0;
+};
+
+/// Throws SolveError when nothing touches or the iteration does not converge. `start`: pressure to
+/// begin with, empty for none.
+NormalSolution solve_normal(const NormalOperator& compliance, const NormalProblem& problem,
+                            const NormalOptions& options = {}, const Field& start = {});
+
+}  // namespace rollfem::contact

@@ -1,0 +1,267 @@
+#include "contact/solve/prescribed_force.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace rollfem::contact {
+
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+/// At this part of mu F_z everything counts as sliding: no creepage belongs to it alone.
+constexpr double sliding = 1.0 - 1e-8;
+
+std::string described(const PrescribedForce& wanted) {
+  std::string text;
+  if (wanted.longitudinal) text += fmt::format("F_x = {:.6g} N", *wanted.longitudinal);
+  if (wanted.longitudinal && wanted.lateral) text += ", ";
+  if (wanted.lateral) text += fmt::format("F_y = {:.6g} N", *wanted.lateral);
+  return text;
+}
+
+[[noreturn]] void fail(const PrescribedForce& wanted, const std::string& why) {
+  throw SolveError(fmt::format("prescribed force {}: {}", described(wanted), why));
+}
+
+class Counted {
+ public:
+  Counted(const ForceLaw& law, const PrescribedForce& wanted, int most)
+      : law_(law), wanted_(wanted), most_(most) {}
+
+  const TransmittedForce& operator()(const Vector2d& creepage) {
+    if (evaluations_ == most_)
+      fail(wanted_,
+           fmt::format("the search for its creepage did not converge in {} solutions; "
+                       "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}",
+                       most_, last_.force.x(), last_.force.y(), creepage_.x(), creepage_.y()));
+    ++evaluations_;
+    creepage_ = creepage;
+    last_ = law_(creepage);
+    refuse_force_beyond_friction(wanted_, last_.bound);
+    return last_;
+  }
+  FoundCreepage found() const { return {creepage_, last_, evaluations_}; }
+  int evaluations() const { return evaluations_; }
+
+ private:
+  const ForceLaw& law_;
+  const PrescribedForce& wanted_;
+  int most_;
+  int evaluations_ = 0;
+  Vector2d creepage_ = Vector2d::Zero();
+  TransmittedForce last_{Vector2d::Zero(), 0.0};
+};
+
+/// One unknown component k: g(c) = tau(F_wanted) - tau(F(c)) grows with c.
+class BracketedSearch {
+ public:
+  BracketedSearch(Counted& law, int component, double wanted, const PrescribedForce& all,
+                  const ForceSearch& search)
+      : law_(law), k_(component), wanted_(wanted), all_(all), search_(search), at_(search.start) {}
+
+  FoundCreepage run() {
+    double c = at_[k_];
+    for (;;) {
+      if (evaluated(c)) return law_.found();
+      c = low_ && high_ ? between() : beyond();
+    }
+  }
+
+ private:
+  struct Sample {
+    double c;
+    double g;
+  };
+
+  /// True when the force at c is the wanted one. Else c becomes an end of the bracket.
+  bool evaluated(double c) {
+    at_[k_] = c;
+    const TransmittedForce& got = law_(at_);
+    if (std::abs(got.force[k_] - wanted_) <= search_.tolerance * got.bound) return true;
+    unit_ = got.bound / search_.stiffness[k_];
+    const double g =
+        creepage_of_force(wanted_ / got.bound) - creepage_of_force(got.force[k_] / got.bound);
+    before_ = last_;
+    last_ = Sample{c, g};
+    (g < 0.0 ? low_ : high_) = last_;
+    weight_low_ = weight_high_ = 1.0;
+    // Illinois: the end that stays for the second time counts half, so that it moves too.
+    if (before_ && (before_->g < 0.0) == (g < 0.0)) (g < 0.0 ? weight_high_ : weight_low_) = 0.5;
+    return false;
+  }
+
+  /// No bracket yet: a secant step where it leads on, growing steps where the force does not react
+  /// because everything slides.
+  double beyond() {
+    const double direction = last_->g < 0.0 ? 1.0 : -1.0;
+    double step = std::abs(last_->g) * unit_;
+    if (before_) {
+      const double slope = (last_->g - before_->g) / (last_->c - before_->c);
+      const double most = 4.0 * std::abs(last_->c - before_->c);
+      step = slope > 0.0 ? std::min(1.2 * std::abs(last_->g) / slope, most) : most;
+      step = std::max(step, std::min(most, 0.5 * std::abs(last_->c - before_->c)));
+    }
+    if (std::abs(last_->c) > 1e3 && step > std::abs(last_->c))
+      fail(all_, fmt::format("no creepage transmits it; the nearest is {:.6g} N at {:.3g}",
+                             law_.found().transmitted.force[k_], last_->c));
+    return last_->c + direction * step;
+  }
+
+  double between() {
+    const double width = high_->c - low_->c;
+    const double low = weight_low_ * low_->g;
+    const double high = weight_high_ * high_->g;
+    if (std::abs(width) <= 4e-16 * std::max(std::abs(low_->c), std::abs(high_->c)))
+      fail(all_, fmt::format("the force jumps over it at creepage {:.6g}", low_->c));
+    // A bisection whenever three secant steps have not brought the bracket to an eighth.
+    if (++secants_ % 4 == 0) {
+      const bool slow = std::abs(width) > 0.125 * std::abs(last_width_);
+      last_width_ = width;
+      if (slow) return low_->c + 0.5 * width;
+    }
+    const double part = low / (low - high);
+    return low_->c + std::clamp(part, 1e-6, 1.0 - 1e-6) * width;
+  }
+
+  Counted& law_;
+  int k_;
+  double wanted_;
+  const PrescribedForce& all_;
+  const ForceSearch& search_;
+  Vector2d at_;
+  double unit_ = 0.0;
+  std::optional<Sample> low_, high_, last_, before_;
+  double weight_low_ = 1.0;
+  double weight_high_ = 1.0;
+  int secants_ = 0;
+  double last_width_ = infinity;
+};
+
+Vector2d stretched(const Vector2d& relative_force) {
+  const double size = relative_force.norm();
+  return size > 0.0 ? Vector2d(creepage_of_force(size) / size * relative_force)
+                    : Vector2d(Vector2d::Zero());
+}
+
+/// Both components: Broyden's method with step halving, its matrix renewed by differences when it
+/// has led nowhere.
+class BroydenSearch {
+ public:
+  BroydenSearch(Counted& law, const Vector2d& wanted, const PrescribedForce& all,
+                const ForceSearch& search)
+      : law_(law), wanted_(wanted), all_(all), search_(search), c_(search.start) {}
+
+  FoundCreepage run() {
+    r_ = residual(c_);
+    pull_back_from_sliding();
+    jacobian_ = -(search_.stiffness / bound_).asDiagonal().toDenseMatrix();
+    bool fresh = false;
+    while (!converged_) {
+      if (step()) {
+        fresh = false;
+        continue;
+      }
+      if (fresh)
+        fail(all_, fmt::format("the search for its creepage is stuck at {:.6g}, {:.6g}, where "
+                               "F_x = {:.6g} N, F_y = {:.6g} N",
+                               c_.x(), c_.y(), force_.x(), force_.y()));
+      renew_jacobian();
+      fresh = true;
+    }
+    return law_.found();
+  }
+
+ private:
+  Vector2d residual(const Vector2d& creepage) {
+    const TransmittedForce& got = law_(creepage);
+    bound_ = got.bound;
+    force_ = got.force;
+    converged_ = (got.force - wanted_).norm() <= search_.tolerance * got.bound;
+    return stretched(got.force / got.bound) - stretched(wanted_ / got.bound);
+  }
+
+  /// In sliding the force says nothing about the size of the creepage.
+  void pull_back_from_sliding() {
+    while (!converged_ && force_.norm() >= sliding * bound_) {
+      c_ *= 0.6;
+      r_ = residual(c_);
+    }
+  }
+
+  bool step() {
+    Vector2d d = -jacobian_.partialPivLu().solve(r_);
+    if (!d.allFinite()) return false;
+    constexpr int most_halvings = 6;
+    for (int halving = 0; halving < most_halvings; ++halving, d *= 0.5) {
+      const Vector2d trial = residual(c_ + d);
+      if (!converged_ && force_.norm() >= sliding * bound_) continue;
+      const Vector2d change = trial - r_;
+      jacobian_ += (change - jacobian_ * d) * d.transpose() / d.squaredNorm();
+      if (converged_ || trial.norm() < r_.norm()) {
+        c_ += d;
+        r_ = trial;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void renew_jacobian() {
+    for (int k = 0; k < 2 && !converged_; ++k) {
+      // Towards less creepage, away from sliding.
+      const double h = (c_[k] > 0.0 ? -0.02 : 0.02) * bound_ / search_.stiffness[k];
+      Vector2d moved = c_;
+      moved[k] += h;
+      jacobian_.col(k) = (residual(moved) - r_) / h;
+    }
+  }
+
+  Counted& law_;
+  Vector2d wanted_;
+  const PrescribedForce& all_;
+  const ForceSearch& search_;
+  Vector2d c_;
+  Vector2d r_ = Vector2d::Zero();
+  Vector2d force_ = Vector2d::Zero();
+  Matrix2d jacobian_ = Matrix2d::Identity();
+  double bound_ = 0.0;
+  bool converged_ = false;
+};
+
+}  // namespace
+
+double creepage_of_force(double relative_force) {
+  const double size = std::min(1.0, std::abs(relative_force));
+  return std::copysign(3.0 * (1.0 - std::cbrt(1.0 - size)), relative_force);
+}
+
+void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound) {
+  const double size = std::hypot(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
+  if (size < sliding * bound) return;
+  fail(wanted, fmt::format("{:.6g} N is not below mu F_z = {:.6g} N, which is all that friction "
+                           "can transmit; do: prescribe less, or the creepage instead",
+                           size, bound));
+}
+
+FoundCreepage find_creepage(const ForceLaw& law, const PrescribedForce& wanted,
+                            const ForceSearch& search) {
+  if (!wanted.any() || !(search.stiffness.minCoeff() > 0.0))
+    throw SolveError("prescribed force: no force, or no positive stiffness to search with");
+  Counted counted(law, wanted, search.max_evaluations);
+  if (wanted.longitudinal && wanted.lateral)
+    return BroydenSearch(counted, {*wanted.longitudinal, *wanted.lateral}, wanted, search).run();
+  return wanted.longitudinal
+             ? BracketedSearch(counted, 0, *wanted.longitudinal, wanted, search).run()
+             : BracketedSearch(counted, 1, *wanted.lateral, wanted, search).run();
+}
+
+}  // namespace rollfem::contact

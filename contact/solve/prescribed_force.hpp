@@ -1,0 +1,47 @@
+// Creepage (or shift) at which the contact transmits a prescribed tangential force: a bracketed
+// secant method for one component, Broyden's method for two, on forces made nearly linear by the
+// inverse of Vermeulen and Johnson's law (1964), |F| = mu F_z (1 - (1 - tau/3)^3). It saves most of
+// the trouble near sliding, where the force hardly grows any more.
+#pragma once
+
+#include "contact/case/case.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace rollfem::contact {
+
+/// F_x, F_y on the wheel (N) at a creepage (xi, eta), and the largest force friction allows there.
+struct TransmittedForce {
+  Eigen::Vector2d force;
+  double bound = 0.0;  ///< mu F_z, N
+};
+using ForceLaw = std::function<TransmittedForce(const Eigen::Vector2d& creepage)>;
+
+struct ForceSearch {
+  Eigen::Vector2d start;      ///< given components as they are; a guess of the unknown ones
+  Eigen::Vector2d stiffness;  ///< -dF_x/dxi, -dF_y/deta without slip, N: the scale of the steps
+  double tolerance = 1e-6;    ///< on the force, relative to mu F_z
+  int max_evaluations = 100;
+};
+
+struct FoundCreepage {
+  Eigen::Vector2d creepage;
+  TransmittedForce transmitted;
+  int evaluations = 0;
+};
+
+/// tau(F / bound), at most 3 in size: what of a creepage the force would need by Vermeulen and
+/// Johnson's law, in units of bound / stiffness.
+double creepage_of_force(double relative_force);
+
+/// Throws SolveError unless |F| < mu F_z, counting the prescribed components.
+void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound);
+
+/// The last call of `law` is at the creepage that is returned. Throws SolveError when the force is
+/// beyond friction, when no creepage gives it, or when the search does not converge.
+FoundCreepage find_creepage(const ForceLaw& law, const PrescribedForce& wanted,
+                            const ForceSearch& search);
+
+}  // namespace rollfem::contact

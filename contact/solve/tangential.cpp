@@ -1,0 +1,287 @@
+#include "contact/solve/tangential.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/solve/gmres.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Shift of the circulant preconditioner: 0.03 to 0.1 cost the same, larger ones more iterations.
+constexpr double preconditioner_shift = 0.05;
+
+/// The full-stick solution is only a start; Newton's method does the rest.
+constexpr double full_stick_tolerance = 1e-2;
+
+/// Length of a GMRES cycle before it restarts; bounds the memory.
+constexpr int krylov_restart = 80;
+
+void check_problem(const TangentialOperator& compliance, const TangentialProblem& problem) {
+  const int n = compliance.grid().size();
+  if (problem.traction_bound.size() != n || problem.rigid_slip.x.size() != n ||
+      problem.rigid_slip.y.size() != n)
+    throw SolveError(
+        "tangential problem: traction bound and rigid slip must be given for every "
+        "contact element");
+  if (!problem.traction_bound.allFinite() || problem.traction_bound.minCoeff() < 0.0)
+    throw SolveError("tangential problem: the traction bound must be finite and not negative");
+  if (!problem.rigid_slip.x.allFinite() || !problem.rigid_slip.y.allFinite())
+    throw SolveError("tangential problem: the rigid slip is not finite everywhere");
+}
+
+/// F(p) = p - Proj_{|.|<=g}(p - r w(p)) and what its generalised Jacobian needs. Vectors hold the x
+/// components of the contact elements (g > 0), then the y components.
+struct Point {
+  VectorXd traction;
+  VectorXd slip;
+  VectorXd value;     ///< F, MPa
+  VectorXd trial;     ///< p - r w
+  double norm = 0.0;  ///< of F
+};
+
+class Newton {
+ public:
+  Newton(const TangentialOperator& compliance, const TangentialProblem& problem,
+         const TangentialOptions& options)
+      : compliance_(compliance),
+        problem_(problem),
+        options_(options),
+        r_(1.0 / compliance.diagonal()) {
+    for (Index k = 0; k < problem.traction_bound.size(); ++k)
+      if (problem.traction_bound[k] > 0.0) elements_.push_back(k);
+    count_ = static_cast<Index>(elements_.size());
+    bound_.resize(count_);
+    for (Index e = 0; e < count_; ++e) bound_[e] = problem.traction_bound[elements_[e]];
+    rigid_slip_ = gathered(problem.rigid_slip);
+  }
+
+  TangentialSolution run(const TangentialField& start) {
+    const double creepage_load = r_ * rigid_slip_.norm();
+    if (count_ == 0 || creepage_load == 0.0) return solution(at_rest(), 0.0);
+    // Relative to the creepage load; to the bound where that is smaller, so that a low friction
+    // coefficient does not make anything look converged.
+    const double scale = std::min(creepage_load, bound_.norm());
+    Point point = first_point(start);
+    double previous = infinity;
+    for (int step = 0; step <= options_.max_newton_steps; ++step) {
+      const double residual = point.norm / scale;
+      newton_steps_ = step;
+      if (residual <= options_.tolerance) return solution(point, residual);
+      if (step == options_.max_newton_steps || !advance(point, residual, previous)) break;
+      previous = residual;
+    }
+    throw SolveError(fmt::format(
+        "the tangential contact iteration did not converge: residual {:.3g} of the creepage load "
+        "after {} Newton steps and {} Krylov iterations, asked for {:.3g}",
+        point.norm / scale, newton_steps_, krylov_iterations_, options_.tolerance));
+  }
+
+ private:
+  VectorXd gathered(const TangentialField& field) const {
+    VectorXd values(2 * count_);
+    for (Index e = 0; e < count_; ++e) {
+      values[e] = field.x[elements_[e]];
+      values[count_ + e] = field.y[elements_[e]];
+    }
+    return values;
+  }
+
+  TangentialField scattered(const VectorXd& values) const {
+    const Index n = problem_.traction_bound.size();
+    TangentialField field{Field::Zero(n), Field::Zero(n)};
+    for (Index e = 0; e < count_; ++e) {
+      field.x[elements_[e]] = values[e];
+      field.y[elements_[e]] = values[count_ + e];
+    }
+    return field;
+  }
+
+  VectorXd compliance_times(const VectorXd& traction) const {
+    return gathered(compliance_.apply(scattered(traction)));
+  }
+
+  void project(VectorXd& traction) const {
+    for (Index e = 0; e < count_; ++e) {
+      const double size = std::hypot(traction[e], traction[count_ + e]);
+      if (size <= bound_[e]) continue;
+      traction[e] *= bound_[e] / size;
+      traction[count_ + e] *= bound_[e] / size;
+    }
+  }
+
+  Point evaluated(VectorXd traction, VectorXd slip) const {
+    Point point;
+    point.trial = traction - r_ * slip;
+    VectorXd projected = point.trial;
+    project(projected);
+    point.value = traction - projected;
+    point.norm = point.value.norm();
+    point.traction = std::move(traction);
+    point.slip = std::move(slip);
+    return point;
+  }
+
+  Point evaluated(VectorXd traction) const {
+    VectorXd slip = rigid_slip_ + compliance_times(traction);
+    return evaluated(std::move(traction), std::move(slip));
+  }
+
+  Point at_rest() const { return evaluated(VectorXd::Zero(2 * count_), rigid_slip_); }
+
+  /// The projected full-stick solution or what the caller has, whichever is nearer.
+  Point first_point(const TangentialField& start) {
+    if (start.x.size() == problem_.traction_bound.size() && start.y.size() == start.x.size()) {
+      VectorXd traction = gathered(start);
+      project(traction);
+      Point given = evaluated(std::move(traction));
+      if (given.norm < 0.1 * at_rest().norm) return given;
+      Point stick = projected_full_stick();
+      return given.norm < stick.norm ? given : stick;
+    }
+    return projected_full_stick();
+  }
+
+  Point projected_full_stick() {
+    const auto matrix = [this](const VectorXd& p) { return VectorXd(r_ * compliance_times(p)); };
+    const auto preconditioner = [this](const VectorXd& p) {
+      return gathered(compliance_.precondition(scattered(p), r_, preconditioner_shift));
+    };
+    const GmresResult stick =
+        gmres(matrix, preconditioner, -r_ * rigid_slip_,
+              {full_stick_tolerance, options_.max_krylov_iterations, krylov_restart});
+    krylov_iterations_ += stick.iterations;
+    VectorXd traction = stick.solution;
+    project(traction);
+    return evaluated(std::move(traction));
+  }
+
+  /// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip
+  /// B = (g / |q|) (I - n n^T) with n = q / |q|, q = p - r w.
+  struct Linearisation {
+    std::vector<char> adheres;
+    VectorXd normal;  ///< n of the slipping elements
+    VectorXd factor;  ///< g / |q| of the slipping elements
+  };
+
+  Linearisation linearised(const Point& point) const {
+    Linearisation at{std::vector<char>(static_cast<std::size_t>(count_)), VectorXd(2 * count_),
+                     VectorXd(count_)};
+    for (Index e = 0; e < count_; ++e) {
+      const double size = std::hypot(point.trial[e], point.trial[count_ + e]);
+      at.adheres[static_cast<std::size_t>(e)] = size <= bound_[e];
+      at.normal[e] = size > 0.0 ? point.trial[e] / size : 0.0;
+      at.normal[count_ + e] = size > 0.0 ? point.trial[count_ + e] / size : 0.0;
+      at.factor[e] = size > 0.0 ? bound_[e] / size : 1.0;
+    }
+    return at;
+  }
+
+  VectorXd jacobian_times(const Linearisation& at, const VectorXd& p) const {
+    VectorXd result = r_ * compliance_times(p);
+    for (Index e = 0; e < count_; ++e) {
+      if (at.adheres[static_cast<std::size_t>(e)]) continue;
+      const Index f = count_ + e;
+      const double dx = result[e] - p[e];
+      const double dy = result[f] - p[f];
+      const double along = at.normal[e] * dx + at.normal[f] * dy;
+      result[e] = p[e] + at.factor[e] * (dx - along * at.normal[e]);
+      result[f] = p[f] + at.factor[e] * (dy - along * at.normal[f]);
+    }
+    return result;
+  }
+
+  /// The circulant on the adhesion set, the identity on the slip set.
+  VectorXd preconditioned(const Linearisation& at, const VectorXd& p) const {
+    VectorXd sticking = p;
+    for (Index e = 0; e < count_; ++e)
+      if (!at.adheres[static_cast<std::size_t>(e)]) sticking[e] = sticking[count_ + e] = 0.0;
+    VectorXd result =
+        gathered(compliance_.precondition(scattered(sticking), r_, preconditioner_shift));
+    for (Index e = 0; e < count_; ++e)
+      if (!at.adheres[static_cast<std::size_t>(e)]) {
+        result[e] = p[e];
+        result[count_ + e] = p[count_ + e];
+      }
+    return result;
+  }
+
+  /// How exactly the linear system is solved: loosely at first, more exactly as Newton's method
+  /// converges fast (Eisenstat & Walker 1996, choice 2), never better than the tolerance needs.
+  double forcing(double residual, double previous) const {
+    const double ratio = previous < infinity ? residual / previous : 1.0;
+    const double wanted = std::min(options_.krylov_tolerance, 0.5 * ratio * ratio);
+    return std::max({wanted, 0.1 * options_.tolerance / residual, 1e-10});
+  }
+
+  /// One damped Newton step. False when no step along the Newton direction reduces |F|.
+  bool advance(Point& point, double residual, double previous) {
+    const Linearisation at = linearised(point);
+    const GmresResult newton =
+        gmres([&](const VectorXd& p) { return jacobian_times(at, p); },
+              [&](const VectorXd& p) { return preconditioned(at, p); }, -point.value,
+              {forcing(residual, previous), options_.max_krylov_iterations, krylov_restart});
+    krylov_iterations_ += newton.iterations;
+    const VectorXd slip_change = compliance_times(newton.solution);
+    double length = 1.0;
+    constexpr int most_halvings = 20;
+    for (int halving = 0; halving < most_halvings; ++halving, length *= 0.5) {
+      Point trial =
+          evaluated(point.traction + length * newton.solution, point.slip + length * slip_change);
+      if (trial.norm <= (1.0 - 1e-4 * length) * point.norm) {
+        point = std::move(trial);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  TangentialSolution solution(const Point& point, double residual) const {
+    VectorXd traction = point.traction;
+    project(traction);  // exactly within the bound; changes it by less than the residual
+    TangentialSolution result;
+    result.traction = scattered(traction);
+    const TangentialField displacement = compliance_.apply(result.traction);
+    result.slip = {problem_.rigid_slip.x + displacement.x, problem_.rigid_slip.y + displacement.y};
+    const Linearisation at = linearised(point);
+    result.state.assign(static_cast<std::size_t>(problem_.traction_bound.size()),
+                        ElementState::exterior);
+    for (Index e = 0; e < count_; ++e)
+      result.state[static_cast<std::size_t>(elements_[e])] =
+          at.adheres[static_cast<std::size_t>(e)] ? ElementState::adhesion : ElementState::slip;
+    result.newton_steps = newton_steps_;
+    result.krylov_iterations = krylov_iterations_;
+    result.residual = residual;
+    return result;
+  }
+
+  const TangentialOperator& compliance_;
+  const TangentialProblem& problem_;
+  TangentialOptions options_;
+  double r_;
+  std::vector<Index> elements_;  ///< grid indices of the contact elements
+  Index count_ = 0;
+  VectorXd bound_;
+  VectorXd rigid_slip_;
+  int newton_steps_ = 0;
+  int krylov_iterations_ = 0;
+};
+
+}  // namespace
+
+TangentialSolution solve_tangential(const TangentialOperator& compliance,
+                                    const TangentialProblem& problem,
+                                    const TangentialOptions& options,
+                                    const TangentialField& start) {
+  check_problem(compliance, problem);
+  return Newton(compliance, problem, options).run(start);
+}
+
+}  // namespace rollfem::contact

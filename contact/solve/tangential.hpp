@@ -1,0 +1,39 @@
+// Coulomb friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such
+// that p_t = -g w/|w| where it slips, by a semi-smooth Newton method on
+// p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves.
+#pragma once
+
+#include "contact/result/result.hpp"
+#include "contact/solve/compliance.hpp"
+
+namespace rollfem::contact {
+
+struct TangentialProblem {
+  Field traction_bound;        ///< g >= 0, MPa; 0 outside the contact area
+  TangentialField rigid_slip;  ///< s, with any defect of the compliance added
+};
+
+struct TangentialOptions {
+  double tolerance = 1e-6;  ///< relative to the creepage load, never to mu F
+  int max_newton_steps = 60;
+  double krylov_tolerance = 0.03;  ///< loosest; tightened as Newton's method converges
+  int max_krylov_iterations = 400;
+};
+
+struct TangentialSolution {
+  TangentialField traction;         ///< MPa, on the wheel
+  TangentialField slip;             ///< w
+  std::vector<ElementState> state;  ///< exterior where g = 0
+  int newton_steps = 0;
+  int krylov_iterations = 0;
+  double residual = 0.0;
+};
+
+/// Throws SolveError when Newton's method does not converge. `start`: tractions to begin with,
+/// empty for the projected full-stick solution.
+TangentialSolution solve_tangential(const TangentialOperator& compliance,
+                                    const TangentialProblem& problem,
+                                    const TangentialOptions& options = {},
+                                    const TangentialField& start = {});
+
+}  // namespace rollfem::contact

@@ -1,0 +1,27 @@
+// Wheel and rail of a case as finite-element bodies: meshed by the program, or on the user's
+// meshes.
+#pragma once
+
+#include "fem/body/body.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rollfem::fem {
+
+struct CaseBodies {
+  std::unique_ptr<Body> wheel;
+  std::unique_ptr<Body> rail;
+  double reach = 0.0;              ///< mm, from the patch to where the nearer one is held
+  std::vector<std::string> notes;  ///< on meshes that are not of the family `structured`
+};
+
+/// Width, depth, length and mesh family of the case.
+void set_segment_sizes(const contact::Case& input, BodyOptions& options);
+
+/// Collective. Throws contact::InputError.
+CaseBodies make_bodies(const contact::Case& input, const BodyOptions& options,
+                       MPI_Comm communicator);
+
+}  // namespace rollfem::fem

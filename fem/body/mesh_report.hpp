@@ -1,0 +1,33 @@
+// The meshes of a case for writing and judging, without solving. Free of deal.II, as model.hpp is.
+#pragma once
+
+#include "contact/case/case.hpp"
+#include "contact/result/result.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Mesh of wheel or rail. Figures are of the refined cells with straight edges between their
+/// corners.
+struct MeshedBody {
+  std::string name;            ///< "wheel", "rail"
+  std::string msh;             ///< coarse mesh as a gmsh file, accepted as [wheel] mesh
+  contact::BodyField refined;  ///< cells as they are computed on, no displacement
+  long coarse_cells = 0;
+  long cells = 0;
+  long unknowns = 0;
+  int levels = 0;                         ///< how often the coarse cells are halved at the patch
+  double shortest_edge = 0.0;             ///< mm
+  double longest_edge = 0.0;              ///< mm
+  double size_in_patch = 0.0;             ///< mm, longest side of a contact face under the patch
+  double smallest_scaled_jacobian = 1.0;  ///< 1: box, 0: flat at a corner
+  double largest_aspect_ratio = 1.0;
+};
+
+/// Wheel and rail as `run` would mesh them. Collective; complete on process 0. Throws
+/// contact::InputError.
+std::vector<MeshedBody> mesh_case(const contact::Case& input);
+
+}  // namespace rollfem::fem

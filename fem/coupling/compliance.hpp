@@ -1,0 +1,82 @@
+// The finite-element compliance A = sum over bodies of S^-1 B K^-1 B^T, S the true areas of the
+// contact elements: piecewise constant tractions are loaded consistently on the FE faces (B^T,
+// exact), displacement is averaged over the contact element (S^-1 B), so that A is symmetric by
+// construction.
+#pragma once
+
+#include "contact/scene/contact_surface.hpp"
+#include "contact/solve/compliance.hpp"
+#include "fem/body/body.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// One body's part. Tractions and displacement are along the lateral tangent and the normal of the
+/// contact surface that both bodies share, so that loads of both are equal and opposite; along
+/// rolling the frame turns with the body's own streamlines. The sign with which they enter the
+/// difference (wheel +, rail -, load -) is handled in FemCompliance.
+class SurfaceCoupling {
+ public:
+  /// `grid`: contact elements in (s, t), t the lateral coordinate y; `surface`: what both share. A
+  /// half body is loaded with the mirror image understood: elements at t < 0 mirror those at t > 0
+  /// (x and n components even, y component odd). Throws contact::InputError when the grid reaches
+  /// beyond the body's surface or its elements are finer than the FE faces under them.
+  SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
+                  const contact::ContactSurface& surface);
+  /// On the body's own surface.
+  SurfaceCoupling(const Body& body, const contact::ContactGrid& grid);
+  ~SurfaceCoupling();
+  /// b = B^T p.
+  void load(const contact::SurfaceField& traction, Vector& b) const;
+  /// Mean displacement over each element; the same on every process.
+  contact::SurfaceField sample(const Vector& displacement) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Slip that comes with the wheel's streamlines being circles of radius R(y): u_r / R along x for a
+/// displacement u_r towards the axle, which shortens them, and on a surface tilted across -sin u_x
+/// / R laterally, as the lateral tangent turns. Together with the difference along the streamline
+/// it gives the surface strain, so that a rigid displacement slips nowhere.
+contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
+                                        const contact::ContactGrid& grid,
+                                        const contact::SurfaceField& displacement);
+
+/// The surface that two bodies share: the mean of their profiles.
+contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceShape& rail);
+
+/// How the far boundary of the segments is held (far_field.hpp).
+using FarBoundary = contact::FarBoundary;
+
+class FemCompliance : public contact::Compliance {
+ public:
+  struct Part {
+    const Body* body;
+    const LinearSolver* solver;
+  };
+  /// Wheel and rail; both outlive the compliance. Parts are solved at the same time on two threads
+  /// when there is one process and both solvers are factorisations.
+  /// With FarBoundary::point_load the displacement that the far boundary brings is added, which is
+  /// linear in the resultant force (and costs three solves a body, here): then no longer exactly
+  /// symmetric, see docs/theory.md.
+  FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid,
+                FarBoundary far = FarBoundary::clamped);
+  ~FemCompliance() override;
+  const contact::ContactGrid& grid() const override;
+  contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
+  /// With the curvature slip of the wheel.
+  contact::Response respond(const contact::SurfaceField& traction) const override;
+  /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView.
+  std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;
+  int solves() const;  ///< apply() calls so far
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace rollfem::fem

@@ -1,0 +1,30 @@
+// Tractions anywhere on the contact surface from those of the contact elements, with an edge of the
+// patch below the element size.
+#pragma once
+
+#include "contact/base/grid.hpp"
+
+#include <array>
+
+namespace rollfem::fem {
+
+/// Near the edge of a smooth contact pressure squared falls linearly to zero. It is continued so to
+/// the unloaded elements beside the patch, and goes between the elements by cubic convolution
+/// (Keys 1981); where it is negative there is no contact. The ratio of tangential traction to
+/// pressure is bilinear over the loaded elements around, so that it keeps the traction bound.
+class SurfaceTractions {
+ public:
+  /// `traction`: MPa, on the wheel.
+  SurfaceTractions(const contact::ContactGrid& grid, const contact::SurfaceField& traction);
+  /// {x, y, n} in MPa at (s, t) = (x, y) of the grid, zero outside of the patch.
+  std::array<double, 3> at(double s, double t) const;
+
+ private:
+  double pressure_at(double s, double t) const;
+
+  contact::ContactGrid grid_;
+  contact::SurfaceField traction_;
+  contact::Field squared_;  ///< p^2, continued by negative values
+};
+
+}  // namespace rollfem::fem

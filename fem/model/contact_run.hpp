@@ -1,0 +1,22 @@
+// One level of the finite-element model: bodies and contact grid with cells of one size, every load
+// point of the case solved on them. model.hpp runs two levels to estimate the error.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+#include "contact/solve/model.hpp"
+
+namespace rollfem::fem {
+
+struct LevelOptions {
+  double cell_size = 0.0;    ///< mm, FE cells in the patch and contact elements
+  std::string stage_prefix;  ///< put before stage names in progress reports
+  bool body_fields =
+      false;  ///< displacement and stress of the bodies, as [output] body_fields says
+  contact::Checkpoint* checkpoint = nullptr;  ///< of process 0; null: none
+};
+
+/// Collective over all MPI processes. Throws contact::SolveError, contact::InputError.
+contact::ModelResult run_level(const contact::Case& input, const LevelOptions& options,
+                               const contact::Progress& progress);
+
+}  // namespace rollfem::fem

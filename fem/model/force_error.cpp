@@ -1,0 +1,68 @@
+#include "fem/model/force_error.hpp"
+
+#include "contact/result/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::ModelResult;
+using contact::PointResult;
+
+/// Of the largest traction, whose place no grid has exactly.
+constexpr double traction_share = 3.0;
+
+struct Force {
+  const char* name;
+  double PointResult::*value;
+  double sliding;  ///< size of full sliding
+  /// The largest traction stands where adhesion ends, within an element of it, and a moment weighs
+  /// the edges most: both go with the first power of the element, and no two levels are even.
+  bool uneven;
+  double share;  ///< of grid_error(): what is believed at least
+};
+
+std::vector<Force> forces_of(const PointResult& point, double friction) {
+  const double force = friction * point.normal_force;
+  const double radius = std::sqrt(point.semi_axis_x * point.semi_axis_y);
+  return {{"traction_coefficient", &PointResult::traction_coefficient, friction, false, 1.0},
+          {"longitudinal_force", &PointResult::longitudinal_force, force, false, 1.0},
+          {"lateral_force", &PointResult::lateral_force, force, false, 1.0},
+          {"spin_moment", &PointResult::spin_moment, force * radius, true, 1.0},
+          {"max_traction_x", &PointResult::max_traction_x, friction * point.max_pressure, true,
+           traction_share}};
+}
+
+/// On fewer elements across than this errors fall with the square of their number, and two levels
+/// agree the more easily by chance (docs/accuracy.md).
+constexpr double fewest_even = 16.0;
+
+/// What the contact grid alone leaves uncertain in a force, relative.
+double grid_error(const PointResult& point, const contact::ContactGrid& grid) {
+  const double across = 2.0 * std::min(point.semi_axis_x / grid.dx, point.semi_axis_y / grid.dy);
+  if (point.adhesion_area == 0.0 || !(across > 0.0)) return 0.0;
+  return contact::least_rolling_error / across * std::max(1.0, fewest_even / across);
+}
+
+}  // namespace
+
+void estimate_force_errors(const contact::Case& input, std::vector<ModelResult>& levels,
+                           std::size_t k, double assumed_order) {
+  PointResult& fine = levels.back().points[k];
+  const double least = grid_error(fine, levels.back().grid);
+  for (const Force& force : forces_of(fine, input.friction_coefficient)) {
+    std::vector<double> values;
+    for (const ModelResult& level : levels) values.push_back(level.points[k].*force.value);
+    const double scale = std::max(std::abs(values.back()), 0.01 * force.sliding);
+    if (!(scale > 0.0) || (values.back() == 0.0 && values[values.size() - 2] == 0.0)) continue;
+    const bool uneven = force.uneven && fine.adhesion_area > 0.0;
+    const double change = contact::estimated_error(values, uneven ? 1.0 : assumed_order);
+    fine.error_estimate[force.name] =
+        std::max((uneven ? contact::uneven_safety : 1.0) * change / scale, force.share * least);
+  }
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,19 @@
+// How far the forces of a finite-element result may be off: what its levels show, and what the
+// contact grid alone leaves uncertain.
+#pragma once
+
+#include "contact/case/case.hpp"
+#include "contact/result/result.hpp"
+
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Adds the error estimates of the forces (longitudinal_force, lateral_force, spin_moment,
+/// traction_coefficient) and of the largest |p_x| to load point k of the finest level. `levels`:
+/// at least two, the finest last, each of half the cells of the one before. Estimates are relative
+/// to the value, or to a hundredth of full sliding where that is more.
+void estimate_force_errors(const contact::Case& input, std::vector<contact::ModelResult>& levels,
+                           std::size_t k, double assumed_order);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,54 @@
+// What a level of the finite-element model keeps for a later run: the frictionless solution, and
+// every load point with the defect from which the next one starts, so that numbers come out the
+// same to the last bit.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+#include "contact/result/result.hpp"
+#include "contact/solve/compliance.hpp"
+
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// The frictionless solution and what the result says about the level as a whole.
+struct LevelStart {
+  contact::Response defect;
+  int contact_elements = 0;
+  long unknowns = 0;
+  std::string solver;  ///< LinearSolver::description
+  double reach = 0.0;  ///< mm, from the patch to where the nearer body is held
+  bool half = false;   ///< half of each body is modelled
+  std::string notes;   ///< on the meshes
+  /// For ModelResult::bodies; read back whole on process 0 alone.
+  std::vector<contact::BodyField> bodies;
+};
+
+/// Collective: process 0 reads and tells the others, and writes alone.
+class LevelCheckpoint {
+ public:
+  /// `store` may be null (no checkpoint); that of process 0 counts.
+  LevelCheckpoint(contact::Checkpoint* store, double cell_size, MPI_Comm communicator);
+
+  /// False when nothing is kept; then the argument is as it was.
+  bool find(LevelStart& start) const;
+  void keep(const LevelStart& start) const;
+  /// Load point k, counted from 0, and the defect at its solution; its `bodies` on process 0 alone.
+  bool find(std::size_t k, contact::PointResult& point, contact::Response& defect) const;
+  void keep(std::size_t k, const contact::PointResult& point,
+            const contact::Response& defect) const;
+
+ private:
+  /// Record of that name on every process, empty when there is none.
+  std::string everywhere(const std::string& name) const;
+  std::string name_of(const std::string& part) const;
+
+  contact::Checkpoint* store_;
+  double cell_size_;
+  MPI_Comm communicator_;
+  bool first_;
+};
+
+}  // namespace rollfem::fem

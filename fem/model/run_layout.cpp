@@ -1,0 +1,152 @@
+#include "fem/model/run_layout.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/body/case_bodies.hpp"
+#include "fem/solver/solver_choice.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/expected_patch.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::Case;
+using contact::ContactGrid;
+
+/// Finest cells reach this many semi-axes: more gains nothing (docs/verification.md).
+constexpr double default_reach = 1.1;
+
+/// A box on the surface reaches this many larger half sizes of the patch to each side at least;
+/// where the profiles are too steep or short for that the bodies are true sections.
+constexpr double least_box_reach = 2.5;
+
+/// Elements of the potential contact area beyond the expected patch, each side.
+constexpr int margin = 3;
+
+/// The plane y = 0 is a symmetry plane of bodies with radii when nothing drives the material
+/// sideways.
+bool symmetric_about_rolling(const Case& input) {
+  return !input.patch &&
+         std::all_of(input.rolling.creepages.begin(), input.rolling.creepages.end(),
+                     [](const contact::Creepage& c) { return c.lateral == 0.0 && c.spin == 0.0; });
+}
+
+/// On the lattice of the FE faces, an even number of elements each way.
+ContactGrid lattice_grid(const PatchBox& patch, double cell) {
+  const int half_x = static_cast<int>(std::ceil(patch.half_length / cell)) + margin;
+  const int half_y = static_cast<int>(std::ceil(patch.half_width / cell)) + margin;
+  return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell, 0.0, patch.middle);
+}
+
+/// The box of the family `structured` ends where one of the profiles does.
+void fit_to_profiles(const Case& input, BodyOptions& options) {
+  for (const bool is_wheel : {true, false}) {
+    const SurfaceShape shape = profile_surface(input.patch, is_wheel);
+    const double reach =
+        std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle);
+    if (reach < options.fine_half_width)
+      throw contact::InputError(fmt::format(
+          "{}: the patch and the cells around it reach from y = {:.4g} to {:.4g} mm, the profile "
+          "of "
+          "the {} can be meshed from {:.4g} to {:.4g} mm, where it ends or gets too steep for the "
+          "frame of the patch; do: take a smaller [fem] fine_extent or cell_size, a smaller load, "
+          "or a longer profile",
+          input.file, options.middle - options.fine_half_width,
+          options.middle + options.fine_half_width, is_wheel ? "wheel" : "rail", shape.lower_t(),
+          shape.upper_t()));
+    if (!has_true_sections(input)) options.half_width = std::min(options.reach_t(), reach);
+  }
+}
+
+BodyOptions body_options(const Case& input, const PatchBox& patch, const ContactGrid& grid,
+                         double cell) {
+  const double reach = input.fem.fine_extent.value_or(default_reach);
+  BodyOptions options;
+  options.cell_size = cell;
+  options.fine_half_length = std::max(reach * patch.half_length, 0.5 * grid.nx * grid.dx);
+  options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
+  options.middle = patch.middle;
+  options.extent = input.fem.extent.value_or(8.0 * patch.larger());
+  options.half = symmetric_about_rolling(input);
+  options.degree = input.fem.degree;
+  options.speed = input.rolling.speed;
+  set_segment_sizes(input, options);
+  if (input.patch) fit_to_profiles(input, options);
+  return options;
+}
+
+}  // namespace
+
+PatchBox patch_box(const Case& input) {
+  if (!input.patch) {
+    const halfspace::HertzContact hertz = halfspace::hertz_of_case(input);
+    return {hertz.semi_axis_x, hertz.semi_axis_y, 0.0};
+  }
+  const halfspace::ExpectedPatch patch = halfspace::expected_patch(input);
+  return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width(), patch.y_middle()};
+}
+
+double default_cell_size(const Case& input) {
+  return input.fem.cell_size ? *input.fem.cell_size : patch_box(input).smaller() / 8.0;
+}
+
+bool has_true_sections(const Case& input) {
+  if (!input.patch) return false;
+  if (input.fem.mesh) return *input.fem.mesh == MeshFamily::gmsh;
+  const PatchBox patch = patch_box(input);
+  double reach = contact::infinity;
+  for (const bool is_wheel : {true, false}) {
+    const SurfaceShape shape = profile_surface(input.patch, is_wheel);
+    reach = std::min({reach, patch.middle - shape.lower_t(), shape.upper_t() - patch.middle});
+  }
+  return reach < least_box_reach * patch.larger();
+}
+
+RunLayout run_layout(const Case& input, double cell) {
+  RunLayout layout;
+  layout.patch = patch_box(input);
+  // To the lattice; what that moves is added on both sides.
+  const double exact = layout.patch.middle;
+  layout.patch.middle = std::round(exact / cell) * cell;
+  layout.patch.half_width += std::abs(layout.patch.middle - exact);
+  // Linear displacements cannot follow a traction of their own on every face: elements of one face
+  // let it oscillate, and the contact iteration then ends nowhere.
+  layout.grid = lattice_grid(layout.patch, input.fem.degree == 1 ? 2.0 * cell : cell);
+  layout.bodies = body_options(input, layout.patch, layout.grid, cell);
+  return layout;
+}
+
+int points_that_keep_bodies(const Case& input) {
+  const std::size_t count = input.rolling.creepages.size();
+  int keep = 0;
+  for (std::size_t k = 0; k < count; ++k) keep += input.output.keeps_bodies(k, count) ? 1 : 0;
+  return keep;
+}
+
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields) {
+  MemoryDemand demand;
+  demand.unknowns_of_wheel = wheel;
+  demand.unknowns_of_rail = rail;
+  demand.half = bodies.half;
+  demand.body_fields = body_fields;
+  demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  return demand;
+}
+
+void refuse_beyond_memory(const Case& input, double cell_size) {
+  const BodyOptions bodies = run_layout(input, cell_size).bodies;
+  constexpr double beyond_all_memory = 2e9;
+  const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
+  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, points_that_keep_bodies(input));
+  demand.algebraic = input.fem.linear_solver == contact::LinearSolver::algebraic;
+  demand.factorisation = takes_factorisation(input, demand);
+  refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
+}
+
+}  // namespace rollfem::fem

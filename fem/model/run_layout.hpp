@@ -1,0 +1,50 @@
+// What one level of the model fem is laid out on, before anything is meshed: where the patch will
+// be, contact grid, options of the bodies, memory.
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "contact/case/case.hpp"
+#include "fem/body/body.hpp"
+#include "fem/solver/memory.hpp"
+
+namespace rollfem::fem {
+
+/// Where the patch is expected: of radii Hertz's ellipse about the origin, of profiles the box of a
+/// coarse half-space solution.
+struct PatchBox {
+  double half_length = 0.0;  ///< mm, to both sides of x = 0
+  double half_width = 0.0;   ///< mm, to both sides of y = middle
+  double middle = 0.0;       ///< mm
+  double larger() const { return half_length > half_width ? half_length : half_width; }
+  double smaller() const { return half_length > half_width ? half_width : half_length; }
+};
+PatchBox patch_box(const contact::Case& input);
+
+/// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
+double default_cell_size(const contact::Case& input);
+
+/// The case has a patch of true profiles and the bodies are the true sections of wheel and rail,
+/// not boxes laid on the surface: as [fem] mesh says, else where a box would not reach far enough.
+bool has_true_sections(const contact::Case& input);
+
+struct RunLayout {
+  PatchBox patch;
+  contact::ContactGrid grid;  ///< square elements on the lattice of the FE faces: one face each,
+                              ///< of degree 1 two by two
+  BodyOptions bodies;
+};
+/// Throws contact::InputError when the profiles cannot be meshed so far.
+RunLayout run_layout(const contact::Case& input, double cell);
+
+/// Number of load points that keep displacement and stress of the bodies.
+int points_that_keep_bodies(const contact::Case& input);
+
+/// Of a body with half of it or all modelled, by a solver that is not chosen yet. `body_fields`:
+/// load points that keep those of the bodies.
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields);
+
+/// Throws contact::SolveError when the level will not fit into memory, without making a mesh.
+/// Collective.
+void refuse_beyond_memory(const contact::Case& input, double cell_size);
+
+}  // namespace rollfem::fem

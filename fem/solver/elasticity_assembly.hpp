@@ -1,0 +1,80 @@
+// Stiffness of linear isotropic elasticity: one cell's matrix, and the assembled matrix of the free
+// unknowns (constraints eliminated) in compressed columns. One process only.
+#pragma once
+
+#include "fem/solver/cell_terms.hpp"
+#include "fem/solver/linear_solver.hpp"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// K_ab,ij = int lambda P(dN_a/dx_i) P(dN_b/dx_j) + mu dN_a/dx_j dN_b/dx_i + delta_ij (mu grad
+/// N_a.grad N_b - rho (v.grad N_a)(v.grad N_b)) for FE_Q(degree)^3, with the projection P (or the
+/// identity) and the flow v of cell_terms.hpp; unknowns numbered as in the deal.II cell. Reuses its
+/// buffers from cell to cell.
+class CellStiffness {
+ public:
+  explicit CellStiffness(const ElasticProblem& problem);
+  /// Row-major, dofs per cell squared, symmetric.
+  const std::vector<double>& compute(const dealii::DoFHandler<3>::active_cell_iterator& cell);
+
+ private:
+  void integrate();
+  void project_dilatation();
+  void integrate_inertia();
+
+  const unsigned int nodes_;
+  dealii::FE_Q<3> scalar_;
+  dealii::QGauss<3> quadrature_;
+  dealii::FEValues<3> values_;
+  double lambda_;
+  double mu_;
+  std::vector<unsigned int> position_;  ///< dof of (node a, component i) at 3 a + i
+  std::vector<double> gradients_;       ///< of one quadrature point, 3 a + i
+  std::vector<double> products_;        ///< int dN_a/dx_i dN_b/dx_j, (3 a + i, 3 b + j)
+  const bool projected_;
+  DilatationSpace space_;
+  std::vector<double> projected_gradients_;  ///< coefficients of P(dN_a/dx_i), function by function
+  const double density_;                     ///< t/mm^3, 0: no inertia
+  const MaterialMotion motion_;
+  std::vector<double> inertia_;  ///< rho int (v.grad N_a)(v.grad N_b), (a, b)
+  std::vector<double> stiffness_;
+};
+
+/// Every unknown as a combination of free ones: u = C x. Rows of constrained unknowns hold their
+/// constraint's entries (none: fixed to zero), rows of free ones a single 1.
+struct FreeUnknowns {
+  int count = 0;
+  std::vector<std::int64_t> row_start;
+  std::vector<int> column;
+  std::vector<double> weight;
+
+  /// x = C^T b.
+  void condense(const Vector& b, std::vector<double>& x) const;
+  /// u = C x.
+  void expand(const double* x, Vector& u) const;
+};
+FreeUnknowns number_free_unknowns(const dealii::DoFHandler<3>& dofs,
+                                  const dealii::AffineConstraints<double>& constraints);
+
+/// Lower triangle of a symmetric matrix in compressed columns, rows sorted.
+struct SymmetricMatrix {
+  int size = 0;
+  std::vector<std::int64_t> column_start;
+  std::vector<int> row;
+  std::vector<double> value;
+
+  /// y = K x.
+  void multiply(const std::vector<double>& x, std::vector<double>& y) const;
+};
+
+/// C^T K C.
+SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,308 @@
+#include "fem/solver/elasticity_kernel.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+// Vectors of 64 bytes never cross the boundary of a function that is not inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+#define ROLLFEM_INLINE inline __attribute__((always_inline))
+
+namespace rollfem::fem {
+
+namespace {
+
+template <typename Number>
+struct Simd {
+  typedef Number type __attribute__((vector_size(64)));
+};
+
+/// One-dimensional matrices at the Gauss points.
+template <int n>
+struct Shape {
+  double value[n][n];     ///< [point][node]: Lagrange polynomials
+  double gradient[n][n];  ///< [point][point]: derivative of the interpolant through the points
+};
+
+template <int n>
+constexpr Shape<n> make_shape();
+
+template <>
+constexpr Shape<2> make_shape<2>() {
+  constexpr double r = 0.577350269189625764509148780502;  // sqrt(1/3)
+  constexpr double a = (1 + r) / 2, b = (1 - r) / 2, g = 1 / r;
+  return {{{a, b}, {b, a}}, {{-g, g}, {-g, g}}};
+}
+
+template <>
+constexpr Shape<3> make_shape<3>() {
+  // Nodes 0, 1/2, 1; points (1 -+ r)/2 and 1/2, r = sqrt(3/5): the factors of Lagrange's formula.
+  constexpr double r = 0.774596669241483377035853079956;
+  constexpr double a = r * (1 + r) / 2, b = 1 - r * r, c = -r * (1 - r) / 2;
+  constexpr double d = 1 / r;
+  return {{{a, b, c}, {0, 1, 0}, {c, b, a}}, {{-3 * d, 4 * d, -d}, {-d, 0, d}, {d, -4 * d, 3 * d}}};
+}
+
+/// out (+)= M in along one direction of an n^3 array; `transpose` takes M^T.
+template <int n, int direction, bool transpose, bool add, typename V, typename Number>
+ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) {
+  constexpr int stride = direction == 0 ? 1 : direction == 1 ? n : n * n;
+  for (int line = 0; line < n * n; ++line) {
+    const int start = direction == 0   ? line * n
+                      : direction == 1 ? (line / n) * n * n + line % n
+                                       : line;
+    V x[n];
+#pragma GCC unroll 4
+    for (int i = 0; i < n; ++i) x[i] = in[start + i * stride];
+#pragma GCC unroll 4
+    for (int i = 0; i < n; ++i) {
+      V sum = static_cast<Number>(transpose ? matrix[0][i] : matrix[i][0]) * x[0];
+#pragma GCC unroll 4
+      for (int j = 1; j < n; ++j)
+        sum += static_cast<Number>(transpose ? matrix[j][i] : matrix[i][j]) * x[j];
+      if (add)
+        out[start + i * stride] += sum;
+      else
+        out[start + i * stride] = sum;
+    }
+  }
+}
+
+/// One batch's part of CellBatches, and the number of functions for the dilatation.
+template <typename V>
+struct CellData {
+  const V *geometry, *flow, *dilatation;
+};
+template <int n>
+constexpr int dilatation_functions = n == 2 ? 1 : 4;
+
+/// Trace of grad u = h^T g.
+template <typename V>
+ROLLFEM_INLINE V trace(const V* h, const V (&g)[3][3]) {
+  V sum{};
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) sum += g[c][0] * h[0 + c] + g[c][1] * h[3 + c] + g[c][2] * h[6 + c];
+  return sum;
+}
+
+/// g[c][e] = d u_c / d xi_e, times the geometry: stress, pulled back in place. One quadrature
+/// point. With h = sqrt(w) dxi/dx, grad u = h^T g and the integrand is (h^T grad v) : sigma.
+/// `projected` is sqrt(w) lambda times the projected dilatation; null: that of g.
+template <typename V, typename Number>
+ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& material,
+                                 const V* projected, V (&g)[3][3]) {
+  V grad[3][3];
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+    for (int d = 0; d < 3; ++d)
+      grad[c][d] = g[c][0] * h[0 + d] + g[c][1] * h[3 + d] + g[c][2] * h[6 + d];
+  const V pressure =
+      projected != nullptr ? *projected : material.lambda * (grad[0][0] + grad[1][1] + grad[2][2]);
+  V s[3][3];
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) s[c][c] = pressure + 2 * material.mu * grad[c][c];
+  s[0][1] = s[1][0] = material.mu * (grad[0][1] + grad[1][0]);
+  s[0][2] = s[2][0] = material.mu * (grad[0][2] + grad[2][0]);
+  s[1][2] = s[2][1] = material.mu * (grad[1][2] + grad[2][1]);
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+    for (int e = 0; e < 3; ++e)
+      g[c][e] = s[c][0] * h[3 * e] + s[c][1] * h[3 * e + 1] + s[c][2] * h[3 * e + 2];
+}
+
+template <int points, typename V>
+ROLLFEM_INLINE void gather_point(const V (&gradient)[3][3][points], int q, V (&g)[3][3]) {
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+    for (int e = 0; e < 3; ++e) g[c][e] = gradient[c][e][q];
+}
+
+/// lambda times the coefficients of the projected dilatation.
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE void project(const CellData<V>& cell, const LameConstants<Number>& material,
+                            const V (&gradient)[3][3][n * n * n], V* coefficients) {
+  constexpr int functions = dilatation_functions<n>;
+  for (int k = 0; k < functions; ++k) coefficients[k] = V{};
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    const V dilatation = trace(cell.geometry + 9 * q, g);
+#pragma GCC unroll 4
+    for (int k = 0; k < functions; ++k)
+      coefficients[k] += cell.dilatation[functions * q + k] * dilatation;
+  }
+  for (int k = 0; k < functions; ++k) coefficients[k] *= material.lambda;
+}
+
+/// At every quadrature point: the gradient's stress less the flux of momentum, pulled back.
+template <int n, bool projected, bool flows, typename V, typename Number>
+ROLLFEM_INLINE void apply_law(const CellData<V>& cell, const LameConstants<Number>& material,
+                              V (&gradient)[3][3][n * n * n]) {
+  constexpr int functions = dilatation_functions<n>;
+  V coefficients[functions];
+  if constexpr (projected) project<n>(cell, material, gradient, coefficients);
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    [[maybe_unused]] V pressure{}, along[3];
+    if constexpr (projected) {
+#pragma GCC unroll 4
+      for (int k = 0; k < functions; ++k)
+        pressure += cell.dilatation[functions * q + k] * coefficients[k];
+    }
+    if constexpr (flows) {
+      const V* const a = cell.flow + 3 * q;
+#pragma GCC unroll 3
+      for (int c = 0; c < 3; ++c) along[c] = a[0] * g[c][0] + a[1] * g[c][1] + a[2] * g[c][2];
+    }
+    apply_stress(cell.geometry + 9 * q, material, projected ? &pressure : nullptr, g);
+    if constexpr (flows) {
+      const V* const a = cell.flow + 3 * q;
+#pragma GCC unroll 3
+      for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+        for (int e = 0; e < 3; ++e) g[c][e] -= a[e] * along[c];
+    }
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+      for (int e = 0; e < 3; ++e) gradient[c][e][q] = g[c][e];
+  }
+}
+
+/// u = K_cell u for one batch, u[component][node].
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Number>& material,
+                                 V* u) {
+  constexpr int nodes = n * n * n;
+  constexpr Shape<n> shape = make_shape<n>();
+  V gradient[3][3][nodes];
+  V work[nodes];
+  for (int c = 0; c < 3; ++c) {
+    V* v = u + c * nodes;
+    contract<n, 0, false, false, V, Number>(shape.value, v, work);
+    contract<n, 1, false, false, V, Number>(shape.value, work, v);
+    contract<n, 2, false, false, V, Number>(shape.value, v, work);
+    contract<n, 0, false, false, V, Number>(shape.gradient, work, gradient[c][0]);
+    contract<n, 1, false, false, V, Number>(shape.gradient, work, gradient[c][1]);
+    contract<n, 2, false, false, V, Number>(shape.gradient, work, gradient[c][2]);
+  }
+  // Decided once a batch, so that bodies at rest pay nothing for what others need.
+  if (cell.dilatation == nullptr && cell.flow == nullptr)
+    apply_law<n, false, false>(cell, material, gradient);
+  else if (cell.dilatation == nullptr)
+    apply_law<n, false, true>(cell, material, gradient);
+  else if (cell.flow == nullptr)
+    apply_law<n, true, false>(cell, material, gradient);
+  else
+    apply_law<n, true, true>(cell, material, gradient);
+  for (int c = 0; c < 3; ++c) {
+    V* v = u + c * nodes;
+    contract<n, 0, true, false, V, Number>(shape.gradient, gradient[c][0], work);
+    contract<n, 1, true, true, V, Number>(shape.gradient, gradient[c][1], work);
+    contract<n, 2, true, true, V, Number>(shape.gradient, gradient[c][2], work);
+    contract<n, 2, true, false, V, Number>(shape.value, work, v);
+    contract<n, 1, true, false, V, Number>(shape.value, v, work);
+    contract<n, 0, true, false, V, Number>(shape.value, work, v);
+  }
+}
+
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE CellData<V> data_of(const CellBatches<Number>& cells, std::size_t batch) {
+  constexpr std::size_t points = n * n * n, width = lanes<Number>;
+  const auto part = [batch](const Number* data, std::size_t items) {
+    return data == nullptr ? nullptr
+                           : reinterpret_cast<const V*>(data + batch * points * items * width);
+  };
+  return {part(cells.geometry, 9), part(cells.flow, 3),
+          part(cells.dilatation, dilatation_functions<n>)};
+}
+
+template <int n, typename Number>
+ROLLFEM_INLINE void add_product(const CellBatches<Number>& cells,
+                                const LameConstants<Number>& material, const Number* x, Number* y) {
+  using V = typename Simd<Number>::type;
+  constexpr int width = lanes<Number>, dofs = 3 * n * n * n;
+  V u[dofs];
+  for (std::size_t batch = 0; batch < cells.count; ++batch) {
+    const unsigned int* index = cells.indices + batch * dofs * width;
+    for (int i = 0; i < dofs; ++i)
+      for (int lane = 0; lane < width; ++lane) u[i][lane] = x[index[i * width + lane]];
+    cell_product<n, V, Number>(data_of<n, V>(cells, batch), material, u);
+    // Lanes share nodes: one after the other.
+    for (int i = 0; i < dofs; ++i)
+      for (int lane = 0; lane < width; ++lane) y[index[i * width + lane]] += u[i][lane];
+  }
+}
+
+template <int n, typename Number>
+ROLLFEM_INLINE void element_matrices(const CellBatches<Number>& cells,
+                                     const LameConstants<Number>& material, std::size_t batch,
+                                     Number* matrices) {
+  using V = typename Simd<Number>::type;
+  constexpr int width = lanes<Number>, dofs = 3 * n * n * n;
+  const auto cell = data_of<n, V>(cells, batch);
+  V u[dofs];
+  for (int column = 0; column < dofs; ++column) {
+    for (int i = 0; i < dofs; ++i) u[i] = V{} + static_cast<Number>(i == column ? 1 : 0);
+    cell_product<n, V, Number>(cell, material, u);
+    for (int i = 0; i < dofs; ++i)
+      for (int lane = 0; lane < width; ++lane)
+        matrices[(static_cast<std::size_t>(i) * dofs + column) * width + lane] = u[i][lane];
+  }
+}
+
+// The same code for each instruction set.
+#define ROLLFEM_VARIANT(name, attribute)                                                           \
+  template <int n, typename Number>                                                                \
+  attribute void add_product_##name(const CellBatches<Number>& cells,                              \
+                                    const LameConstants<Number>& material, const Number* x,        \
+                                    Number* y) {                                                   \
+    add_product<n, Number>(cells, material, x, y);                                                 \
+  }                                                                                                \
+  template <int n, typename Number>                                                                \
+  attribute void element_matrices_##name(const CellBatches<Number>& cells,                         \
+                                         const LameConstants<Number>& material, std::size_t batch, \
+                                         Number* matrices) {                                       \
+    element_matrices<n, Number>(cells, material, batch, matrices);                                 \
+  }                                                                                                \
+  template <int n, typename Number>                                                                \
+  ElasticityKernel<Number> kernel_##name() {                                                       \
+    return {&add_product_##name<n, Number>, &element_matrices_##name<n, Number>};                  \
+  }
+
+ROLLFEM_VARIANT(plain, )
+#ifdef __x86_64__
+ROLLFEM_VARIANT(avx2, __attribute__((target("avx2,fma"))))
+ROLLFEM_VARIANT(avx512, __attribute__((target("avx512f,avx512dq,avx512vl,fma"))))
+#endif
+
+template <int n, typename Number>
+ElasticityKernel<Number> best_kernel() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return kernel_avx512<n, Number>();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return kernel_avx2<n, Number>();
+#endif
+  return kernel_plain<n, Number>();
+}
+
+}  // namespace
+
+template <typename Number>
+ElasticityKernel<Number> elasticity_kernel(int degree) {
+  if (degree == 1) return best_kernel<2, Number>();
+  if (degree == 2) return best_kernel<3, Number>();
+  throw std::invalid_argument("elasticity_kernel: only degrees 1 and 2 are there");
+}
+
+template ElasticityKernel<float> elasticity_kernel(int);
+template ElasticityKernel<double> elasticity_kernel(int);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,236 @@
+#include "fem/solver/elasticity_operator.hpp"
+
+#include "fem/solver/cell_terms.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// Reorders per-cell data [cell][item] into [batch][item][lane]; absent lanes hold zero.
+template <typename Number, typename Out, typename In>
+dealii::AlignedVector<Out> pack(const std::vector<In>& data, std::size_t cells) {
+  constexpr std::size_t width = lanes<Number>;
+  if (data.empty()) return {};
+  const std::size_t items = data.size() / cells, batches = (cells + width - 1) / width;
+  dealii::AlignedVector<Out> packed(batches * items * width, Out(0));
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    for (std::size_t item = 0; item < items; ++item)
+      packed[((cell / width) * items + item) * width + cell % width] =
+          static_cast<Out>(data[cell * items + item]);
+  return packed;
+}
+
+/// u at constrained local dofs from their masters.
+template <typename Number>
+void expand(const LocalDofs& dofs, dealii::LinearAlgebra::distributed::Vector<Number>& u) {
+  for (const auto& row : dofs.constrained) {
+    double value = 0;
+    for (const auto& term : row.terms) value += term.weight * u.local_element(term.master);
+    u.local_element(row.row) = static_cast<Number>(value);
+  }
+}
+
+/// The transpose of expand() for the first `rows` of the constrained dofs.
+template <typename Number>
+void contract(const LocalDofs& dofs, std::size_t rows,
+              dealii::LinearAlgebra::distributed::Vector<Number>& b) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto& row = dofs.constrained[i];
+    const auto value = std::exchange(b.local_element(row.row), Number(0));
+    for (const auto& term : row.terms)
+      b.local_element(term.master) += static_cast<Number>(term.weight * value);
+  }
+}
+
+/// The unconstrained dofs that each dof of a cell stands for.
+class CellConstraints {
+ public:
+  explicit CellConstraints(const LocalDofs& dofs) : dofs_(dofs) {
+    const std::size_t local =
+        dofs.with_ghosts->locally_owned_size() + dofs.with_ghosts->n_ghost_indices();
+    position_.assign(local, -1);
+    for (std::size_t i = 0; i < dofs.constrained.size(); ++i)
+      position_[dofs.constrained[i].row] = static_cast<int>(i);
+  }
+  /// Calls f(master, weight) for one local dof.
+  template <typename F>
+  void for_each_master(unsigned int dof, const F& f) const {
+    if (position_[dof] < 0) {
+      f(dof, 1.0);
+      return;
+    }
+    for (const auto& term : dofs_.constrained[position_[dof]].terms) f(term.master, term.weight);
+  }
+
+ private:
+  const LocalDofs& dofs_;
+  std::vector<int> position_;
+};
+
+}  // namespace
+
+template <typename Number>
+ElasticityOperator<Number>::ElasticityOperator(const LocalCells& cells)
+    : dofs_(cells.dofs),
+      kernel_(elasticity_kernel<Number>(cells.degree)),
+      cell_dofs_(3 * (cells.degree + 1) * (cells.degree + 1) * (cells.degree + 1)),
+      cells_(cells.count),
+      indices_(pack<Number, unsigned int>(cells.indices, cells.count)),
+      geometry_(pack<Number, Number>(cells.geometry, cells.count)),
+      flow_(pack<Number, Number>(cells.flow, cells.count)),
+      dilatation_(pack<Number, Number>(cells.dilatation, cells.count)),
+      source_(cells.dofs->with_ghosts),
+      result_(cells.dofs->with_ghosts) {
+  material_.lambda = static_cast<Number>(lame_lambda(cells.material));
+  material_.mu = static_cast<Number>(lame_mu(cells.material));
+  batches_ = {(cells_ + lanes<Number> - 1) / lanes<Number>, indices_.data(), geometry_.data(),
+              flow_.empty() ? nullptr : flow_.data(),
+              dilatation_.empty() ? nullptr : dilatation_.data()};
+}
+
+template <typename Number>
+typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::make_vector() const {
+  return VectorType(dofs_->owned_only);
+}
+
+/// source_ = C x with its ghosts.
+template <typename Number>
+void ElasticityOperator<Number>::load(const VectorType& x) const {
+  std::copy(x.begin(), x.end(), source_.begin());
+  source_.update_ghost_values();
+  expand(*dofs_, source_);
+}
+
+/// y = owned part of C^T result_, the first `rows` constrained dofs being this process's to move.
+template <typename Number>
+void ElasticityOperator<Number>::unload(VectorType& y, std::size_t rows) const {
+  contract(*dofs_, rows, result_);
+  result_.compress(dealii::VectorOperation::add);
+  std::copy(result_.begin(), result_.end(), y.begin());
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x) const {
+  load(x);
+  result_ = Number(0);
+  kernel_.add_product(batches_, material_, source_.begin(), result_.begin());
+  unload(product, dofs_->constrained.size());
+  for (std::size_t i = 0; i < dofs_->owned_constrained; ++i) {
+    const auto row = dofs_->constrained[i].row;
+    product.local_element(row) = x.local_element(row);
+  }
+}
+
+/// Calls f(masters, matrix) for every cell: the unconstrained dofs its dofs stand for, and
+/// matrix(i, j), its element matrix.
+template <typename Number>
+template <typename F>
+void ElasticityOperator<Number>::for_each_cell(const F& f) const {
+  const CellConstraints constraints(*dofs_);
+  constexpr std::size_t width = lanes<Number>;
+  dealii::AlignedVector<Number> matrices(width * cell_dofs_ * cell_dofs_);
+  std::vector<CellMaster> masters;
+  for (std::size_t cell = 0; cell < cells_; ++cell) {
+    const std::size_t batch = cell / width, lane = cell % width;
+    if (lane == 0) kernel_.element_matrices(batches_, material_, batch, matrices.data());
+    const unsigned int* index = indices_.data() + batch * cell_dofs_ * width + lane;
+    masters.clear();
+    for (int i = 0; i < cell_dofs_; ++i)
+      constraints.for_each_master(index[i * width], [&](unsigned int master, double weight) {
+        masters.push_back({master, i, weight});
+      });
+    f(masters,
+      [&](int i, int j) -> double { return matrices[(i * cell_dofs_ + j) * width + lane]; });
+  }
+}
+
+template <typename Number>
+typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::inverse_diagonal()
+    const {
+  result_ = Number(0);
+  for_each_cell([&](std::vector<CellMaster>& masters, const auto& matrix) {
+    std::sort(masters.begin(), masters.end(),
+              [](const auto& a, const auto& b) { return a.master < b.master; });
+    for (auto first = masters.begin(); first != masters.end();) {
+      const auto last = std::find_if(first, masters.end(),
+                                     [&](const auto& m) { return m.master != first->master; });
+      double sum = 0;
+      for (auto a = first; a != last; ++a)
+        for (auto b = first; b != last; ++b) sum += a->weight * b->weight * matrix(a->dof, b->dof);
+      result_.local_element(first->master) += static_cast<Number>(sum);
+      first = last;
+    }
+  });
+  VectorType diagonal = make_vector();
+  unload(diagonal, 0);
+  for (std::size_t i = 0; i < dofs_->owned_constrained; ++i)
+    diagonal.local_element(dofs_->constrained[i].row) = 1;
+  for (auto& value : diagonal) value = 1 / value;
+  return diagonal;
+}
+
+template <typename Number>
+std::vector<MatrixEntry> ElasticityOperator<Number>::assemble() const {
+  const auto& numbers = *dofs_->with_ghosts;
+  const auto global = [&](unsigned int local) {
+    return static_cast<unsigned int>(numbers.local_to_global(local));
+  };
+  std::vector<std::vector<MatrixEntry>> rows(numbers.locally_owned_size() +
+                                             numbers.n_ghost_indices());
+  for_each_cell([&](const std::vector<CellMaster>& masters, const auto& matrix) {
+    for (const auto& a : masters)
+      for (const auto& b : masters)
+        if (global(b.master) <= global(a.master))
+          rows[a.master].push_back(
+              {global(a.master), global(b.master), a.weight * b.weight * matrix(a.dof, b.dof)});
+  });
+  for (std::size_t i = 0; i < dofs_->owned_constrained; ++i) {
+    const auto row = dofs_->constrained[i].row;
+    rows[row].push_back({global(row), global(row), 1.0});
+  }
+  std::vector<MatrixEntry> entries;
+  for (auto& row : rows) {
+    std::stable_sort(row.begin(), row.end(),
+                     [](const auto& a, const auto& b) { return a.column < b.column; });
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (i > 0 && row[i].column == row[i - 1].column)
+        entries.back().value += row[i].value;
+      else
+        entries.push_back(row[i]);
+    std::vector<MatrixEntry>().swap(row);
+  }
+  return entries;
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::condense(VectorType& b) const {
+  result_ = Number(0);
+  std::copy(b.begin(), b.end(), result_.begin());
+  // b is complete at its owner: ghosts hold nothing, only owned rows are to be moved.
+  unload(b, dofs_->owned_constrained);
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::distribute(VectorType& u) const {
+  load(u);
+  std::copy(source_.begin(), source_.end(), u.begin());
+}
+
+template <typename Number>
+double ElasticityOperator<Number>::memory_bytes() const {
+  double rows = 0;
+  for (const auto& row : dofs_->constrained)
+    rows += static_cast<double>(sizeof(row) + row.terms.size() * sizeof(ConstrainedRow::Term));
+  return static_cast<double>(indices_.memory_consumption() + geometry_.memory_consumption() +
+                             flow_.memory_consumption() + dilatation_.memory_consumption() +
+                             source_.memory_consumption() + result_.memory_consumption()) +
+         rows;
+}
+
+template class ElasticityOperator<float>;
+template class ElasticityOperator<double>;
+
+}  // namespace rollfem::fem

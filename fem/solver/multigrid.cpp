@@ -1,0 +1,230 @@
+#include "fem/solver/multigrid.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/solver/chebyshev_smoother.hpp"
+#include "fem/solver/coarse_solver.hpp"
+#include "fem/solver/elasticity_operator.hpp"
+
+#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rollfem::fem {
+
+namespace {
+
+using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
+using Transfer = dealii::MGTwoLevelTransfer<3, FloatVector>;
+
+/// One level above the coarsest; single precision, it only preconditions.
+struct Level {
+  Level(const LocalCells& cells, int smoother_degree)
+      : stiffness(cells),
+        smoother(stiffness, smoother_degree),
+        solution(stiffness.make_vector()),
+        right(stiffness.make_vector()),
+        residual(stiffness.make_vector()) {}
+  ElasticityOperator<float> stiffness;
+  ChebyshevSmoother smoother;
+  Transfer to_coarser;
+  mutable FloatVector solution, right, residual;
+
+  double memory_bytes() const {
+    return stiffness.memory_bytes() + smoother.memory_bytes() +
+           3.0 * static_cast<double>(solution.memory_consumption()) +
+           static_cast<double>(to_coarser.memory_consumption());
+  }
+};
+
+/// Discretisation of a coarsened mesh, needed while levels are set up.
+struct Discretisation {
+  std::unique_ptr<dealii::DoFHandler<3>> own;
+  const dealii::DoFHandler<3>* dofs = nullptr;
+  dealii::AffineConstraints<double> constraints;
+  LocalCells cells;
+};
+
+Discretisation discretise(const dealii::Triangulation<3>& mesh, const ElasticProblem& problem) {
+  Discretisation level;
+  level.own = std::make_unique<dealii::DoFHandler<3>>(mesh);
+  level.own->distribute_dofs(problem.dofs.get_fe());
+  level.dofs = level.own.get();
+  level.constraints = make_constraints(*level.dofs, problem.mapping, problem.boundary);
+  level.cells = make_local_cells({*level.dofs, problem.mapping, level.constraints, problem.boundary,
+                                  problem.material, problem.motion, problem.project_dilatation});
+  return level;
+}
+
+Discretisation finest(const ElasticProblem& problem) {
+  Discretisation level;
+  level.dofs = &problem.dofs;
+  level.constraints.copy_from(problem.constraints);
+  level.cells = make_local_cells(problem);
+  return level;
+}
+
+void connect(Transfer& transfer, const Discretisation& fine, const Discretisation& coarse) {
+  dealii::AffineConstraints<float> fine_constraints, coarse_constraints;
+  fine_constraints.copy_from(fine.constraints);
+  coarse_constraints.copy_from(coarse.constraints);
+  transfer.reinit_geometric_transfer(*fine.dofs, *coarse.dofs, fine_constraints,
+                                     coarse_constraints);
+}
+
+class Multigrid : public LinearSolver {
+ public:
+  Multigrid(const ElasticProblem& problem, const MultigridOptions& options);
+
+  void solve(Vector& u, const Vector& b) const override;
+  int last_iterations() const override { return iterations_; }
+  double memory_bytes() const override;
+  std::string description() const override;
+
+ private:
+  void precondition(Vector& z, const Vector& r, double norm) const;
+  void cycle(std::size_t level) const;
+  double iterate(Vector& x, Vector& r, double target) const;
+
+  MultigridOptions options_;
+  std::unique_ptr<ElasticityOperator<double>> stiffness_;
+  std::vector<std::unique_ptr<Level>> levels_;  ///< from coarse to fine, without the coarsest
+  std::unique_ptr<CoarseSolver> coarse_;
+  mutable FloatVector coarse_solution_, coarse_right_;
+  mutable int iterations_ = 0;
+};
+
+Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& options)
+    : options_(options) {
+  if (problem.material.poisson_ratio > largest_multigrid_poisson_ratio)
+    throw contact::InputError(fmt::format(
+        "poisson_ratio = {}: multigrid does not converge for nearly incompressible bodies; "
+        "allowed: up to {}; do: linear_solver = \"factorisation\", without mpirun",
+        problem.material.poisson_ratio, largest_multigrid_poisson_ratio));
+  using namespace dealii::MGTransferGlobalCoarseningTools;
+  const auto& mesh = problem.dofs.get_triangulation();
+  const auto meshes = create_geometric_coarsening_sequence(mesh);
+  Discretisation coarser =
+      meshes.size() > 1 ? discretise(*meshes.front(), problem) : finest(problem);
+  {
+    const ElasticityOperator<double> coarsest(coarser.cells);
+    const auto owned = coarser.cells.dofs->owned_only;
+    coarse_ =
+        std::make_unique<CoarseSolver>(coarsest.assemble(), owned->size(),
+                                       owned->local_range().first, problem.dofs.get_communicator());
+    coarse_solution_.reinit(owned);
+    coarse_right_.reinit(owned);
+  }
+  for (std::size_t i = 1; i < meshes.size(); ++i) {
+    Discretisation level =
+        i + 1 < meshes.size() ? discretise(*meshes[i], problem) : finest(problem);
+    levels_.push_back(std::make_unique<Level>(level.cells, options.smoother_degree));
+    connect(levels_.back()->to_coarser, level, coarser);
+    coarser = std::move(level);
+  }
+  stiffness_ = std::make_unique<ElasticityOperator<double>>(coarser.cells);
+}
+
+/// V-cycle: solution of level `level` (counted above the coarsest, which is 0) from its right side.
+void Multigrid::cycle(std::size_t level) const {
+  if (level == 0) {
+    coarse_->solve(coarse_solution_, coarse_right_);
+    return;
+  }
+  const Level& fine = *levels_[level - 1];
+  FloatVector& right = level > 1 ? levels_[level - 2]->right : coarse_right_;
+  const FloatVector& correction = level > 1 ? levels_[level - 2]->solution : coarse_solution_;
+  fine.smoother.start(fine.solution, fine.right);
+  fine.stiffness.vmult(fine.residual, fine.solution);
+  fine.residual.sadd(-1.0F, 1.0F, fine.right);
+  right = 0;
+  fine.to_coarser.restrict_and_add(right, fine.residual);
+  cycle(level - 1);
+  fine.to_coarser.prolongate_and_add(fine.solution, correction);
+  fine.smoother.step(fine.solution, fine.right);
+}
+
+/// z = V-cycle of r, scaled by its norm to stay within single precision.
+void Multigrid::precondition(Vector& z, const Vector& r, double norm) const {
+  FloatVector& right = levels_.empty() ? coarse_right_ : levels_.back()->right;
+  const FloatVector& solution = levels_.empty() ? coarse_solution_ : levels_.back()->solution;
+  std::transform(r.begin(), r.end(), right.begin(),
+                 [=](double value) { return static_cast<float>(value / norm); });
+  cycle(levels_.size());
+  std::transform(solution.begin(), solution.end(), z.begin(),
+                 [=](float value) { return norm * static_cast<double>(value); });
+}
+
+/// Conjugate gradients on the residual r, added to x; returns the recursive residual's norm. The
+/// formula of Polak and Ribiere for beta forgives a preconditioner in single precision.
+double Multigrid::iterate(Vector& x, Vector& r, double target) const {
+  Vector z = stiffness_->make_vector(), p = z, product = z, previous = r;
+  double norm = r.l2_norm(), rho = 0;
+  while (norm > target && iterations_ < options_.max_iterations) {
+    precondition(z, r, norm);
+    const double rho_new = r * z;
+    const double beta = rho > 0 ? (rho_new - previous * z) / rho : 0;
+    rho = rho_new;
+    p.sadd(beta, 1.0, z);
+    stiffness_->vmult(product, p);
+    const double curvature = p * product;
+    if (!(curvature > 0 && std::isfinite(curvature))) return std::nan("");
+    previous = r;
+    x.add(rho / curvature, p);
+    r.add(-rho / curvature, product);
+    norm = r.l2_norm();
+    ++iterations_;
+  }
+  return norm;
+}
+
+void Multigrid::solve(Vector& u, const Vector& b) const {
+  Vector right = stiffness_->make_vector(), x = right, residual = right;
+  std::copy_n(b.begin(), right.locally_owned_size(), right.begin());
+  stiffness_->condense(right);
+  const double scale = right.l2_norm(), target = options_.tolerance * scale;
+  if (!std::isfinite(scale))
+    throw contact::SolveError("multigrid: the load is not a finite number");
+  iterations_ = 0;
+  residual = right;
+  double norm = scale;
+  // The true residual decides; a second pass mends what rounding took from the recursive one.
+  for (int pass = 0; pass < 3 && norm > target && scale > 0; ++pass) {
+    iterate(x, residual, pass == 0 ? target : 0.5 * target);
+    stiffness_->vmult(residual, x);
+    residual.sadd(-1.0, 1.0, right);
+    norm = residual.l2_norm();
+    if (!std::isfinite(norm)) break;
+  }
+  if (!(norm <= target))
+    throw contact::SolveError(fmt::format(
+        "multigrid: relative residual {:.2e} after {} iterations, wanted {:.1e} ({} unknowns)",
+        norm / scale, iterations_, options_.tolerance, right.size()));
+  stiffness_->distribute(x);
+  std::copy(x.begin(), x.end(), u.begin());
+  u.update_ghost_values();
+}
+
+double Multigrid::memory_bytes() const {
+  double bytes = stiffness_->memory_bytes() + coarse_->memory_bytes();
+  for (const auto& level : levels_) bytes += level->memory_bytes();
+  // Working vectors of a solve.
+  return bytes + 7.0 * static_cast<double>(stiffness_->make_vector().memory_consumption());
+}
+
+std::string Multigrid::description() const {
+  return fmt::format(
+      "conjugate gradients, geometric multigrid of {} levels, {} unknowns on the coarsest",
+      levels_.size() + 1, coarse_right_.size());
+}
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_multigrid(const ElasticProblem& problem,
+                                             const MultigridOptions& options) {
+  return std::make_unique<Multigrid>(problem, options);
+}
+
+}  // namespace rollfem::fem

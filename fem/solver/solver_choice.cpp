@@ -1,0 +1,112 @@
+#include "fem/solver/solver_choice.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/model/run_layout.hpp"
+#include "fem/solver/algebraic_multigrid.hpp"
+#include "fem/solver/factorisation.hpp"
+#include "fem/solver/multigrid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+
+namespace rollfem::fem {
+
+using contact::Case;
+
+namespace {
+
+/// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/verification.md): a
+/// factorisation and one solve with it, one solve by multigrid. Only their ratio matters.
+double factorisation_seconds(double n) {
+  return 8.0 * std::pow(n / 105e3, 2.0);
+}
+double factor_solve_seconds(double n) {
+  return 0.1 * std::pow(n / 105e3, 4.0 / 3.0);
+}
+double multigrid_solve_seconds(double n) {
+  return 0.45 * n / 105e3;
+}
+
+/// The coarse mesh of a true section has some 60 000 unknowns: a solve with its factor in each of
+/// some twelve iterations of multigrid comes on top.
+constexpr double coarse_unknowns_of_section = 60e3;
+constexpr double multigrid_iterations = 12.0;
+
+/// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
+constexpr double largest_factor = 5e9;
+
+/// FE solves per load point and for the normal problem alone, as observed.
+constexpr double solves_per_point = 6.0;
+constexpr double solves_for_normal = 4.0;
+
+/// Geometric multigrid factorises the coarse mesh of a body whole; an imported one may be too large
+/// for that, and then algebraic multigrid goes on coarsening.
+constexpr unsigned int most_coarse_cells = 4000;
+
+std::unique_ptr<LinearSolver> make_iterative_solver(const Case& input, const Body& body) {
+  constexpr double tolerance = 1e-10;  // the contact iteration lives on small changes
+  if (takes_algebraic(input, body)) return make_algebraic_multigrid(body.problem(), {tolerance});
+  MultigridOptions options;
+  options.tolerance = tolerance;
+  return make_multigrid(body.problem(), options);
+}
+
+}  // namespace
+
+bool takes_algebraic(const Case& input, const Body& body) {
+  return input.fem.linear_solver == contact::LinearSolver::algebraic ||
+         (input.fem.linear_solver == contact::LinearSolver::automatic &&
+          body.dofs().get_triangulation().n_cells(0) > most_coarse_cells);
+}
+
+bool takes_factorisation(const Case& input, MemoryDemand demand) {
+  switch (input.fem.linear_solver) {
+    case contact::LinearSolver::factorisation:
+      if (demand.processes > 1)
+        throw contact::InputError(
+            input.file +
+            ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
+            "mpirun: \"multigrid\", \"algebraic\" or \"automatic\"; do: change it or run without "
+            "mpirun");
+      return true;
+    case contact::LinearSolver::multigrid:
+    case contact::LinearSolver::algebraic:
+      return false;
+    case contact::LinearSolver::automatic:
+      break;
+  }
+  if (demand.processes > 1) return false;
+  if (std::max(input.wheel.material.poisson_ratio, input.rail.material.poisson_ratio) >
+      largest_multigrid_poisson_ratio)
+    return true;  // multigrid refuses it
+  const double solves =
+      solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
+  const double coarse =
+      has_true_sections(input)
+          ? multigrid_iterations * factor_solve_seconds(coarse_unknowns_of_section)
+          : 0.0;
+  for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
+    if (predicted_factor_bytes(n) >= largest_factor ||
+        factorisation_seconds(n) + solves * factor_solve_seconds(n) >=
+            solves * (multigrid_solve_seconds(n) + coarse))
+      return false;
+  demand.factorisation = true;
+  return fits_memory(demand, MPI_COMM_WORLD);
+}
+
+/// Two factorisations side by side, one core each: together quicker than one after the other with
+/// two BLAS threads.
+Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, bool factorisation) {
+  if (factorisation) {
+    auto other =
+        std::async(std::launch::async, [&rail] { return make_factorisation(rail.problem()); });
+    Solvers solvers;
+    solvers.wheel = make_factorisation(wheel.problem());
+    solvers.rail = other.get();
+    return solvers;
+  }
+  return {make_iterative_solver(input, wheel), make_iterative_solver(input, rail)};
+}
+
+}  // namespace rollfem::fem

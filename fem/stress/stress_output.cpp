@@ -1,0 +1,263 @@
+#include "fem/stress/stress_output.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "contact/solve/maximum_search.hpp"
+#include "fem/body/body_nodes.hpp"
+#include "fem/body/body_points.hpp"
+#include "fem/body/profile_shape.hpp"
+#include "fem/stress/energy_error.hpp"
+#include "fem/stress/stress_recovery.hpp"
+#include "fem/stress/surface_stress.hpp"
+#include "halfspace/stress/subsurface_fields.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::StressMaximum;
+using contact::SubsurfaceField;
+using contact::SubsurfaceRequest;
+using contact::ValueAt;
+
+/// Signs of the mirror image at -y: u_x u_y u_z; xx yy zz; xy yz xz.
+constexpr std::array<int, 3> displacement_mirror{1, -1, 1};
+constexpr std::array<int, 3> direct_mirror{1, 1, 1};
+constexpr std::array<int, 3> shear_mirror{-1, -1, 1};
+
+std::vector<std::array<double, 6>> stress_at(const BodyPoints& points, const NodalStress& stress) {
+  const auto direct = points.values(stress.direct, direct_mirror);
+  const auto shear = points.values(stress.shear, shear_mirror);
+  std::vector<std::array<double, 6>> result;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    result.push_back(
+        {direct[k][0], direct[k][1], direct[k][2], shear[k][0], shear[k][1], shear[k][2]});
+  return result;
+}
+
+std::vector<Place> places_of(const SubsurfaceRequest& request, const SurfaceShape& shape) {
+  std::vector<Place> places = halfspace::subsurface_points(request);
+  if (request.kind == SubsurfaceRequest::Kind::surface)
+    for (Place& p : places) p = place_below(shape, p[0], p[1], request.depth);
+  return places;
+}
+
+std::string section_of(SubsurfaceRequest::Kind kind) {
+  static const char* const names[] = {"point", "line", "plane", "surface"};
+  return fmt::format("[[subsurface.{}]]", names[static_cast<int>(kind)]);
+}
+
+[[noreturn]] void refuse_point(const contact::Case& input, std::size_t request, const Place& place,
+                               const Body& body, double reach) {
+  const bool wheel = input.subsurface[request].wheel;
+  const dealii::Point<3> chart =
+      body.shape().coordinates(dealii::Point<3>(place[0], place[1], place[2]));
+  const double extent = body.options().extent;
+  const bool above = chart[2] < 0.0 && std::max(std::abs(chart[0]), std::abs(chart[1])) <= extent;
+  const std::string where =
+      above ? fmt::format("{:.4g} mm above its surface", -chart[2])
+            : fmt::format(
+                  "beyond the segment, which reaches {:.4g} mm along, across and down from "
+                  "the middle of the patch",
+                  extent);
+  throw contact::InputError(fmt::format(
+      "{}: {} (request {} of the case): ({:.6g}, {:.6g}, {:.6g}) mm is not in the {}, but {}; "
+      "allowed: points of the segment, at most {:.3g} mm (a finite element) above a curved "
+      "surface, "
+      "onto which they are moved; do: {}",
+      input.file, section_of(input.subsurface[request].kind), request + 1, place[0], place[1],
+      place[2], wheel ? "wheel" : "rail", where, reach,
+      above ? "move the points into the body, or follow its surface with "
+              "[[subsurface.surface]]"
+            : "move the points nearer, or give a larger [fem] extent"));
+}
+
+}  // namespace
+
+Place place_below(const SurfaceShape& shape, double x, double y, double depth) {
+  const double on_surface = shape.streamline_radius(y);
+  // Depth is along z, to which a tilted axle is not at a right angle.
+  const double radius =
+      on_surface - depth * (shape.profile ? shape.profile->axle_direction()[1] : 1.0);
+  double arc = x;
+  if (shape.is_wheel && std::isfinite(on_surface)) {
+    if (!(std::abs(x) < radius))
+      throw contact::InputError(
+          fmt::format("[[subsurface.surface]]: the wheel does not reach x = {} mm", x));
+    arc = on_surface * std::asin(x / radius);
+  }
+  const auto place = shape.place(arc, y, depth);
+  return {place[0], place[1], place[2]};
+}
+
+struct StressOutput::Implementation {
+  /// A body with what is asked of it.
+  struct Part {
+    Part(const Body& the_body, const std::string& the_name)
+        : body(the_body), name(the_name), recovery(the_body), locator(the_body) {}
+    const Body& body;
+    std::string name;
+    StressRecovery recovery;
+    BodyLocator locator;
+    std::vector<std::size_t> requests;   ///< of the case
+    std::vector<BodyPoints> points;      ///< of each
+    std::vector<SurfaceStress> surface;  ///< of each
+    std::unique_ptr<BodyNodes> nodes;    ///< where a load point keeps their values
+  };
+
+  Implementation(const contact::Case& the_input, const Body& wheel, const Body& rail,
+                 const contact::ContactGrid& grid, double reach, bool bodies)
+      : input(the_input), maxima(the_input.output.stress_maxima.value_or(true)), keeps(bodies) {
+    const std::size_t last = count() - 1;
+    if (!wanted(last)) return;
+    const contact::ContactSurface shared = common_surface(wheel.shape(), rail.shape());
+    parts.push_back(std::make_unique<Part>(wheel, "wheel"));
+    parts.push_back(std::make_unique<Part>(rail, "rail"));
+    if (keeps_bodies(last))
+      for (const auto& part : parts)
+        part->nodes = std::make_unique<BodyNodes>(part->body, part->name);
+    for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
+      Part& part = *parts[input.subsurface[k].wheel ? 0 : 1];
+      const auto places = places_of(input.subsurface[k], part.body.shape());
+      part.requests.push_back(k);
+      part.points.push_back(part.locator.find(places, reach));
+      for (std::size_t p = 0; p < places.size(); ++p)
+        if (!std::isfinite(part.points.back().moved(p)))
+          refuse_point(input, k, places[p], part.body, reach);
+      part.surface.emplace_back(part.body, part.locator, part.points.back(), grid, shared);
+    }
+  }
+
+  std::size_t count() const { return input.rolling.creepages.size(); }
+  bool keeps_bodies(std::size_t k) const { return keeps && input.output.keeps_bodies(k, count()); }
+  bool wanted(std::size_t k) const {
+    return maxima || !input.subsurface.empty() || keeps_bodies(k);
+  }
+
+  static contact::BodyValues values(const Part& part, const Vector& displacement,
+                                    const NodalStress& stress, const Vector* expansion) {
+    if (expansion == nullptr) return part.nodes->values(displacement, stress);
+    Vector total(displacement);
+    total += *expansion;
+    total.update_ghost_values();
+    return part.nodes->values(total, part.recovery.recover(total));
+  }
+
+  void fill_part(const Part& part, const Vector& displacement, const Vector* expansion, bool keep,
+                 contact::PointResult& point) const {
+    const NodalStress stress = part.recovery.recover(displacement);
+    if (keep) point.bodies.push_back(values(part, displacement, stress, expansion));
+    point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
+        energy_error(part.body, displacement, stress).relative();
+    for (std::size_t k = 0; k < part.requests.size(); ++k) {
+      const BodyPoints& points = part.points[k];
+      SubsurfaceField& field = point.subsurface[part.requests[k]];
+      field.request = input.subsurface[part.requests[k]];
+      for (std::size_t p = 0; p < points.size(); ++p) field.points.push_back(points.place(p));
+      field.displacement = points.values(displacement, displacement_mirror);
+      field.stress = stress_at(points, stress);
+      part.surface[k].combine(displacement, point.fields.traction, field.stress);
+    }
+    if (!maxima) return;
+    const auto starts = largest_at_nodes(part, stress);
+    for (std::size_t m = 0; m < starts.size(); ++m)
+      point.stress_maxima.push_back(refined(part, stress, m, starts[m]));
+  }
+
+  /// The node with the largest value of each measure, and the size of its cell in mm. Of equal
+  /// ones, as symmetry makes them, that with the largest x, then y: the same on any number of
+  /// processes.
+  struct Start {
+    ValueAt best{-contact::infinity, {}};
+    double size = 0.0;
+    template <class Archive>
+    void serialize(Archive& archive, unsigned int /*version*/) {
+      archive& best.value& best.place& size;
+    }
+    bool loses_to(const Start& other) const {
+      const double tie = 1e-7 * std::abs(best.value);
+      if (std::abs(other.best.value - best.value) > tie || !std::isfinite(best.value))
+        return other.best.value > best.value;
+      return other.best.place > best.place;
+    }
+  };
+
+  static std::vector<Start> largest_at_nodes(const Part& part, const NodalStress& stress) {
+    const auto& measures = contact::reported_measures();
+    std::vector<Start> starts(measures.size());
+    part.recovery.for_each_node(
+        stress, [&](const Place& place, const std::array<double, 6>& value, double size) {
+          const contact::Stress at = contact::Stress::from_array(value);
+          for (std::size_t m = 0; m < measures.size(); ++m) {
+            const Start here{{measures[m].value(at), place}, size};
+            if (starts[m].loses_to(here)) starts[m] = here;
+          }
+        });
+    const MPI_Comm communicator = part.body.dofs().get_communicator();
+    for (const auto& other : dealii::Utilities::MPI::all_gather(communicator, starts))
+      for (std::size_t m = 0; m < measures.size(); ++m)
+        if (starts[m].loses_to(other[m])) starts[m] = other[m];
+    return starts;
+  }
+
+  /// Between the nodes. Places above the surface are moved onto it, so that a maximum on a curved
+  /// surface is followed along it.
+  static StressMaximum refined(const Part& part, const NodalStress& stress, std::size_t measure,
+                               const Start& start) {
+    const contact::StressMeasure& of = contact::reported_measures()[measure];
+    const double step = 0.5 * start.size;
+    const ValueAt best = contact::local_maximum(
+        [&](const std::vector<Place>& places) {
+          const BodyPoints points = part.locator.find(places, 2.0 * step);
+          const auto values = stress_at(points, stress);
+          std::vector<ValueAt> result;
+          for (std::size_t k = 0; k < places.size(); ++k)
+            result.push_back({std::isfinite(points.moved(k))
+                                  ? of.value(contact::Stress::from_array(values[k]))
+                                  : -contact::infinity,
+                              points.place(k)});
+          return result;
+        },
+        start.best, step);
+    return {part.name, of.name, best.value, best.place};
+  }
+
+  const contact::Case& input;
+  bool maxima;
+  bool keeps;
+  std::vector<std::unique_ptr<Part>> parts;
+};
+
+StressOutput::StressOutput(const contact::Case& input, const Body& wheel, const Body& rail,
+                           const contact::ContactGrid& grid, double reach, bool bodies)
+    : implementation_(std::make_unique<Implementation>(input, wheel, rail, grid, reach, bodies)) {}
+
+StressOutput::~StressOutput() = default;
+
+bool StressOutput::wanted(std::size_t k) const {
+  return implementation_->wanted(k);
+}
+
+void StressOutput::fill(std::size_t k, contact::PointResult& point,
+                        const std::vector<Vector>& displacement, const Vector* expansion) const {
+  const Implementation& all = *implementation_;
+  point.subsurface.resize(all.input.subsurface.size());
+  const bool keep = all.keeps_bodies(k);
+  all.fill_part(*all.parts[0], displacement[0], expansion, keep, point);
+  all.fill_part(*all.parts[1], displacement[1], nullptr, keep, point);
+}
+
+std::vector<contact::BodyField> StressOutput::bodies() const {
+  std::vector<contact::BodyField> meshes;
+  for (const auto& part : implementation_->parts)
+    if (part->nodes) meshes.push_back(part->nodes->mesh());
+  return meshes;
+}
+
+}  // namespace rollfem::fem

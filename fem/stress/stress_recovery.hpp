@@ -1,0 +1,41 @@
+// Stress of a finite-element body as a continuous nodal field, of higher order than the stress of
+// the elements themselves: a polynomial through the superconvergent points of each cell and its
+// neighbours, averaged at the nodes (docs/subsurface.md).
+#pragma once
+
+#include "fem/body/body.hpp"
+
+#include <array>
+#include <functional>
+#include <memory>
+
+namespace rollfem::fem {
+
+/// Stress at the nodes of the displacement, MPa, global frame, tension positive. Both vectors have
+/// the layout and shape functions of the displacement and their ghost values.
+struct NodalStress {
+  Vector direct;  ///< components xx yy zz
+  Vector shear;   ///< components xy yz xz
+};
+
+/// Keeps what depends on the mesh alone, so that many load points cost little each.
+class StressRecovery {
+ public:
+  /// The body outlives the recovery. Collective.
+  explicit StressRecovery(const Body& body);
+  ~StressRecovery();
+  /// Collective. Displacement of an elastic body in mm, constraints distributed. On a symmetry
+  /// plane xy and yz are 0. Continuous over the whole body, also across hanging nodes.
+  NodalStress recover(const Vector& displacement) const;
+  /// Calls f(place, stress xx yy zz xy yz xz, size of the cell in mm) for the nodes of every cell
+  /// of this process; nodes that cells share come again.
+  void for_each_node(const NodalStress& stress,
+                     const std::function<void(const std::array<double, 3>&,
+                                              const std::array<double, 6>&, double)>& f) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace rollfem::fem

@@ -1,0 +1,33 @@
+// Stress at the contact surface of a finite-element body: there the tractions are known, and only
+// the strain within the surface need come from the elements.
+#pragma once
+
+#include "contact/scene/contact_surface.hpp"
+#include "fem/body/body_points.hpp"
+
+namespace rollfem::fem {
+
+/// The points of a list that lie on the contact surface of a body, within a thousandth of a cell.
+class SurfaceStress {
+ public:
+  /// The body of `locator` outlives this. `grid` and `surface` as in SurfaceCoupling. Collective.
+  SurfaceStress(const Body& body, const BodyLocator& locator, const BodyPoints& points,
+                const contact::ContactGrid& grid, const contact::ContactSurface& surface);
+  /// Replaces the recovered stress, xx yy zz xy yz xz of every point (MPa, global): the three
+  /// components on the surface are those of the tractions on the wheel (zero outside of the patch),
+  /// the other three follow by Hooke's law from them and the strain within the surface, a
+  /// difference of the displacement over one cell (where the body ends within it, the strain of the
+  /// recovered stress). Collective.
+  void combine(const Vector& displacement, const contact::SurfaceField& traction,
+               std::vector<std::array<double, 6>>& stress) const;
+
+ private:
+  const Body& body_;
+  contact::ContactGrid grid_;
+  contact::ContactSurface surface_;
+  std::vector<std::size_t> on_surface_;  ///< numbers in the list
+  std::vector<Place> places_;            ///< of these
+  std::array<BodyPoints, 4> around_;     ///< half a cell ahead, behind, to both sides
+};
+
+}  // namespace rollfem::fem

@@ -1,0 +1,215 @@
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/scene/geometry.hpp"
+
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using boost::math::ellint_rd;
+using boost::math::ellint_rf;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// Carlson's symmetric integrals in place of Legendre's K and E: they know no major and minor axis
+// and lose no digits at the circle. With k = b/a, for any k > 0 [Johnson 1985, eqs. 4.26, 4.27]:
+//   A = p0/E* (b/a^2) R_D(0, k^2, 1)/3,  B = p0/E* (b/a^2) R_D(0, 1, k^2)/3,
+//   approach = p0/E* b R_F(0, k^2, 1).
+struct Shape {
+  double k;   ///< b/a
+  double rd;  ///< R_D(0, k^2, 1)
+  double rf;  ///< R_F(0, k^2, 1)
+};
+
+/// A/B as a function of ln k, which rises from 0 to infinity.
+double log_curvature_ratio(double log_k) {
+  const double k2 = std::exp(2.0 * log_k);
+  return std::log(ellint_rd(0.0, k2, 1.0) / ellint_rd(0.0, 1.0, k2));
+}
+
+Shape shape_of(double A, double B) {
+  const double wanted = std::log(A / B);
+  const auto f = [&](double log_k) { return log_curvature_ratio(log_k) - wanted; };
+  // k = (A/B)^(2/3) is within a factor of 2 up to aspects of 1e4; widen until the root is inside.
+  double low = wanted * 2.0 / 3.0 - 0.5;
+  double high = wanted * 2.0 / 3.0 + 0.5;
+  for (double step = 0.5; f(low) > 0.0; step *= 2.0) low -= step;
+  for (double step = 0.5; f(high) < 0.0; step *= 2.0) high += step;
+  std::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::toms748_solve(
+      f, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
+  const double k = std::exp(0.5 * (bracket.first + bracket.second));
+  return {k, ellint_rd(0.0, k * k, 1.0), ellint_rf(0.0, k * k, 1.0)};
+}
+
+void check(double A, double B, double contact_modulus) {
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (!positive(A) || !positive(B))
+    throw contact::InputError(fmt::format(
+        "Hertz: the relative curvatures are A = {:.6g} /mm along rolling and B = {:.6g} /mm "
+        "across; "
+        "both must be positive for an elliptic contact (a line contact has no definite approach, a "
+        "negative one touches in two places); do: check rolling_radius and transverse_radius",
+        A, B));
+  if (!positive(contact_modulus))
+    throw contact::InputError("Hertz: the contact modulus must be positive");
+}
+
+double modulus_of(const contact::Case& input) {
+  return contact::combine(input.wheel.material, input.rail.material).contact_modulus;
+}
+
+}  // namespace
+
+double HertzContact::pressure(double x, double y) const {
+  const double u = x / semi_axis_x;
+  const double v = y / semi_axis_y;
+  const double rest = 1.0 - u * u - v * v;
+  return rest > 0.0 ? max_pressure * std::sqrt(rest) : 0.0;
+}
+
+HertzContact hertz_from_force(double A, double B, double contact_modulus, double normal_force) {
+  check(A, B, contact_modulus);
+  if (!(normal_force > 0.0))
+    throw contact::InputError(
+        fmt::format("Hertz: the normal force is {} N, it must be positive", normal_force));
+  const Shape shape = shape_of(A, B);
+  HertzContact hertz;
+  hertz.normal_force = normal_force;
+  hertz.semi_axis_x = std::cbrt(normal_force * shape.rd / (2.0 * pi * contact_modulus * A));
+  hertz.semi_axis_y = shape.k * hertz.semi_axis_x;
+  hertz.max_pressure = 1.5 * normal_force / (pi * hertz.semi_axis_x * hertz.semi_axis_y);
+  hertz.approach = hertz.max_pressure * hertz.semi_axis_y * shape.rf / contact_modulus;
+  return hertz;
+}
+
+HertzContact hertz_from_approach(double A, double B, double contact_modulus, double approach) {
+  check(A, B, contact_modulus);
+  if (!(approach > 0.0))
+    throw contact::InputError(
+        fmt::format("Hertz: the approach is {} mm, it must be positive", approach));
+  const Shape shape = shape_of(A, B);
+  HertzContact hertz;
+  hertz.approach = approach;
+  hertz.semi_axis_x = std::sqrt(approach * shape.rd / (3.0 * A * shape.rf));
+  hertz.semi_axis_y = shape.k * hertz.semi_axis_x;
+  hertz.max_pressure = approach * contact_modulus / (hertz.semi_axis_y * shape.rf);
+  hertz.normal_force = hertz.max_pressure * pi * hertz.semi_axis_x * hertz.semi_axis_y / 1.5;
+  return hertz;
+}
+
+contact::Curvatures hertz_curvatures(const HertzContact& contact, double contact_modulus) {
+  const double a2 = contact.semi_axis_x * contact.semi_axis_x;
+  const double b2 = contact.semi_axis_y * contact.semi_axis_y;
+  const double scale =
+      contact.semi_axis_x * contact.semi_axis_y * contact.max_pressure / (3.0 * contact_modulus);
+  return {scale * ellint_rd(0.0, b2, a2), scale * ellint_rd(0.0, a2, b2)};
+}
+
+contact::Curvatures curvatures_of_case(const contact::Case& input) {
+  if (input.given_pressure) return hertz_curvatures(hertz_of_case(input), modulus_of(input));
+  if (input.undeformed_distance.values)
+    throw contact::InputError(fmt::format(
+        "{}: undeformed_distance.file: bodies given point by point have no ellipse of "
+        "Hertz's; allowed: radii or undeformed_distance.quadratic; do: run with --model "
+        "halfspace",
+        input.file));
+  const contact::Curvatures curvatures = contact::relative_curvatures(input);
+  if (input.patch && !(curvatures.A > 0.0 && curvatures.B > 0.0))
+    throw contact::InputError(fmt::format(
+        "{}: {}Hertz: at the contact point the profiles have the relative curvatures A = {:.4g} "
+        "/mm "
+        "along rolling and B = {:.4g} /mm across, which make no ellipse; allowed: both above 0; "
+        "do: run with --model halfspace or strip, which take the profiles as they are",
+        input.file, input.place ? input.place->label() + ": " : std::string(), curvatures.A,
+        curvatures.B));
+  return curvatures;
+}
+
+HertzContact hertz_of_case(const contact::Case& input) {
+  if (input.given_pressure) {
+    const contact::GivenPressure& given = *input.given_pressure;
+    HertzContact hertz{given.semi_axis_x, given.semi_axis_y, given.max_pressure, 0.0, 0.0};
+    hertz.normal_force = pi * given.semi_axis_x * given.semi_axis_y * given.max_pressure / 1.5;
+    hertz.approach = hertz_displacement(hertz, modulus_of(input), 0.0, 0.0);
+    return hertz;
+  }
+  const contact::Curvatures curvatures = curvatures_of_case(input);
+  return input.load.normal_force
+             ? hertz_from_force(curvatures.A, curvatures.B, modulus_of(input),
+                                *input.load.normal_force)
+             : hertz_from_approach(curvatures.A, curvatures.B, modulus_of(input),
+                                   input.load.approach.value_or(0.0));
+}
+
+/// Potential of the semi-ellipsoidal pressure (Johnson 1985, eq. 3.57 to 3.62) in Carlson's form:
+/// u = a b p0/E* [R_F - x^2/3 R_D(.., a^2 + l) - y^2/3 R_D(.., b^2 + l)] at l, l + a^2, l + b^2,
+/// l = 0 inside, outside the largest root of x^2/(a^2 + l) + y^2/(b^2 + l) = 1.
+double hertz_displacement(const HertzContact& contact, double contact_modulus, double x, double y) {
+  const double a2 = contact.semi_axis_x * contact.semi_axis_x;
+  const double b2 = contact.semi_axis_y * contact.semi_axis_y;
+  const double sum = x * x + y * y - a2 - b2;
+  const double product = a2 * b2 - x * x * b2 - y * y * a2;  // > 0 inside
+  double l = 0.0;
+  if (product < 0.0) {
+    const double root = std::sqrt(0.25 * sum * sum - product);
+    l = sum > 0.0 ? 0.5 * sum + root : -product / (root - 0.5 * sum);
+  }
+  const double scale =
+      contact.semi_axis_x * contact.semi_axis_y * contact.max_pressure / contact_modulus;
+  return scale * (ellint_rf(l, a2 + l, b2 + l) - x * x / 3.0 * ellint_rd(l, b2 + l, a2 + l) -
+                  y * y / 3.0 * ellint_rd(l, a2 + l, b2 + l));
+}
+
+HertzLine hertz_line(double radius, double contact_modulus, double force_per_length) {
+  if (!(radius > 0.0 && contact_modulus > 0.0 && force_per_length > 0.0))
+    throw contact::InputError(
+        "Hertz line contact: radius, contact modulus and force per length must be positive");
+  HertzLine line;
+  line.half_width = std::sqrt(4.0 * force_per_length * radius / (pi * contact_modulus));
+  line.max_pressure = 2.0 * force_per_length / (pi * line.half_width);
+  return line;
+}
+
+/// Love's potentials V and chi (dchi/dz = V) of the pressure [Love 1929; Johnson 1985,
+/// section 3.2]:
+///   2 pi szz = V_z - z V_zz,  2 pi sxx = 2 nu V_z - z V_xx - (1 - 2 nu) chi_xx.
+/// On the axis V_xx = -(2/3) pi a b p0 R_D(b^2 + l, l, a^2 + l) with l = z^2, and chi_xx is the
+/// integral of V_xx over depth, elementary but for z V_xx. No axis is the major one, and the circle
+/// is not a special case (the textbook form by Thomas and Hoersch divides by a^2 - b^2).
+AxisStress hertz_axis_stress(const HertzContact& contact, double poisson_ratio, double depth) {
+  if (!(depth >= 0.0))
+    throw contact::InputError(
+        fmt::format("Hertz: the depth is {} mm, it must not be negative", depth));
+  const double a2 = contact.semi_axis_x * contact.semi_axis_x;
+  const double b2 = contact.semi_axis_y * contact.semi_axis_y;
+  const double z = depth;
+  const double l = z * z;
+  // In units of 2 pi: s = pi a b p0 / (2 pi).
+  const double s = 0.5 * contact.semi_axis_x * contact.semi_axis_y * contact.max_pressure;
+  const double third = 2.0 / 3.0;
+  const double v_xx = -third * s * ellint_rd(b2 + l, l, a2 + l);
+  const double v_yy = -third * s * ellint_rd(a2 + l, l, b2 + l);
+  const double v_z =
+      z > 0.0 ? -third * s * z * ellint_rd(a2 + l, b2 + l, l) : -contact.max_pressure;
+  const double alpha = std::sqrt(a2 + l);
+  const double beta = std::sqrt(b2 + l);
+  const double chi_xx = s * 2.0 / (alpha * (alpha + beta)) + z * v_xx;
+  const double chi_yy = s * 2.0 / (beta * (alpha + beta)) + z * v_yy;
+  const double nu = poisson_ratio;
+  AxisStress stress;
+  stress.zz = v_z + z * (v_xx + v_yy);
+  stress.xx = 2.0 * nu * v_z - z * v_xx - (1.0 - 2.0 * nu) * chi_xx;
+  stress.yy = 2.0 * nu * v_z - z * v_yy - (1.0 - 2.0 * nu) * chi_yy;
+  return stress;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,221 @@
+#include "halfspace/elasticity/compliance.hpp"
+
+#include "halfspace/elasticity/circulant.hpp"
+#include "halfspace/elasticity/fft.hpp"
+#include "halfspace/elasticity/influence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+using contact::CombinedMaterial;
+using contact::ContactGrid;
+using contact::Field;
+using contact::SurfaceField;
+using contact::TangentialField;
+using contact::UpwindOrder;
+
+namespace {
+
+using Complex = std::complex<double>;
+using Spectrum = PaddedFft::Spectrum;
+
+/// result += symbol * spectrum.
+void add_product(const Symbol& symbol, const Spectrum& spectrum, Spectrum& result) {
+  for (std::size_t k = 0; k < spectrum.size(); ++k) result[k] += symbol[k] * spectrum[k];
+}
+
+/// result += i * symbol * spectrum: kernels that are odd under (x, y) -> (-x, -y).
+void add_odd_product(const Symbol& symbol, double sign, const Spectrum& spectrum,
+                     Spectrum& result) {
+  for (std::size_t k = 0; k < spectrum.size(); ++k) {
+    const double factor = sign * symbol[k];
+    result[k] += Complex(-factor * spectrum[k].imag(), factor * spectrum[k].real());
+  }
+}
+
+class HalfspaceNormal : public contact::NormalOperator {
+ public:
+  HalfspaceNormal(const ContactGrid& grid, const PaddedFft& fft, const Symbol& nn,
+                  const CombinedMaterial& material)
+      : grid_(grid), fft_(fft), nn_(nn), inverse_(grid, material) {}
+
+  const ContactGrid& grid() const override { return grid_; }
+
+  Field apply(const Field& pressure) const override {
+    fft_.forward(pressure, spectrum_);
+    for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= nn_[k];
+    Field result;
+    fft_.backward(spectrum_, result);
+    return result;
+  }
+
+  Field precondition(const Field& residual) const override { return inverse_.apply(residual); }
+
+ private:
+  const ContactGrid& grid_;
+  const PaddedFft& fft_;
+  const Symbol& nn_;
+  NormalCirculant inverse_;
+  mutable Spectrum spectrum_;
+};
+
+/// T = A_tt or D A_tt. D acts along x only and is exact on the padded plane: a factor per k_x.
+class HalfspaceTangential : public contact::TangentialOperator {
+ public:
+  HalfspaceTangential(const ContactGrid& grid, const PaddedFft& fft, const Symbols& symbols,
+                      Difference difference, double diagonal, const CombinedMaterial& material)
+      : grid_(grid),
+        fft_(fft),
+        symbols_(symbols),
+        factors_(difference_symbol(difference, fft.px(), grid.dx)),
+        diagonal_(diagonal),
+        inverse_(grid, material, difference) {}
+
+  const ContactGrid& grid() const override { return grid_; }
+  double diagonal() const override { return diagonal_; }
+
+  TangentialField apply(const TangentialField& traction) const override {
+    fft_.forward(traction.x, x_);
+    fft_.forward(traction.y, y_);
+    const std::size_t py = static_cast<std::size_t>(fft_.py());
+    for (std::size_t kx = 0; kx < factors_.size(); ++kx) {
+      const Complex factor = factors_[kx];
+      for (std::size_t k = kx * py; k < (kx + 1) * py; ++k) {
+        const Complex px = x_[k];
+        const Complex py_value = y_[k];
+        x_[k] = multiply(factor, symbols_.xx[k] * px + symbols_.xy[k] * py_value);
+        y_[k] = multiply(factor, symbols_.xy[k] * px + symbols_.yy[k] * py_value);
+      }
+    }
+    TangentialField result;
+    fft_.backward(x_, result.x);
+    fft_.backward(y_, result.y);
+    return result;
+  }
+
+  TangentialField precondition(const TangentialField& residual, double r,
+                               double shift) const override {
+    return inverse_.apply(residual, r, shift);
+  }
+
+ private:
+  const ContactGrid& grid_;
+  const PaddedFft& fft_;
+  const Symbols& symbols_;
+  std::vector<Complex> factors_;
+  double diagonal_;
+  TangentialCirculant inverse_;
+  mutable Spectrum x_;
+  mutable Spectrum y_;
+};
+
+/// Mean diagonal entry of D A_tt (or A_tt): the element's own influence coefficients.
+double mean_diagonal(const ContactGrid& grid, const CombinedMaterial& material,
+                     Difference difference) {
+  const auto coefficient = [&](int offset) {
+    const Influence a = rectangle_influence(offset * grid.dx, 0.0, grid.dx, grid.dy, material);
+    return 0.5 * (a.xx + a.yy);
+  };
+  // (D A) at element i takes u at i, i+1, i+2: offsets 0, 1, 2 from the loaded element i.
+  switch (difference) {
+    case Difference::first:
+      return (coefficient(0) - coefficient(1)) / grid.dx;
+    case Difference::second:
+      return (3.0 * coefficient(0) - 4.0 * coefficient(1) + coefficient(2)) / (2.0 * grid.dx);
+    case Difference::none:
+      break;
+  }
+  return coefficient(0);
+}
+
+}  // namespace
+
+struct HalfspaceCompliance::Implementation {
+  ContactGrid grid;
+  CombinedMaterial material;
+  // Displacements are wanted up to two columns upstream of the grid, for D: 2 nx + 3 keeps the
+  // images apart and the kernels even.
+  PaddedFft fft;
+  Symbols symbols;
+  mutable std::unique_ptr<HalfspaceNormal> normal;
+  mutable std::unique_ptr<HalfspaceTangential> tangential[3];
+  mutable Spectrum spectra[3];
+  mutable Spectrum result;
+
+  Implementation(const ContactGrid& g, const CombinedMaterial& m)
+      : grid(g),
+        material(m),
+        fft(g.nx, g.ny, 2 * g.nx + 3, 2 * g.ny),
+        symbols(kernel_symbols(g, m, fft.px(), fft.py())) {}
+
+  const HalfspaceTangential& tangential_operator(Difference difference) const {
+    auto& kept = tangential[static_cast<int>(difference)];
+    if (!kept)
+      kept = std::make_unique<HalfspaceTangential>(
+          grid, fft, symbols, difference, mean_diagonal(grid, material, difference), material);
+    return *kept;
+  }
+};
+
+HalfspaceCompliance::HalfspaceCompliance(const ContactGrid& grid, const CombinedMaterial& material)
+    : implementation_(std::make_unique<Implementation>(grid, material)) {}
+
+HalfspaceCompliance::~HalfspaceCompliance() = default;
+
+const ContactGrid& HalfspaceCompliance::grid() const {
+  return implementation_->grid;
+}
+
+SurfaceField HalfspaceCompliance::apply(const SurfaceField& traction) const {
+  const Implementation& own = *implementation_;
+  Spectrum& x = own.spectra[0];
+  Spectrum& y = own.spectra[1];
+  Spectrum& n = own.spectra[2];
+  own.fft.forward(traction.x, x);
+  own.fft.forward(traction.y, y);
+  own.fft.forward(traction.n, n);
+  const bool coupled = !own.symbols.xn.empty();
+  const auto component = [&](const Symbol& on_x, const Symbol& on_y, Field& field) {
+    own.result.assign(x.size(), Complex());
+    add_product(on_x, x, own.result);
+    add_product(on_y, y, own.result);
+    if (coupled)
+      add_odd_product(&on_x == &own.symbols.xx ? own.symbols.xn : own.symbols.yn, 1.0, n,
+                      own.result);
+    own.fft.backward(own.result, field);
+  };
+  SurfaceField displacement;
+  component(own.symbols.xx, own.symbols.xy, displacement.x);
+  component(own.symbols.xy, own.symbols.yy, displacement.y);
+  own.result.assign(x.size(), Complex());
+  add_product(own.symbols.nn, n, own.result);
+  if (coupled) {
+    add_odd_product(own.symbols.xn, -1.0, x, own.result);
+    add_odd_product(own.symbols.yn, -1.0, y, own.result);
+  }
+  own.fft.backward(own.result, displacement.n);
+  return displacement;
+}
+
+const contact::NormalOperator& HalfspaceCompliance::normal() const {
+  const Implementation& own = *implementation_;
+  if (!own.normal)
+    own.normal = std::make_unique<HalfspaceNormal>(own.grid, own.fft, own.symbols.nn, own.material);
+  return *own.normal;
+}
+
+const contact::TangentialOperator& HalfspaceCompliance::shift() const {
+  return implementation_->tangential_operator(Difference::none);
+}
+
+const contact::TangentialOperator& HalfspaceCompliance::rolling(UpwindOrder order) const {
+  return implementation_->tangential_operator(order == UpwindOrder::first ? Difference::first
+                                                                          : Difference::second);
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,33 @@
+// Influence coefficients of the elastic half-space: displacement difference at an element centre
+// under unit traction on another element, in closed form (Boussinesq and Cerruti's point loads,
+// Johnson 1985 eq. 3.18 and section 3.6, integrated over the rectangle with corner functions).
+#pragma once
+
+#include "contact/scene/geometry.hpp"
+
+namespace rollfem::halfspace {
+
+/// Displacement difference (wheel minus rail, mm) per unit traction on the wheel (MPa): first index
+/// displacement, second index traction. The whole block is
+/// [xx xy xn; xy yy yn; -xn -yn nn]: xn and yn change sign with the offset, so that the matrix over
+/// all elements is symmetric. They are proportional to K and vanish for like materials.
+struct Influence {
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+  double nn = 0.0;
+  double xn = 0.0;  ///< u_x under pressure: -K/(pi G) times the integral of x/r^2
+  double yn = 0.0;  ///< u_y under pressure
+};
+
+/// Coefficients for a uniformly loaded rectangle of dx by dy mm, seen from a point at offset (x, y)
+/// mm from its middle. Accurate to about 1e-12 of itself at any distance: corner functions near,
+/// Gauss quadrature where their cancellation would show.
+Influence rectangle_influence(double x, double y, double dx, double dy,
+                              const contact::CombinedMaterial& material);
+
+/// The same for a point load at the middle of the rectangle, per unit traction times area (1/N):
+/// u = point_influence * force.
+Influence point_influence(double x, double y, const contact::CombinedMaterial& material);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,33 @@
+#include "halfspace/elasticity/interpolation.hpp"
+
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+using contact::Field;
+
+Field interpolated(const ContactGrid& from, const Field& values, const ContactGrid& to,
+                   const Field& weights) {
+  const auto at = [&](double x, double y) {
+    const double u = (x - from.x_first) / from.dx;
+    const double v = (y - from.y_first) / from.dy;
+    const int i = static_cast<int>(std::floor(u));
+    const int j = static_cast<int>(std::floor(v));
+    double sum = 0.0;
+    double weight_sum = 0.0;
+    for (int dj = 0; dj < 2; ++dj)
+      for (int di = 0; di < 2; ++di) {
+        const double share = (di == 1 ? u - i : 1.0 - u + i) * (dj == 1 ? v - j : 1.0 - v + j);
+        const bool inside = i + di >= 0 && i + di < from.nx && j + dj >= 0 && j + dj < from.ny;
+        const int k = inside ? from.index(i + di, j + dj) : 0;
+        const double weight = weights.size() == 0 ? share : inside ? share * weights[k] : 0.0;
+        weight_sum += weight;
+        if (inside) sum += weight * values[k];
+      }
+    return weight_sum > 0.0 ? sum / weight_sum : 0.0;
+  };
+  return to.sample(at);
+}
+
+}  // namespace rollfem::halfspace

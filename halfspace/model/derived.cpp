@@ -1,0 +1,124 @@
+#include "halfspace/model/derived.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+namespace {
+
+void check_size(const contact::Field& field, const contact::ContactGrid& grid, const char* name) {
+  if (field.size() != grid.size())
+    throw contact::InputError(
+        fmt::format("{} has {} values for a contact grid of {} by {}; allowed: one per element",
+                    name, field.size(), grid.nx, grid.ny));
+}
+
+void check_tangential(const contact::SurfaceField& traction, const contact::ContactGrid& grid) {
+  check_size(traction.x, grid, "traction.x");
+  check_size(traction.y, grid, "traction.y");
+}
+
+double tangential_product(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
+                          const contact::TangentialField& slip, const char* name) {
+  check_tangential(traction, grid);
+  check_size(slip.x, grid, name);
+  check_size(slip.y, grid, name);
+  return (traction.x.dot(slip.x) + traction.y.dot(slip.y)) * grid.element_area();
+}
+
+}  // namespace
+
+double elastic_energy(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
+                      const contact::SurfaceField& displacement) {
+  check_tangential(traction, grid);
+  check_size(traction.n, grid, "traction.n");
+  check_size(displacement.x, grid, "displacement.x");
+  check_size(displacement.y, grid, "displacement.y");
+  check_size(displacement.n, grid, "displacement.n");
+  return 0.5 * grid.element_area() *
+         (traction.x.dot(displacement.x) + traction.y.dot(displacement.y) +
+          traction.n.dot(displacement.n));
+}
+
+double frictional_power(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
+                        const contact::TangentialField& slip, double speed) {
+  return -speed * tangential_product(grid, traction, slip, "slip");
+}
+
+double creepage_power(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
+                      const contact::Creepage& creepage, double speed,
+                      const contact::TangentialField& extra_slip) {
+  check_tangential(traction, grid);
+  const double area = grid.element_area();
+  const double moment = spin_moment_about(grid, traction, 0.0, 0.0);
+  double work = creepage.longitudinal * traction.x.sum() * area +
+                creepage.lateral * traction.y.sum() * area + creepage.spin * moment;
+  if (extra_slip.x.size() != 0 || extra_slip.y.size() != 0)
+    work += tangential_product(grid, traction, extra_slip, "extra slip");
+  return -speed * work;
+}
+
+PowerBalance power_balance(const contact::ContactGrid& grid, const contact::PointResult& point,
+                           double speed, const contact::TangentialField& extra_slip) {
+  PowerBalance balance;
+  balance.friction = frictional_power(grid, point.fields.traction, point.fields.slip, speed);
+  balance.creepage = creepage_power(grid, point.fields.traction, point.creepage, speed, extra_slip);
+  const double scale = std::max(std::abs(balance.friction), std::abs(balance.creepage));
+  if (scale > 0.0) balance.difference = std::abs(balance.friction - balance.creepage) / scale;
+  return balance;
+}
+
+double spin_moment_about(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
+                         double x, double y) {
+  check_tangential(traction, grid);
+  double moment = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      moment += (grid.x(i) - x) * traction.y[k] - (grid.y(j) - y) * traction.x[k];
+    }
+  return moment * grid.element_area();
+}
+
+contact::TangentialField slip_velocity(const contact::TangentialField& slip, double speed) {
+  return {speed * slip.x, speed * slip.y};
+}
+
+namespace {
+
+ForcesAndMoment central_difference(const CreepForceLaw& forces, const contact::Creepage& at,
+                                   int direction, double step) {
+  const auto moved = [&](double distance) {
+    contact::Creepage creepage = at;
+    if (direction == 0) creepage.longitudinal += distance;
+    if (direction == 1) creepage.lateral += distance;
+    if (direction == 2) creepage.spin += distance;
+    return creepage;
+  };
+  return (forces(moved(step)) - forces(moved(-step))) / (2.0 * step);
+}
+
+}  // namespace
+
+Sensitivities creep_sensitivities(const CreepForceLaw& forces, const contact::Creepage& at,
+                                  const SensitivitySteps& steps) {
+  if (!(steps.creepage > 0.0 && steps.spin > 0.0))
+    throw contact::InputError(fmt::format("sensitivity steps {} and {} rad/mm; allowed: positive",
+                                          steps.creepage, steps.spin));
+  Sensitivities result;
+  for (int k = 0; k < 3; ++k) {
+    const double step = k < 2 ? steps.creepage : steps.spin;
+    const ForcesAndMoment coarse = central_difference(forces, at, k, step);
+    const ForcesAndMoment fine = central_difference(forces, at, k, 0.5 * step);
+    result.derivative.col(k) = (4.0 * fine - coarse) / 3.0;
+    result.error.col(k) = (fine - coarse).cwiseAbs();
+  }
+  return result;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,38 @@
+// Where and how large the patch of a case will be, before any grid or mesh is laid: of radii from
+// Hertz, of true profiles from coarse half-space solutions of a few milliseconds.
+#pragma once
+
+#include "contact/case/case.hpp"
+
+namespace rollfem::halfspace {
+
+/// Bounding box of the patch in the patch frame; it need not be an ellipse nor about the origin,
+/// and may hold several regions. Coarse: extents to 1 %, area to 2 %, pressure and approach to 0.5
+/// %.
+struct ExpectedPatch {
+  double x_lower = 0.0, x_upper = 0.0;    ///< mm
+  double y_lower = 0.0, y_upper = 0.0;    ///< mm
+  double x_centre = 0.0, y_centre = 0.0;  ///< mm, of the pressure
+  double approach = 0.0;                  ///< mm
+  double max_pressure = 0.0;              ///< MPa
+  double normal_force = 0.0;              ///< N
+  double area = 0.0;                      ///< mm^2
+
+  double length() const { return x_upper - x_lower; }
+  double width() const { return y_upper - y_lower; }
+  double x_middle() const { return 0.5 * (x_lower + x_upper); }
+  double y_middle() const { return 0.5 * (y_lower + y_upper); }
+};
+
+/// For the largest load of the case (normal force or approach). `elements`: along each side of the
+/// box of the last solution; more make a sharper result (at 90 extents and pressure to 0.2 %, in
+/// some 30 ms). Throws contact::InputError when the
+/// patch reaches the end of a profile or the radii make no elliptic contact, contact::SolveError
+/// when nothing touches.
+ExpectedPatch expected_patch(const contact::Case& input, int elements = 0);
+
+/// Throws contact::InputError "profile too short for the contact" when one of the profiles of the
+/// patch ends between y_lower and y_upper, mm.
+void check_profiles_reach(const contact::Case& input, double y_lower, double y_upper);
+
+}  // namespace rollfem::halfspace

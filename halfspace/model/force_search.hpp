@@ -1,0 +1,25 @@
+// Where the search for the creepage or shift of a prescribed force begins: Kalker's linear theory
+// and Mindlin's tangential stiffness on the patch that was found.
+#pragma once
+
+#include "contact/result/patch_size.hpp"
+#include "contact/scene/geometry.hpp"
+#include "contact/solve/prescribed_force.hpp"
+
+namespace rollfem::halfspace {
+
+/// -dF/d(creepage) of steady rolling without slip, N: G c^2 C11 and G c^2 C22.
+Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch,
+                                  const contact::CombinedMaterial& material);
+
+/// -dF/d(shift) without slip, N/mm: 4 c G / (2 - nu) of a circle with c = sqrt(a b) (Johnson 1985,
+/// eq. 7.43), a measure for other shapes.
+Eigen::Vector2d shift_stiffness(const contact::PatchSize& patch,
+                                const contact::CombinedMaterial& material);
+
+/// Creepage (shift) for a force by Vermeulen and Johnson's law with that stiffness; the given
+/// components as they are.
+Eigen::Vector2d first_creepage(const contact::PrescribedForce& wanted, const Eigen::Vector2d& given,
+                               const Eigen::Vector2d& stiffness, double bound);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,220 @@
+#include "halfspace/model/model.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/refinement.hpp"
+#include "contact/scene/geometry.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/level.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace rollfem::halfspace {
+
+using contact::Case;
+using contact::ModelResult;
+using contact::PointResult;
+
+namespace {
+
+/// How a quantity converges, measured (tests/verification/halfspace_normal.cpp and
+/// halfspace_rolling.cpp) with n elements across.
+struct Convergence {
+  double order;
+  double floor;  ///< coefficient of the smallest error believed: two grids may agree by chance
+  double floor_power;
+};
+constexpr Convergence smooth{2.0, 0.1, 2.0};      ///< pressure, approach
+constexpr Convergence patch_size{1.0, 0.5, 2.0};  ///< not evenly, between 1 and 2
+/// Forces of partial slip converge with order 1.5 to 2 on the whole, but unevenly: the change is
+/// taken as if the order were 1.
+constexpr Convergence partial_slip{1.0, contact::least_rolling_error, 1.0};
+
+/// Below this many elements across, a coarser level helps nobody.
+constexpr int fewest_elements_across = 10;
+
+struct Cell {
+  double dx;
+  double dy;
+  int across;  ///< elements along the smaller side of the patch
+};
+
+Cell finest_cell(const Case& input) {
+  const auto [length, width] = expected_extent(input);
+  if (input.contact_grid.cell_size) {
+    const auto& [dx, dy] = *input.contact_grid.cell_size;
+    return {dx, dy, static_cast<int>(std::min(length / dx, width / dy))};
+  }
+  const int across = input.contact_grid.elements_across;
+  return {length / across, width / across, across};
+}
+
+/// The finest level last. There are always two, for the error estimate; a history gains nothing
+/// from more, for its steps start from each other.
+std::vector<Cell> cells_of_levels(const Case& input) {
+  std::vector<Cell> cells{finest_cell(input)};
+  while (cells.size() < 2 ||
+         (input.history.empty() && cells.back().across / 2 >= fewest_elements_across)) {
+    const Cell& fine = cells.back();
+    cells.push_back({2.0 * fine.dx, 2.0 * fine.dy, fine.across / 2});
+  }
+  std::reverse(cells.begin(), cells.end());
+  return cells;
+}
+
+/// Discretisation error of the finer of two values, relative to it or to `scale` where that is
+/// larger (a quantity that vanishes has no relative error).
+double two_level_error(double fine, double coarse, double scale, const Convergence& convergence,
+                       int across) {
+  const double reference = std::max(std::abs(fine), scale);
+  if (reference == 0.0 || (fine == 0.0 && coarse == 0.0)) return 0.0;
+  const double change = std::abs(fine - coarse) / (std::pow(2.0, convergence.order) - 1.0);
+  const double floor = convergence.floor /
+                       std::pow(static_cast<double>(std::max(across, 1)), convergence.floor_power);
+  return std::max(contact::uneven_safety * change / reference, floor);
+}
+
+void estimate_errors(PointResult& fine, const PointResult& coarse, double friction, int across) {
+  const auto set = [&](const char* name, double PointResult::*quantity, double scale,
+                       const Convergence& convergence) {
+    fine.error_estimate[name] =
+        two_level_error(fine.*quantity, coarse.*quantity, scale, convergence, across);
+    fine.richardson[name] = fine.*quantity + (fine.*quantity - coarse.*quantity) /
+                                                 (std::pow(2.0, convergence.order) - 1.0);
+  };
+  // Without an adhesion area tractions are the bound, as smooth as the pressure.
+  const Convergence& rolling =
+      fine.adhesion_area == 0.0 && coarse.adhesion_area == 0.0 ? smooth : partial_slip;
+  const double sliding = 0.01 * friction * fine.normal_force;
+  const double traction = 0.01 * friction * fine.max_pressure;
+  using Point = PointResult;
+  set("max_pressure", &Point::max_pressure, 0.0, smooth);
+  set("normal_force", &Point::normal_force, 0.0, smooth);
+  set("approach", &Point::approach, 0.0, smooth);
+  set("semi_axis_x", &Point::semi_axis_x, 0.0, patch_size);
+  set("semi_axis_y", &Point::semi_axis_y, 0.0, patch_size);
+  set("contact_area", &Point::contact_area, 0.0, patch_size);
+  set("longitudinal_force", &Point::longitudinal_force, sliding, rolling);
+  set("lateral_force", &Point::lateral_force, sliding, rolling);
+  set("spin_moment", &Point::spin_moment, sliding * std::sqrt(fine.semi_axis_x * fine.semi_axis_y),
+      rolling);
+  set("traction_coefficient", &Point::traction_coefficient, 0.01 * friction, rolling);
+  set("max_traction_x", &Point::max_traction_x, traction, rolling);
+}
+
+/// Creepages found for a prescribed force carry an error, where given ones do not. Relative to the
+/// larger of the two: one that vanishes by symmetry has no relative error.
+void estimate_found_creepages(PointResult& fine, const PointResult& coarse,
+                              const contact::PrescribedForce& wanted, int across) {
+  const contact::Creepage& a = fine.creepage;
+  const contact::Creepage& b = coarse.creepage;
+  const double scale = 0.01 * std::hypot(a.longitudinal, a.lateral);
+  if (wanted.longitudinal)
+    fine.error_estimate["longitudinal_creepage"] =
+        two_level_error(a.longitudinal, b.longitudinal, scale, partial_slip, across);
+  if (wanted.lateral)
+    fine.error_estimate["lateral_creepage"] =
+        two_level_error(a.lateral, b.lateral, scale, partial_slip, across);
+}
+
+void add_notes(const Case& input, ModelResult& result) {
+  result.notes.push_back(fmt::format(
+      "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm with constant tractions; "
+      "{}-order upwind difference along rolling",
+      result.grid.dx, result.grid.dy,
+      input.rolling.upwind_order == contact::UpwindOrder::first ? "first" : "second"));
+  result.notes.push_back(
+      "error estimates: 1.5 times the change between this grid and one of twice the cells, divided "
+      "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "
+      "forces of partial slip at least 0.15 over the number of elements across");
+  if (input.halfspace.surface == contact::SurfaceForm::curved)
+    result.notes.push_back(
+        "curved contact: y of the contact grid and contact_width are arc lengths along the common "
+        "surface, tractions along its local tangents and normal, forces along x, y, z; compliance "
+        "of the surface rolled out flat; normal_force holds the part of the tangential tractions "
+        "along z, which the given force leaves out");
+  const double difference = contact::combine(input.wheel.material, input.rail.material).difference;
+  if (std::abs(difference) > 1e-12)
+    result.notes.push_back(fmt::format(
+        "unlike materials, K = {:.4g}: normal and tangential problem coupled; iterations are outer "
+        "ones",
+        difference));
+}
+
+/// Errors of the finest level so far from the one below it.
+void estimate_level(const Case& input, LevelResult& fine, const LevelResult& coarse, int across) {
+  for (std::size_t k = 0; k < fine.points.size(); ++k) {
+    estimate_errors(fine.points[k], coarse.points[k], input.friction_coefficient, across);
+    if (k < input.rolling.forces.size())
+      estimate_found_creepages(fine.points[k], coarse.points[k], input.rolling.forces[k], across);
+  }
+}
+
+/// Beyond this many elements across nothing is refined further for an accuracy.
+constexpr int most_elements_across = 320;
+
+/// Whether another level is wanted for the accuracy of the case; says in the result when it is and
+/// cannot be had.
+bool refine_further(const Case& input, const LevelResult& fine, const Cell& cell,
+                    ModelResult& result) {
+  if (!input.accuracy) return false;
+  const contact::WorstError worst = contact::worst_error(input, fine.points);
+  if (worst.error <= *input.accuracy) {
+    result.notes.push_back(fmt::format(
+        "accuracy {:g} asked for: {} elements across; largest estimated error {:.2g} ({} at load "
+        "point {})",
+        *input.accuracy, cell.across, worst.error, worst.quantity, worst.point));
+    return false;
+  }
+  if (2 * cell.across <= most_elements_across) return true;
+  result.shortfall = contact::shortfall_text(
+      input, worst,
+      fmt::format("{} elements across are the most; do: ask for less, or give a smaller "
+                  "contact_grid.cell_size",
+                  cell.across));
+  return false;
+}
+
+}  // namespace
+
+ModelResult run_halfspace(const Case& input, const contact::Progress& progress,
+                          contact::Checkpoint* checkpoint) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::optional<LevelResult> coarse;
+  std::optional<LevelResult> fine;
+  std::vector<Cell> cells = cells_of_levels(input);
+  // A grid too large to have is refused before the coarser ones are computed.
+  static_cast<void>(potential_area(input, cells.back().dx, cells.back().dy, 0));
+  ModelResult result;
+  result.name = "halfspace";
+  for (std::size_t level = 0; level < cells.size(); ++level) {
+    const Cell cell = cells[level];
+    coarse = std::move(fine);
+    const bool last = level + 1 == cells.size();
+    const std::string prefix =
+        last && !input.accuracy ? "" : fmt::format("{} across: ", cell.across);
+    fine = solve_level(input, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress,
+                       last ? checkpoint : nullptr);
+    result.seconds["setup"] += fine->setup_seconds;
+    result.seconds["normal"] += fine->normal_seconds;
+    result.seconds["tangential"] += fine->tangential_seconds;
+    if (!last) continue;
+    estimate_level(input, *fine, *coarse, cell.across);
+    if (refine_further(input, *fine, cell, result))
+      cells.push_back({0.5 * cell.dx, 0.5 * cell.dy, 2 * cell.across});
+  }
+  result.grid = fine->grid;
+  result.contact_elements = fine->contact_elements;
+  result.unknowns = 3L * fine->contact_elements;
+  result.points = std::move(fine->points);
+  add_notes(input, result);
+  result.seconds["total"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,53 @@
+// The line across a patch on which wheel and rail are nearest: at x = 0 but for yaw. What the strip
+// model and the search for the extent of a patch look at.
+#pragma once
+
+#include "contact/scene/patch_geometry.hpp"
+
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// Undeformed distance about its least place along x: distance + curvature (x - x_m)^2.
+struct RidgePoint {
+  double x = 0.0;          ///< x_m, mm
+  double distance = 0.0;   ///< mm
+  double curvature = 0.0;  ///< A, 1/mm: 1/(2 rho) of the wheel's local radius
+};
+
+/// At the lateral coordinate y (mm). The distance is infinite where the wheel has no surface.
+RidgePoint ridge_point(const contact::PatchGeometry& patch, double y);
+
+/// A run of y in which the ridge is below a level.
+struct RidgeRegion {
+  double y_lower = 0.0, y_upper = 0.0;  ///< mm
+  double x_lower = 0.0, x_upper = 0.0;  ///< mm, where the distance is below the level
+  double angle = 0.0;                   ///< rad, of the rail against y where it is nearest
+  double distance = 0.0;                ///< mm, the least
+};
+
+/// The ridge sampled over all that is known of both profiles.
+class Ridge {
+ public:
+  explicit Ridge(const contact::PatchGeometry& patch);
+
+  /// Regions in which the distance is below `level`, by rising y.
+  std::vector<RidgeRegion> regions(double level) const;
+  /// The region at the contact point with those that make one contact with it: neighbours that
+  /// nearly meet it, whose normals differ by less than 20 degrees (others are patches of their own,
+  /// each with its own frame). Empty when nothing is below the level.
+  std::vector<RidgeRegion> contact_regions(double level) const;
+  /// The least distance about the contact point, mm: where one walks downhill from y = 0, or in a
+  /// region that makes one contact with that.
+  double least_distance() const { return points_[foot_].distance; }
+  double first() const { return y_.front(); }  ///< mm, end of what is known
+  double last() const { return y_.back(); }    ///< mm
+
+ private:
+  std::vector<double> y_;
+  std::vector<RidgePoint> points_;
+  std::vector<double> angle_;
+  std::size_t foot_ = 0;
+};
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,89 @@
+#include "contact/base/errors.hpp"
+#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+
+namespace {
+
+/// More elements than this are a mistake in the case file, not a wish.
+constexpr double largest_number_of_elements = 4e7;
+
+int elements(double extent, double cell, int margin) {
+  // An extent of a whole number of cells must not gain one by rounding.
+  return static_cast<int>(std::ceil(extent / cell - 1e-6)) + 2 * margin;
+}
+
+void check_cells(const contact::Case& input, const PatchExtent& extent, double dx, double dy,
+                 int margin) {
+  if (dx > 0.0 && dy > 0.0 &&
+      (extent.length / dx + 2.0 * margin) * (extent.width / dy + 2.0 * margin) <=
+          largest_number_of_elements)
+    return;
+  throw contact::InputError(fmt::format(
+      "{}: contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} mm needs cells "
+      "above 0 and at most {:.0e} of them; do: choose larger cells",
+      input.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
+}
+
+/// Whole elements that fit into a given extent.
+int elements_within(double extent, double cell) {
+  return std::max(1, static_cast<int>(std::floor(extent / cell + 1e-6)));
+}
+
+}  // namespace
+
+PatchExtent expected_extent(const contact::Case& input) {
+  if (const auto& values = input.undeformed_distance.values) {
+    if (input.contact_grid.extent)
+      return {(*input.contact_grid.extent)[0], (*input.contact_grid.extent)[1]};
+    return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
+  }
+  const ExpectedPatch patch = expected_patch(input);
+  return {patch.length(), patch.width()};
+}
+
+ContactGrid potential_area(const contact::Case& input, double dx, double dy, int margin) {
+  const contact::GridOptions& options = input.contact_grid;
+  const auto& values = input.undeformed_distance.values;
+  if (!options.extent && !values) {
+    const ExpectedPatch patch = expected_patch(input);
+    const PatchExtent extent{patch.length(), patch.width()};
+    check_cells(input, extent, dx, dy, margin);
+    return ContactGrid::centred(
+        elements(extent.length, dx, margin), elements(extent.width, dy, margin), dx, dy,
+        options.middle[0] + patch.x_middle(), options.middle[1] + patch.y_middle());
+  }
+  const PatchExtent extent = options.extent
+                                 ? PatchExtent{(*options.extent)[0], (*options.extent)[1]}
+                                 : expected_extent(input);
+  std::array<double, 2> middle = options.middle;
+  if (values && !options.extent)
+    middle = {values->x_first + 0.5 * extent.length, values->y_first + 0.5 * extent.width};
+  check_cells(input, extent, dx, dy, 0);
+  return ContactGrid::centred(elements_within(extent.length, dx), elements_within(extent.width, dy),
+                              dx, dy, middle[0], middle[1]);
+}
+
+ContactGrid potential_area(const contact::Case& input, int margin) {
+  const contact::GridOptions& options = input.contact_grid;
+  if (!options.cell_size && options.elements_across < 1)
+    throw contact::InputError(
+        fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", input.file,
+                    options.elements_across));
+  const PatchExtent extent = expected_extent(input);
+  const double across = options.elements_across;
+  const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;
+  const double dy = options.cell_size ? (*options.cell_size)[1] : extent.width / across;
+  return potential_area(input, dx, dy, margin);
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,18 @@
+// Largest stresses of wheel and rail as half-spaces, with their places.
+#pragma once
+
+#include "contact/result/result.hpp"
+
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// Of both bodies under the tractions of a solved point, the measures of stress_measures.hpp:
+/// looked for on layers of the contact grid's lattice from the surface to 1.5 times the smaller
+/// semi-axis, then between the lattice points. At the surface the value is that at the middle of an
+/// element; depths of less than an element are left out, where the steps of the traction show.
+std::vector<contact::StressMaximum> stress_maxima(const contact::Case& input,
+                                                  const contact::ContactGrid& grid,
+                                                  const contact::PointResult& point);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,80 @@
+// Displacement and stress below the contact grid, in the wheel or in the rail, from the tractions
+// of a solved (or given) contact: at points, on lines, on planes of constant depth and in boxes.
+//
+// Output is in the global frame (x rolling, y lateral, z into the wheel) for both bodies: the wheel
+// is z = +depth, the rail z = -depth. Tractions are given as everywhere else, on the wheel; on the
+// rail the opposite ones act. Only the constants of the body itself enter: nu in the stress, nu and
+// G in the displacement, which is that of the half-space, zero at infinity.
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "contact/case/case.hpp"
+#include "contact/result/stress_measures.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+enum class Body {
+  wheel,  ///< body 1, material at z > 0
+  rail,   ///< body 2, material at z < 0
+};
+
+/// One body and the tractions of the contact.
+struct LoadedBody {
+  Body body = Body::wheel;
+  contact::Material material;  ///< of this body
+  contact::ContactGrid grid;
+  contact::SurfaceField traction;  ///< MPa, on the wheel; n is the pressure. x, y may be empty: 0
+};
+
+struct SubsurfacePoint {
+  double x = 0.0;      ///< mm
+  double y = 0.0;      ///< mm
+  double depth = 0.0;  ///< mm, >= 0 below the surface of the body
+};
+
+/// Global frame.
+struct SubsurfaceState {
+  std::array<double, 3> displacement{};  ///< mm
+  contact::Stress stress;                ///< MPa, tension positive
+};
+
+/// One value per point of a plane (or per contact element), index j * nx + i.
+struct SubsurfaceLayer {
+  double depth = 0.0;
+  contact::SurfaceField displacement;     ///< mm; n is the global z component
+  contact::Field xx, yy, zz, xy, yz, xz;  ///< MPa
+
+  SubsurfaceState at(int index) const;
+};
+
+/// How the sum over contact elements is done.
+enum class Summation {
+  automatic,  ///< the cheaper of the two that is possible
+  direct,     ///< every point with every loaded element
+  fft,        ///< convolution by layers: only for points at the spacing of the contact grid
+};
+
+/// State at any points. On the surface under the edge of an element see corner_potentials. Throws
+/// contact::InputError for negative depths, fields of the wrong size, impossible constants.
+std::vector<SubsurfaceState> subsurface_at(const LoadedBody& body,
+                                           const std::vector<SubsurfacePoint>& points);
+
+/// `count` >= 2 equally spaced points from one end to the other, both included.
+std::vector<SubsurfacePoint> line_of_points(const SubsurfacePoint& from, const SubsurfacePoint& to,
+                                            int count);
+
+/// State on the points of a lattice (the element centres of a ContactGrid) at one depth. By FFT the
+/// lattice needs dx and dy of the contact grid, but may be shifted, larger or smaller.
+SubsurfaceLayer subsurface_plane(const LoadedBody& body, const contact::ContactGrid& points,
+                                 double depth, Summation summation = Summation::automatic);
+
+/// The same at several depths: a box; a lattice with nx or ny = 1 is a vertical section.
+std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
+                                            const contact::ContactGrid& points,
+                                            const std::vector<double>& depths,
+                                            Summation summation = Summation::automatic);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,193 @@
+#include "halfspace/stress/subsurface_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rollfem::halfspace {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Up to this many times the longer side of an element from the farthest loaded one, differences of
+/// corner functions are used throughout: the stress is then exact to some 1e-15 of the traction.
+constexpr double corner_range = 300.0;
+
+void scale(LocalState& state, double shear_modulus) {
+  for (std::size_t i = 0; i < component_count; ++i)
+    state[i] *= i < s_xx ? 1.0 / (4.0 * pi * shear_modulus) : 1.0 / (2.0 * pi);
+}
+
+double longer_side(const contact::ContactGrid& grid) {
+  return std::max(grid.dx, grid.dy);
+}
+
+}  // namespace
+
+DirectSum::DirectSum(const LocalProblem& problem) : problem_(problem) {
+  const contact::ContactGrid& grid = problem.grid;
+  i_first_ = grid.nx;
+  j_first_ = grid.ny;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      if (problem.load_x[k] == 0.0 && problem.load_y[k] == 0.0 && problem.load_z[k] == 0.0)
+        continue;
+      i_first_ = std::min(i_first_, i);
+      i_last_ = std::max(i_last_, i);
+      j_first_ = std::min(j_first_, j);
+      j_last_ = std::max(j_last_, j);
+    }
+}
+
+long DirectSum::elements() const {
+  return static_cast<long>(std::max(0, i_last_ - i_first_ + 1)) *
+         std::max(0, j_last_ - j_first_ + 1);
+}
+
+/// Each corner function is evaluated once; a corner's weight is the mixed difference of the loads
+/// of the (up to) four elements that meet there.
+DirectSum::Loads DirectSum::near_sum(double x, double y, double z) const {
+  const contact::ContactGrid& grid = problem_.grid;
+  const double length = longer_side(grid);
+  Loads sum = Loads::Zero();
+  const auto jump = [&](const contact::Field& load, int i, int j) {
+    const auto value = [&](int m, int n) {
+      const bool inside = m >= i_first_ && m <= i_last_ && n >= j_first_ && n <= j_last_;
+      return inside ? load[grid.index(m, n)] : 0.0;
+    };
+    return value(i, j) - value(i - 1, j) - value(i, j - 1) + value(i - 1, j - 1);
+  };
+  for (int j = j_first_; j <= j_last_ + 1; ++j)
+    for (int i = i_first_; i <= i_last_ + 1; ++i) {
+      const double weight_x = jump(problem_.load_x, i, j);
+      const double weight_y = jump(problem_.load_y, i, j);
+      const double weight_z = jump(problem_.load_z, i, j);
+      if (weight_x == 0.0 && weight_y == 0.0 && weight_z == 0.0) continue;
+      const Potentials corner =
+          corner_potentials((x - grid.x(i) + 0.5 * grid.dx) / length,
+                            (y - grid.y(j) + 0.5 * grid.dy) / length, z / length);
+      sum.col(0) += weight_x * corner;
+      sum.col(1) += weight_y * corner;
+      sum.col(2) += weight_z * corner;
+    }
+  sum.topRows<first_dimensionless>() *= length;
+  return sum;
+}
+
+DirectSum::Loads DirectSum::far_sum(double x, double y, double z) const {
+  const contact::ContactGrid& grid = problem_.grid;
+  Loads sum = Loads::Zero();
+  for (int j = j_first_; j <= j_last_; ++j)
+    for (int i = i_first_; i <= i_last_; ++i) {
+      const int k = grid.index(i, j);
+      const Potentials element =
+          rectangle_potentials(x - grid.x(i), y - grid.y(j), z, grid.dx, grid.dy);
+      sum.col(0) += problem_.load_x[k] * element;
+      sum.col(1) += problem_.load_y[k] * element;
+      sum.col(2) += problem_.load_z[k] * element;
+    }
+  return sum;
+}
+
+LocalState DirectSum::at(double x, double y, double z) const {
+  if (i_last_ < i_first_) return LocalState{};
+  const contact::ContactGrid& grid = problem_.grid;
+  const double reach_x = std::max(std::abs(x - grid.x(i_first_)), std::abs(x - grid.x(i_last_)));
+  const double reach_y = std::max(std::abs(y - grid.y(j_first_)), std::abs(y - grid.y(j_last_)));
+  const bool near = std::hypot(std::hypot(reach_x, reach_y), z) < corner_range * longer_side(grid);
+  const Loads sum = near ? near_sum(x, y, z) : far_sum(x, y, z);
+  LocalState state = assemble_state(sum.col(0).data(), sum.col(1).data(), sum.col(2).data(),
+                                    problem_.poisson_ratio, z);
+  scale(state, problem_.shear_modulus);
+  return state;
+}
+
+LayerConvolution::LayerConvolution(const LocalProblem& problem, const contact::ContactGrid& points)
+    : problem_(problem),
+      points_(points),
+      loads_fft_(problem.grid.nx, problem.grid.ny, problem.grid.nx + points.nx - 1,
+                 problem.grid.ny + points.ny - 1),
+      kernel_fft_(loads_fft_.px(), loads_fft_.py(), loads_fft_.px(), loads_fft_.py()),
+      points_fft_(points.nx, points.ny, loads_fft_.px(), loads_fft_.py()) {
+  for (PaddedFft::Spectrum* spectrum : {&load_x_, &load_y_, &load_z_})
+    spectrum->resize(static_cast<std::size_t>(loads_fft_.spectrum_size()));
+  loads_fft_.forward(problem.load_x, load_x_);
+  loads_fft_.forward(problem.load_y, load_y_);
+  loads_fft_.forward(problem.load_z, load_z_);
+  for (PaddedFft::Spectrum& kernel : kernels_)
+    kernel.resize(static_cast<std::size_t>(loads_fft_.spectrum_size()));
+}
+
+/// Corner functions at all differences of a lattice point and an element corner: (mx + 1) columns
+/// by (my + 1) rows, mx = nx of elements + nx of points - 1.
+std::vector<Potentials> LayerConvolution::corners(double z) const {
+  const contact::ContactGrid& grid = problem_.grid;
+  const double length = longer_side(grid);
+  const int columns = grid.nx + points_.nx;
+  const int rows = grid.ny + points_.ny;
+  std::vector<Potentials> table(static_cast<std::size_t>(columns) * rows);
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const double x = points_.x_first - grid.x_first + (i - grid.nx + 0.5) * grid.dx;
+      const double y = points_.y_first - grid.y_first + (j - grid.ny + 0.5) * grid.dy;
+      table[static_cast<std::size_t>(j) * columns + i] =
+          corner_potentials(x / length, y / length, z / length);
+    }
+  return table;
+}
+
+void LayerConvolution::transform_kernels(double z) const {
+  const contact::ContactGrid& grid = problem_.grid;
+  const double length = longer_side(grid);
+  const std::vector<Potentials> table = corners(z);
+  const int columns = grid.nx + points_.nx;
+  const int px = kernel_fft_.px();
+  const int py = kernel_fft_.py();
+  contact::Field kernel(static_cast<Eigen::Index>(px) * py);
+  for (int potential = 0; potential < potential_count; ++potential) {
+    const double unit = potential < first_dimensionless ? length : 1.0;
+    kernel.setZero();
+    for (int j = 0; j < grid.ny + points_.ny - 1; ++j)
+      for (int i = 0; i < columns - 1; ++i) {
+        const std::size_t k = static_cast<std::size_t>(j) * columns + i;
+        const double value = table[k + columns + 1][potential] - table[k + columns][potential] -
+                             table[k + 1][potential] + table[k][potential];
+        // Point minus element, in cells of the lattice, laid out periodically.
+        const int m = (i - (grid.nx - 1) + px) % px;
+        const int n = (j - (grid.ny - 1) + py) % py;
+        kernel[static_cast<Eigen::Index>(n) * px + m] = unit * value;
+      }
+    kernel_fft_.forward(kernel, kernels_[static_cast<std::size_t>(potential)]);
+  }
+}
+
+std::array<contact::Field, component_count> LayerConvolution::at(double z) const {
+  using Complex = std::complex<double>;
+  transform_kernels(z);
+  const std::size_t frequencies = load_x_.size();
+  std::array<PaddedFft::Spectrum, component_count> spectra;
+  for (PaddedFft::Spectrum& spectrum : spectra) spectrum.resize(frequencies);
+  using ComplexPotentials = Eigen::Array<Complex, potential_count, 1>;
+  for (std::size_t f = 0; f < frequencies; ++f) {
+    ComplexPotentials source;
+    for (int potential = 0; potential < potential_count; ++potential)
+      source[potential] = kernels_[static_cast<std::size_t>(potential)][f];
+    const ComplexPotentials p_x = source * load_x_[f];
+    const ComplexPotentials p_y = source * load_y_[f];
+    const ComplexPotentials p_z = source * load_z_[f];
+    const std::array<Complex, component_count> state =
+        assemble_state(p_x.data(), p_y.data(), p_z.data(), problem_.poisson_ratio, z);
+    for (std::size_t c = 0; c < component_count; ++c) spectra[c][f] = state[c];
+  }
+  std::array<contact::Field, component_count> fields;
+  for (std::size_t c = 0; c < component_count; ++c) {
+    fields[c].resize(points_.size());
+    points_fft_.backward(spectra[c], fields[c]);
+    fields[c] *= c < s_xx ? 1.0 / (4.0 * pi * problem_.shear_modulus) : 1.0 / (2.0 * pi);
+  }
+  return fields;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,151 @@
+#include "halfspace/theories/carter.hpp"
+
+#include "contact/base/errors.hpp"
+#include "halfspace/theories/brush.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double root_of_rest(double t) {
+  return std::sqrt(std::max(0.0, (1.0 - t) * (1.0 + t)));
+}
+
+/// The strip of the ellipse at y as a line contact.
+CarterContact strip_contact(const EllipticPatch& patch, double y) {
+  const double root = root_of_rest(y / patch.hertz.semi_axis_y);
+  return {patch.hertz.semi_axis_x * root, patch.hertz.max_pressure * root, patch.friction,
+          patch.material.contact_modulus};
+}
+
+/// The strip at y, rolling at its own creepage.
+CarterSolution strip_solution(const contact::Case& input, const EllipticPatch& patch,
+                              const contact::Creepage& creepage, double y) {
+  return {strip_contact(patch, y), strip_creepage(input, creepage, y).longitudinal};
+}
+
+BrushTotals sum_carter_strips(const contact::Case& input, const EllipticPatch& patch,
+                              const contact::Creepage& creepage, int strips) {
+  BrushTotals totals;
+  for (const auto& [y, width] : strip_places(patch.hertz.semi_axis_y, strips)) {
+    const CarterSolution strip = strip_solution(input, patch, creepage, y);
+    totals.forces.longitudinal += width * strip.force();
+    totals.forces.spin_moment -= width * y * strip.force();
+    totals.adhesion_area += 2.0 * width * strip.stick_half_width();
+    totals.contact_area += 2.0 * width * strip_contact(patch, y).half_width;
+  }
+  return totals;
+}
+
+void fill_fields(const contact::Case& input, const EllipticPatch& patch,
+                 contact::PointResult& point) {
+  const contact::ContactGrid& grid = patch.grid;
+  contact::ContactFields& fields = point.fields;
+  for (int j = 0; j < grid.ny; ++j) {
+    const CarterSolution strip = strip_solution(input, patch, point.creepage, grid.y(j));
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      if (fields.state[k] == contact::ElementState::exterior) continue;
+      const double x = grid.x(i);
+      fields.traction.x[k] = strip.traction(x);
+      fields.slip.x[k] = strip.slip(x);
+      if (std::abs(x - strip.stick_middle()) > strip.stick_half_width())
+        fields.state[k] = contact::ElementState::slip;
+    }
+  }
+}
+
+}  // namespace
+
+double CarterContact::force_per_length() const {
+  return 0.5 * pi * half_width * max_pressure;
+}
+
+double CarterContact::saturation_creepage() const {
+  return 2.0 * friction * max_pressure / contact_modulus;
+}
+
+double CarterContact::initial_slope() const {
+  return -0.5 * pi * half_width * contact_modulus;
+}
+
+CarterSolution::CarterSolution(const CarterContact& contact, double creepage)
+    : contact_(contact), creepage_(creepage), stick_(contact.half_width) {
+  if (creepage == 0.0) return;
+  const double saturation = contact.saturation_creepage();
+  const double slipped = saturation > 0.0 ? std::abs(creepage) / saturation : 1.0;
+  stick_ = contact.half_width * std::max(0.0, 1.0 - slipped);
+}
+
+double CarterSolution::force() const {
+  if (contact_.half_width == 0.0) return 0.0;
+  const double ratio = stick_ / contact_.half_width;
+  return -std::copysign((1.0 - ratio) * (1.0 + ratio), creepage_) * contact_.friction *
+         contact_.force_per_length();
+}
+
+double CarterSolution::traction(double x) const {
+  const double a = contact_.half_width;
+  if (creepage_ == 0.0 || std::abs(x) >= a) return 0.0;
+  double value = root_of_rest(x / a);
+  if (stick_ > 0.0) value -= stick_ / a * root_of_rest((x - stick_middle()) / stick_);
+  return -std::copysign(contact_.friction * contact_.max_pressure * value, creepage_);
+}
+
+/// |w| over the saturation creepage. Under the traction sqrt(1 - t^2) the slope of the displacement
+/// is proportional to t inside and to t + sqrt(t^2 - 1) behind (Johnson 1985, eq. 8.11).
+double CarterSolution::unit_slip(double x) const {
+  const double a = contact_.half_width;
+  const double t = (x - stick_middle()) / stick_;
+  return t > -1.0 ? 0.0 : stick_ / a * std::sqrt((t - 1.0) * (t + 1.0));
+}
+
+double CarterSolution::slip(double x) const {
+  const double saturation = contact_.saturation_creepage();
+  if (stick_ > 0.0) return std::copysign(saturation * unit_slip(x), creepage_);
+  if (creepage_ == 0.0 || contact_.half_width == 0.0) return 0.0;
+  // All slips: the rigid slip less the slope of the displacement under mu p.
+  return creepage_ - std::copysign(saturation, creepage_) * x / contact_.half_width;
+}
+
+double carter_creepage(const CarterContact& contact, double force) {
+  const double limit = contact.friction * contact.force_per_length();
+  if (!(std::abs(force) < limit))
+    throw contact::InputError(fmt::format(
+        "a force of {:g} N/mm cannot be transmitted: friction allows less than {:g} N/mm", force,
+        limit));
+  const double stick_ratio = std::sqrt(1.0 - std::abs(force) / limit);
+  return -std::copysign(contact.saturation_creepage() * (1.0 - stick_ratio), force);
+}
+
+contact::ModelResult run_carter(const contact::Case& input, const contact::Progress& progress,
+                                int strips) {
+  refuse_lateral_creepage(input, "carter");
+  refuse_spin(input, "carter");
+  const EllipticPatch patch = elliptic_patch(input);
+  const auto fill = [&](contact::PointResult& point) {
+    fill_fields(input, patch, point);
+    set_largest_tractions(point);
+    const BrushTotals totals = sum_carter_strips(input, patch, point.creepage, strips);
+    set_forces(totals.forces, point);
+    point.adhesion_area *= totals.adhesion_area / totals.contact_area;
+    estimate_error(totals, sum_carter_strips(input, patch, point.creepage, (strips + 1) / 2), 2,
+                   point);
+  };
+  contact::ModelResult result =
+      run_theory(input, patch.grid, patch.normal, "carter", progress, fill);
+  result.notes.push_back(
+      "Carter strip by strip: error estimates are those of the resolution; the theory is for "
+      "patches "
+      "much wider than long");
+  return result;
+}
+
+}  // namespace rollfem::halfspace

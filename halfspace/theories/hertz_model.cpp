@@ -1,0 +1,81 @@
+// The model "hertz": the closed form put into the result record that all models share.
+#include "contact/scene/geometry.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+using contact::Field;
+using contact::PointResult;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+contact::ContactFields sampled_fields(const contact::Case& input, const HertzContact& hertz,
+                                      const ContactGrid& grid) {
+  const double modulus =
+      contact::combine(input.wheel.material, input.rail.material).contact_modulus;
+  const contact::Curvatures curvatures = curvatures_of_case(input);
+  const Field zero = Field::Zero(grid.size());
+  contact::ContactFields fields;
+  fields.traction = {zero, zero,
+                     grid.sample([&](double x, double y) { return hertz.pressure(x, y); })};
+  fields.slip = {zero, zero};
+  fields.traction_bound = input.friction_coefficient * fields.traction.n;
+  const Field displacement =
+      grid.sample([&](double x, double y) { return hertz_displacement(hertz, modulus, x, y); });
+  const Field distance = grid.sample(
+      [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
+  const auto inside = fields.traction.n.array() > 0.0;
+  fields.gap =
+      inside.select(0.0, (distance + displacement).array() - hertz.approach).cwiseMax(0.0).matrix();
+  fields.displacement = {zero, zero, displacement};
+  for (Eigen::Index k = 0; k < grid.size(); ++k)
+    fields.state.push_back(inside[k] ? contact::ElementState::adhesion
+                                     : contact::ElementState::exterior);
+  return fields;
+}
+
+}  // namespace
+
+contact::ModelResult run_hertz(const contact::Case& input, const contact::Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  const HertzContact hertz = hertz_of_case(input);
+  contact::ModelResult result;
+  result.name = "hertz";
+  result.grid = potential_area(input);
+  PointResult point;
+  point.normal_force = hertz.normal_force;
+  point.max_pressure = hertz.max_pressure;
+  point.approach = hertz.approach;
+  point.semi_axis_x = hertz.semi_axis_x;
+  point.semi_axis_y = hertz.semi_axis_y;
+  point.contact_length = 2.0 * hertz.semi_axis_x;
+  point.contact_width = 2.0 * hertz.semi_axis_y;
+  point.contact_area = pi * hertz.semi_axis_x * hertz.semi_axis_y;
+  point.adhesion_area = point.contact_area;
+  point.converged = true;
+  point.fields = sampled_fields(input, hertz, result.grid);
+  result.contact_elements = static_cast<int>((point.fields.traction.n.array() > 0.0).count());
+  result.seconds["total"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  point.seconds = result.seconds["total"];
+  result.points.push_back(std::move(point));
+  result.notes = {
+      "Hertz knows no friction: one load point, creepage 0, without tangential tractions",
+      "patch, pressure, approach and area are exact; the fields are sampled at element centres"};
+  contact::ProgressEvent event;
+  event.model = "hertz";
+  event.stage = "normal";
+  event.contact_elements = result.contact_elements;
+  event.finished = true;
+  contact::report(progress, event);
+  return result;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,47 @@
+// Kalker's linear theory of rolling contact: creepage coefficients for every aspect ratio and
+// Poisson's ratio, the forces that follow, and the model "linear". No slip, no friction bound: what
+// every creep curve tends to at small creepage.
+#pragma once
+
+#include "contact/solve/model.hpp"
+
+namespace rollfem::halfspace {
+
+/// Creepage coefficients (Kalker 1967; Kalker 1990, table E.3); C32 = -C23.
+struct KalkerCoefficients {
+  double c11 = 0.0;  ///< longitudinal
+  double c22 = 0.0;  ///< lateral
+  double c23 = 0.0;  ///< lateral force by spin
+  double c33 = 0.0;  ///< moment by spin
+};
+
+/// Coefficients of an ellipse with semi-axis a along rolling and b across, any a/b > 0,
+/// 0 <= nu <= 0.5. Between the tabulated values 1/C is quadratic in nu and C linear in the smaller
+/// of a/b and b/a, as in CONTACT. Beyond 0.1 the asymptotes of Kalker (1990, table E.3), multiplied
+/// by a factor that makes them continuous there and tends to 1 in proportion to the ratio.
+/// Throws contact::InputError when an argument is out of range.
+KalkerCoefficients kalker_coefficients(double semi_axis_x, double semi_axis_y,
+                                       double poisson_ratio);
+
+/// The asymptotes alone, for a/b -> 0 when a < b and for b/a -> 0 otherwise: at a ratio of 0.1 they
+/// differ from the table by up to 5 % (C11), 3 % (C22), 6 % (C23) and 12 % (C33).
+KalkerCoefficients kalker_asymptotes(double semi_axis_x, double semi_axis_y, double poisson_ratio);
+
+/// Tangential forces on the wheel.
+struct CreepForces {
+  double longitudinal = 0.0;  ///< F_x, N
+  double lateral = 0.0;       ///< F_y, N
+  double spin_moment = 0.0;   ///< M_z, N mm
+};
+
+/// F_x = -G c^2 C11 xi, F_y = -G c^2 (C22 eta + c C23 phi), M_z = -G c^3 (C32 eta + c C33 phi) with
+/// c = sqrt(a b) and the combined shear modulus G in MPa.
+CreepForces linear_creep_forces(double semi_axis_x, double semi_axis_y, double shear_modulus,
+                                double poisson_ratio, const contact::Creepage& creepage);
+
+/// The model "linear". Its forces are those of the coefficients, without a bound; its tractions are
+/// those of the simplified theory without slip, which give the same F_x and F_y. Throws
+/// contact::InputError for extra rigid slip.
+contact::ModelResult run_linear(const contact::Case& input, const contact::Progress& progress);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,213 @@
+// The model "strip": a case by the strip theory of strip.hpp.
+#include "contact/base/errors.hpp"
+#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/model/patch_ridge.hpp"
+#include "halfspace/theories/strip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// How far the strips reach, in semi-axes of Hertz's ellipse.
+constexpr double reach = 1.25;
+
+struct StripContact {
+  const contact::Case& input;
+  contact::CombinedMaterial material;
+  StripProfile profile;
+  StripNormalSolution normal;
+};
+
+StripContact strip_contact(const contact::Case& input, int strips) {
+  StripContact contact{input,
+                       contact::combine(input.wheel.material, input.rail.material),
+                       strip_profile(input, strips),
+                       {}};
+  const double modulus = contact.material.contact_modulus;
+  contact.normal = input.load.normal_force
+                       ? strips_for_force(contact.profile, modulus, *input.load.normal_force)
+                       : strips_for_approach(contact.profile, modulus, input.load.approach.value());
+  return contact;
+}
+
+/// The parabola of the same friction force as mu times the elliptic pressure of the strip.
+BrushStrip brush_strip(const StripSection& section, double y, double friction) {
+  return {y, section.half_length, 3.0 * pi / 8.0 * friction * section.max_pressure,
+          BoundShape::parabolic, section.middle};
+}
+
+contact::Field strip_pressure(const StripContact& contact, const contact::ContactGrid& grid) {
+  contact::Field pressure = contact::Field::Zero(grid.size());
+  for (int j = 0; j < grid.ny; ++j) {
+    const StripSection section = strip_section(contact.profile, contact.normal, grid.y(j));
+    for (int i = 0; i < grid.nx; ++i) {
+      const double t = (grid.x(i) - section.middle) / section.half_length;
+      if (std::abs(t) < 1.0)
+        pressure[grid.index(i, j)] = section.max_pressure * std::sqrt((1.0 - t) * (1.0 + t));
+    }
+  }
+  return pressure;
+}
+
+/// The squares of the half lengths are taken as linear between the strips and up to the edges.
+double contact_area(const StripContact& contact) {
+  double area = 0.0;
+  const auto add = [&area](double width, double a, double b) {
+    if (a + b > 0.0) area += 4.0 / 3.0 * width * (a * a + a * b + b * b) / (a + b);
+  };
+  for (const StripPatch& patch : contact.normal.patches) {
+    double y = patch.y_lower;
+    double length = 0.0;
+    for (int j = patch.first; j <= patch.last; ++j) {
+      add(contact.profile.y(j) - y, length, contact.normal.half_length[j]);
+      y = contact.profile.y(j);
+      length = contact.normal.half_length[j];
+    }
+    add(patch.y_upper - y, length, 0.0);
+  }
+  return area;
+}
+
+contact::PointResult normal_part(const StripContact& contact, const contact::ContactGrid& grid) {
+  const StripNormalSolution& normal = contact.normal;
+  contact::PointResult point;
+  point.fields =
+      resting_fields(grid, strip_pressure(contact, grid), contact.input.friction_coefficient);
+  point.normal_force = normal.normal_force;
+  point.approach = normal.approach;
+  const auto largest = [](const std::vector<double>& v) {
+    return *std::max_element(v.begin(), v.end());
+  };
+  point.max_pressure = largest(normal.max_pressure);
+  point.semi_axis_x = largest(normal.half_length);
+  point.contact_length = 2.0 * point.semi_axis_x;
+  point.contact_width = normal.patches.back().y_upper - normal.patches.front().y_lower;
+  point.semi_axis_y = 0.5 * point.contact_width;
+  point.contact_area = contact_area(contact);
+  point.adhesion_area = point.contact_area;
+  if (contact.input.patch) {
+    const int deepest = normal.patches.front().deepest;
+    point.derived["patch_x_middle"] = contact.profile.middle[deepest];
+    point.derived["patch_y_middle"] =
+        0.5 * (normal.patches.front().y_lower + normal.patches.back().y_upper);
+  }
+  return point;
+}
+
+BrushProblem brush_problem(const StripContact& contact, const StripPatch& patch,
+                           const contact::Creepage& creepage, int elements) {
+  return {contact.input, creepage,
+          kalker_flexibilities(patch.semi_axis_x, patch.semi_axis_y, contact.material.shear_modulus,
+                               contact.material.poisson_ratio),
+          elements};
+}
+
+BrushTotals strip_totals(const StripContact& contact, const contact::Creepage& creepage,
+                         int elements) {
+  BrushTotals totals;
+  for (const StripPatch& patch : contact.normal.patches) {
+    const BrushProblem problem = brush_problem(contact, patch, creepage, elements);
+    for (int j = patch.first; j <= patch.last; ++j) {
+      const double y = contact.profile.y(j);
+      const double middle = contact.profile.middle.empty() ? 0.0 : contact.profile.middle[j];
+      const StripSection section{contact.normal.half_length[j], contact.normal.max_pressure[j],
+                                 middle};
+      const BrushStrip strip = brush_strip(section, y, contact.input.friction_coefficient);
+      add_strip(
+          strip,
+          solve_strip(strip, problem.flexibilities, strip_creepage(contact.input, creepage, y),
+                      chord_elements(strip, elements)),
+          contact.profile.width, totals);
+    }
+  }
+  return totals;
+}
+
+void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, int elements,
+                 contact::PointResult& point) {
+  for (const StripPatch& patch : contact.normal.patches) {
+    const auto strip_at = [&](double y) -> BrushStrip {
+      if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic, 0.0};
+      return brush_strip(strip_section(contact.profile, contact.normal, y), y,
+                         contact.input.friction_coefficient);
+    };
+    fill_brush_fields(grid, brush_problem(contact, patch, point.creepage, elements), strip_at,
+                      point);
+  }
+}
+
+/// Strips over all y at which the profiles overlap when they have approached as far as in the
+/// half-space.
+StripProfile profile_of_patch(const contact::Case& input, int strips) {
+  const ExpectedPatch expected = expected_patch(input);
+  const auto regions = Ridge(*input.patch).contact_regions(expected.approach);
+  const double lower = regions.front().y_lower;
+  const double upper = regions.back().y_upper;
+  const int count =
+      std::max(4, static_cast<int>(std::lround(strips * (upper - lower) / expected.width())));
+  StripProfile profile;
+  profile.width = (upper - lower) / count;
+  profile.y_first = lower + 0.5 * profile.width;
+  for (int j = 0; j < count; ++j) {
+    const RidgePoint point = ridge_point(*input.patch, profile.y(j));
+    profile.distance.push_back(point.distance);
+    profile.curvature.push_back(point.curvature);
+    profile.middle.push_back(point.x);
+  }
+  return profile;
+}
+
+}  // namespace
+
+StripProfile strip_profile(const contact::Case& input, int strips) {
+  if (input.patch) return profile_of_patch(input, strips);
+  const contact::Curvatures curvatures = curvatures_of_case(input);
+  const double half_width = reach * hertz_of_case(input).semi_axis_y;
+  const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));
+  StripProfile profile;
+  profile.width = 2.0 * half_width / count;
+  profile.y_first = -half_width + 0.5 * profile.width;
+  for (int j = 0; j < count; ++j) {
+    const double y = profile.y_first + j * profile.width;
+    profile.distance.push_back(contact::undeformed_distance(curvatures, 0.0, y));
+    profile.curvature.push_back(curvatures.A);
+  }
+  return profile;
+}
+
+contact::ModelResult run_strip(const contact::Case& input, const contact::Progress& progress,
+                               const StripOptions& options) {
+  if (options.strips < 8 || options.strip_elements < 4)
+    throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
+  const StripContact fine = strip_contact(input, options.strips);
+  const StripContact coarse = strip_contact(input, options.strips / 2);
+  const contact::ContactGrid grid = potential_area(input);
+  contact::PointResult normal = normal_part(fine, grid);
+  const double coarse_pressure = normal_part(coarse, grid).max_pressure;
+  normal.error_estimate["max_pressure"] =
+      std::abs(normal.max_pressure - coarse_pressure) / (3.0 * normal.max_pressure);
+  long unknowns = 0;
+  const auto fill = [&](contact::PointResult& point) {
+    fill_fields(fine, grid, options.strip_elements, point);
+    const BrushTotals totals = strip_totals(fine, point.creepage, options.strip_elements);
+    set_totals(totals, point);
+    const int order = point.creepage.spin == 0.0 ? 2 : 1;
+    estimate_error(totals, strip_totals(coarse, point.creepage, options.strip_elements / 2), order,
+                   point);
+    unknowns = 2 * totals.elements;
+  };
+  contact::ModelResult result = run_theory(input, grid, normal, "strip", progress, fill);
+  result.unknowns = unknowns;
+  result.notes.push_back(
+      "strip model: error estimates are those of the resolution, not of the theory; no gap outside "
+      "of the contact");
+  return result;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,356 @@
+// Reading of profile files. Separators are white space, comma or semicolon; with semicolons a comma
+// is a decimal point.
+#include "contact/base/errors.hpp"
+#include "meshes/profiles/profile_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace rollfem::meshes {
+
+namespace {
+
+using contact::InputError;
+
+/// Numbers of a line that count; columns beyond are not read.
+constexpr std::size_t most_columns = 16;
+
+struct Row {
+  std::array<double, most_columns> values{};
+  std::size_t count = 0;
+  std::string wrong;  ///< the first field that is no number
+};
+
+bool is_separator(char c, bool semicolons) {
+  return c == ' ' || c == '\t' || c == ';' || (c == ',' && !semicolons);
+}
+
+std::string printable(std::string_view text) {
+  std::string result(text.substr(0, 40));
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+  return result;
+}
+
+std::optional<double> number(std::string_view field, bool decimal_comma) {
+  std::string copy;
+  if (decimal_comma && field.find(',') != std::string_view::npos) {
+    copy = field;
+    std::replace(copy.begin(), copy.end(), ',', '.');
+    field = copy;
+  }
+  if (!field.empty() && field.front() == '+') field.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
+    return {};
+  return value;
+}
+
+Row numbers(std::string_view text) {
+  Row row;
+  const bool semicolons = text.find(';') != std::string_view::npos;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    while (at < text.size() && is_separator(text[at], semicolons)) ++at;
+    const std::size_t begin = at;
+    while (at < text.size() && !is_separator(text[at], semicolons)) ++at;
+    if (at == begin) break;
+    const auto value = number(text.substr(begin, at - begin), semicolons);
+    if (!value) {
+      row.wrong = printable(text.substr(begin, at - begin));
+      return row;
+    }
+    if (row.count < most_columns) row.values[row.count++] = *value;
+  }
+  return row;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// Hands every line to `use` (text, number); it says whether to go on.
+template <class Use>
+void each_line(std::string_view text, const Use& use) {
+  unsigned line = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (!use(trimmed(text.substr(begin, end - begin)), ++line)) return;
+    begin = end + 1;
+  }
+}
+
+void add(ProfilePoints& points, double y, double z, unsigned line) {
+  points.y.push_back(y);
+  points.z.push_back(z);
+  points.line.push_back(line);
+}
+
+[[noreturn]] void not_numbers(const std::string& file, unsigned line, const std::string& field) {
+  throw InputError(fmt::format(
+      "{}:{}: `{}` is no number; allowed: lines of two numbers, y and z; do: correct the line, or "
+      "put # before it if it is a comment",
+      file, line, field));
+}
+
+[[noreturn]] void too_few_numbers(const std::string& file, unsigned line) {
+  throw InputError(fmt::format(
+      "{}:{}: has one number; allowed: two columns, y and z; do: complete the line", file, line));
+}
+
+bool is_comment(std::string_view text) {
+  return text.empty() || text.front() == '#' || text.front() == '!' || text.front() == '%' ||
+         text.front() == '"' || text.substr(0, 2) == "//";
+}
+
+/// Columns named y and z in a header such as "parameter,y,z" or "y [mm]; z [mm]".
+std::optional<std::array<std::size_t, 2>> named_columns(std::string_view header) {
+  std::array<std::size_t, 2> found{most_columns, most_columns};
+  const bool listed = header.find_first_of(",;\t") != std::string_view::npos;
+  std::size_t column = 0;
+  for (std::size_t begin = 0; begin <= header.size();) {
+    const std::size_t end =
+        std::min(header.find_first_of(listed ? ",;\t" : " ", begin), header.size());
+    const std::string_view field = trimmed(header.substr(begin, end - begin));
+    begin = end + 1;
+    // Between blanks, units stand on their own.
+    if (!listed && (field.empty() || field.front() == '[' || field.front() == '(')) continue;
+    const std::string_view name = field.substr(0, field.find_first_of(" [(_/"));
+    if (name == "y" || name == "Y") found[0] = column;
+    if (name == "z" || name == "Z") found[1] = column;
+    ++column;
+  }
+  if (found[0] == most_columns || found[1] == most_columns) return {};
+  return found;
+}
+
+ProfilePoints read_columns(std::string_view text, const std::string& name) {
+  ProfilePoints points;
+  std::optional<std::array<std::size_t, 2>> columns;
+  bool header_possible = true;
+  each_line(text, [&](std::string_view line, unsigned number_of_line) {
+    if (is_comment(line)) return true;
+    const Row row = numbers(line);
+    if (!row.wrong.empty()) {
+      if (!header_possible) not_numbers(name, number_of_line, row.wrong);
+      header_possible = false;
+      columns = named_columns(line);
+      return true;
+    }
+    header_possible = false;
+    if (row.count < 2) too_few_numbers(name, number_of_line);
+    if (row.count > 2 && !columns)
+      throw InputError(fmt::format(
+          "{}:{}: has {} numbers; allowed: two columns, y and z, or a first line that names the "
+          "columns; do: put a line such as `s, y, z` before the numbers",
+          name, number_of_line, row.count));
+    const auto use = columns.value_or(std::array<std::size_t, 2>{0, 1});
+    if (std::max(use[0], use[1]) >= row.count) too_few_numbers(name, number_of_line);
+    add(points, row.values[use[0]], row.values[use[1]], number_of_line);
+    return true;
+  });
+  return points;
+}
+
+/// "key = value" without comment; quotes removed.
+bool key_and_value(std::string_view line, std::string& key, std::string& value) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos) return false;
+  key = trimmed(line.substr(0, equals));
+  std::string_view rest = line.substr(equals + 1);
+  value = trimmed(rest.substr(0, rest.find('!')));
+  return true;
+}
+
+/// What the section `spline` of a SIMPACK file says; applied in the order in which SIMPACK numbers
+/// them (comments of the file).
+struct SimpackData {
+  double type = -1.0;
+  double point_dist_min = 0.0;
+  double shift_y = 0.0, shift_z = 0.0, rotate = 0.0;
+  double y_min = 1.0, y_max = 0.0, z_min = 1.0, z_max = 0.0;
+  double mirror_y = 0.0, mirror_z = 0.0, inversion = 0.0;
+  double length_factor = 1.0, angle_factor = 1.0;  ///< user unit per m, per rad
+};
+
+double* simpack_member(SimpackData& data, const std::string& key, bool header) {
+  if (header) return key == "type" ? &data.type : nullptr;
+  if (key == "point.dist.min") return &data.point_dist_min;
+  if (key == "shift.y") return &data.shift_y;
+  if (key == "shift.z") return &data.shift_z;
+  if (key == "rotate") return &data.rotate;
+  if (key == "bound.y.min") return &data.y_min;
+  if (key == "bound.y.max") return &data.y_max;
+  if (key == "bound.z.min") return &data.z_min;
+  if (key == "bound.z.max") return &data.z_max;
+  if (key == "mirror.y") return &data.mirror_y;
+  if (key == "mirror.z") return &data.mirror_z;
+  if (key == "inversion") return &data.inversion;
+  if (key == "units.len.f") return &data.length_factor;
+  if (key == "units.ang.f") return &data.angle_factor;
+  return nullptr;
+}
+
+ProfilePoints processed(const ProfilePoints& listed, const SimpackData& data) {
+  ProfilePoints result;
+  const double c = std::cos(data.rotate / data.angle_factor);
+  const double s = std::sin(data.rotate / data.angle_factor);
+  const double to_mm = 1000.0 / data.length_factor;
+  double last_y = 0.0, last_z = 0.0;
+  for (std::size_t k = 0; k < listed.y.size(); ++k) {
+    if (k > 0 && std::hypot(listed.y[k] - last_y, listed.z[k] - last_z) < data.point_dist_min)
+      continue;
+    last_y = listed.y[k];
+    last_z = listed.z[k];
+    double y = c * (last_y + data.shift_y) - s * (last_z + data.shift_z);
+    double z = s * (last_y + data.shift_y) + c * (last_z + data.shift_z);
+    if (data.y_min < data.y_max && (y < data.y_min || y > data.y_max)) continue;
+    if (data.z_min < data.z_max && (z < data.z_min || z > data.z_max)) continue;
+    if (data.mirror_y == 1.0) y = -y;
+    if (data.mirror_z == 1.0) z = -z;
+    add(result, to_mm * y, to_mm * z, listed.line[k]);
+  }
+  return result;
+}
+
+ProfilePoints read_simpack(std::string_view text, const std::string& name, bool wheel) {
+  ProfilePoints listed;
+  SimpackData data;
+  enum class Place { outside, header, spline, points } place = Place::outside;
+  bool seen = false;
+  each_line(text, [&](std::string_view line, unsigned number_of_line) {
+    if (line.empty() || line.front() == '!') return true;
+    if (line == "header.begin")
+      place = Place::header;
+    else if (line == "spline.begin")
+      place = Place::spline;
+    else if (line == "point.begin")
+      place = Place::points, seen = true;
+    else if (line == "point.end")
+      place = Place::spline;
+    else if (line == "header.end" || line == "spline.end")
+      place = Place::outside;
+    else if (place == Place::points) {
+      const Row row = numbers(trimmed(line.substr(0, line.find('!'))));
+      if (!row.wrong.empty()) not_numbers(name, number_of_line, row.wrong);
+      if (row.count < 2) too_few_numbers(name, number_of_line);
+      add(listed, row.values[0], row.values[1], number_of_line);
+    } else if (std::string key, value; key_and_value(line, key, value)) {
+      double* member = simpack_member(data, key, place == Place::header);
+      if (member == nullptr) return true;
+      const auto given = number(value, false);
+      const bool factor = member == &data.length_factor || member == &data.angle_factor;
+      if (!given || (factor && *given <= 0.0)) not_numbers(name, number_of_line, value);
+      *member = *given;
+    }
+    return true;
+  });
+  if (!seen)
+    throw InputError(fmt::format(
+        "{}: has no section point.begin ... point.end; allowed: a SIMPACK profile; do: check the "
+        "file, or end its name with .csv if it has two columns",
+        name));
+  if (data.type >= 0.0 && (data.type == 1.0) != wheel)
+    throw InputError(fmt::format(
+        "{}: is the profile of a {} (header, type = {}), but is named as that of the {}; allowed: "
+        "type = {}; do: name the other file",
+        name, wheel ? "rail" : "wheel", data.type, wheel ? "wheel" : "rail", wheel ? 1 : 0));
+  ProfilePoints points = processed(listed, data);
+  points.any_direction = true;
+  return points;
+}
+
+ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
+  ProfilePoints points;
+  std::array<std::size_t, 2> columns{0, 1};
+  each_line(text, [&](std::string_view line, unsigned number_of_line) {
+    if (is_comment(line)) return true;
+    std::string key, value;
+    if (key_and_value(line, key, value)) {
+      if (key != "ColumnDef") return true;
+      std::istringstream fields(value);
+      std::size_t column = 0;
+      for (std::string field; std::getline(fields, field, ','); ++column) {
+        if (trimmed(field) == "X") columns[0] = column;
+        if (trimmed(field) == "Y") columns[1] = column;
+      }
+      return true;
+    }
+    const Row row = numbers(line);
+    if (!row.wrong.empty()) {
+      // Plain words stand in the header of old files only.
+      if (points.y.empty()) return true;
+      not_numbers(name, number_of_line, row.wrong);
+    }
+    if (std::max(columns[0], columns[1]) >= row.count) too_few_numbers(name, number_of_line);
+    add(points, row.values[columns[0]], row.values[columns[1]], number_of_line);
+    return true;
+  });
+  points.any_direction = true;
+  return points;
+}
+
+std::string ending(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string result = dot == std::string::npos ? "" : path.substr(dot + 1);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+}  // namespace
+
+ProfilePoints read_profile_points(const std::string& path, const std::string& name, bool wheel,
+                                  contact::LengthUnit unit) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw InputError(
+        fmt::format("{}: cannot be read; do: check the path, which is relative to the "
+                    "case file",
+                    name));
+  std::ostringstream buffer;
+  buffer << stream.rdbuf();
+  const std::string text = buffer.str();
+  if (text.find('\0') != std::string::npos)
+    throw InputError(fmt::format(
+        "{}: is a binary file, not a profile; do: give lines of two numbers, y and z", name));
+  const std::string kind = ending(path);
+  ProfilePoints points;
+  const bool simpack = kind == "prw" || kind == "prr";
+  if (simpack)
+    points = read_simpack(text, name, wheel);
+  else if (kind == "whl" || kind == "ban")
+    points = read_miniprof(text, name);
+  else
+    points = read_columns(text, name);
+  points.file = name;
+  if (points.y.empty())
+    throw InputError(
+        fmt::format("{}: is empty: there are no points in it; do: give lines of two numbers, y and "
+                    "z, in mm",
+                    name));
+  const double factor = unit == contact::LengthUnit::m      ? 1000.0
+                        : unit == contact::LengthUnit::inch ? 25.4
+                                                            : 1.0;
+  if (simpack && factor != 1.0)
+    throw InputError(fmt::format(
+        "{}: unit cannot be set for a SIMPACK file, which names its own (units.len.f); do: remove "
+        "`unit`",
+        name));
+  for (auto* list : {&points.y, &points.z})
+    for (double& value : *list) value *= factor;
+  return points;
+}
+
+}  // namespace rollfem::meshes

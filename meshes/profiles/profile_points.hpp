@@ -1,0 +1,29 @@
+// Points of a profile as a file lists them: reading of the formats, mending as told, checking.
+#pragma once
+
+#include "contact/case/track.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::meshes {
+
+struct ProfilePoints {
+  std::string file;            ///< as named in messages
+  std::vector<double> y, z;    ///< mm once read
+  std::vector<unsigned> line;  ///< of each point in the file
+  /// The format itself leaves the direction of the list open (SIMPACK, MiniProf).
+  bool any_direction = false;
+};
+
+/// Two columns (text, CSV), SIMPACK .prw and .prr, MiniProf .whl and .ban, told apart by the
+/// ending. Lengths are turned into mm: by the file's own unit, else by `unit`. `path`: where it is;
+/// `name`: how messages call it. Throws contact::InputError with line and value.
+ProfilePoints read_profile_points(const std::string& path, const std::string& name, bool wheel,
+                                  contact::LengthUnit unit);
+
+/// Mends the points as `source` says and refuses what is still wrong. Throws contact::InputError,
+/// which names the key that mends it.
+void mend_and_check(ProfilePoints& points, const contact::ProfileSource& source, bool wheel);
+
+}  // namespace rollfem::meshes

@@ -1,0 +1,30 @@
+// The profile that a case asks for: built in, by arcs, by a polynomial, or from a file, checked and
+// mended only as told.
+#pragma once
+
+#include "contact/case/case.hpp"
+#include "meshes/profiles/profile_curve.hpp"
+#include "meshes/profiles/smoothing_spline.hpp"
+
+#include <optional>
+#include <string>
+
+namespace rollfem::meshes {
+
+/// How a profile came about.
+struct ProfileReport {
+  std::string kind;                          ///< "built in", "arcs", "polynomial", "file", "radius"
+  std::size_t points = 0;                    ///< of a file, after mending
+  std::optional<SmoothingReport> smoothing;  ///< of a file
+};
+
+/// `wheel`: else rail. Files are relative to the folder of `case_file`. Throws contact::InputError
+/// with the file, line and value of what is wrong.
+ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,
+                          const std::string& case_file, ProfileReport* report = nullptr);
+
+/// The profile of a body of the case; of its transverse radius about (0, 0) when it has no profile.
+ProfileCurve profile_of_case(const contact::Case& input, bool wheel,
+                             ProfileReport* report = nullptr);
+
+}  // namespace rollfem::meshes

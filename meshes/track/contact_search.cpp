@@ -1,0 +1,259 @@
+#include "meshes/track/contact_search.hpp"
+
+#include "contact/scene/geometry.hpp"
+#include "meshes/gmsh/patch_groups.hpp"
+#include "meshes/track/load_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rollfem::meshes {
+
+using contact::Axle;
+using contact::Case;
+using contact::Vector3;
+
+namespace {
+
+/// How far the section of the wheel is taken from the contact (mm), more than any patch.
+constexpr double section_reach = 30.0;
+
+/// Sinking under the load of the case, as estimated.
+double sinking_under_load(const Case& input, const VerticalGap& gap,
+                          const std::vector<Stretch>& stretches) {
+  const double modulus =
+      contact::combine(input.wheel.material, input.rail.material).contact_modulus;
+  const auto deepest = std::min_element(
+      stretches.begin(), stretches.end(),
+      [](const Stretch& a, const Stretch& b) { return a.deepest.gap < b.deepest.gap; });
+  const double cosine = std::cos(deepest->deepest.angle());
+  if (input.load.approach) return deepest->deepest.gap + *input.load.approach / cosine;
+  const double vertical = input.load.vertical_force
+                              ? *input.load.vertical_force
+                              : input.load.normal_force.value_or(0.0) * cosine;
+  return estimate_sinking(gap, stretches, vertical, modulus);
+}
+
+/// Side frame to track frame.
+Vector3 to_track(bool left, const Vector3& v) {
+  return {v[0], side_sign(left) * v[1], v[2]};
+}
+
+/// The frame of a patch on the rail; coordinates as of a right-hand patch frame on the left side,
+/// whose y points to the field; on the right the lateral one is turned in the end.
+struct PatchAxes {
+  double y0, z0;        ///< side frame, mm
+  double cosine, sine;  ///< of the contact angle
+  double across(double y, double z) const { return cosine * (y - y0) - sine * (z - z0); }
+  double along_normal(double y, double z) const { return -sine * (y - y0) - cosine * (z - z0); }
+};
+
+contact::HeightCurve changed(const contact::HeightCurve& curve, double sign_y, double factor,
+                             double added) {
+  std::vector<double> y, z, slope;
+  for (const double knot : curve.knots()) {
+    const contact::CurveValue at = curve.at(knot);
+    y.push_back(sign_y * knot);
+    z.push_back(factor * at.value + added);
+    slope.push_back(sign_y * factor * at.slope);
+  }
+  if (sign_y < 0.0)
+    for (auto* list : {&y, &z, &slope}) std::reverse(list->begin(), list->end());
+  return {std::move(y), std::move(z), std::move(slope)};
+}
+
+/// Parameter of the knot nearest to a place.
+double parameter_near(const ProfileCurve& curve, double y, double z) {
+  const ProfileKnots& knots = curve.knots();
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < knots.y.size(); ++k) {
+    const double distance = std::hypot(knots.y[k] - y, knots.z[k] - z);
+    if (distance < least) least = distance, nearest = k;
+  }
+  return knots.parameter[nearest];
+}
+
+contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
+                                     const PatchAxes& axes, const Axle& axle_of_side, bool left,
+                                     const OutlinePoint& touch, double sink) {
+  const ProfileCurve rail =
+      scene.rail.moved(0.0, -axes.y0, -axes.z0).moved(std::atan2(axes.sine, axes.cosine), 0.0, 0.0);
+  // z of the patch points up, that of the profile down.
+  const double sign_y = left ? 1.0 : -1.0;
+  contact::HeightCurve heights =
+      changed(height_over_y(rail, parameter_near(rail, 0.0, 0.0)), sign_y, -1.0, 0.0);
+  const ProfileCurve& wheel = scene.profiles.wheel;
+  contact::HeightCurve radius = changed(
+      height_over_y(
+          wheel, parameter_near(wheel, touch.profile_y, touch.radius - input.wheel.rolling_radius)),
+      sign_y, 1.0, input.wheel.rolling_radius);
+  // Mirrored for the right side: y changes its sign, and the direction is turned about so that it
+  // points to larger y again (and its axial coordinate with it, as in `changed`).
+  const Vector3& p = axle_of_side.point;
+  const Vector3& d = axle_of_side.direction;
+  Axle axle;
+  axle.point = {p[0] - touch.x, sign_y * axes.across(p[1], p[2] + sink),
+                axes.along_normal(p[1], p[2] + sink)};
+  const double d_across = axes.cosine * d[1] - axes.sine * d[2];
+  const double d_normal = -axes.sine * d[1] - axes.cosine * d[2];
+  axle.direction = {sign_y * d[0], d_across, sign_y * d_normal};
+  return {std::move(heights), std::move(radius), axle, -section_reach, section_reach};
+}
+
+class WheelSearch {
+ public:
+  WheelSearch(const Case& input, const SearchScene& scene, const WheelsetPose& pose, int position,
+              bool left)
+      : input_(input),
+        scene_(scene),
+        position_(position),
+        left_(left),
+        pose_(touching_pose(input, scene, pose, position, left)),
+        axle_(place_axle(pose_, input.wheelset, input.wheel.rolling_radius, left)),
+        gap_(make_gap(input, scene, pose_, position, left)),
+        modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
+
+  std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
+    std::vector<PatchGroup> groups = separate_groups(gap_);
+    const double sinking = merge_groups(gap_, groups, options.merge_angle,
+                                        [this](const std::vector<Stretch>& stretches) {
+                                          return sinking_under_load(input_, gap_, stretches);
+                                        });
+    std::vector<WheelRailContact> found;
+    int loaded = 0;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      WheelRailContact contact = describe(groups[k], sinking, k > 0, k + 1 < groups.size());
+      if (contact.normal_force > 0.0)
+        ++loaded;
+      else if (contact.place.separation > options.near_miss)
+        continue;
+      found.push_back(std::move(contact));
+    }
+    share_vertical_force(found);
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+      return a.normal_force != b.normal_force ? a.normal_force > b.normal_force
+                                              : a.place.separation < b.place.separation;
+    });
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      found[k].place.patches = loaded;
+      found[k].place.patch = found[k].normal_force > 0.0 ? static_cast<int>(k) + 1 : 0;
+    }
+    return found;
+  }
+
+ private:
+  /// The estimates are made at the angles of first contact; their sum is that of the case.
+  void share_vertical_force(std::vector<WheelRailContact>& found) const {
+    if (!input_.load.vertical_force) return;
+    double sum = 0.0;
+    for (const WheelRailContact& contact : found)
+      sum += contact.normal_force * std::cos(contact.place.contact_angle);
+    for (WheelRailContact& contact : found)
+      contact.normal_force *= *input_.load.vertical_force / sum;
+  }
+
+  WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
+                            bool neighbour_outside) const {
+    const GapMinimum& first = group.stretch.deepest;
+    const double y = reference_place(gap_, group.stretch, sinking);
+    const contact::CurveValue rail = gap_.rail().at(y);
+    const double angle = -std::atan(rail.slope);
+    const PatchAxes axes{y, rail.value, std::cos(angle), std::sin(angle)};
+    const OutlinePoint touch = gap_.wheel().at(y);
+    WheelRailContact contact;
+    contact.pose = pose_;
+    contact.approach = std::max(0.0, approach_of(group.stretch, sinking));
+    contact.normal_force = estimate_force(gap_, group.stretch, contact.approach, modulus_);
+    fill_place(contact.place, group.stretch, axes, touch);
+    fill_frames(contact, axes, touch);
+    if (contact.normal_force > 0.0) check_reach(group.stretch, sinking);
+    const auto across = [&](double at) { return axes.across(at, gap_.rail().at(at).value); };
+    const auto pair = [&](double lower, double upper) {
+      return left_ ? std::array<double, 2>{lower, upper} : std::array<double, 2>{-upper, -lower};
+    };
+    const auto reach = reach_of(gap_, group.stretch, std::max(sinking, first.gap));
+    contact.reach = pair(across(reach[0]), across(reach[1]));
+    contact.limits = pair(neighbour_inside ? across(group.stretch.limits[0]) : -contact::infinity,
+                          neighbour_outside ? across(group.stretch.limits[1]) : contact::infinity);
+    for (const GapMinimum& minimum : group.minima)
+      contact.touching.push_back(
+          {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
+    contact.geometry = make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap);
+    return contact;
+  }
+
+  void fill_place(contact::ContactPlace& place, const Stretch& stretch, const PatchAxes& axes,
+                  const OutlinePoint& touch) const {
+    place.left = left_;
+    place.position = position_;
+    place.lateral_shift = pose_.lateral_shift;
+    place.yaw = pose_.yaw;
+    place.roll = pose_.roll;
+    place.height = pose_.height;
+    place.y_track = side_sign(left_) * axes.y0;
+    place.z_track = axes.z0;
+    place.y_rail = profile_coordinates(scene_.rail_place, axes.y0, axes.z0)[0];
+    place.y_wheel = touch.profile_y;
+    place.contact_angle = std::atan2(axes.sine, axes.cosine);
+    place.rolling_radius = touch.radius;
+    place.separation = stretch.deepest.gap * axes.cosine;
+  }
+
+  void fill_frames(WheelRailContact& contact, const PatchAxes& axes,
+                   const OutlinePoint& touch) const {
+    contact.axle.point = {0.0, pose_.lateral_shift, pose_.height - input_.wheel.rolling_radius};
+    const Vector3 outward = to_track(left_, axle_.direction);
+    for (int d = 0; d < 3; ++d) contact.axle.direction[d] = side_sign(left_) * outward[d];
+    contact.origin = to_track(left_, {touch.x, axes.y0, axes.z0});
+    contact.along = {1.0, 0.0, 0.0};
+    contact.normal = to_track(left_, {0.0, -axes.sine, -axes.cosine});
+    contact.across = {0.0, contact.normal[2], -contact.normal[1]};  // normal x along
+  }
+
+  void check_reach(const Stretch& stretch, double sinking) const {
+    const auto reach = reach_of(gap_, stretch, sinking);
+    if (reach[0] <= gap_.first())
+      fail_at_end(input_, gap_, true, position_, left_, "under its load the patch reaches");
+    if (reach[1] >= gap_.last())
+      fail_at_end(input_, gap_, false, position_, left_, "under its load the patch reaches");
+  }
+
+  const Case& input_;
+  const SearchScene& scene_;
+  int position_;
+  bool left_;
+  WheelsetPose pose_;
+  Axle axle_;
+  VerticalGap gap_;
+  double modulus_;
+};
+
+}  // namespace
+
+double WheelRailContact::approach_at(double sinking) const {
+  return sinking * std::cos(place.contact_angle) - place.separation;
+}
+
+std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,
+                                            const WheelsetPose& pose, int position, bool left,
+                                            const SearchOptions& options) {
+  return WheelSearch(input, scene, pose, position, left).contacts(options);
+}
+
+std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,
+                                            int position, const SearchOptions& options) {
+  const WheelsetPose pose = find_pose(input, scene, position);
+  std::vector<WheelRailContact> all;
+  for (const bool left : {true, false}) {
+    const contact::WheelSide other = left ? contact::WheelSide::right : contact::WheelSide::left;
+    if (input.wheelset.side == other) continue;
+    for (WheelRailContact& contact : find_contacts(input, scene, pose, position, left, options))
+      all.push_back(std::move(contact));
+  }
+  return all;
+}
+
+}  // namespace rollfem::meshes

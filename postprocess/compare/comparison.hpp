@@ -1,0 +1,106 @@
+// Results of several models laid beside each other: every number with its error bar and its
+// difference to a reference model, over one or several cases. Made from the summaries of result
+// folders, so that an earlier result takes part as one computed now does.
+#pragma once
+
+#include "postprocess/write/output.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollfem::postprocess {
+
+/// A model that has no result for a case, and why.
+struct MissingModel {
+  std::string model;
+  std::string reason;
+  bool failed = false;  ///< else the case is none that it can take
+};
+
+struct ComparedCase {
+  std::string name;       ///< of its result folder beside the comparison
+  std::string case_file;  ///< as given by the user
+  std::string title;
+  double friction = 0.0;  ///< coefficient
+  std::string summary;    ///< text of its summary.json; empty when no model gave a result
+  std::vector<MissingModel> missing;
+};
+
+struct ComparisonRecord {
+  Provenance provenance;
+  std::vector<std::string> models;  ///< as asked for
+  std::string reference;            ///< as asked for; empty: halfspace, else fem, else the first
+  std::vector<ComparedCase> cases;
+};
+
+/// One quantity of one model at one load point, against the reference.
+struct ComparedNumber {
+  std::string patch;  ///< "left wheel, position 1"; empty without profiles
+  std::string model;
+  std::string reference;
+  int point = 1;  ///< load point, counted from 1
+  double longitudinal_creepage = 0.0;
+  double lateral_creepage = 0.0;
+  double spin = 0.0;
+  std::string quantity;  ///< as in summary.json, or lateral_coefficient = -F_y/F_z
+  double value = 0.0;
+  std::optional<double> error;  ///< the model's own estimate, absolute; none: it gives no estimate
+  std::optional<double> reference_value;
+  double reference_error = 0.0;  ///< absolute; 0 without an estimate
+  /// What differences are relative to: the reference's value, mu for coefficients, mu p0 for the
+  /// largest traction.
+  double scale = 0.0;
+  double difference() const { return (value - *reference_value) / scale; }
+  /// What both error bars allow together, relative to the scale.
+  double allowed() const { return (error.value_or(0.0) + reference_error) / scale; }
+  bool differs() const;  ///< by more than that; a theory without an estimate has no bar of its own
+};
+
+/// The model that others are compared with: the wished one where it has such results (of friction
+/// or of the patch), else halfspace, fem, the first. `models` have such results.
+std::string reference_of(const std::vector<std::string>& models, const std::string& wished);
+
+/// All numbers of a case, patch by patch, model by model, load point by load point.
+std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
+                                             const std::string& wished_reference);
+
+/// How a model stands to the reference in one quantity at one place of one case.
+struct Standing {
+  std::string patch;  ///< as in ComparedNumber; empty also when it is of all places together
+  std::string model;
+  std::string reference;
+  std::string quantity;
+  int compared = 0;       ///< numbers
+  int differ = 0;         ///< of these, by more than their error bars
+  ComparedNumber worst;   ///< the largest difference
+  ComparedNumber beyond;  ///< where the difference exceeds what the error bars allow the most
+};
+std::vector<Standing> standings(const std::vector<ComparedNumber>& numbers);
+
+/// The places of a case taken together: one standing for each model and quantity.
+std::vector<Standing> over_places(const std::vector<Standing>& standings);
+
+/// One sentence for each model, and place where there are a few: where it agrees with the reference
+/// within the error bars, where not and by how much. Without markup.
+std::vector<std::string> comparison_words(const std::vector<Standing>& standings);
+
+/// A case and how its models stand.
+struct CaseStandings {
+  std::string name;
+  std::vector<Standing> standings;
+  std::vector<std::pair<std::string, double>> seconds;  ///< of the models, in their order
+};
+CaseStandings case_standings(const ComparedCase& compared, const std::string& wished_reference);
+
+/// Over all cases: one sentence for each quantity, which models agree where and by how much; what
+/// each costs; what is not error where finite elements and half-space differ.
+std::vector<std::string> summary_words(const std::vector<CaseStandings>& cases);
+
+/// compare.json: everything above; docs/compare.md has the layout.
+std::string comparison_json(const ComparisonRecord& record);
+
+/// compare.csv: one row for each number.
+std::string comparison_csv(const ComparisonRecord& record);
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,119 @@
+// compare.json and compare.csv.
+#include "postprocess/compare/comparison.hpp"
+#include "postprocess/write/json_head.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iterator>
+
+namespace rollfem::postprocess {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number_json(const ComparedNumber& number) {
+  ordered_json json;
+  if (!number.patch.empty()) json["patch"] = number.patch;
+  json["model"] = number.model;
+  json["point"] = number.point;
+  json["longitudinal_creepage"] = number.longitudinal_creepage;
+  json["lateral_creepage"] = number.lateral_creepage;
+  json["spin"] = number.spin;
+  json["quantity"] = number.quantity;
+  json["value"] = number.value;
+  if (number.error) json["error"] = *number.error;
+  if (!number.reference_value) return json;
+  json["reference"] = number.reference;
+  json["reference_value"] = *number.reference_value;
+  json["reference_error"] = number.reference_error;
+  json["scale"] = number.scale;
+  json["difference"] = number.difference();
+  json["allowed"] = number.allowed();
+  json["differs"] = number.differs();
+  return json;
+}
+
+ordered_json standing_json(const Standing& standing) {
+  ordered_json json;
+  if (!standing.patch.empty()) json["patch"] = standing.patch;
+  json["model"] = standing.model;
+  json["reference"] = standing.reference;
+  json["quantity"] = standing.quantity;
+  json["compared"] = standing.compared;
+  json["differ"] = standing.differ;
+  json["largest_difference"] = standing.worst.difference();
+  json["allowed_there"] = standing.worst.allowed();
+  json["point"] = standing.worst.point;
+  return json;
+}
+
+ordered_json case_json(const ComparedCase& compared, const std::string& reference) {
+  const auto numbers = compared_numbers(compared, reference);
+  const CaseStandings stand = case_standings(compared, reference);
+  ordered_json json;
+  json["name"] = compared.name;
+  json["title"] = compared.title;
+  json["case_file"] = compared.case_file;
+  json["complete"] = !compared.summary.empty();
+  json["missing"] = ordered_json::array();
+  for (const MissingModel& model : compared.missing)
+    json["missing"].push_back(
+        {{"model", model.model}, {"reason", model.reason}, {"failed", model.failed}});
+  json["seconds"] = ordered_json::object();
+  for (const auto& [model, seconds] : stand.seconds) json["seconds"][model] = seconds;
+  json["words"] = comparison_words(stand.standings);
+  json["standings"] = ordered_json::array();
+  for (const Standing& standing : stand.standings)
+    json["standings"].push_back(standing_json(standing));
+  json["numbers"] = ordered_json::array();
+  for (const ComparedNumber& number : numbers) json["numbers"].push_back(number_json(number));
+  return json;
+}
+
+/// A cell of a table for spreadsheets.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string comparison_json(const ComparisonRecord& record) {
+  ordered_json json = json_head(1, "compare", record.provenance);
+  json["models"] = record.models;
+  json["reference"] = record.reference;
+  std::vector<CaseStandings> all;
+  for (const ComparedCase& compared : record.cases)
+    all.push_back(case_standings(compared, record.reference));
+  json["words"] = summary_words(all);
+  json["cases"] = ordered_json::array();
+  for (const ComparedCase& compared : record.cases)
+    json["cases"].push_back(case_json(compared, record.reference));
+  return json_text(json);
+}
+
+std::string comparison_csv(const ComparisonRecord& record) {
+  std::string text =
+      "case,patch,model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm],"
+      "quantity,value,error,reference,reference_value,reference_error,scale,difference [%],"
+      "allowed by error bars [%],differs\n";
+  auto out = std::back_inserter(text);
+  for (const ComparedCase& compared : record.cases)
+    for (const ComparedNumber& n : compared_numbers(compared, record.reference)) {
+      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},", quoted(compared.name), quoted(n.patch),
+                     n.model, n.point, n.longitudinal_creepage, n.lateral_creepage, n.spin,
+                     n.quantity, n.value);
+      if (n.error) fmt::format_to(out, "{}", *n.error);
+      if (n.reference_value)
+        fmt::format_to(out, ",{},{},{},{},{},{},{}\n", n.reference, *n.reference_value,
+                       n.reference_error, n.scale, 100.0 * n.difference(), 100.0 * n.allowed(),
+                       n.differs() ? 1 : 0);
+      else
+        text += ",,,,,,,\n";
+    }
+  return text;
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,13 @@
+// What every writer relies on: sizes that fit the grid, names that can be paths, and no NaN.
+#pragma once
+
+#include "postprocess/write/output.hpp"
+
+namespace rollfem::postprocess {
+
+/// Throws std::logic_error naming the field when the record holds a number that is not finite, a
+/// field that does not fit its grid, or a model name that is empty, repeated or not a file name. A
+/// result like that is a defect of the model that made it, and must not reach a file.
+void check_record(const RunRecord& run);
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,303 @@
+#include "postprocess/read/results_reader.hpp"
+
+#include "contact/base/errors.hpp"
+#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/stored_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::Field;
+using contact::InputError;
+using contact::ModelResult;
+using contact::PointResult;
+using namespace hdf5;
+
+const char* const again = "do: run the case again";
+
+/// The file that `path` means, after what can be said without HDF5.
+std::string find_file(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found)
+    throw InputError(
+        fmt::format("{}: there is no such file or folder; do: name a result folder of rollfem run, "
+                    "or its results.h5",
+                    path));
+  if (!fs::is_directory(status)) {
+    if (fs::is_regular_file(status)) return path;
+    throw InputError(fmt::format(
+        "{} is not a regular file; do: name a result folder of rollfem run, or its results.h5",
+        path));
+  }
+  const fs::path file = fs::path(path) / "results.h5";
+  if (!fs::is_regular_file(file, error))
+    throw InputError(
+        fmt::format("{}: there is no results.h5 in this folder; do: name a result folder of "
+                    "rollfem run",
+                    path));
+  return file.string();
+}
+
+/// HDF5 files begin with eight fixed bytes.
+bool has_signature(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  char bytes[8] = {};
+  file.read(bytes, sizeof bytes);
+  return std::string(bytes, sizeof bytes) == std::string("\x89HDF\r\n\x1a\n", 8);
+}
+
+Handle open_checked(const std::string& path) {
+  if (!has_signature(path))
+    throw InputError(fmt::format(
+        "{} is not a result of rollfem (no HDF5 file); do: name the results.h5 of a run", path));
+  try {
+    return open_file(path);
+  } catch (const std::runtime_error&) {
+    throw InputError(
+        fmt::format("{} is cut short or damaged: HDF5 cannot open it; {}", path, again));
+  }
+}
+
+void check_format(hid_t file, const std::string& path) {
+  if (!has_attribute(file, "format") || read_text(file, "format") != "rollfem results")
+    throw InputError(fmt::format(
+        "{} is an HDF5 file, but not a result of rollfem; do: name the results.h5 of a run", path));
+  const double version = read_number(file, "format_version");
+  if (version != hdf5_format_version)
+    throw InputError(fmt::format(
+        "{} has format version {}, this program reads {}; do: run the case again with this "
+        "version of rollfem, or read it with that which wrote it ({})",
+        path, version, hdf5_format_version, read_text(open_group(file, "provenance"), "version")));
+  if (!has_attribute(file, "complete") || read_number(file, "complete") != 1.0)
+    throw InputError(fmt::format("{} is incomplete: its writing was cut short; {}", path, again));
+}
+
+/// Runs `read` and turns what HDF5 and the layout say into one message with the file's name.
+template <class Read>
+auto guarded(const std::string& path, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw InputError(
+        fmt::format("{} cannot be read as a result of rollfem: {}; {}", path, error.what(), again));
+  }
+}
+
+contact::Case read_case(hid_t file) {
+  const Handle group = open_group(file, "case");
+  const auto numbers = read_numbers(group);
+  const auto put = [&](double& value, const char* name) {
+    const auto found = numbers.find(name);
+    if (found != numbers.end()) value = found->second;
+  };
+  contact::Case input;
+  input.title = read_text(group, "title");
+  input.file = read_text(group, "file");
+  for (const std::string& text : read_lines(group, "text")) input.text += text;
+  input.friction_coefficient = read_number(group, "friction_coefficient");
+  put(input.wheel.rolling_radius, "wheel_rolling_radius");
+  put(input.wheel.transverse_radius, "wheel_transverse_radius");
+  put(input.rail.transverse_radius, "rail_transverse_radius");
+  input.wheel.material.young_modulus = read_number(group, "wheel_young_modulus");
+  input.wheel.material.poisson_ratio = read_number(group, "wheel_poisson_ratio");
+  input.rail.material.young_modulus = read_number(group, "rail_young_modulus");
+  input.rail.material.poisson_ratio = read_number(group, "rail_poisson_ratio");
+  return input;
+}
+
+std::vector<StoredModel> list_models(hid_t file) {
+  const Handle all = open_group(file, "models");
+  std::vector<std::pair<double, StoredModel>> found;
+  for (const std::string& key : members(all)) {
+    const Handle group = open_group(all, key);
+    StoredModel model;
+    model.key = key;
+    model.name = has_attribute(group, "model") ? read_text(group, "model") : key;
+    model.points_with_bodies = points_with_bodies(group);
+    model.points = static_cast<int>(members(open_group(group, "points")).size());
+    if (has_member(group, "place")) {
+      const Handle place = open_group(group, "place");
+      model.placed = true;
+      model.left = read_text(place, "wheel") == "left";
+      model.position = static_cast<int>(read_number(place, "position"));
+      model.patch = static_cast<int>(read_number(place, "patch"));
+    }
+    found.emplace_back(read_number(group, "order"), model);
+  }
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<StoredModel> models;
+  for (const auto& [order, model] : found) models.push_back(model);
+  return models;
+}
+
+contact::ContactGrid read_grid(hid_t model) {
+  const Handle group = open_group(model, "grid");
+  const std::vector<double> x = read_dataset(group, "x").values;
+  const std::vector<double> y = read_dataset(group, "y").values;
+  contact::ContactGrid grid;
+  grid.nx = static_cast<int>(x.size());
+  grid.ny = static_cast<int>(y.size());
+  grid.dx = read_number(group, "dx");
+  grid.dy = read_number(group, "dy");
+  if (!x.empty()) grid.x_first = x.front();
+  if (!y.empty()) grid.y_first = y.front();
+  return grid;
+}
+
+/// Scalars of a load point, by the names of point_scalars().
+const std::vector<std::pair<const char*, double PointResult::*>>& scalar_members() {
+  using P = PointResult;
+  static const std::vector<std::pair<const char*, double P::*>> list{
+      {"longitudinal_shift", &P::longitudinal_shift},
+      {"lateral_shift", &P::lateral_shift},
+      {"spin_shift", &P::spin_shift},
+      {"distance", &P::distance},
+      {"normal_force", &P::normal_force},
+      {"longitudinal_force", &P::longitudinal_force},
+      {"lateral_force", &P::lateral_force},
+      {"spin_moment", &P::spin_moment},
+      {"traction_coefficient", &P::traction_coefficient},
+      {"max_pressure", &P::max_pressure},
+      {"max_traction", &P::max_traction},
+      {"max_traction_x", &P::max_traction_x},
+      {"approach", &P::approach},
+      {"semi_axis_x", &P::semi_axis_x},
+      {"semi_axis_y", &P::semi_axis_y},
+      {"contact_length", &P::contact_length},
+      {"contact_width", &P::contact_width},
+      {"contact_area", &P::contact_area},
+      {"adhesion_area", &P::adhesion_area},
+      {"residual", &P::residual},
+      {"seconds", &P::seconds}};
+  return list;
+}
+
+std::map<std::string, double> read_quantities(hid_t point, const char* name) {
+  return has_member(point, name) ? read_numbers(open_group(point, name))
+                                 : std::map<std::string, double>{};
+}
+
+void read_fields(hid_t point, const contact::ContactGrid& grid, contact::ContactFields& fields) {
+  const std::pair<const char*, Field*> all[] = {{"pressure", &fields.traction.n},
+                                                {"traction_x", &fields.traction.x},
+                                                {"traction_y", &fields.traction.y},
+                                                {"traction_bound", &fields.traction_bound},
+                                                {"slip_x", &fields.slip.x},
+                                                {"slip_y", &fields.slip.y},
+                                                {"gap", &fields.gap},
+                                                {"displacement_x", &fields.displacement.x},
+                                                {"displacement_y", &fields.displacement.y},
+                                                {"displacement_n", &fields.displacement.n}};
+  const auto check = [&](const Numbers& numbers, const char* name) {
+    if (numbers.values.size() != static_cast<std::size_t>(grid.size()))
+      throw std::runtime_error(fmt::format("dataset {} has {} values for a grid of {}", name,
+                                           numbers.values.size(), grid.size()));
+  };
+  for (const auto& [name, field] : all) {
+    if (!has_member(point, name)) continue;
+    const Numbers numbers = read_dataset(point, name);
+    check(numbers, name);
+    *field = Eigen::Map<const Field>(numbers.values.data(), grid.size());
+  }
+  if (!has_member(point, "state")) return;
+  const Numbers state = read_dataset(point, "state");
+  check(state, "state");
+  for (const double s : state.values)
+    fields.state.push_back(static_cast<contact::ElementState>(static_cast<unsigned char>(s)));
+}
+
+std::vector<contact::StressMaximum> read_maxima(hid_t point) {
+  if (!has_member(point, "stress_maxima")) return {};
+  const Handle group = open_group(point, "stress_maxima");
+  const std::vector<std::string> body = read_lines(group, "body");
+  const std::vector<std::string> measure = read_lines(group, "measure");
+  const std::vector<double> value = read_dataset(group, "value").values;
+  const auto place = read_rows<3>(group, "place");
+  if (measure.size() != body.size() || value.size() != body.size() || place.size() != body.size())
+    throw std::runtime_error("columns of different length in stress_maxima");
+  std::vector<contact::StressMaximum> maxima;
+  for (std::size_t k = 0; k < body.size(); ++k)
+    maxima.push_back({body[k], measure[k], value[k], place[k]});
+  return maxima;
+}
+
+PointResult read_point(hid_t group, const contact::ContactGrid& grid) {
+  PointResult point;
+  point.creepage = {read_number(group, "longitudinal_creepage"),
+                    read_number(group, "lateral_creepage"), read_number(group, "spin")};
+  for (const auto& [name, member] : scalar_members()) point.*member = read_number(group, name);
+  point.step = static_cast<int>(read_number(group, "step"));
+  point.iterations = static_cast<int>(read_number(group, "iterations"));
+  point.converged = read_number(group, "converged") != 0.0;
+  point.error_estimate = read_quantities(group, "error_estimate");
+  point.richardson = read_quantities(group, "richardson");
+  point.derived = read_quantities(group, "derived");
+  read_fields(group, grid, point.fields);
+  point.stress_maxima = read_maxima(group);
+  return point;
+}
+
+}  // namespace
+
+ResultsFile::ResultsFile(const std::string& path) : path_(find_file(path)) {
+  const Handle file = open_checked(path_);
+  guarded(path_, [&] {
+    check_format(file, path_);
+    input_ = read_case(file);
+    models_ = list_models(file);
+  });
+}
+
+std::string ResultsFile::directory() const {
+  const fs::path parent = fs::path(path_).parent_path();
+  return parent.empty() ? "." : parent.string();
+}
+
+ModelResult ResultsFile::read(const StoredModel& model) const {
+  const Handle file = open_checked(path_);
+  return guarded(path_, [&] {
+    const Handle group = open_group(open_group(file, "models"), model.key);
+    ModelResult result;
+    result.name = model.name;
+    result.unknowns = static_cast<long>(read_number(group, "unknowns"));
+    result.contact_elements = static_cast<int>(read_number(group, "contact_elements"));
+    result.notes = read_lines(group, "notes");
+    if (model.placed) {
+      result.place.emplace();
+      result.place->left = model.left;
+      result.place->position = model.position;
+      result.place->patch = model.patch;
+    }
+    result.grid = read_grid(group);
+    const Handle points = open_group(group, "points");
+    for (const std::string& number : members(points))
+      result.points.push_back(read_point(open_group(points, number), result.grid));
+    result.bodies = postprocess::read_bodies(group);
+    return result;
+  });
+}
+
+void ResultsFile::read_bodies(const StoredModel& model, std::size_t point,
+                              ModelResult& result) const {
+  const Handle file = open_checked(path_);
+  guarded(path_, [&] {
+    const Handle group = open_group(open_group(file, "models"), model.key);
+    result.points.at(point).bodies = read_body_values(group, point, result.bodies);
+  });
+}
+
+}  // namespace rollfem::postprocess

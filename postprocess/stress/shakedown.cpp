@@ -1,0 +1,113 @@
+#include "postprocess/stress/shakedown.hpp"
+
+#include "contact/result/stress_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::Stress;
+
+constexpr double poisson_ratio = 0.3;
+
+/// Largest von Mises stress and |xz| of a field, in p0.
+struct Largest {
+  double von_mises = 0.0;
+  double shear = 0.0;
+  void take(const Stress& stress) {
+    von_mises = std::max(von_mises, contact::von_mises(stress));
+    shear = std::max(shear, std::abs(stress.xz));
+  }
+  ShakedownLimits limits() const { return {std::sqrt(3.0) / von_mises, 1.0 / shear}; }
+};
+
+/// Line contact of half width 1 and p0 = 1 under pressure and friction, plane strain; x along
+/// sliding, z > 0 into the material.
+Stress line_field(double x, double z, double friction) {
+  const double half = 1.0 - x * x + z * z;
+  const double root = std::hypot(half, 2.0 * x * z);
+  const double m = std::sqrt(0.5 * (root + half));
+  const double n = std::copysign(std::sqrt(std::max(0.0, 0.5 * (root - half))), x);
+  const double square = m * m + n * n;
+  const double ratio = (z * z + n * n) / square;
+  const double xx = 2.0 * z - m * (1.0 + ratio);
+  const double zz = -m * (1.0 - ratio);
+  const double xz = -n * (m * m - z * z) / square;
+  const double xx_of_friction = n * (2.0 - (z * z - m * m) / square) - 2.0 * x;
+  Stress stress;
+  stress.xx = xx + friction * xx_of_friction;
+  stress.zz = zz + friction * xz;
+  stress.xz = xz + friction * xx;
+  stress.yy = poisson_ratio * (stress.xx + stress.zz);
+  return stress;
+}
+
+/// Largest stresses of the circle below the surface, in p0, at friction 0, 0.05, ... 0.35; with
+/// more friction the largest ones are at the surface. (verification/shakedown.cpp makes them anew.)
+struct BelowSurface {
+  double von_mises;
+  double shear;
+};
+constexpr double step = 0.05;
+constexpr BelowSurface below[] = {{0.62000, 0.21386}, {0.62110, 0.22788}, {0.62443, 0.24217},
+                                  {0.62991, 0.25670}, {0.63761, 0.27145}, {0.64753, 0.28642},
+                                  {0.65973, 0.30160}, {0.67416, 0.31695}};
+
+BelowSurface below_surface(double friction) {
+  constexpr int last = static_cast<int>(std::size(below)) - 1;
+  const double at = std::min(friction / step, static_cast<double>(last));
+  const int k = std::min(static_cast<int>(at), last - 1);
+  const double share = at - k;
+  return {(1.0 - share) * below[k].von_mises + share * below[k + 1].von_mises,
+          (1.0 - share) * below[k].shear + share * below[k + 1].shear};
+}
+
+}  // namespace
+
+Stress sliding_circle_surface(double x, double friction) {
+  const double c = std::sqrt(1.0 - x * x);
+  // (1 - c^3) / x^2 written so that nothing cancels at the centre.
+  const double lift = (1.0 - 2.0 * poisson_ratio) / 3.0 * (1.0 + c + c * c) / (1.0 + c);
+  Stress stress;
+  stress.zz = -c;
+  stress.xx = lift - c - friction * M_PI / 8.0 * (4.0 + poisson_ratio) * x;
+  stress.yy = -lift - 2.0 * poisson_ratio * c - friction * M_PI / 8.0 * 3.0 * poisson_ratio * x;
+  stress.xz = -friction * c;
+  return stress;
+}
+
+ShakedownLimits line_contact_limits(double traction_coefficient) {
+  Largest largest;
+  // Depths from the surface on, denser there; x beside the edge itself, where the form is 0/0.
+  for (int j = 0; j <= 150; ++j) {
+    const double z = 1.5 * std::pow(j / 150.0, 1.5);
+    for (int i = -150; i <= 150; ++i)
+      largest.take(line_field(0.00999 * i + 1e-6, z, traction_coefficient));
+  }
+  return largest.limits();
+}
+
+ShakedownLimits point_contact_limits(double traction_coefficient) {
+  const BelowSurface deep = below_surface(traction_coefficient);
+  Largest largest{deep.von_mises, deep.shear};
+  for (int i = -1000; i <= 1000; ++i)
+    largest.take(sliding_circle_surface(1e-3 * i, traction_coefficient));
+  return largest.limits();
+}
+
+double yield_shear_stress(double yield_strength) {
+  return yield_strength / std::sqrt(3.0);
+}
+
+double surface_fatigue_index(double traction_coefficient, double load_factor) {
+  return traction_coefficient - 1.0 / load_factor;
+}
+
+std::string shakedown_region(const ShakedownLimits& limits, double load_factor) {
+  if (load_factor <= std::min(limits.elastic, limits.shakedown)) return "elastic";
+  return load_factor <= limits.shakedown ? "elastic shakedown" : "beyond shakedown";
+}
+
+}  // namespace rollfem::postprocess

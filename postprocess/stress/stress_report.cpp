@@ -1,0 +1,256 @@
+#include "postprocess/stress/stress_report.hpp"
+
+#include "contact/result/stress_measures.hpp"
+#include "postprocess/stress/shakedown.hpp"
+#include "postprocess/write/csv.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::PointResult;
+using contact::StressMaximum;
+using Json = nlohmann::ordered_json;
+
+/// The largest value of every measure among the places of a set, with its place.
+std::vector<StressMaximum> largest(const StressSet& set) {
+  std::vector<StressMaximum> found;
+  for (const contact::StressMeasure& measure : contact::reported_measures()) {
+    StressMaximum best{
+        set.field.request.wheel ? "wheel" : "rail", measure.name, -contact::infinity, {}};
+    for (std::size_t k = 0; k < set.field.stress.size(); ++k) {
+      const double value = measure.value(contact::Stress::from_array(set.field.stress[k]));
+      if (value > best.value) {
+        best.value = value;
+        best.place = set.field.points[k];
+      }
+    }
+    found.push_back(best);
+  }
+  return found;
+}
+
+const char* body_of(const StressSet& set) {
+  return set.field.request.wheel ? "wheel" : "rail";
+}
+
+Json place_json(const contact::ContactPlace& place) {
+  return {{"wheel", place.left ? "left" : "right"},
+          {"position", place.position},
+          {"patch", place.patch}};
+}
+
+Json maxima_json(const std::vector<StressMaximum>& maxima, double pressure, bool with_body) {
+  Json list = Json::array();
+  for (const StressMaximum& maximum : maxima) {
+    Json entry;
+    if (with_body) entry["body"] = maximum.body;
+    entry["measure"] = maximum.measure;
+    entry["value"] = maximum.value;
+    if (pressure > 0.0) entry["over_max_pressure"] = maximum.value / pressure;
+    entry["place"] = maximum.place;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json set_json(const StressSet& set, double pressure) {
+  static const char* const kinds[] = {"point", "line", "plane", "surface"};
+  const contact::SubsurfaceRequest& request = set.field.request;
+  Json entry{{"name", set.name},
+             {"kind", kinds[static_cast<int>(request.kind)]},
+             {"body", body_of(set)},
+             {"points_along", request.points[0]},
+             {"points_across", request.points[1]},
+             {"moved", set.moved}};
+  entry["largest"] = maxima_json(largest(set), pressure, false);
+  return entry;
+}
+
+Json limits_json(const ShakedownLimits& limits, double load_factor) {
+  return {{"elastic", limits.elastic},
+          {"shakedown", limits.shakedown},
+          {"region", shakedown_region(limits, load_factor)}};
+}
+
+/// Largest von Mises stress of the bodies over that at which the material yields, sqrt(3) k.
+double yield_ratio(const std::vector<StressMaximum>& maxima, double k) {
+  double most = 0.0;
+  for (const StressMaximum& maximum : maxima)
+    if (maximum.measure == "von_mises") most = std::max(most, maximum.value);
+  return most / (std::sqrt(3.0) * k);
+}
+
+/// Of a load point: of the one that was looked at closely what was found there, of the others what
+/// is stored, which may be nothing.
+std::optional<double> yield_ratio_at(const StressOfModel& model, std::size_t number, double k) {
+  if (number == model.point) return yield_ratio(model.maxima, k);
+  const auto& stored = model.result.points[number].stress_maxima;
+  if (stored.empty()) return std::nullopt;
+  return yield_ratio(stored, k);
+}
+
+/// Every load point in the map.
+Json shakedown_json(const StressOfModel& model, double k) {
+  Json list = Json::array();
+  for (std::size_t number = 0; number < model.result.points.size(); ++number) {
+    const PointResult& point = model.result.points[number];
+    const double traction = tangential_coefficient(point);
+    const double factor = point.max_pressure / k;
+    list.push_back({{"point", number},
+                    {"longitudinal_creepage", point.creepage.longitudinal},
+                    {"tangential_coefficient", traction},
+                    {"load_factor", factor},
+                    {"max_traction_over_k", point.max_traction / k},
+                    {"surface_fatigue_index", surface_fatigue_index(traction, factor)},
+                    {"line", limits_json(line_contact_limits(traction), factor)},
+                    {"circle", limits_json(point_contact_limits(traction), factor)}});
+    if (const auto ratio = yield_ratio_at(model, number, k)) list.back()["yield_ratio"] = *ratio;
+  }
+  return list;
+}
+
+/// The boundaries as curves, for drawing.
+Json map_json() {
+  Json map;
+  for (int step = 0; step <= 60; ++step) {
+    const double traction = 0.01 * step;
+    const ShakedownLimits line = line_contact_limits(traction);
+    const ShakedownLimits circle = point_contact_limits(traction);
+    map["tangential_coefficient"].push_back(traction);
+    map["line_elastic"].push_back(line.elastic);
+    map["line_shakedown"].push_back(line.shakedown);
+    map["circle_elastic"].push_back(circle.elastic);
+    map["circle_shakedown"].push_back(circle.shakedown);
+  }
+  return map;
+}
+
+std::string heading(const StressOfModel& model, bool named) {
+  const PointResult& point = model.result.points[model.point];
+  const std::size_t count = model.result.points.size();
+  std::string text = fmt::format("{}: load point {}", model.result.key(), model.point);
+  if (!named && count > 1)
+    text += fmt::format(" (the last of {}; others: --point 0 to {}, --creepage)", count, count - 1);
+  if (point.step > 0)
+    text += fmt::format(" (step {})", point.step);
+  else
+    text += fmt::format(", xi = {:g}, eta = {:g}, spin = {:g} rad/mm", point.creepage.longitudinal,
+                        point.creepage.lateral, point.creepage.spin);
+  return text + fmt::format("; F_z = {:g} N, p0 = {:.2f} MPa, T/F_z = {:.4f}\n", point.normal_force,
+                            point.max_pressure, tangential_coefficient(point));
+}
+
+std::string row(const std::string& what, const StressMaximum& maximum, double pressure) {
+  const auto& p = maximum.place;
+  // Rounding must not print as -0.000.
+  const auto zero = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };
+  return fmt::format("  {:<22}{:<6} {:<17}{:>10.2f}{:>9.4f}{:>10.3f}{:>9.3f}{:>9.3f}\n", what,
+                     maximum.body, maximum.measure, maximum.value,
+                     pressure > 0.0 ? maximum.value / pressure : 0.0, zero(p[0]), zero(p[1]),
+                     zero(p[2]));
+}
+
+std::string shakedown_table(const StressOfModel& model, double k) {
+  std::string text = fmt::format(
+      "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limits of p0/k: line | circle\n"
+      "  {:<6}{:>11}{:>8}{:>8}{:>17}{:>17}   {:<38}{:>8}{:>8}\n",
+      k, "point", "xi", "T/F_z", "p0/k", "elastic", "shakedown", "region: line | circle", "FI_surf",
+      "Y-ratio");
+  for (std::size_t number = 0; number < model.result.points.size(); ++number) {
+    const PointResult& point = model.result.points[number];
+    const double traction = tangential_coefficient(point);
+    const double factor = point.max_pressure / k;
+    const ShakedownLimits line = line_contact_limits(traction);
+    const ShakedownLimits circle = point_contact_limits(traction);
+    const std::optional<double> ratio = yield_ratio_at(model, number, k);
+    text += fmt::format(
+        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>8.2f} |{:>7.2f}{:>8.2f} |{:>7.2f}   "
+        "{:<38}{:>8.3f}{:>8}{}\n",
+        number, point.creepage.longitudinal, traction, factor, line.elastic, circle.elastic,
+        line.shakedown, circle.shakedown,
+        shakedown_region(line, factor) + " | " + shakedown_region(circle, factor),
+        surface_fatigue_index(traction, factor), ratio ? fmt::format("{:.3f}", *ratio) : "-",
+        number == model.point ? "  <" : "");
+  }
+  const double here = yield_ratio(model.maxima, k);
+  return text + fmt::format(
+                    "  this contact at load point {}: largest von Mises stress / (sqrt(3) k) "
+                    "(Y-ratio) = {:.3f}: {}\n",
+                    model.point, here,
+                    here < 1.0 ? "nothing yields" : "it yields where that is reached");
+}
+
+}  // namespace
+
+double tangential_coefficient(const PointResult& point) {
+  if (!(point.normal_force > 0.0)) return 0.0;
+  return std::hypot(point.longitudinal_force, point.lateral_force) / point.normal_force;
+}
+
+std::string stress_csv(const StressReport& report) {
+  std::string text = "model,point,set,body," + subsurface_columns() + "\n";
+  for (const StressOfModel& model : report.models)
+    for (const StressSet& set : model.sets)
+      for (std::size_t k = 0; k < set.field.points.size(); ++k)
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", model.result.key(),
+                       model.point, set.name, body_of(set), subsurface_row(set.field, k));
+  return text;
+}
+
+std::string stress_json(const StressReport& report) {
+  Json json{{"format", 1}, {"source", report.source}, {"title", report.title}};
+  const auto& k = report.yield_shear_stress;
+  if (k) json["yield_shear_stress"] = *k;
+  json["models"] = Json::array();
+  for (const StressOfModel& model : report.models) {
+    const PointResult& point = model.result.points[model.point];
+    Json entry{{"name", model.result.name}, {"key", model.result.key()}};
+    if (model.result.place) entry["place"] = place_json(*model.result.place);
+    entry["point"] = model.point;
+    entry["longitudinal_creepage"] = point.creepage.longitudinal;
+    entry["lateral_creepage"] = point.creepage.lateral;
+    entry["spin"] = point.creepage.spin;
+    entry["step"] = point.step;
+    entry["normal_force"] = point.normal_force;
+    entry["max_pressure"] = point.max_pressure;
+    entry["max_traction"] = point.max_traction;
+    entry["tangential_coefficient"] = tangential_coefficient(point);
+    entry["maxima"] = maxima_json(model.maxima, point.max_pressure, true);
+    entry["sets"] = Json::array();
+    for (const StressSet& set : model.sets)
+      entry["sets"].push_back(set_json(set, point.max_pressure));
+    if (k) {
+      entry["yield_ratio"] = yield_ratio(model.maxima, *k);
+      entry["shakedown"] = shakedown_json(model, *k);
+    }
+    json["models"].push_back(entry);
+  }
+  if (k) json["shakedown_map"] = map_json();
+  return json.dump(2) + "\n";
+}
+
+std::string stress_table(const StressReport& report) {
+  std::string text = report.title + "\n" + report.source + "\n";
+  for (const StressOfModel& model : report.models) {
+    const double pressure = model.result.points[model.point].max_pressure;
+    text += fmt::format("\n{}  {:<22}{:<6} {:<17}{:>10}{:>9}{:>10}{:>9}{:>9}\n",
+                        heading(model, report.point_named), "largest", "body", "stress", "MPa",
+                        "of p0", "x in mm", "y", "z");
+    for (const StressMaximum& maximum : model.maxima) text += row("of the body", maximum, pressure);
+    for (const StressSet& set : model.sets)
+      for (const StressMaximum& maximum : largest(set)) text += row(set.name, maximum, pressure);
+    if (report.yield_shear_stress) text += shakedown_table(model, *report.yield_shear_stress);
+  }
+  return text;
+}
+
+}  // namespace rollfem::postprocess

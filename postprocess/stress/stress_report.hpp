@@ -1,0 +1,47 @@
+// What `rollfem stress` writes: stresses at the places asked for, the largest ones, and the points
+// of the shakedown map, as tables for spreadsheets, for scripts and for the screen.
+#pragma once
+
+#include "contact/result/result.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollfem::postprocess {
+
+/// Stress and displacement at the places of one request in one body.
+struct StressSet {
+  std::string name;  ///< at_1, line_1, plane_1, depth_centre, depth_most_loaded
+  contact::SubsurfaceField field;
+  double moved = 0.0;  ///< mm, largest distance that a place was moved onto the surface
+};
+
+/// Of one model at one load point.
+struct StressOfModel {
+  contact::ModelResult result;  ///< all load points, of which the scalars are used
+  std::size_t point = 0;
+  std::vector<StressSet> sets;
+  std::vector<contact::StressMaximum> maxima;
+};
+
+struct StressReport {
+  std::string source;  ///< results.h5
+  std::string title;
+  std::optional<double> yield_shear_stress;  ///< k, MPa
+  bool point_named = false;                  ///< else it is the last, which the table says
+  std::vector<StressOfModel> models;
+};
+
+/// Tangential force over normal force, sqrt(Fx^2 + Fy^2)/Fz: the abscissa of the shakedown map.
+double tangential_coefficient(const contact::PointResult& point);
+
+/// One row per model, set and place; the columns of subsurface.csv.
+std::string stress_csv(const StressReport& report);
+/// Everything but the rows of stress.csv: largest values of the bodies and of every set with their
+/// places, shakedown points and boundaries of the map. Layout: docs/subsurface.md.
+std::string stress_json(const StressReport& report);
+/// For the screen.
+std::string stress_table(const StressReport& report);
+
+}  // namespace rollfem::postprocess

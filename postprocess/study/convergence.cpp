@@ -1,0 +1,154 @@
+#include "postprocess/study/convergence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace rollfem::postprocess {
+namespace {
+
+constexpr double safety = 1.25;       // Roache, three levels
+constexpr double safety_blind = 3.0;  // Eca and Hoekstra, no order
+constexpr double formal_order = 2.0;
+constexpr double rounding = 1e-12;  // relative; changes below are none
+constexpr std::size_t fewest_to_fit = 4;
+constexpr double largest_fitted_order = formal_order + 0.5;
+constexpr double most_scatter = 0.2;  // of the mean change from level to level
+
+struct Three {
+  std::optional<double> order;
+  std::string reason;
+  double richardson = 0.0;
+};
+
+Three three_levels(double coarse, double middle, double fine, double ratio) {
+  Three result;
+  const double before = middle - coarse;
+  const double now = fine - middle;
+  const double noise = rounding * std::max(std::abs(fine), std::abs(coarse));
+  if (std::abs(now) <= noise) {
+    result.reason = "the last two values are the same";
+  } else if (before * now <= 0.0) {
+    result.reason = "the sequence is not monotone";
+  } else if (std::abs(now) >= std::abs(before)) {
+    result.reason = "its changes do not fall";
+  } else {
+    const double order = std::log(before / now) / std::log(ratio);
+    if (order < least_order)
+      result.reason = fmt::format("its changes fall too slowly (order {:.2f})", order);
+    else if (order > largest_order)
+      result.reason =
+          fmt::format("its changes fall too fast for a method (order {:.1f}): chance", order);
+    else
+      result.order = order;
+  }
+  if (result.order) result.richardson = fine + now / (std::pow(ratio, *result.order) - 1.0);
+  return result;
+}
+
+struct Fit {
+  double order = 0.0;
+  double limit = 0.0;
+  double squares = std::numeric_limits<double>::infinity();  ///< weighted mean of the residuals
+  double last_residual = 0.0;
+};
+
+/// Least squares of limit + C ratio^(-order k) at one order; finer levels weigh more, as 1/h.
+Fit fit_at(const std::vector<double>& values, double ratio, double order) {
+  double w = 0.0, wx = 0.0, wf = 0.0, wxx = 0.0, wxf = 0.0;
+  const auto weight = [&](std::size_t k) { return std::pow(ratio, static_cast<double>(k)); };
+  const auto abscissa = [&](std::size_t k) {
+    return std::pow(ratio, -order * static_cast<double>(k));
+  };
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double x = abscissa(k);
+    w += weight(k);
+    wx += weight(k) * x;
+    wf += weight(k) * values[k];
+    wxx += weight(k) * x * x;
+    wxf += weight(k) * x * values[k];
+  }
+  Fit fit;
+  fit.order = order;
+  const double slope = (w * wxf - wx * wf) / (w * wxx - wx * wx);
+  fit.limit = (wf - slope * wx) / w;
+  fit.squares = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    fit.last_residual = values[k] - fit.limit - slope * abscissa(k);
+    fit.squares += weight(k) / w * fit.last_residual * fit.last_residual;
+  }
+  return fit;
+}
+
+/// Sets order, value and uncertainties from all values, where a curve of an order that the methods
+/// may have goes through them with little scatter.
+void fit_all(const std::vector<double>& values, double ratio, Limit& limit) {
+  const std::size_t n = values.size();
+  if (n < fewest_to_fit) return;
+  Fit best;
+  for (double order = least_order; order <= largest_fitted_order + 1e-9; order += 0.01)
+    if (const Fit fit = fit_at(values, ratio, order); fit.squares < best.squares) best = fit;
+  // At a border the best order lies beyond.
+  if (best.order < least_order + 0.005 || best.order > largest_fitted_order - 0.005) return;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto count = static_cast<double>(n);
+  const double scatter = std::sqrt(count * best.squares / (count - 3.0));
+  if (scatter > most_scatter * (*high - *low) / (count - 1.0)) return;
+  limit.order = best.order;
+  limit.fitted = true;
+  limit.value = best.limit;
+  limit.uncertainty = limit.grid_uncertainty =
+      safety * std::abs(values.back() - best.limit) + scatter + std::abs(best.last_residual);
+}
+
+/// Three times the largest of the last two changes.
+double blind_uncertainty(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  double change = std::abs(values[n - 1] - values[n - 2]);
+  if (n > 2) change = std::max(change, std::abs(values[n - 2] - values[n - 3]));
+  return safety_blind * change;
+}
+
+}  // namespace
+
+Limit limit_of(const std::vector<double>& values, double ratio) {
+  const std::size_t n = values.size();
+  if (n < 2 || !(ratio > 1.0)) throw std::logic_error("a limit takes two levels and a ratio > 1");
+  Limit limit;
+  limit.value = values[n - 1];
+  if (n == 2) {
+    limit.reason = "two levels show no order";
+    limit.uncertainty = limit.grid_uncertainty = blind_uncertainty(values);
+    return limit;
+  }
+  const Three last = three_levels(values[n - 3], values[n - 2], values[n - 1], ratio);
+  limit.order = last.order;
+  limit.reason = last.reason;
+  if (!last.order) {
+    limit.uncertainty = limit.grid_uncertainty = blind_uncertainty(values);
+    fit_all(values, ratio, limit);
+    return limit;
+  }
+  limit.value = last.richardson;
+  const double order = std::min(*last.order, formal_order);
+  limit.grid_uncertainty =
+      safety * std::abs(values[n - 1] - values[n - 2]) / (std::pow(ratio, order) - 1.0);
+  limit.uncertainty = limit.grid_uncertainty;
+  // Faster than the method can be is partly chance, and so is what it extrapolates to.
+  if (n == 3 || *last.order > formal_order + 0.5) return limit;
+  const Three earlier = three_levels(values[n - 4], values[n - 3], values[n - 2], ratio);
+  if (earlier.order)
+    limit.uncertainty = std::max(std::abs(last.richardson - earlier.richardson),
+                                 0.25 * std::abs(last.richardson - values[n - 1]));
+  return limit;
+}
+
+std::optional<double> order_of_errors(double coarse, double fine, double ratio) {
+  if (coarse == 0.0 || fine == 0.0) return {};
+  return std::log(std::abs(coarse / fine)) / std::log(ratio);
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,122 @@
+#include "postprocess/study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+
+namespace rollfem::postprocess {
+namespace {
+
+bool is_coefficient(const std::string& key) {
+  return key.rfind("traction_coefficient", 0) == 0;
+}
+
+std::vector<double> values_of(const StudySeries& series, const std::string& key) {
+  std::vector<double> values;
+  for (const StudyLevel& level : series.levels)
+    if (const auto found = level.values.find(key); found != level.values.end())
+      values.push_back(found->second);
+  return values;
+}
+
+}  // namespace
+
+std::string place_name(const StudyPlace& place) {
+  if (!place.place) return {};
+  const std::string label = place.place->label();  // "left, position 1"
+  return label.substr(0, label.find(',')) + " wheel" +
+         (label.find(',') == std::string::npos ? "" : label.substr(label.find(',')));
+}
+
+std::string place_key(const StudyPlace& place) {
+  if (!place.place) return {};
+  return fmt::format("{}_{}_{}", place.place->left ? "left" : "right", place.place->position,
+                     place.place->patch);
+}
+
+std::size_t reference_series(const StudyPlace& place) {
+  if (place.series.empty()) throw std::logic_error("a study without series");
+  std::size_t best = 0;
+  int best_rank = -1;
+  for (std::size_t k = 0; k < place.series.size(); ++k) {
+    const StudySeries& series = place.series[k];
+    if (series.levels.empty()) continue;
+    int rank = series.levels.size() >= 3 ? 1 : 0;
+    if (series.model == "halfspace" && rank == 1) rank = 2;
+    if (rank > best_rank) {
+      best = k;
+      best_rank = rank;
+    }
+  }
+  return best;
+}
+
+std::map<std::string, StudyReference> references(const StudyPlace& place, ReferenceRule rule) {
+  std::map<std::string, StudyReference> all;
+  const StudySeries& base = place.series.at(reference_series(place));
+  // Finite bodies have a limit of their own.
+  const bool take_exact =
+      rule == ReferenceRule::exact || (rule == ReferenceRule::automatic && base.model != "fem");
+  std::set<std::string> keys;
+  for (const StudySeries& series : place.series)
+    for (const StudyLevel& level : series.levels)
+      for (const auto& entry : level.values) keys.insert(entry.first);
+  for (const std::string& key : keys) {
+    if (const auto given = place.given.find(key); given != place.given.end()) {
+      all[key] = {given->second, 0.0, "given"};
+      continue;
+    }
+    if (const auto exact = place.exact.find(key); take_exact && exact != place.exact.end()) {
+      all[key] = {exact->second, 0.0, "exact"};
+      continue;
+    }
+    if (rule == ReferenceRule::exact) continue;
+    const std::vector<double> values = values_of(base, key);
+    if (values.empty()) continue;
+    const auto limit = series_limit(base, key);
+    if (limit && limit->order && rule != ReferenceRule::finest)
+      all[key] = {limit->value, limit->uncertainty, "extrapolated"};
+    else
+      all[key] = {values.back(), limit ? limit->grid_uncertainty : 0.0, "finest"};
+  }
+  return all;
+}
+
+bool is_reference(const StudyPlace& place, const StudySeries& series,
+                  const StudyReference& reference) {
+  return reference.kind == "finest" && &series == &place.series.at(reference_series(place));
+}
+
+double study_error(const StudyRecord& record, const std::string& key, double value,
+                   const StudyReference& reference) {
+  const double scale = is_coefficient(key) ? record.friction : std::abs(reference.value);
+  return scale > 0.0 ? std::abs(value - reference.value) / scale : std::abs(value);
+}
+
+std::optional<Limit> series_limit(const StudySeries& series, const std::string& key) {
+  const std::vector<double> values = values_of(series, key);
+  if (values.size() < 2 || !(series.ratio > 1.0)) return {};
+  return limit_of(values, series.ratio);
+}
+
+std::vector<std::optional<double>> level_orders(const StudyRecord& record,
+                                                const StudySeries& series, const std::string& key,
+                                                const StudyReference& reference) {
+  const std::vector<double> values = values_of(series, key);
+  std::vector<std::optional<double>> orders(values.size());
+  if (!(series.ratio > 1.0)) return orders;
+  const bool known = reference.kind == "exact" || reference.kind == "given";
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (known)
+      orders[k] = order_of_errors(study_error(record, key, values[k - 1], reference),
+                                  study_error(record, key, values[k], reference), series.ratio);
+    else if (k >= 2)
+      orders[k] = limit_of({values[k - 2], values[k - 1], values[k]}, series.ratio).order;
+  return orders;
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,154 @@
+// study.json and study.csv.
+#include "postprocess/study/study.hpp"
+#include "postprocess/write/json_head.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iterator>
+
+namespace rollfem::postprocess {
+namespace {
+
+using nlohmann::ordered_json;
+using References = std::map<std::string, StudyReference>;
+
+ordered_json level_json(const StudyRecord& record, const StudyLevel& level,
+                        const References& refs) {
+  ordered_json json{{"label", level.label},
+                    {"parameter", level.parameter},
+                    {"unknowns", level.unknowns},
+                    {"contact_elements", level.contact_elements},
+                    {"seconds", level.seconds},
+                    {"values", ordered_json::object()},
+                    {"errors", ordered_json::object()}};
+  for (const auto& [key, value] : level.values) {
+    json["values"][key] = value;
+    if (const auto reference = refs.find(key); reference != refs.end())
+      json["errors"][key] = study_error(record, key, value, reference->second);
+  }
+  return json;
+}
+
+ordered_json limits_json(const StudySeries& series, const References& refs) {
+  ordered_json json = ordered_json::object();
+  for (const auto& entry : refs)
+    if (const auto limit = series_limit(series, entry.first)) {
+      ordered_json& out = json[entry.first];
+      if (limit->order) {
+        out["order"] = *limit->order;
+        out["fitted"] = limit->fitted;
+      } else {
+        out["no_order_because"] = limit->reason;
+      }
+      out["value"] = limit->value;
+      out["uncertainty"] = limit->uncertainty;
+      out["uncertainty_of_finest"] = limit->grid_uncertainty;
+    }
+  return json;
+}
+
+void add_orders(const StudyRecord& record, const StudySeries& series, const References& refs,
+                ordered_json& levels) {
+  for (const auto& [key, reference] : refs) {
+    const auto orders = level_orders(record, series, key, reference);
+    std::size_t k = 0;
+    for (ordered_json& level : levels)
+      if (level["values"].contains(key)) {
+        if (orders.at(k)) level["orders"][key] = *orders.at(k);
+        ++k;
+      }
+  }
+}
+
+ordered_json series_json(const StudyRecord& record, const StudySeries& series,
+                         const References& refs) {
+  ordered_json json{{"model", series.model},           {"vary", series.vary},
+                    {"parameter", series.parameter},   {"ratio", series.ratio},
+                    {"failure", series.failure},       {"left_out", series.left_out},
+                    {"levels", ordered_json::array()}, {"limits", limits_json(series, refs)}};
+  for (const StudyLevel& level : series.levels)
+    json["levels"].push_back(level_json(record, level, refs));
+  add_orders(record, series, refs, json["levels"]);
+  return json;
+}
+
+ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
+  const References refs = references(place, record.rule);
+  ordered_json json{{"key", place_key(place)}, {"name", place_name(place)}};
+  if (place.place) {
+    json["lateral_shift"] = place.place->lateral_shift;
+    json["yaw"] = place.place->yaw;
+  }
+  json["points"] = ordered_json::array();
+  for (const contact::Creepage& creepage : place.creepages)
+    json["points"].push_back({{"longitudinal_creepage", creepage.longitudinal},
+                              {"lateral_creepage", creepage.lateral},
+                              {"spin", creepage.spin}});
+  json["words"] = study_words(record, place);
+  json["references"] = ordered_json::object();
+  for (const auto& [key, reference] : refs)
+    json["references"][key] = {{"value", reference.value},
+                               {"uncertainty", reference.uncertainty},
+                               {"kind", reference.kind}};
+  json["series"] = ordered_json::array();
+  for (const StudySeries& series : place.series)
+    json["series"].push_back(series_json(record, series, refs));
+  return json;
+}
+
+/// Labels of several things refined together have commas.
+std::string csv_cell(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
+/// ",reference,kind,error,order" of a value, empty cells for what there is not.
+std::string reference_cells(const StudyRecord& record, const StudySeries& series,
+                            const std::string& key, const StudyLevel& level,
+                            const References& refs) {
+  const auto reference = refs.find(key);
+  if (reference == refs.end()) return ",,,,";
+  std::size_t k = 0;  // among the levels that have the key
+  for (const StudyLevel& other : series.levels) {
+    if (&other == &level) break;
+    if (other.values.count(key) > 0) ++k;
+  }
+  const auto order = level_orders(record, series, key, reference->second).at(k);
+  return fmt::format(",{},{},{},{}", reference->second.value, reference->second.kind,
+                     study_error(record, key, level.values.at(key), reference->second),
+                     order ? fmt::format("{:.4g}", *order) : std::string());
+}
+
+}  // namespace
+
+std::string study_json(const StudyRecord& record) {
+  ordered_json json = json_head(2, "study", record.provenance);
+  json["title"] = record.title;
+  json["case_file"] = record.case_file;
+  json["case_text"] = record.case_text;
+  json["friction_coefficient"] = record.friction;
+  json["notes"] = record.notes;
+  json["places"] = ordered_json::array();
+  for (const StudyPlace& place : record.places) json["places"].push_back(place_json(record, place));
+  return json_text(json);
+}
+
+std::string study_csv(const StudyRecord& record) {
+  std::string text =
+      "place,model,vary,level,parameter,unknowns,contact_elements,seconds [s],quantity,value,"
+      "reference,reference_kind,error [-],order [-]\n";
+  auto out = std::back_inserter(text);
+  for (const StudyPlace& place : record.places) {
+    const References refs = references(place, record.rule);
+    for (const StudySeries& series : place.series)
+      for (const StudyLevel& level : series.levels)
+        for (const auto& [key, value] : level.values)
+          fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}{}\n", place_key(place), series.model,
+                         series.vary, csv_cell(level.label), level.parameter, level.unknowns,
+                         level.contact_elements, level.seconds, key, value,
+                         reference_cells(record, series, key, level, refs));
+  }
+  return text;
+}
+
+}  // namespace rollfem::postprocess

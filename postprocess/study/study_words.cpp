@@ -1,0 +1,147 @@
+// What a study says in sentences and as a table for the terminal.
+#include "postprocess/study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <iterator>
+
+namespace rollfem::postprocess {
+namespace {
+
+using References = std::map<std::string, StudyReference>;
+
+bool is_coefficient(const std::string& key) {
+  return key.rfind("traction_coefficient", 0) == 0;
+}
+
+std::string name_of(const StudyPlace& place, const std::string& key) {
+  if (key == "max_pressure") return "largest pressure";
+  if (key == "semi_axis_x") return "semi-axis along x";
+  if (key == "semi_axis_y") return "semi-axis along y";
+  if (key == "contact_length") return "length of the patch along x";
+  if (key == "contact_width") return "width of the patch along y";
+  if (!is_coefficient(key)) return key;
+  const auto point = static_cast<std::size_t>(std::atoi(key.c_str() + key.find(':') + 1));
+  const double xi =
+      point - 1 < place.creepages.size() ? place.creepages[point - 1].longitudinal : 0.0;
+  return fmt::format("traction coefficient at xi = {:.4g} %", 100.0 * xi);
+}
+
+const char* unit_of(const std::string& key) {
+  if (key == "max_pressure") return " MPa";
+  return is_coefficient(key) ? "" : " mm";
+}
+
+std::string percent(double error) {
+  return fmt::format("{:.2g} %", 100.0 * error);
+}
+
+/// The finest level that has the key; null when none has.
+const double* finest_value(const StudySeries& series, const std::string& key) {
+  const double* last = nullptr;
+  for (const StudyLevel& level : series.levels)
+    if (const auto found = level.values.find(key); found != level.values.end())
+      last = &found->second;
+  return last;
+}
+
+std::string sentence(const StudyRecord& record, const StudyPlace& place, const StudySeries& series,
+                     const std::string& key, const StudyReference& reference, double finest) {
+  const auto limit = series_limit(series, key);
+  const char* unit = unit_of(key);
+  std::string text = fmt::format("{}{}{}: the {} is ", series.model,
+                                 series.vary.empty() ? "" : ", ", series.vary, name_of(place, key));
+  if (limit && limit->order)
+    text += fmt::format(
+        "{:.6g}{} on the finest level and {:.6g} +- {:.2g}{} extrapolated, with order {:.2f}{}",
+        finest, unit, limit->value, limit->uncertainty, unit, *limit->order,
+        limit->fitted ? " fitted to all levels" : "");
+  else if (limit)
+    text += fmt::format("{:.6g} +- {:.2g}{} on the finest level; no order can be claimed: {}",
+                        finest, limit->grid_uncertainty, unit, limit->reason);
+  else
+    text += fmt::format("{:.6g}{}", finest, unit);
+  if (is_reference(place, series, reference)) return text + "; it is the reference itself.";
+  return text + fmt::format("; {}{} off the reference {:.6g}{} ({}).",
+                            percent(study_error(record, key, finest, reference)),
+                            is_coefficient(key) ? " of mu" : "", reference.value, unit,
+                            reference.kind);
+}
+
+std::string key_table(const StudyRecord& record, const StudyPlace& place, const StudySeries& series,
+                      const std::string& key, const StudyReference& reference) {
+  std::string text = fmt::format("  {}, reference {:.7g}{} ({})\n", name_of(place, key),
+                                 reference.value, unit_of(key), reference.kind);
+  // Labels of several things refined together are long.
+  std::size_t width = series.parameter.size();
+  for (const StudyLevel& level : series.levels) width = std::max(width, level.label.size());
+  text += fmt::format("    {:<{}}{:>10}{:>10}{:>14}{:>12}{:>8}\n", series.parameter, width,
+                      "unknowns", "seconds", "value", "error", "order");
+  const auto orders = level_orders(record, series, key, reference);
+  const double* finest = finest_value(series, key);
+  std::size_t k = 0;
+  for (const StudyLevel& level : series.levels) {
+    const auto value = level.values.find(key);
+    if (value == level.values.end()) continue;
+    const bool own = &value->second == finest && is_reference(place, series, reference);
+    const auto order = orders.at(k++);
+    text +=
+        fmt::format("    {:<{}}{:>10}{:>10.3g}{:>14.7g}{:>12}{:>8}\n", level.label, width,
+                    level.unknowns, level.seconds, value->second,
+                    own ? "reference" : percent(study_error(record, key, value->second, reference)),
+                    order ? fmt::format("{:.2f}", *order) : "");
+  }
+  const auto limit = series_limit(series, key);
+  if (limit && limit->fitted)
+    text += fmt::format(
+        "    limit {:.7g} +- {:.2g}, order {:.2f} fitted to all levels (of the last three {})\n",
+        limit->value, limit->uncertainty, *limit->order, limit->reason);
+  else if (limit && limit->order)
+    text += fmt::format("    limit {:.7g} +- {:.2g}, order {:.2f} from the last three levels{}\n",
+                        limit->value, limit->uncertainty, *limit->order,
+                        *limit->order > 2.5 ? " (partly chance: the method has 2)" : "");
+  else if (limit)
+    text += fmt::format("    finest value +- {:.2g}; no order can be claimed: {}\n",
+                        limit->grid_uncertainty, limit->reason);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> study_words(const StudyRecord& record, const StudyPlace& place) {
+  std::vector<std::string> sentences;
+  const References refs = references(place, record.rule);
+  for (const StudySeries& series : place.series) {
+    for (const auto& [key, reference] : refs)
+      if (const double* finest = finest_value(series, key))
+        sentences.push_back(sentence(record, place, series, key, reference, *finest));
+    if (!series.left_out.empty())
+      sentences.push_back(fmt::format("{}, {}: too coarse and left out: {}", series.model,
+                                      series.vary, series.left_out));
+    if (!series.failure.empty())
+      sentences.push_back(fmt::format("{}, {}: levels without a result: {}", series.model,
+                                      series.vary, series.failure));
+  }
+  return sentences;
+}
+
+std::string study_table(const StudyRecord& record) {
+  std::string text;
+  for (const StudyPlace& place : record.places) {
+    const References refs = references(place, record.rule);
+    const std::string name = place_name(place);
+    for (const StudySeries& series : place.series) {
+      text += fmt::format("{}{}{}{}{}\n", name, name.empty() ? "" : ": ", series.model,
+                          series.vary.empty() ? "" : ", refined in ", series.vary);
+      if (!series.left_out.empty()) text += "  too coarse: " + series.left_out + "\n";
+      if (!series.failure.empty()) text += "  levels without a result: " + series.failure + "\n";
+      for (const auto& [key, reference] : refs)
+        if (finest_value(series, key) != nullptr)
+          text += key_table(record, place, series, key, reference);
+    }
+  }
+  return text;
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,245 @@
+#include "postprocess/write/checkpoint_folder.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/record.hpp"
+#include "postprocess/write/result_folder.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::InputError;
+
+/// Of the folder and of the records; to be raised when contact/result/record.cpp changes.
+constexpr int format = 2;
+
+/// Less work than this is not worth a disk access.
+constexpr auto grace = std::chrono::milliseconds(500);
+
+const char* const about_name = "about.txt";
+const char* const lock_name = "lock";
+const char* const record_suffix = ".point";
+const char* const part_suffix = ".part";
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+bool is_record(const fs::path& name) {
+  return name.extension() == record_suffix;
+}
+
+bool is_ours(const fs::path& name) {
+  return name == about_name || name == lock_name || is_record(name) ||
+         name.extension() == part_suffix;
+}
+
+/// A case is what its file says and what the files say that it names.
+unsigned long long checksum_of(const contact::Case& input) {
+  unsigned long long hash = contact::checksum(input.text);
+  for (const auto* lattice :
+       {&input.undeformed_distance.values, &input.rolling.extra_slip_values}) {
+    if (!*lattice) continue;
+    for (const auto& column : (*lattice)->values)
+      hash = contact::checksum(
+          {reinterpret_cast<const char*>(column.data()), column.size() * sizeof(double)}, hash);
+  }
+  std::error_code error;  // built-in profiles are no files
+  for (const std::string* name :
+       {&input.wheel.profile.name, &input.rail.profile.name, &input.wheel.mesh, &input.rail.mesh})
+    if (const fs::path file = fs::path(input.file).parent_path() / *name;
+        !name->empty() && fs::is_regular_file(file, error))
+      hash = contact::checksum(contents(file), hash);
+  return hash;
+}
+
+std::string sealed(const std::string& record) {
+  return fmt::format("{:016x}", contact::checksum(record)) + record;
+}
+
+std::optional<std::string> opened(const std::string& bytes) {
+  if (bytes.size() < 16) return {};
+  std::string record = bytes.substr(16);
+  if (bytes.compare(0, 16, fmt::format("{:016x}", contact::checksum(record))) != 0) return {};
+  return record;
+}
+
+/// The value of a line "name: value".
+std::string line_of(const std::string& text, const std::string& name) {
+  const std::size_t begin = text.find(name + ": ");
+  if (begin == std::string::npos) return {};
+  const std::size_t value = begin + name.size() + 2;
+  return text.substr(value, text.find('\n', value) - value);
+}
+
+}  // namespace
+
+CheckpointFolder::CheckpointFolder(const std::string& result_directory, const contact::Case& input,
+                                   const std::string& program, bool resume,
+                                   std::function<void(const std::string&)> warn)
+    : resume_(resume), warn_(std::move(warn)) {
+  fs::path results = fs::absolute(result_directory).lexically_normal();
+  if (!results.has_filename()) results = results.parent_path();
+  folder_ = results.string() + ".unfinished";
+  about_ = fmt::format(
+      "Load points of an unfinished run of rollfem. The same command with --resume takes them up; "
+      "without it they are replaced. The folder may be deleted.\n"
+      "format: {}\nprogram: {}\ncase: {:016x}\n",
+      format, program, checksum_of(input));
+  look_at(input);
+}
+
+CheckpointFolder::~CheckpointFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void CheckpointFolder::look_at(const contact::Case& input) {
+  std::error_code error;
+  if (!fs::exists(folder_, error)) return;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path name = entry->path().filename();
+    if (!is_ours(name))
+      throw InputError(
+          fmt::format("{} is where unfinished runs are kept, but holds {}, which is not of "
+                      "rollfem's making; do: move it, or name another folder with -o",
+                      folder_.string(), name.string()));
+    if (is_record(name)) ++found_;
+  }
+  if (error)
+    throw InputError(fmt::format("cannot read {}: {}; do: name another folder with -o",
+                                 folder_.string(), error.message()));
+  if (!lock())
+    throw InputError(fmt::format(
+        "another run is at work on this result (it keeps its load points in {}); do: wait for it, "
+        "or name another folder with -o",
+        folder_.string()));
+  if (!resume_ || found_ == 0) return;
+  const std::string about = contents(folder_ / about_name);
+  const auto refuse = [&](const std::string& other) {
+    throw InputError(fmt::format(
+        "--resume: {} holds load points {}; do: run without --resume to start anew (they are then "
+        "replaced)",
+        folder_.string(), other));
+  };
+  if (line_of(about, "format") != line_of(about_, "format") ||
+      line_of(about, "program") != line_of(about_, "program"))
+    refuse(fmt::format("of another version of the program ({}; this is {})",
+                       line_of(about, "program"), line_of(about_, "program")));
+  if (line_of(about, "case") != line_of(about_, "case"))
+    refuse(
+        fmt::format("of another case: {} (or a file that it names) has changed since", input.file));
+  begun_ = true;
+}
+
+/// False when another process holds it. The lock ends with its process, however that ends.
+bool CheckpointFolder::lock() {
+  if (lock_ >= 0) return true;
+  const int file = ::open((folder_ / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) return true;  // a folder that cannot be written shows when the first record is
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(file);
+    return false;
+  }
+  lock_ = file;
+  return true;
+}
+
+bool CheckpointFolder::holds_records() const {
+  if (!begun_) return false;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error))
+    if (is_record(entry->path().filename())) return true;
+  return false;
+}
+
+std::optional<std::string> CheckpointFolder::find(const std::string& name) {
+  if (!resume_ || found_ == 0) return {};
+  const fs::path file = folder_ / (name + record_suffix);
+  std::error_code error;
+  if (!fs::exists(file, error)) return {};
+  std::optional<std::string> record = opened(contents(file));
+  if (!record)
+    warn_(fmt::format("warning: {} is damaged; its load point is computed again", file.string()));
+  return record;
+}
+
+/// Makes the folder, or empties that of an earlier run.
+void CheckpointFolder::begin() {
+  fs::create_directories(folder_);
+  if (!lock())
+    throw InputError(
+        fmt::format("another run keeps its load points in {} already", folder_.string()));
+  for (const auto& entry : fs::directory_iterator(folder_))
+    if (entry.path().filename() != lock_name) fs::remove(entry.path());
+  replace_file(folder_ / about_name, about_);
+  flush_folder(folder_.parent_path());
+  found_ = 0;
+  begun_ = true;
+}
+
+void CheckpointFolder::write(const std::string& name, const std::string& record) {
+  if (!begun_) begin();
+  replace_file(folder_ / (name + record_suffix), sealed(record));
+}
+
+void CheckpointFolder::keep(const std::string& name, const std::string& record) {
+  if (failed_) return;
+  held_back_.emplace_back(name, record);
+  if (std::chrono::steady_clock::now() - start_ < grace) return;
+  try {
+    for (const auto& [held_name, held_record] : held_back_) write(held_name, held_record);
+    held_back_.clear();
+  } catch (const std::exception& problem) {
+    failed_ = true;
+    held_back_.clear();
+    warn_(fmt::format(
+        "warning: finished load points are not kept from here on, the run goes on without: {}",
+        problem.what()));
+  }
+}
+
+void CheckpointFolder::drop(const std::string& begin) {
+  const auto fits = [&](const std::string& name) { return name.rfind(begin, 0) == 0; };
+  held_back_.erase(std::remove_if(held_back_.begin(), held_back_.end(),
+                                  [&](const auto& held) { return fits(held.first); }),
+                   held_back_.end());
+  if (!begun_) return;
+  std::error_code error;
+  std::vector<fs::path> gone;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error))
+    if (is_record(entry->path().filename()) && fits(entry->path().filename().string()))
+      gone.push_back(entry->path());
+  for (const fs::path& file : gone) fs::remove(file, error);
+}
+
+void CheckpointFolder::remove() {
+  held_back_.clear();
+  failed_ = true;
+  std::error_code error;
+  if (!fs::exists(folder_, error)) return;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error))
+    if (is_ours(entry->path().filename())) fs::remove(entry->path(), error);
+  fs::remove(folder_, error);  // stays when someone put a file there
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,63 @@
+// Finished load points on disk, beside the results that are not there yet: DIR.unfinished. Every
+// record appears whole or not at all; the folder goes when the results are written.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+#include "contact/case/case.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rollfem::postprocess {
+
+class CheckpointFolder : public contact::Checkpoint {
+ public:
+  /// Records found are given out only with `resume`; otherwise an earlier folder stays until the
+  /// first new record is kept. `program`: version and commit, which records are bound to, as they
+  /// are to the case. `warn` gets at most one line when records cannot be written (the run goes
+  /// on without). Throws contact::InputError when another run is at work on the folder, when it
+  /// holds other things, and with `resume` when it is of another case or program.
+  CheckpointFolder(const std::string& result_directory, const contact::Case& input,
+                   const std::string& program, bool resume,
+                   std::function<void(const std::string&)> warn);
+  CheckpointFolder(const CheckpointFolder&) = delete;
+  CheckpointFolder& operator=(const CheckpointFolder&) = delete;
+  ~CheckpointFolder() override;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  /// Records of an earlier run that are there, taken up or not.
+  int found() const { return found_; }
+  /// Whether a later run finds something.
+  bool holds_records() const;
+  /// Records whose names begin so are needed no more.
+  void drop(const std::string& begin);
+  /// The results are written: the folder goes.
+  void remove();
+
+  std::optional<std::string> find(const std::string& name) override;
+  /// Work of the first half second is held back: runs that are over by then leave the disk alone.
+  void keep(const std::string& name, const std::string& record) override;
+
+ private:
+  void look_at(const contact::Case& input);
+  void begin();
+  void write(const std::string& name, const std::string& record);
+  bool lock();
+
+  std::filesystem::path folder_;
+  std::string about_;  ///< what the folder is bound to, as text
+  bool resume_ = false;
+  std::function<void(const std::string&)> warn_;
+  int found_ = 0;
+  int lock_ = -1;        ///< file descriptor, held while records are written
+  bool begun_ = false;   ///< the folder is ours
+  bool failed_ = false;  ///< nothing more is written
+  std::vector<std::pair<std::string, std::string>> held_back_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace rollfem::postprocess

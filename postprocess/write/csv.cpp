@@ -1,0 +1,184 @@
+#include "postprocess/write/csv.hpp"
+
+#include "contact/result/stress_measures.hpp"
+#include "postprocess/write/point_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::ContactGrid;
+using contact::Field;
+using contact::ModelResult;
+using contact::PointResult;
+
+std::string header(const std::string& name, const std::string& unit) {
+  return fmt::format(",{} [{}]", name, unit);
+}
+
+/// With profiles every row says to which patch it belongs; else there are no such columns.
+bool has_places(const RunRecord& run) {
+  return std::any_of(run.models.begin(), run.models.end(),
+                     [](const ModelResult& model) { return model.place.has_value(); });
+}
+
+std::string place_head(const RunRecord& run) {
+  return has_places(run) ? "wheel,position,patch," : "";
+}
+
+std::string place_cells(const ModelResult& model) {
+  if (!model.place) return "";
+  return fmt::format("{},{},{},", model.place->left ? "left" : "right", model.place->position,
+                     model.place->patch);
+}
+
+/// Mean over the middle rows or columns at position k along the path.
+double along_path(const ContactGrid& grid, const Field& field, Path path,
+                  const std::vector<int>& lines, int k) {
+  double sum = 0.0;
+  for (const int line : lines)
+    sum += field[path == Path::x ? grid.index(k, line) : grid.index(line, k)];
+  return sum / static_cast<double>(lines.size());
+}
+
+void append_path(std::string& text, const ModelResult& model, std::size_t number, Path path) {
+  const ContactGrid& grid = model.grid;
+  const PointResult& point = model.points[number];
+  const std::vector<int> lines = path == Path::x ? middle_lines(grid.y_first, grid.dy, grid.ny)
+                                                 : middle_lines(grid.x_first, grid.dx, grid.nx);
+  if (lines.empty()) return;
+  const int count = path == Path::x ? grid.nx : grid.ny;
+  for (int k = 0; k < count; ++k) {
+    fmt::format_to(std::back_inserter(text), "{}{},{},{},{},{},{}", place_cells(model), model.name,
+                   number, point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin,
+                   path == Path::x ? grid.x(k) : grid.y(k));
+    for (const PointField& field : point_fields()) {
+      const Field& values = field.value(point.fields);
+      text += ',';
+      if (values.size() > 0)
+        fmt::format_to(std::back_inserter(text), "{}", along_path(grid, values, path, lines, k));
+    }
+    text += '\n';
+  }
+}
+
+}  // namespace
+
+std::vector<int> middle_lines(double first, double step, int count) {
+  if (count < 1 || !(step > 0.0)) return {};
+  const double position = -first / step;  // of the origin, in elements
+  const double below = std::floor(position);
+  const bool between = std::abs(position - below - 0.5) < 1e-6;
+  const auto clamp = [count](double k) {
+    return static_cast<int>(std::clamp(k, 0.0, static_cast<double>(count - 1)));
+  };
+  const int low = between ? clamp(below) : clamp(std::round(position));
+  const int high = between ? clamp(below + 1.0) : low;
+  return low == high ? std::vector<int>{low} : std::vector<int>{low, high};
+}
+
+std::string creep_curve_csv(const RunRecord& run) {
+  std::string text = place_head(run) + "model,point";
+  for (const PointScalar& scalar : point_scalars()) text += header(scalar.name, scalar.unit);
+  text += ",iterations [-],residual [-],seconds [s],converged\n";
+  for (const ModelResult& model : run.models)
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      const PointResult& point = model.points[k];
+      text += fmt::format("{}{},{}", place_cells(model), model.name, k);
+      for (const PointScalar& scalar : point_scalars())
+        text += fmt::format(",{}", scalar.value(point));
+      text += fmt::format(",{},{},{},{}\n", point.iterations, point.residual, point.seconds,
+                          point.converged ? 1 : 0);
+    }
+  return text;
+}
+
+std::string subsurface_columns() {
+  return "distance [mm],x [mm],y [mm],z [mm],displacement_x [mm],displacement_y "
+         "[mm],displacement_z [mm],xx [MPa],yy [MPa],zz [MPa],xy [MPa],yz [MPa],xz "
+         "[MPa],hydrostatic [MPa],von_mises [MPa],tresca [MPa],orthogonal_shear "
+         "[MPa],principal_1 [MPa],principal_2 [MPa],principal_3 [MPa]";
+}
+
+std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k) {
+  const auto& at = field.points[k];
+  const auto& from = field.points.front();
+  std::string text =
+      fmt::format("{},{},{},{}", std::hypot(at[0] - from[0], at[1] - from[1], at[2] - from[2]),
+                  at[0], at[1], at[2]);
+  for (const double value : field.displacement[k])
+    fmt::format_to(std::back_inserter(text), ",{}", value);
+  for (const double value : field.stress[k]) fmt::format_to(std::back_inserter(text), ",{}", value);
+  const contact::Stress stress = contact::Stress::from_array(field.stress[k]);
+  const auto main = contact::principal(stress);
+  fmt::format_to(std::back_inserter(text), ",{},{},{},{},{},{},{}", contact::hydrostatic(stress),
+                 contact::von_mises(stress), contact::tresca(stress),
+                 contact::orthogonal_shear(stress), main[0], main[1], main[2]);
+  return text;
+}
+
+namespace {
+
+void append_subsurface(std::string& text, const std::string& model, std::size_t number,
+                       std::size_t set, const contact::SubsurfaceField& field) {
+  for (std::size_t k = 0; k < field.points.size(); ++k)
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", model, number, set,
+                   field.request.wheel ? "wheel" : "rail", subsurface_row(field, k));
+}
+
+}  // namespace
+
+std::string subsurface_csv(const RunRecord& run) {
+  std::string text;
+  for (const ModelResult& model : run.models)
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      const auto& fields = model.points[k].subsurface;
+      for (std::size_t set = 0; set < fields.size(); ++set)
+        if (fields[set].request.kind != contact::SubsurfaceRequest::Kind::plane)
+          append_subsurface(text, place_cells(model) + model.name, k, set, fields[set]);
+    }
+  if (text.empty()) return text;
+  return place_head(run) + "model,point,set,body," + subsurface_columns() + "\n" + text;
+}
+
+std::string contacts_csv(const RunRecord& run) {
+  if (!has_places(run)) return {};
+  std::string text = "wheel";
+  for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
+  text +=
+      ",model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm],normal_force "
+      "[N],longitudinal_force [N],lateral_force [N],max_pressure [MPa],contact_length "
+      "[mm],contact_width [mm],approach [mm],contact_elements [-]\n";
+  for (const ModelResult& model : run.models) {
+    if (!model.place) continue;
+    std::string place = model.place->left ? "left" : "right";
+    for (const PlaceScalar& scalar : place_scalars())
+      place += fmt::format(",{}", scalar.value(*model.place));
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      const PointResult& p = model.points[k];
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", place, model.name, k,
+                          p.creepage.longitudinal, p.creepage.lateral, p.creepage.spin,
+                          p.normal_force, p.longitudinal_force, p.lateral_force, p.max_pressure,
+                          p.contact_length, p.contact_width, p.approach, model.contact_elements);
+    }
+  }
+  return text;
+}
+
+std::string path_csv(const RunRecord& run, Path path) {
+  std::string text =
+      place_head(run) + "model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm]";
+  text += header(path == Path::x ? "x" : "y", "mm");
+  for (const PointField& field : point_fields()) text += header(field.name, field.unit);
+  text += '\n';
+  for (const ModelResult& model : run.models)
+    for (std::size_t k = 0; k < model.points.size(); ++k) append_path(text, model, k, path);
+  return text;
+}
+
+}  // namespace rollfem::postprocess

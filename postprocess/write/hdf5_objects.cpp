@@ -1,0 +1,159 @@
+#include "postprocess/write/hdf5_objects.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+namespace rollfem::postprocess::hdf5 {
+namespace {
+
+void check(herr_t status, const char* call) {
+  if (status < 0) throw std::runtime_error(std::string("HDF5: ") + call + " failed");
+}
+
+/// UTF-8 strings of variable length: what h5py and MATLAB read without thinking.
+Handle string_type() {
+  Handle type(H5Tcopy(H5T_C_S1), "H5Tcopy");
+  check(H5Tset_size(type, H5T_VARIABLE), "H5Tset_size");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "H5Tset_cset");
+  return type;
+}
+
+void write_scalar_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
+  const Handle space(H5Screate(H5S_SCALAR), "H5Screate");
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         "H5Acreate2");
+  check(H5Awrite(attribute, type, value), "H5Awrite");
+}
+
+/// Datasets without a time of their own: the same result gives the same bytes.
+Handle dataset_options() {
+  Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
+  check(H5Pset_obj_track_times(options, false), "H5Pset_obj_track_times");
+  return options;
+}
+
+Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     hid_t type, const void* values) {
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                     "H5Screate_simple");
+  const Handle options = dataset_options();
+  hsize_t count = 1;
+  for (const hsize_t extent : shape) count *= extent;
+  if (count >= 512) {
+    check(H5Pset_chunk(options, static_cast<int>(shape.size()), shape.data()), "H5Pset_chunk");
+    check(H5Pset_shuffle(options), "H5Pset_shuffle");
+    check(H5Pset_deflate(options, 4), "H5Pset_deflate");
+  }
+  Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, options, H5P_DEFAULT),
+                 "H5Dcreate2");
+  if (count > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "H5Dwrite");
+  return dataset;
+}
+
+}  // namespace
+
+Handle::Handle(hid_t id, const char* call) : id_(id) {
+  if (id < 0) throw std::runtime_error(std::string("HDF5: ") + call + " failed");
+}
+
+Handle::~Handle() {
+  if (id_ >= 0) H5Idec_ref(id_);
+}
+
+Handle create_file_in_memory() {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
+  check(H5Pset_fapl_core(access, 1U << 20U, false), "H5Pset_fapl_core");
+  // The name is never used on disk, but must not be one of a file that exists.
+  return {H5Fcreate("rollfem-results-in-memory.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access),
+          "H5Fcreate"};
+}
+
+std::string file_image(hid_t file) {
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "H5Fflush");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  if (size <= 0) throw std::runtime_error("HDF5: H5Fget_file_image failed");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size)
+    throw std::runtime_error("HDF5: H5Fget_file_image failed");
+  return bytes;
+}
+
+Handle create_group(hid_t parent, const std::string& name, const std::string& comment) {
+  Handle group(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+               "H5Gcreate2");
+  write_comment(group, comment);
+  return group;
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+  write_scalar_attribute(object, name, H5T_NATIVE_DOUBLE, &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, long value) {
+  write_scalar_attribute(object, name, H5T_NATIVE_LONG, &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& value) {
+  const char* const text = value.c_str();
+  write_scalar_attribute(object, name, string_type(), &text);
+}
+
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const double* values) {
+  return write_numbers(parent, name, shape, H5T_NATIVE_DOUBLE, values);
+}
+
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const float* values) {
+  return write_numbers(parent, name, shape, H5T_NATIVE_FLOAT, values);
+}
+
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const unsigned char* values) {
+  return write_numbers(parent, name, shape, H5T_NATIVE_UCHAR, values);
+}
+
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                     const int* values) {
+  return write_numbers(parent, name, shape, H5T_NATIVE_INT, values);
+}
+
+Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines) {
+  std::vector<const char*> texts;
+  texts.reserve(lines.size());
+  for (const std::string& line : lines) texts.push_back(line.c_str());
+  const Handle type = string_type();
+  return write_numbers(parent, name, {texts.size()}, type, texts.data());
+}
+
+Handle write_dataset(hid_t parent, const std::string& name, const std::string& text) {
+  const Handle type = string_type();
+  const Handle space(H5Screate(H5S_SCALAR), "H5Screate");
+  const Handle options = dataset_options();
+  Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, options, H5P_DEFAULT),
+                 "H5Dcreate2");
+  const char* const start = text.c_str();
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &start), "H5Dwrite");
+  return dataset;
+}
+
+void write_comment(hid_t object, const std::string& comment) {
+  check(H5Oset_comment(object, comment.c_str()), "H5Oset_comment");
+}
+
+void link(hid_t parent, const std::string& path, hid_t group, const std::string& name) {
+  check(H5Lcreate_hard(parent, path.c_str(), group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        "H5Lcreate_hard");
+}
+
+void describe(hid_t object, const std::string& unit, const std::string& description,
+              const std::string& sign) {
+  write_attribute(object, "unit", unit);
+  write_attribute(object, "description", description);
+  if (!sign.empty()) write_attribute(object, "sign", sign);
+  write_comment(object,
+                fmt::format("{} [{}]{}{}", description, unit, sign.empty() ? "" : "; ", sign));
+}
+
+}  // namespace rollfem::postprocess::hdf5

@@ -1,0 +1,25 @@
+#include "postprocess/write/json_head.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rollfem::postprocess {
+
+using nlohmann::ordered_json;
+
+ordered_json json_head(int format, const std::string& kind, const Provenance& provenance) {
+  ordered_json json;
+  json["format"] = format;
+  json["kind"] = kind;
+  json["program"] = {{"version", provenance.version}, {"commit", provenance.commit}};
+  json["host"] = provenance.host;
+  json["started"] = provenance.started;
+  json["command"] = provenance.command;
+  json["processes"] = provenance.processes;
+  return json;
+}
+
+std::string json_text(const ordered_json& json) {
+  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rollfem::postprocess

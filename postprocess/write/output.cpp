@@ -1,0 +1,79 @@
+#include "postprocess/write/output.hpp"
+
+#include "postprocess/read/record_check.hpp"
+#include "postprocess/write/csv.hpp"
+#include "postprocess/write/result_folder.hpp"
+#include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/summary_json.hpp"
+#include "postprocess/write/vtu.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace rollfem::postprocess {
+namespace {
+
+/// The surface of every load point, the series of them, and the last one under a name of its own.
+void write_contact(ResultFolder& folder, const contact::ModelResult& model) {
+  const std::string stem = model.key() + "_contact";
+  std::vector<std::vector<std::string>> files;
+  for (std::size_t k = 0; k < model.points.size(); ++k) {
+    if (model.points[k].fields.traction.n.size() == 0) return;
+    files.push_back({fmt::format("{}_{:04}.vtu", stem, k)});
+    const std::string content = contact_vtu(model.grid, model.points[k]);
+    folder.write("fields/" + files.back().front(), content);
+    if (k + 1 == model.points.size()) folder.write("fields/" + stem + ".vtu", content);
+  }
+  if (!files.empty())
+    folder.write("fields/" + stem + ".pvd", series_pvd(series_times(model.points), files));
+}
+
+/// Wheel and rail of every load point that keeps them, alike.
+void write_bodies(ResultFolder& folder, const contact::ModelResult& model) {
+  const std::vector<std::size_t> kept = model.points_with_bodies();
+  if (kept.empty()) return;
+  std::vector<std::vector<std::string>> files(kept.size());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const std::string stem = model.key() + "_" + model.bodies[b].name;
+    const BodyVtu body(model.bodies[b]);
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      const std::string content = body.text(&model.points[kept[k]].bodies[b]);
+      files[k].push_back(fmt::format("{}_{:04}.vtu", stem, kept[k]));
+      folder.write("fields/" + files[k].back(), content);
+      if (k + 1 == kept.size()) folder.write("fields/" + stem + ".vtu", content);
+    }
+  }
+  const std::vector<double> all = series_times(model.points);
+  std::vector<double> times;
+  for (const std::size_t k : kept) times.push_back(all[k]);
+  folder.write("fields/" + model.key() + "_bodies.pvd", series_pvd(times, files));
+}
+
+}  // namespace
+
+void write_results(const std::string& directory, const RunRecord& run) {
+  check_record(run);
+  ResultFolder folder(directory);
+  folder.write("case.toml", run.input.text);
+  folder.write("summary.json", summary_json(run));
+  folder.write("creep_curve.csv", creep_curve_csv(run));
+  const auto& paths = run.input.output.paths;
+  if (std::count(paths.begin(), paths.end(), "x"))
+    folder.write("path_x.csv", path_csv(run, Path::x));
+  if (std::count(paths.begin(), paths.end(), "y"))
+    folder.write("path_y.csv", path_csv(run, Path::y));
+  const std::string below = subsurface_csv(run);
+  if (!below.empty()) folder.write("subsurface.csv", below);
+  const std::string contacts = contacts_csv(run);
+  if (!contacts.empty()) folder.write("contacts.csv", contacts);
+  if (run.input.output.fields)
+    for (const contact::ModelResult& model : run.models) {
+      write_contact(folder, model);
+      write_bodies(folder, model);
+    }
+  folder.write("results.h5", results_hdf5(run));
+  folder.commit();
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,42 @@
+// The scalars of a load point with their units, meanings and signs, declared once for summary.json,
+// results.h5 and creep_curve.csv.
+#pragma once
+
+#include "contact/result/result.hpp"
+
+#include <vector>
+
+namespace rollfem::postprocess {
+
+struct PointScalar {
+  const char* name;
+  const char* unit;         ///< "-" when it has none
+  const char* description;  ///< one sentence with the sign
+  double (*value)(const contact::PointResult&);
+};
+
+/// All floating-point scalars of a load point, in the order of summary.json.
+const std::vector<PointScalar>& point_scalars();
+
+/// A field over the contact grid: which one, and what a reader must know about it.
+struct PointField {
+  const char* name;
+  const char* unit;
+  const char* description;
+  const char* sign;
+  const contact::Field& (*value)(const contact::ContactFields&);
+};
+
+/// All floating-point fields of a load point. A field of size 0 is one the model does not give.
+const std::vector<PointField>& point_fields();
+
+/// A number of the place of a patch on track and profiles, the same in every file.
+struct PlaceScalar {
+  const char* name;
+  const char* unit;
+  const char* description;
+  double (*value)(const contact::ContactPlace&);
+};
+const std::vector<PlaceScalar>& place_scalars();
+
+}  // namespace rollfem::postprocess

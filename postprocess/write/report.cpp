@@ -1,0 +1,148 @@
+// Runs the plotting program (Python) on a result folder.
+#include "postprocess/write/output.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <spawn.h>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+std::string find_python() {
+  if (const char* chosen = std::getenv("ROLLFEM_PYTHON"); chosen && *chosen) return chosen;
+  return ::access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
+}
+
+/// The folder that must be on PYTHONPATH, given the package or the folder that holds it.
+fs::path package_parent(const fs::path& scripts) {
+  fs::path path = fs::absolute(scripts);
+  if (fs::exists(path / "rollfem_figures" / "__main__.py")) return path;
+  const fs::path package = path.has_filename() ? path : path.parent_path();
+  if (package.filename() == "rollfem_figures" && fs::exists(package / "__main__.py"))
+    return package.parent_path();
+  return {};
+}
+
+/// The environment of this process with `changes` (NAME=value) put over it.
+std::vector<std::string> environment_with(const std::vector<std::string>& changes) {
+  std::vector<std::string> environment = changes;
+  for (char** entry = environ; entry && *entry; ++entry) {
+    const std::string text(*entry);
+    bool changed = false;
+    for (const std::string& change : changes)
+      changed =
+          changed || text.compare(0, change.find('=') + 1, change, 0, change.find('=') + 1) == 0;
+    if (!changed) environment.push_back(text);
+  }
+  return environment;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> out;
+  out.reserve(texts.size() + 1);
+  for (std::string& text : texts) out.push_back(text.data());
+  out.push_back(nullptr);
+  return out;
+}
+
+std::string read_to_end(int pipe) {
+  std::string text;
+  char buffer[4096];
+  for (;;) {
+    const ssize_t count = ::read(pipe, buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return text;
+    text.append(buffer, static_cast<std::size_t>(count));
+  }
+}
+
+/// Runs a program; returns what it printed when it failed, empty when it did not.
+std::string run(std::vector<std::string> call, std::vector<std::string> environment) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) return fmt::format("no pipe: {}", std::strerror(errno));
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, call[0].c_str(), &actions, nullptr,
+                                   pointers(call).data(), pointers(environment).data());
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  if (error != 0) {
+    ::close(ends[0]);
+    return fmt::format(
+        "cannot run {}: {}; install python3 python3-matplotlib python3-h5py or name "
+        "another Python in ROLLFEM_PYTHON",
+        call[0], std::strerror(error));
+  }
+  std::string printed = read_to_end(ends[0]);
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  if (!printed.empty()) return printed;
+  return WIFSIGNALED(status) ? fmt::format("{} was ended by signal {}", call[0], WTERMSIG(status))
+                             : fmt::format("{} failed without a word", call[0]);
+}
+
+/// A traceback is for a file; the user is told its last line, which says what happened.
+std::string one_line(const fs::path& directory, std::string printed) {
+  while (!printed.empty() && printed.back() == '\n') printed.pop_back();
+  const std::size_t last = printed.rfind('\n');
+  if (last == std::string::npos) return printed;
+  const fs::path log = directory / "report.log";
+  std::ofstream file(log, std::ios::binary);
+  file << printed << '\n';
+  file.close();
+  return printed.substr(last + 1) +
+         (file ? fmt::format(" (the whole text is in {})", log.string()) : "");
+}
+
+/// Runs the package with these arguments; returns what went wrong, empty when nothing did.
+std::string draw(const fs::path& directory, const std::string& script_directory,
+                 const std::vector<std::string>& arguments) {
+  const fs::path parent = package_parent(script_directory);
+  if (parent.empty())
+    return fmt::format("no Python package rollfem_figures in {}", script_directory);
+  std::string python_path = "PYTHONPATH=" + parent.string();
+  if (const char* before = std::getenv("PYTHONPATH"); before && *before)
+    python_path += std::string(":") + before;
+  std::vector<std::string> call{find_python(), "-m", "rollfem_figures"};
+  call.insert(call.end(), arguments.begin(), arguments.end());
+  const std::string printed =
+      run(call, environment_with({python_path, "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
+                                  "PYTHONIOENCODING=utf-8"}));
+  return one_line(directory, printed);
+}
+
+}  // namespace
+
+std::string make_report(const std::string& directory, const std::string& script_directory) {
+  return draw(directory, script_directory, {fs::absolute(directory).string()});
+}
+
+std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
+                         bool pair) {
+  const fs::path file = fs::absolute(csv_file);
+  return draw(file.parent_path(), script_directory, {pair ? "--pair" : "--profile", file.string()});
+}
+
+std::string draw_stress(const std::string& directory, const std::string& script_directory) {
+  return draw(directory, script_directory, {"--stress", fs::absolute(directory).string()});
+}
+
+}  // namespace rollfem::postprocess

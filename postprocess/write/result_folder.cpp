@@ -1,0 +1,271 @@
+#include "postprocess/write/result_folder.hpp"
+
+#include "contact/base/errors.hpp"
+#include "postprocess/write/output.hpp"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <set>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::InputError;
+
+[[noreturn]] void fail(const std::string& doing, const fs::path& path, int error) {
+  const char* advice = "choose another folder with -o";
+  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another disk with -o";
+  if (error == EFBIG) advice = "raise the limit of file size (ulimit -f)";
+  throw InputError(fmt::format("cannot {} {}: {}; nothing was written, {}", doing, path.string(),
+                               std::strerror(error), advice));
+}
+
+/// Beyond the limit of file size a write then fails with EFBIG instead of ending the program.
+class IgnoreFileSizeSignal {
+ public:
+  IgnoreFileSizeSignal() : previous_(std::signal(SIGXFSZ, SIG_IGN)) {}
+  ~IgnoreFileSizeSignal() {
+    if (previous_ != SIG_ERR) std::signal(SIGXFSZ, previous_);
+  }
+  IgnoreFileSizeSignal(const IgnoreFileSizeSignal&) = delete;
+  IgnoreFileSizeSignal& operator=(const IgnoreFileSizeSignal&) = delete;
+
+ private:
+  void (*previous_)(int);
+};
+
+/// Returns 0 or the error number.
+int write_all(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return ::fsync(file) == 0 ? 0 : errno;
+}
+
+bool is_result_folder(const fs::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  return summary.is_object() && summary.contains("format") && summary.contains("models");
+}
+
+/// The folder as an absolute path without links and trailing slash.
+fs::path resolve(const std::string& directory) {
+  if (directory.empty()) throw InputError("the output folder has an empty name; give one with -o");
+  std::error_code error;
+  fs::path path = fs::weakly_canonical(fs::absolute(directory), error);
+  if (error) fail("find", directory, error.value());
+  if (!path.has_filename()) path = path.parent_path();
+  return path;
+}
+
+void check_target(const fs::path& target) {
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (status.type() == fs::file_type::not_found) return;
+  if (error) fail("look at", target, error.value());
+  if (!fs::is_directory(status))
+    throw InputError(fmt::format("{} is a file, not a folder; give the result another name with -o",
+                                 target.string()));
+  if (fs::equivalent(target, fs::current_path(error), error) || !target.has_relative_path())
+    throw InputError(
+        fmt::format("{} is the folder you are in, and a result replaces its folder as a whole; "
+                    "give a folder below it with -o",
+                    target.string()));
+  const bool empty = fs::is_empty(target, error);
+  if (error) fail("read", target, error.value());
+  if (!empty && !is_result_folder(target))
+    throw InputError(fmt::format(
+        "{} holds files that are not an earlier result of rollfem (no summary.json of its kind), "
+        "and they shall not be lost; choose a new or empty folder with -o",
+        target.string()));
+}
+
+/// Whether a file of an earlier result, relative to its folder, is one that rollfem makes.
+bool is_ours(const fs::path& name) {
+  static const std::set<std::string> files{
+      "summary.json", "results.h5", "creep_curve.csv", "contacts.csv", "path_x.csv",
+      "path_y.csv",   "case.toml",  "report.html",     "report.log",   "subsurface.csv"};
+  static const std::set<std::string> in_fields{".vtu", ".vtp", ".pvd"};
+  if (name.parent_path() == "fields") return in_fields.count(name.extension().string()) > 0;
+  if (name.parent_path() == "figures") return name.extension() == ".svg";
+  return name.parent_path().empty() && files.count(name.string()) > 0;
+}
+
+/// Moves what is not ours from an earlier result to the new one, one folder at a time.
+void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs::path& below,
+                bool& all_saved) {
+  std::error_code error;
+  for (fs::directory_iterator entry(old_folder / below, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path name = below / entry->path().filename();
+    const bool folder = entry->is_directory(error) && !entry->is_symlink(error);
+    if (folder && (name == "fields" || name == "figures")) {
+      carry_over(old_folder, new_folder, name, all_saved);
+    } else if (!is_ours(name)) {
+      fs::create_directories((new_folder / name).parent_path(), error);
+      fs::rename(old_folder / name, new_folder / name, error);
+      if (error) all_saved = false;
+    }
+  }
+  if (error) all_saved = false;
+}
+
+/// Removes what runs that were killed while they wrote this result have left: DIR.partial-PID of
+/// processes that are gone. Each run holds a lock on its own folder, which also tells about
+/// processes on other machines where the file system shares locks.
+void remove_stale_partials(const fs::path& target) {
+  const std::string prefix = target.filename().string() + ".partial-";
+  std::error_code error;
+  std::vector<fs::path> stale;
+  for (fs::directory_iterator entry(target.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.compare(0, prefix.size(), prefix) != 0 || !entry->is_directory(error)) continue;
+    char* rest = nullptr;
+    const long process = std::strtol(name.c_str() + prefix.size(), &rest, 10);
+    if (process <= 0 || (*rest != '\0' && *rest != '-')) continue;
+    if (::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH) continue;
+    const int file = ::open(entry->path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) continue;
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) stale.push_back(entry->path());
+    ::close(file);
+  }
+  for (const fs::path& folder : stale) fs::remove_all(folder, error);
+}
+
+/// Removes the empty folders from `folder` up to `topmost`; others may have put files there.
+void remove_empty(fs::path folder, const fs::path& topmost) {
+  std::error_code error;
+  if (topmost.empty()) return;
+  while (fs::remove(folder, error) && folder != topmost) folder = folder.parent_path();
+}
+
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view content) {
+  const IgnoreFileSizeSignal guard;
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) fail("write", path, errno);
+  int error = write_all(file, content);
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0) return;
+  ::unlink(path.c_str());
+  fail("write", path, error);
+}
+
+void replace_file(const fs::path& path, std::string_view content) {
+  const fs::path part = path.string() + ".part";
+  ::unlink(part.c_str());
+  write_file(part, content);
+  if (::rename(part.c_str(), path.c_str()) != 0) fail("write", path, errno);
+  flush_folder(path.parent_path());
+}
+
+void flush_folder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
+ResultFolder::ResultFolder(const std::string& directory) : target_(resolve(directory)) {
+  check_target(target_);
+  const fs::path parent = target_.parent_path();
+  fs::path missing;
+  std::error_code error;
+  for (fs::path p = parent; !fs::exists(p, error) && p.has_relative_path(); p = p.parent_path())
+    missing = p;
+  topmost_created_ = missing;
+  fs::create_directories(parent, error);
+  if (error) {
+    const int reason = error.value();
+    remove_empty(parent, missing);
+    fail("make the folder", parent, reason);
+  }
+  remove_stale_partials(target_);
+  const std::string stem = fmt::format("{}.partial-{}", target_.string(), ::getpid());
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    partial_ = attempt == 0 ? stem : fmt::format("{}-{}", stem, attempt);
+    if (::mkdir(partial_.c_str(), 0777) == 0) {
+      lock_ = ::open(partial_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (lock_ >= 0) ::flock(lock_, LOCK_EX | LOCK_NB);
+      return;
+    }
+    if (errno != EEXIST) break;
+  }
+  const int reason = errno;
+  remove_empty(parent, missing);
+  fail("make the folder", partial_, reason);
+}
+
+ResultFolder::~ResultFolder() {
+  if (lock_ >= 0) ::close(lock_);
+  if (committed_) return;
+  std::error_code error;
+  fs::remove_all(partial_, error);
+  remove_empty(target_.parent_path(), topmost_created_);
+}
+
+void ResultFolder::write(const std::string& name, std::string_view content) {
+  const fs::path path = partial_ / name;
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) fail("make the folder", path.parent_path(), error.value());
+  write_file(path, content);
+}
+
+void ResultFolder::commit() {
+  check_target(target_);  // someone may have put files there while the models ran
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(partial_, error))
+    if (entry.is_directory()) flush_folder(entry.path());
+  flush_folder(partial_);
+
+  const bool replaces = fs::exists(target_, error) && !fs::is_empty(target_, error);
+  if (!replaces) {
+    if (::rename(partial_.c_str(), target_.c_str()) != 0)
+      fail("move the result to", target_, errno);
+    committed_ = true;
+  } else {
+    fs::path old_folder = partial_;  // after the exchange the old result has the partial's name
+    if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
+      if (errno != EINVAL && errno != ENOSYS) fail("replace the result in", target_, errno);
+      old_folder = fmt::format("{}.old-{}", target_.string(), ::getpid());
+      if (::rename(target_.c_str(), old_folder.c_str()) != 0)
+        fail("replace the result in", target_, errno);
+      if (::rename(partial_.c_str(), target_.c_str()) != 0) {
+        const int reason = errno;
+        ::rename(old_folder.c_str(), target_.c_str());
+        fail("move the result to", target_, reason);
+      }
+    }
+    committed_ = true;
+    bool all_saved = true;
+    carry_over(old_folder, target_, {}, all_saved);
+    if (all_saved) fs::remove_all(old_folder, error);
+  }
+  flush_folder(target_.parent_path());
+}
+
+void check_directory(const std::string& directory) {
+  const ResultFolder trial(directory);
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,275 @@
+#include "postprocess/write/results_hdf5.hpp"
+
+#include "contact/result/stress_measures.hpp"
+#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/write/point_table.hpp"
+#include "postprocess/write/stored_bodies.hpp"
+
+#include <fmt/core.h>
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::ContactGrid;
+using contact::ModelResult;
+using contact::PointResult;
+using namespace hdf5;
+
+const char* const conventions =
+    "mm, N, MPa, s, rad. x: rolling direction, material enters at large x; y: lateral; z: normal, "
+    "into the wheel. Tractions and forces act on the wheel. Displacement difference and slip: "
+    "wheel "
+    "minus rail. traction_coefficient = -F_x / F_z.";
+
+/// Directions in which a force is prescribed: "", "x", "y" or "xy".
+std::string prescribed_forces(const contact::Case& input) {
+  if (input.rolling.forces.empty()) return {};
+  const contact::PrescribedForce& first = input.rolling.forces.front();
+  return std::string(first.longitudinal ? "x" : "") + (first.lateral ? "y" : "");
+}
+
+void write_case(hid_t file, const contact::Case& input) {
+  const Handle group = create_group(file, "case",
+                                    "What was asked: the whole case file (text), and its main "
+                                    "numbers as attributes in mm, N, MPa");
+  write_attribute(group, "title", input.title);
+  write_attribute(group, "file", input.file);
+  write_attribute(group, "friction_coefficient", input.friction_coefficient);
+  if (input.load.normal_force) write_attribute(group, "normal_force", *input.load.normal_force);
+  if (input.load.vertical_force)
+    write_attribute(group, "vertical_force", *input.load.vertical_force);
+  if (input.load.approach) write_attribute(group, "approach", *input.load.approach);
+  static const char* const problems[] = {"steady", "shift", "transient", "frictionless"};
+  write_attribute(group, "problem", std::string(problems[static_cast<int>(input.rolling.problem)]));
+  write_attribute(group, "prescribed_forces", prescribed_forces(input));
+  if (input.given_pressure) {
+    write_attribute(group, "given_semi_axis_x", input.given_pressure->semi_axis_x);
+    write_attribute(group, "given_semi_axis_y", input.given_pressure->semi_axis_y);
+    write_attribute(group, "given_max_pressure", input.given_pressure->max_pressure);
+  }
+  if (input.undeformed_distance.quadratic) {
+    write_attribute(group, "distance_A", (*input.undeformed_distance.quadratic)[0]);
+    write_attribute(group, "distance_B", (*input.undeformed_distance.quadratic)[1]);
+  }
+  if (input.undeformed_distance.values)
+    write_attribute(group, "distance_file", input.undeformed_distance.values->file);
+  write_attribute(group, "wheel_rolling_radius", input.wheel.rolling_radius);
+  write_attribute(group, "wheel_transverse_radius", input.wheel.transverse_radius);
+  if (!input.wheel.profile.name.empty())
+    write_attribute(group, "wheel_profile", input.wheel.profile.name);
+  if (!input.rail.profile.name.empty())
+    write_attribute(group, "rail_profile", input.rail.profile.name);
+  write_attribute(group, "wheel_young_modulus", input.wheel.material.young_modulus);
+  write_attribute(group, "wheel_poisson_ratio", input.wheel.material.poisson_ratio);
+  write_attribute(group, "rail_transverse_radius", input.rail.transverse_radius);
+  write_attribute(group, "rail_young_modulus", input.rail.material.young_modulus);
+  write_attribute(group, "rail_poisson_ratio", input.rail.material.poisson_ratio);
+  const Handle text = write_dataset(group, "text", input.text);
+  write_comment(text, "The case file as it was read (TOML)");
+}
+
+void write_provenance(hid_t file, const Provenance& provenance) {
+  const Handle group = create_group(file, "provenance", "Who made this result, where and when");
+  write_attribute(group, "version", provenance.version);
+  write_attribute(group, "commit", provenance.commit);
+  write_attribute(group, "host", provenance.host);
+  write_attribute(group, "started", provenance.started);
+  write_attribute(group, "command", provenance.command);
+  write_attribute(group, "processes", static_cast<long>(provenance.processes));
+}
+
+/// The attributes of a load point explained, for readers that show no comments.
+void write_documentation(hid_t file) {
+  std::vector<std::string> lines;
+  for (const PointScalar& scalar : point_scalars())
+    lines.push_back(fmt::format("{} [{}]: {}", scalar.name, scalar.unit, scalar.description));
+  for (const PlaceScalar& scalar : place_scalars())
+    lines.push_back(fmt::format("place/{} [{}]: {}", scalar.name, scalar.unit, scalar.description));
+  lines.emplace_back("iterations [-]: outer iterations (FE solves) or Newton steps");
+  lines.emplace_back("residual [-]: relative residual at which the iteration stopped");
+  lines.emplace_back("seconds [s]: time of this load point");
+  lines.emplace_back("converged [-]: 1 or 0");
+  const Handle dataset = write_dataset(file, "documentation", lines);
+  write_comment(dataset, "Unit and meaning of the attributes of /models/NAME/points/NUMBER");
+}
+
+void write_grid(hid_t model, const ContactGrid& grid) {
+  const Handle group =
+      create_group(model, "grid",
+                   "Contact grid: centres of the elements (x, y) and their size (attributes dx, "
+                   "dy, in mm); fields are [ny, nx], x runs fastest");
+  write_attribute(group, "dx", grid.dx);
+  write_attribute(group, "dy", grid.dy);
+  write_attribute(group, "unit", std::string("mm"));
+  std::vector<double> x;
+  std::vector<double> y;
+  x.reserve(static_cast<std::size_t>(grid.nx));
+  y.reserve(static_cast<std::size_t>(grid.ny));
+  for (int i = 0; i < grid.nx; ++i) x.push_back(grid.x(i));
+  for (int j = 0; j < grid.ny; ++j) y.push_back(grid.y(j));
+  describe(write_dataset(group, "x", {x.size()}, x.data()), "mm", "element centres along rolling",
+           "material enters at large x");
+  describe(write_dataset(group, "y", {y.size()}, y.data()), "mm", "element centres across rolling",
+           "");
+}
+
+void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult& point) {
+  const std::vector<hsize_t> shape{static_cast<hsize_t>(grid.ny), static_cast<hsize_t>(grid.nx)};
+  for (const PointField& field : point_fields()) {
+    const contact::Field& values = field.value(point.fields);
+    if (values.size() == 0) continue;
+    describe(write_dataset(group, field.name, shape, values.data()), field.unit, field.description,
+             field.sign);
+  }
+  if (point.fields.state.empty()) return;
+  std::vector<unsigned char> state;
+  for (const contact::ElementState s : point.fields.state)
+    state.push_back(static_cast<unsigned char>(s));
+  describe(write_dataset(group, "state", shape, state.data()), "-",
+           "state of the element: 0 exterior, 1 adhesion, 2 slip", "");
+}
+
+void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {
+  if (fields.empty()) return;
+  const Handle all = create_group(point, "subsurface", "Points below the surface, as asked for");
+  static const char* const kinds[] = {"point", "line", "plane", "surface"};
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const contact::SubsurfaceField& field = fields[k];
+    const Handle group = create_group(all, fmt::format("{:04}", k), "Points, first side fastest");
+    write_attribute(group, "kind", std::string(kinds[static_cast<int>(field.request.kind)]));
+    write_attribute(group, "body", std::string(field.request.wheel ? "wheel" : "rail"));
+    write_attribute(group, "points_along", static_cast<long>(field.request.points[0]));
+    write_attribute(group, "points_across", static_cast<long>(field.request.points[1]));
+    write_rows(group, "points", field.points, "mm",
+               "x, y, z in the global frame, z into the wheel");
+    write_rows(group, "displacement", field.displacement, "mm",
+               "displacement of the material, x, y, z");
+    write_rows(group, "stress", field.stress, "MPa",
+               "stress: xx, yy, zz, xy, yz, xz; tension positive");
+    std::vector<double> equivalent;
+    for (const auto& stress : field.stress)
+      equivalent.push_back(contact::von_mises(contact::Stress::from_array(stress)));
+    describe(write_dataset(group, "von_mises", {equivalent.size()}, equivalent.data()), "MPa",
+             "von Mises stress", "");
+  }
+}
+
+void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>& maxima) {
+  if (maxima.empty()) return;
+  const Handle group =
+      create_group(point, "stress_maxima", "Largest stresses of wheel and rail, with their places");
+  std::vector<std::string> body;
+  std::vector<std::string> measure;
+  std::vector<double> value;
+  std::vector<std::array<double, 3>> place;
+  for (const contact::StressMaximum& maximum : maxima) {
+    body.push_back(maximum.body);
+    measure.push_back(maximum.measure);
+    value.push_back(maximum.value);
+    place.push_back(maximum.place);
+  }
+  write_comment(write_dataset(group, "body", body), "wheel or rail");
+  write_comment(write_dataset(group, "measure", measure), "of which stress");
+  describe(write_dataset(group, "value", {value.size()}, value.data()), "MPa", "largest value", "");
+  write_rows(group, "place", place, "mm", "x, y, z in the global frame, z into the wheel");
+}
+
+/// A group of named numbers; nothing where there are none.
+void write_quantities(hid_t parent, const char* name, const char* comment,
+                      const std::map<std::string, double>& quantities) {
+  if (quantities.empty()) return;
+  const Handle group = create_group(parent, name, comment);
+  for (const auto& [quantity, value] : quantities) write_attribute(group, quantity, value);
+}
+
+void write_point(hid_t points, std::size_t number, const ModelResult& model) {
+  const PointResult& point = model.points[number];
+  const Handle group = create_group(
+      points, fmt::format("{:04}", number),
+      fmt::format("Creepage xi = {}, eta = {}, spin = {} rad/mm; attributes: see /documentation",
+                  point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin));
+  for (const PointScalar& scalar : point_scalars())
+    write_attribute(group, scalar.name, scalar.value(point));
+  write_attribute(group, "iterations", static_cast<long>(point.iterations));
+  write_attribute(group, "residual", point.residual);
+  write_attribute(group, "seconds", point.seconds);
+  write_attribute(group, "converged", static_cast<long>(point.converged));
+  const Handle errors =
+      create_group(group, "error_estimate", "Attributes: estimated relative error by quantity");
+  for (const auto& [quantity, error] : point.error_estimate)
+    write_attribute(errors, quantity, error);
+  write_quantities(group, "richardson", "Attributes: values extrapolated to cells of size 0",
+                   point.richardson);
+  write_quantities(group, "derived",
+                   "Attributes: elastic energy in N mm, work in N mm per mm rolled", point.derived);
+  write_point_fields(group, model.grid, point);
+  write_subsurface(group, point.subsurface);
+  write_stress_maxima(group, point.stress_maxima);
+  write_body_values(group, model.bodies, point);
+}
+
+void write_place(hid_t model, const contact::ContactPlace& place) {
+  const Handle group = create_group(
+      model, "place", "Attributes: where the patch is on the track and on the profiles");
+  write_attribute(group, "wheel", std::string(place.left ? "left" : "right"));
+  for (const PlaceScalar& scalar : place_scalars())
+    write_attribute(group, scalar.name, scalar.value(place));
+}
+
+void write_model(hid_t models, const ModelResult& model, long order) {
+  const Handle group = create_group(models, model.key(), "Result of the model " + model.name);
+  write_attribute(group, "model", model.name);
+  if (model.place) write_place(group, *model.place);
+  write_attribute(group, "order", order);
+  write_attribute(group, "unknowns", model.unknowns);
+  write_attribute(group, "contact_elements", static_cast<long>(model.contact_elements));
+  const Handle seconds = create_group(group, "seconds", "Attributes: seconds by stage");
+  for (const auto& [stage, value] : model.seconds) write_attribute(seconds, stage, value);
+  const Handle notes = write_dataset(group, "notes", model.notes);
+  write_comment(notes, "What a reader must know: domain, symmetry, limits");
+  write_grid(group, model.grid);
+  const Handle points = create_group(group, "points", "Load points in the order of the case");
+  for (std::size_t k = 0; k < model.points.size(); ++k) write_point(points, k, model);
+  write_bodies(group, model);
+}
+
+void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
+  if (pairs.empty()) return;
+  const Handle all = create_group(file, "profiles", "Wheel and rail as they stand on the track");
+  for (const PlacedPair& pair : pairs) {
+    const std::string side = pair.left ? "left" : "right";
+    const Handle group = create_group(all, fmt::format("{}_{}", side, pair.position),
+                                      "Sections at x = 0 of the track");
+    write_attribute(group, "wheel", side);
+    write_attribute(group, "position", static_cast<long>(pair.position));
+    write_rows(group, "rail", pair.rail, "mm", "y to the right, z down");
+    write_rows(group, "wheel", pair.wheel, "mm", "y to the right, z down");
+  }
+}
+
+}  // namespace
+
+std::string results_hdf5(const RunRecord& run) {
+  const Handle file = create_file_in_memory();
+  write_comment(file, std::string("rollfem result, layout: docs/results.md. ") + conventions);
+  write_attribute(file, "format", std::string("rollfem results"));
+  write_attribute(file, "format_version", static_cast<long>(hdf5_format_version));
+  write_attribute(file, "format_minor", static_cast<long>(hdf5_format_minor));
+  write_attribute(file, "conventions", std::string(conventions));
+  write_documentation(file);
+  write_case(file, run.input);
+  write_provenance(file, run.provenance);
+  write_pairs(file, run.pairs);
+  {
+    const Handle models = create_group(
+        file, "models",
+        "One group per model; with profiles per model and patch, MODEL_SIDE_POSITION_PATCH");
+    for (std::size_t k = 0; k < run.models.size(); ++k)
+      write_model(models, run.models[k], static_cast<long>(k));
+  }
+  // Last, so that a reader can tell a whole file from one whose writing was cut short.
+  write_attribute(file, "complete", 1L);
+  return file_image(file);
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,22 @@
+// results.h5: grid, fields per load point, scalars and provenance, self-describing (units, signs
+// and descriptions are attributes and comments). Layout: docs/results.md.
+#pragma once
+
+#include "postprocess/write/output.hpp"
+
+#include <string>
+
+namespace rollfem::postprocess {
+
+/// Raised when names or meanings change: a reader of an earlier one must refuse the file.
+inline constexpr int hdf5_format_version = 1;
+/// Raised when something is added, which every reader of the version may leave unread. 0 (no such
+/// attribute in the file): without bodies; 1: models/NAME/bodies at one load point; 2:
+/// models/NAME/points/NUMBER/bodies at any.
+inline constexpr int hdf5_format_minor = 2;
+
+/// The bytes of results.h5. The file is made in memory: HDF5 cannot fail on a full disk half-way,
+/// and bytes are written like those of every other file. The record must have passed check_record.
+std::string results_hdf5(const RunRecord& run);
+
+}  // namespace rollfem::postprocess

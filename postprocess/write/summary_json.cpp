@@ -1,0 +1,63 @@
+#include "postprocess/write/summary_json.hpp"
+
+#include "postprocess/write/point_table.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rollfem::postprocess {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json point_json(const contact::PointResult& point) {
+  ordered_json json;
+  for (const PointScalar& scalar : point_scalars()) json[scalar.name] = scalar.value(point);
+  json["iterations"] = point.iterations;
+  json["seconds"] = point.seconds;
+  json["converged"] = point.converged;
+  json["error_estimate"] = ordered_json::object();
+  for (const auto& [quantity, error] : point.error_estimate)
+    json["error_estimate"][quantity] = error;
+  if (!point.richardson.empty()) json["richardson"] = point.richardson;
+  if (!point.derived.empty()) json["derived"] = point.derived;
+  for (const contact::StressMaximum& maximum : point.stress_maxima)
+    json["stress_maxima"].push_back({{"body", maximum.body},
+                                     {"measure", maximum.measure},
+                                     {"value", maximum.value},
+                                     {"place", maximum.place}});
+  return json;
+}
+
+ordered_json model_json(const contact::ModelResult& model) {
+  ordered_json json;
+  json["name"] = model.name;
+  if (model.place) {
+    json["place"] = {{"wheel", model.place->left ? "left" : "right"}};
+    for (const PlaceScalar& scalar : place_scalars())
+      json["place"][scalar.name] = scalar.value(*model.place);
+  }
+  json["seconds"] = ordered_json::object();
+  for (const auto& [stage, seconds] : model.seconds) json["seconds"][stage] = seconds;
+  json["unknowns"] = model.unknowns;
+  json["contact_elements"] = model.contact_elements;
+  json["points"] = ordered_json::array();
+  for (const contact::PointResult& point : model.points)
+    json["points"].push_back(point_json(point));
+  return json;
+}
+
+}  // namespace
+
+std::string summary_json(const RunRecord& run) {
+  ordered_json json;
+  json["format"] = 1;
+  json["title"] = run.input.title;
+  json["case_file"] = run.input.file;
+  json["program"] = {{"version", run.provenance.version}, {"commit", run.provenance.commit}};
+  json["models"] = ordered_json::array();
+  for (const contact::ModelResult& model : run.models) json["models"].push_back(model_json(model));
+  // A title or file name that is not UTF-8 is shown with replacement characters.
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,15 @@
+// summary.json: the numbers of a run without fields, for scripts and tests. Layout:
+// docs/results.md.
+#pragma once
+
+#include "postprocess/write/output.hpp"
+
+#include <string>
+
+namespace rollfem::postprocess {
+
+/// The text of summary.json; doubles with as many digits as give the same number back. The record
+/// must have passed check_record.
+std::string summary_json(const RunRecord& run);
+
+}  // namespace rollfem::postprocess

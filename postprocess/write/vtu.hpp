@@ -1,0 +1,41 @@
+// Files for ParaView (VTK XML unstructured grid, zlib-compressed base64): bodies, the contact
+// surface, and either of all load points as a time series.
+#pragma once
+
+#include "contact/result/result.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rollfem::postprocess {
+
+/// A body; nodes and cells are packed once for all load points.
+class BodyVtu {
+ public:
+  explicit BodyVtu(const contact::BodyField& body);
+  /// Hexahedra of the undeformed body with displacement (mm), stress (MPa: xx yy zz xy yz xz, VTK's
+  /// order of a symmetric tensor) and von Mises stress (MPa) at the points; null: without.
+  std::string text(const contact::BodyValues* values = nullptr) const;
+
+ private:
+  std::size_t point_count_;
+  std::size_t cell_count_;
+  std::string points_;
+  std::string cells_;
+};
+
+/// The contact surface at z = 0 of one load point: quadrilaterals, one per contact element, with
+/// tractions, bound, slip, gap, displacement difference and state per cell.
+std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointResult& point);
+
+/// What stands for the time in the series of these load points: the longitudinal creepage where it
+/// tells all of them apart, else the number of the point from 0 (steps of a history, spin, ...).
+std::vector<double> series_times(const std::vector<contact::PointResult>& points);
+
+/// The .pvd file of a series: per time the names of its parts, relative to it. ParaView sorts by
+/// time.
+std::string series_pvd(const std::vector<double>& times,
+                       const std::vector<std::vector<std::string>>& files);
+
+}  // namespace rollfem::postprocess

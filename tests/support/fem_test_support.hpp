@@ -1,0 +1,66 @@
+// What the tests of finite-element bodies share: MPI, small bodies, random tractions.
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "fem/body/body.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/mpi_environment.hpp"
+#include <random>
+
+namespace rollfem::test {
+
+inline fem::SurfaceShape wheel_shape(double rolling_radius, double transverse_radius) {
+  return {true, rolling_radius, transverse_radius};
+}
+
+inline fem::SurfaceShape rail_shape(double transverse_radius) {
+  return {false, contact::infinity, transverse_radius};
+}
+
+/// A body of a few thousand unknowns: fine region of 4 x 4 mm, cells of 1 mm.
+inline fem::BodyOptions small_options() {
+  fem::BodyOptions options;
+  options.cell_size = 1.0;
+  options.fine_half_length = 3.0;
+  options.fine_half_width = 3.0;
+  options.fine_depth = 1.0;
+  options.growth = 1.0;
+  options.extent = 16.0;
+  return options;
+}
+
+inline contact::SurfaceField random_field(const contact::ContactGrid& grid, unsigned int seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  contact::SurfaceField field{contact::Field(grid.size()), contact::Field(grid.size()),
+                              contact::Field(grid.size())};
+  for (int e = 0; e < grid.size(); ++e) {
+    field.x[e] = uniform(generator);
+    field.y[e] = uniform(generator);
+    field.n[e] = uniform(generator);
+  }
+  return field;
+}
+
+/// x and n even, y odd about y = 0.
+inline contact::SurfaceField symmetric_part(const contact::ContactGrid& grid,
+                                            const contact::SurfaceField& field) {
+  auto result = field;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int e = grid.index(i, j);
+      const int m = grid.index(i, grid.ny - 1 - j);
+      result.x[e] = 0.5 * (field.x[e] + field.x[m]);
+      result.y[e] = 0.5 * (field.y[e] - field.y[m]);
+      result.n[e] = 0.5 * (field.n[e] + field.n[m]);
+    }
+  return result;
+}
+
+inline double dot(const contact::SurfaceField& a, const contact::SurfaceField& b) {
+  return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
+}
+
+}  // namespace rollfem::test

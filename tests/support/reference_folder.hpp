@@ -1,0 +1,17 @@
+// The folder of reference files that are not part of the repository, for tests that read them where
+// they are at hand.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace rollfem::testing {
+
+/// $ROLLFEM_REFERENCE, else ../shared/reference beside the sources; it need not exist.
+inline std::filesystem::path reference_folder() {
+  const char* named = std::getenv("ROLLFEM_REFERENCE");
+  if (named != nullptr) return named;
+  return std::filesystem::path(ROLLFEM_SOURCE_DIR).parent_path() / "shared" / "reference";
+}
+
+}  // namespace rollfem::testing

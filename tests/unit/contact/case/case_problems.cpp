@@ -1,0 +1,342 @@
+// Case files of shifts, transients, prescribed forces, given pressures and points below the
+// surface: what they become, and what each contradiction says.
+#include "contact/base/errors.hpp"
+#include "contact/case/abilities.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/case/lattice.hpp"
+#include "contact/scene/geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/case_examples.hpp"
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using namespace rollfem;
+using contact::Case;
+using contact::parse_case;
+using contact::Problem;
+using test::plus;
+using test::with;
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_case(text, "case.toml");
+  } catch (const contact::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+void expect_error(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string message = error_of(text);
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
+  EXPECT_NE(message.find("; do: "), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+const std::string pressure = R"([friction]
+coefficient = 0.3
+[given_pressure]
+semi_axis_x = 6.0
+semi_axis_y = 3.0
+)";
+
+TEST(History, ListsBecomeStepsAndNumbersServeAll) {
+  const Case input = parse_case(plus("[rolling]\nproblem = \"shift\"\n[history]\n"
+                                     "longitudinal_shift = [0.001, -0.002, 0.0]\n"
+                                     "spin_shift = 1e-4\n"),
+                                "c.toml");
+  EXPECT_EQ(input.rolling.problem, Problem::shift);
+  ASSERT_EQ(input.history.size(), 3u);
+  ASSERT_EQ(input.rolling.creepages.size(), 3u);
+  EXPECT_EQ(input.history[1].longitudinal_shift, -0.002);
+  EXPECT_EQ(input.history[2].spin_shift, 1e-4);
+  EXPECT_FALSE(input.history[0].normal_force);
+  EXPECT_TRUE(input.rolling.forces.empty());
+}
+
+TEST(History, NumberOfStepsStretchesNumbers) {
+  const Case input =
+      parse_case(plus("[rolling]\nproblem = \"transient\"\nlateral_creepage = 0.002\n"
+                      "longitudinal_force = -1e3\n[history]\nstep_length = 0.5\n"
+                      "steps = 4\n"),
+                 "c.toml");
+  ASSERT_EQ(input.history.size(), 4u);
+  ASSERT_EQ(input.rolling.creepages.size(), 4u);
+  ASSERT_EQ(input.rolling.forces.size(), 4u);
+  EXPECT_EQ(input.history[3].step_length, 0.5);
+  EXPECT_EQ(input.rolling.creepages[3].lateral, 0.002);
+  EXPECT_EQ(input.rolling.forces[3].longitudinal, -1e3);
+}
+
+TEST(History, LoadOfTheStepsSizesTheGridByItsLargest) {
+  const Case input =
+      parse_case(with("[load]\nnormal_force = 50e3\n", "") +
+                     "[rolling]\nproblem = \"shift\"\n[history]\nnormal_force = [10, 30, 20]\n",
+                 "c.toml");
+  ASSERT_EQ(input.history.size(), 3u);
+  EXPECT_EQ(input.history[2].normal_force, 20.0);
+  EXPECT_EQ(input.load.normal_force, 30.0);
+}
+
+TEST(History, ContradictionsAreNamed) {
+  expect_error(
+      plus("[history]\nstep_length = 1.0\n"),
+      {"history.step_length = 1.0: is a step of a history, but rolling.problem is steady"});
+  expect_error(plus("[rolling]\nproblem = \"transient\"\n"), {"history.step_length: is missing"});
+  expect_error(plus("[rolling]\nproblem = \"transient\"\n[history]\nstep_length = 1.0\n"
+                    "lateral_shift = 0.1\n"),
+               {"history.lateral_shift = 0.1: is for the problem shift"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nstep_length = 1.0\n"),
+               {"history.step_length = 1.0: is for the problem transient"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\nspin = 0.1\n"),
+               {"rolling.spin = 0.1: has no meaning where nothing rolls"});
+  expect_error(plus("[rolling]\nproblem = \"frictionless\"\nspin = 0.1\n"),
+               {"rolling.spin = 0.1: has no effect without friction"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nnormal_force = [1, 2]\n"),
+               {"load.normal_force = 50e3: does not go together with [history]"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nsteps = 3\n"
+                    "longitudinal_shift = [0.1, 0.2]\n"),
+               {"has 2 entries, but history.steps of line 13 has 3"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\nextra_slip = \"rolling-radius\"\n"),
+               {"rolling.extra_slip = \"rolling-radius\": has no meaning with the problem shift"});
+}
+
+TEST(PrescribedForce, ArrivesForEveryLoadPoint) {
+  const Case input = parse_case(
+      plus("[rolling]\nlongitudinal_force = [-1e3, -2e3]\nlateral_creepage = 0.001\n"), "c.toml");
+  ASSERT_EQ(input.rolling.forces.size(), 2u);
+  EXPECT_EQ(input.rolling.forces[1].longitudinal, -2e3);
+  EXPECT_FALSE(input.rolling.forces[1].lateral);
+  EXPECT_EQ(input.rolling.creepages[1].lateral, 0.001);
+  EXPECT_EQ(input.rolling.creepages[1].longitudinal, 0.0);
+}
+
+TEST(PrescribedForce, BeyondFrictionOrBesideItsCreepageIsRefused) {
+  // mu F_z = 27 500 N.
+  EXPECT_EQ(error_of(plus("[rolling]\nlongitudinal_force = 27499\n")), "no error");
+  expect_error(plus("[rolling]\nlongitudinal_force = [0, 27500]\n"),
+               {"rolling.longitudinal_force = [0, 27500]: asks for 27500 N at load point 1",
+                "below 27500 N"});
+  expect_error(plus("[rolling]\nlongitudinal_force = 20e3\nlateral_force = -20e3\n"),
+               {"asks for 28284.3 N"});
+  expect_error(
+      plus("[rolling]\nlongitudinal_force = 1.0\nlongitudinal_creepage = 0.0\n"),
+      {"rolling.longitudinal_force = 1.0: contradicts rolling.longitudinal_creepage = 0.0 of "
+       "line 12"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\nlateral_force = 1.0\n[history]\n"
+                    "lateral_shift = 0.1\n"),
+               {"rolling.lateral_force = 1.0: contradicts history.lateral_shift"});
+  expect_error(plus("[rolling]\nproblem = \"frictionless\"\nlateral_force = 1.0\n"),
+               {"cannot be had without friction"});
+}
+
+TEST(RigidBody, OneIsAllowedTwoAreNot) {
+  const Case input = parse_case(with("[rail]\n", "[rail]\nyoung_modulus = inf\n"), "c.toml");
+  EXPECT_TRUE(std::isinf(input.rail.material.young_modulus));
+  const contact::CombinedMaterial material =
+      contact::combine(input.wheel.material, input.rail.material);
+  // Twice as stiff as two like bodies; K = (1 - 2 nu)/2, negative: the rail is the stiff one.
+  EXPECT_DOUBLE_EQ(material.contact_modulus, 210e3 / 0.91);
+  EXPECT_DOUBLE_EQ(material.shear_modulus, 2.0 * 210e3 / 2.6);
+  EXPECT_DOUBLE_EQ(material.difference, 0.5 * (1.0 - 0.6));
+  expect_error(with("[rail]\n", "young_modulus = inf\n[rail]\nyoung_modulus = inf\n"),
+               {"rail.young_modulus = inf: makes both bodies rigid"});
+}
+
+TEST(GivenPressure, TakesForceOrPressureAndNeedsNoRadii) {
+  const Case by_force = parse_case(pressure + "[load]\nnormal_force = 82e3\n", "c.toml");
+  ASSERT_TRUE(by_force.given_pressure);
+  EXPECT_NEAR(by_force.given_pressure->max_pressure, 1.5 * 82e3 / (M_PI * 18.0), 1e-9);
+  const Case by_pressure = parse_case(
+      "[friction]\ncoefficient = 0.3\n[given_pressure]\nsemi_axis_x = 6\nsemi_axis_y = 3\n"
+      "max_pressure = 1000\n",
+      "c.toml");
+  EXPECT_NEAR(*by_pressure.load.normal_force, 2.0 / 3.0 * M_PI * 18.0 * 1000.0, 1e-8);
+  EXPECT_NE(contact::describe(by_force).find("[given_pressure]"), std::string::npos);
+}
+
+TEST(GivenPressure, ContradictionsAreNamed) {
+  expect_error(pressure, {"load.normal_force: is missing, and given_pressure.max_pressure too"});
+  expect_error(pressure + "max_pressure = 1e3\n[load]\nnormal_force = 1e3\n",
+               {"given_pressure.max_pressure = 1e3: contradicts load.normal_force = 1e3"});
+  expect_error(pressure + "max_pressure = 1e3\n[load]\napproach = 0.1\n",
+               {"load.approach = 0.1: does not go together with [given_pressure]"});
+  expect_error(pressure + "max_pressure = 1e3\n[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
+               {"is not used, as the pressure is given"});
+  expect_error(
+      "[friction]\ncoefficient = 0.3\n[load]\nnormal_force = 1\n[given_pressure]\n"
+      "semi_axis_x = 1\n",
+      {"case.toml:5:1: given_pressure.semi_axis_y: is missing"});
+  expect_error(pressure + "max_pressure = 1e3\n[rolling]\nextra_slip = \"rolling-radius\"\n",
+               {"needs wheel.rolling_radius, which is missing"});
+}
+
+TEST(UndeformedDistance, QuadraticTakesThePlaceOfTheRadii) {
+  const Case input = parse_case(
+      "[load]\nnormal_force = 1\n[friction]\ncoefficient = 0.3\n"
+      "[undeformed_distance]\nquadratic = [0.01, 0.02]\n",
+      "c.toml");
+  const contact::ContactGrid grid = contact::ContactGrid::centred(3, 3, 1.0, 2.0);
+  const contact::Field distance = contact::undeformed_distance(input, grid);
+  EXPECT_DOUBLE_EQ(distance[grid.index(2, 0)], 0.01 + 0.02 * 4.0);
+  EXPECT_EQ(distance[grid.index(1, 1)], 0.0);
+}
+
+class PointFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        std::filesystem::temp_directory_path() / ("rollfem_files_" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder_);
+    std::ofstream distance(folder_ / "h.csv");
+    std::ofstream slip(folder_ / "slip.csv");
+    for (int j = -4; j <= 4; ++j)
+      for (int i = -4; i <= 4; ++i) {
+        distance << i << "," << j << "," << 0.01 * i * i + 0.02 * j * j << "\n";
+        slip << i << "," << j << "," << 1e-4 * j << "," << -1e-4 * i << "\n";
+      }
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string name() const { return (folder_ / "case.toml").string(); }
+  std::filesystem::path folder_;
+};
+
+TEST_F(PointFiles, AreFoundBesideTheCaseFileAndEvaluated) {
+  const Case input = parse_case(
+      "[load]\nnormal_force = 1\n[friction]\ncoefficient = 0.3\n[undeformed_distance]\nfile = "
+      "\"h.csv\"\n[rolling]\nlongitudinal_creepage = 0.001\nextra_slip = \"file\"\nextra_slip_file "
+      "= "
+      "\"slip.csv\"\n",
+      name());
+  const contact::ContactGrid grid = contact::ContactGrid::centred(4, 4, 1.5, 1.5);
+  const contact::Field distance = contact::undeformed_distance(input, grid);
+  const int corner = grid.index(3, 0);  // x = 2.25, y = -2.25
+  EXPECT_NEAR(distance[corner], 0.03 * 2.25 * 2.25, 1e-13);
+  const contact::TangentialField slip =
+      contact::rigid_slip(input, input.rolling.creepages[0], grid);
+  EXPECT_NEAR(slip.x[corner], 0.001 - 2.25e-4, 1e-15);
+  EXPECT_NEAR(slip.y[corner], -2.25e-4, 1e-15);
+  const contact::ContactGrid beyond = contact::ContactGrid::centred(9, 9, 1.1, 1.1);
+  EXPECT_THROW(contact::undeformed_distance(input, beyond), contact::InputError);
+}
+
+TEST_F(PointFiles, ThatAreMissingOrUnusedAreNamed) {
+  expect_error(plus("[undeformed_distance]\nfile = \"no.csv\"\n"),
+               {"no.csv: there is no such file"});
+  expect_error(plus("[rolling]\nextra_slip_file = \"slip.csv\"\n"),
+               {"rolling.extra_slip_file = \"slip.csv\": is not used, as extra_slip is none"});
+  expect_error(plus("[rolling]\nextra_slip = \"file\"\n"), {"names no file"});
+  expect_error(plus("[undeformed_distance]\nfile = \"h.csv\"\nquadratic = [1e-3, 1e-3]\n"),
+               {"contradicts undeformed_distance.quadratic"});
+}
+
+TEST(Subsurface, SectionsAreReadInTheOrderOfTheFile) {
+  const Case input = parse_case(plus("[[subsurface.line]]\nfrom = [0, 0, 0.1]\nto = [0, 0, 5]\n"
+                                     "points = 50\n"
+                                     "[[subsurface.point]]\nbody = \"rail\"\nat = [1, 2, -3]\n"
+                                     "[[subsurface.line]]\nbody = \"rail\"\nfrom = [0, 0, 0]\n"
+                                     "to = [1, 0, -1]\npoints = 3\n"
+                                     "[[subsurface.plane]]\nfrom = [0, 0, 1]\nto = [2, 0, 1]\n"
+                                     "across = [0, 2, 1]\npoints = [3, 4]\n"),
+                                "c.toml");
+  using Kind = contact::SubsurfaceRequest::Kind;
+  ASSERT_EQ(input.subsurface.size(), 4u);
+  EXPECT_EQ(input.subsurface[0].kind, Kind::line);
+  EXPECT_TRUE(input.subsurface[0].wheel);
+  EXPECT_EQ(input.subsurface[0].points[0], 50);
+  EXPECT_EQ(input.subsurface[1].kind, Kind::point);
+  EXPECT_FALSE(input.subsurface[1].wheel);
+  EXPECT_EQ(input.subsurface[1].from[2], -3.0);
+  EXPECT_EQ(input.subsurface[2].to[2], -1.0);
+  EXPECT_EQ(input.subsurface[3].points[1], 4);
+  const std::string text = contact::describe(input);
+  EXPECT_NE(text.find("[[subsurface.plane]]"), std::string::npos) << text;
+}
+
+TEST(Subsurface, ErrorsNameSectionLineAndKey) {
+  const std::string line = "[[subsurface.line]]\nfrom = [0, 0, 1]\nto = [0, 0, 5]\n";
+  expect_error(plus(line), {"case.toml:10:1: subsurface.line.points: is missing"});
+  expect_error(plus(line + "points = 1\n"), {"subsurface.line.points = 1: is out of bounds"});
+  expect_error(plus(line + "points = 9\nbody = \"rail\"\n"),
+               {"case.toml:11:8: subsurface.line.from = [0, 0, 1]: z = 1 is not in the rail"});
+  expect_error(plus("[[subsurface.point]]\nat = [0, 0]\n"), {"has 2 entries, not 3"});
+  expect_error(plus("[[subsurface.point]]\nwhere = [0, 0, 1]\n"),
+               {"subsurface.point.where: is not a key", "allowed: body, at"});
+  expect_error(plus("[subsurface.point]\nat = [0, 0, 1]\n"), {"is not a list of sections"});
+  expect_error(plus("[[subsurface.box]]\nat = [0, 0, 1]\n"),
+               {"subsurface.box", "point, line, plane"});
+  expect_error(plus("[subsurface]\npoint = 3\n"), {"subsurface.point: is not a list"});
+  expect_error(plus("[[subsurface.plane]]\nfrom = [0, 0, 1]\nto = [1, 0, 1]\nacross = [0, 1, 1]\n"
+                    "points = [2.5, 3]\n"),
+               {"2.5 is no whole number"});
+  expect_error(plus("[[subsurface.plane]]\nfrom = [0, 0, 3]\nto = [1, 0, 1]\nacross = [0, 1, 1]\n"
+                    "points = [2, 3]\n"),
+               {"the fourth corner, z = -1, leaves the body"});
+}
+
+TEST(Subsurface, PointsOfAConcaveBodyMayLieBeyondTheMiddleButNotInTheHalfSpace) {
+  // Wheel of -40 mm across: its surface is 40 - sqrt(40^2 - 6^2) = 0.453 mm below z = 0 at y = 6.
+  const auto concave = [](const std::string& place) {
+    std::string text = with("transverse_radius = inf", "transverse_radius = -40.0");
+    text.replace(text.find("2000.0"), 6, "35.0");
+    return text + "[[subsurface.point]]\nat = " + place + "\n";
+  };
+  const Case input = parse_case(concave("[0, 6, -0.4]"), "case.toml");
+  EXPECT_EQ(input.subsurface.at(0).from[2], -0.4);
+  EXPECT_NO_THROW(contact::check_able(input, "fem"));
+  try {
+    contact::check_able(input, "halfspace");
+    ADD_FAILURE() << "a half-space has no points beyond z = 0";
+  } catch (const contact::InputError& error) {
+    for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model fem"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  // In the middle, and further out than any finite element, they are outside.
+  expect_error(concave("[0, 0, -0.4]"), {"z = -0.4 is not in the wheel", "in a concave body"});
+  expect_error(concave("[0, 6, -1.6]"), {"z = -1.6 is not in the wheel"});
+  expect_error(plus("[[subsurface.point]]\nat = [0, 6, -0.1]\n"), {"z = -0.1 is not in the wheel"});
+}
+
+TEST(Abilities, ModelsRefuseWhatTheyLeaveOutAndNameThoseThatCan) {
+  const auto refusal = [](const std::string& text, const std::string& model) {
+    try {
+      contact::check_able(parse_case(text, "case.toml"), model);
+    } catch (const contact::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("able");
+  };
+  const std::string shift =
+      plus("[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.1\n");
+  const std::string force = plus("[rolling]\nlongitudinal_force = 1.0\n");
+  EXPECT_EQ(refusal(shift, "halfspace"), "able");
+  EXPECT_EQ(refusal(force, "halfspace"), "able");
+  for (const char* model : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip", "fem"}) {
+    EXPECT_NE(refusal(shift, model).find("allowed: hertz, halfspace"), std::string::npos) << model;
+    EXPECT_NE(refusal(force, model).find("prescribed tangential force"), std::string::npos)
+        << model;
+    EXPECT_EQ(refusal(test::small_case, model), "able") << model;
+  }
+  const std::string fast = plus("[rolling]\nspeed = 5e4\n");
+  EXPECT_EQ(refusal(fast, "fem"), "able");
+  for (const char* model : {"hertz", "carter", "halfspace"})
+    EXPECT_NE(
+        refusal(fast, model)
+            .find("rolling.speed > 0: it cannot take the inertia of moving bodies; allowed: fem; "
+                  "do: run with --model fem"),
+        std::string::npos)
+        << model;
+  const std::string given = pressure + "max_pressure = 1e3\n";
+  EXPECT_EQ(refusal(given, "fastsim"), "able");
+  EXPECT_NE(refusal(given, "fem").find("a given pressure"), std::string::npos);
+  EXPECT_NE(refusal(with("[rail]\n", "[rail]\nyoung_modulus = inf\n"), "fem").find("a rigid body"),
+            std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,164 @@
+// Case files with profiles: track, wheelset and vertical force, and what each contradiction says.
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace rollfem;
+using contact::Case;
+using contact::parse_case;
+
+const std::string pair = R"([load]
+vertical_force = 100e3
+[friction]
+coefficient = 0.3
+[wheel]
+rolling_radius = 450.0
+profile = "S1002"
+[rail]
+profile = "UIC60-manchester"
+[track]
+inclination = "1:40"
+)";
+
+std::string with(const std::string& piece, const std::string& replacement) {
+  std::string text = pair;
+  return text.replace(text.find(piece), piece.size(), replacement);
+}
+
+void expect_error(const std::string& text, const std::vector<std::string>& parts) {
+  std::string message = "no error";
+  try {
+    parse_case(text, "case.toml");
+  } catch (const contact::InputError& error) {
+    message = error.what();
+  }
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
+  EXPECT_NE(message.find("; do: "), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+TEST(Track, DefaultsAreThoseOfStandardGauge) {
+  const Case input = parse_case(pair, "c.toml");
+  EXPECT_TRUE(input.has_profiles());
+  EXPECT_EQ(input.track.gauge, 1435.0);
+  EXPECT_EQ(input.track.gauge_height, 14.0);
+  EXPECT_EQ(input.track.inclination, 0.025);
+  EXPECT_EQ(input.wheelset.flange_back_distance, 1360.0);
+  EXPECT_EQ(input.wheelset.flange_back_position, -70.0);
+  EXPECT_EQ(input.wheelset.positions(), 1u);
+  EXPECT_TRUE(input.wheelset.roll.empty());
+  EXPECT_EQ(*input.load.vertical_force, 100e3);
+  EXPECT_FALSE(input.load.normal_force);
+}
+
+TEST(Track, InclinationsAreTangents) {
+  EXPECT_EQ(parse_case(with("1:40", "1:20"), "c.toml").track.inclination, 0.05);
+  EXPECT_EQ(parse_case(with("1:40", "none"), "c.toml").track.inclination, 0.0);
+}
+
+TEST(Wheelset, PositionsAndLoadPointsAreListsOfTheirOwn) {
+  const Case input = parse_case(pair +
+                                    "[wheelset]\nlateral_shift = [0.0, 1.0, 2.0]\n"
+                                    "yaw = 0.001\nroll = [0.0, 1e-4, 2e-4]\n"
+                                    "rotation_change = [-0.001, 0.001]\n"
+                                    "[rolling]\nlateral_creepage = 0.002\n",
+                                "c.toml");
+  EXPECT_EQ(input.wheelset.positions(), 3u);
+  EXPECT_EQ(input.wheelset.yaw, (std::vector<double>{0.001, 0.001, 0.001}));
+  EXPECT_EQ(input.wheelset.roll[2], 2e-4);
+  ASSERT_EQ(input.rolling.creepages.size(), 2u);
+  EXPECT_EQ(input.wheelset.rotation_change, (std::vector<double>{-0.001, 0.001}));
+  EXPECT_FALSE(input.rolling.given.longitudinal);
+  EXPECT_TRUE(input.rolling.given.lateral);
+  EXPECT_FALSE(input.rolling.given.spin);
+}
+
+TEST(Wheelset, OneRotationChangeServesAllLoadPoints) {
+  const Case input = parse_case(
+      pair + "[wheelset]\nrotation_change = 0.001\n[rolling]\nlateral_creepage = [0.0, 0.002]\n",
+      "c.toml");
+  EXPECT_EQ(input.wheelset.rotation_change, (std::vector<double>{0.001, 0.001}));
+}
+
+TEST(Wheelset, WordsAreUnderstood) {
+  const Case input =
+      parse_case(pair + "[wheelset]\nside = \"both\"\nfree_rolling = \"torque\"\n", "c.toml");
+  EXPECT_EQ(input.wheelset.side, contact::WheelSide::both);
+  EXPECT_EQ(input.wheelset.free_rolling, contact::FreeRolling::torque);
+}
+
+TEST(Track, IsSaidBackByCheck) {
+  const std::string text = describe(
+      parse_case(pair + "[wheelset]\nlateral_shift = [0.0, 1.0]\nside = \"both\"\n", "c.toml"));
+  for (const char* part : {"[track]", "\"1:40\"", "1435", "[wheelset]", "[0, 1]", "\"both\"",
+                           "vertical_force", "both wheels touch their rails"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(TrackErrors, InclinationIsNotAssumed) {
+  expect_error(with("inclination = \"1:40\"\n", ""),
+               {"case.toml:10:1: track.inclination: is missing", "\"none\", \"1:20\", \"1:40\""});
+}
+
+TEST(TrackErrors, ListsOfPositionsHaveOneLength) {
+  expect_error(
+      pair + "[wheelset]\nlateral_shift = [0.0, 1.0]\nyaw = [0.0, 0.1, 0.2]\n",
+      {"case.toml:14", "wheelset.yaw", "has 3 entries", "a single number for all positions"});
+}
+
+TEST(TrackErrors, TrackWheelsetAndVerticalForceNeedProfiles) {
+  const std::string radii =
+      "[load]\nnormal_force = 1e4\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 450\n"
+      "transverse_radius = inf\n[rail]\ntransverse_radius = 300\n";
+  expect_error(radii + "[track]\ngauge = 1435\n", {"case.toml:11", "track.gauge", "gives none"});
+  expect_error(radii + "[wheelset]\nyaw = 0.01\n", {"wheelset.yaw", "gives none"});
+  std::string vertical = radii;
+  vertical.replace(vertical.find("normal_force"), 12, "vertical_force");
+  expect_error(vertical, {"load.vertical_force", "gives none", "write `normal_force` instead"});
+}
+
+TEST(TrackErrors, OneProfileNeedsTheOther) {
+  expect_error(with("profile = \"UIC60-manchester\"", "transverse_radius = 300.0"),
+               {"wheel.profile", "rail.profile is missing"});
+}
+
+TEST(TrackErrors, LoadIsGivenOnce) {
+  expect_error(with("vertical_force = 100e3", "vertical_force = 100e3\nnormal_force = 5e4"),
+               {"contradicts load.", "exactly one of normal_force, approach and vertical_force"});
+  expect_error(with("vertical_force = 100e3", ""),
+               {"is missing", "exactly one of normal_force, approach and vertical_force",
+                "vertical_force = 50e3"});
+}
+
+TEST(TrackErrors, OneThingDecidesTheRotation) {
+  expect_error(pair +
+                   "[wheelset]\nrotation_change = 0.001\n[rolling]\n"
+                   "longitudinal_creepage = 0.001\n",
+               {"rolling.longitudinal_creepage", "contradicts wheelset.rotation_change = 0.001"});
+  expect_error(pair + "[wheelset]\nfree_rolling = \"force\"\nrotation_change = 0.001\n",
+               {"wheelset.rotation_change", "contradicts wheelset.free_rolling"});
+  expect_error(pair +
+                   "[wheelset]\nfree_rolling = \"force\"\n[rolling]\n"
+                   "longitudinal_force = -100.0\n",
+               {"rolling.longitudinal_force", "contradicts wheelset.free_rolling"});
+  parse_case(pair + "[wheelset]\nfree_rolling = \"none\"\nrotation_change = 0.001\n", "c.toml");
+}
+
+TEST(TrackErrors, TorqueNeedsBothWheels) {
+  expect_error(pair + "[wheelset]\nfree_rolling = \"torque\"\n",
+               {"wheelset.free_rolling", "needs both wheels", "side = \"both\""});
+}
+
+TEST(TrackErrors, ExtraSlipOfRadiiIsRefused) {
+  expect_error(pair + "[rolling]\nextra_slip = \"rolling-radius\"\n",
+               {"rolling.extra_slip", "is for radii"});
+}
+
+}  // namespace

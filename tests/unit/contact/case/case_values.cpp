@@ -1,0 +1,225 @@
+// What a valid case file becomes: values, defaults, broadcasting, and the texts derived from the
+// declarations.
+#include "contact/case/case_keys.hpp"
+#include "contact/case/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/case_examples.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem;
+using contact::Case;
+using contact::parse_case;
+using test::plus;
+using test::small_case;
+
+TEST(CaseValues, SmallCaseHasItsValuesAndDefaults) {
+  const Case input = parse_case(small_case, "folder/small.toml");
+  EXPECT_EQ(input.title, "small");
+  EXPECT_EQ(input.file, "folder/small.toml");
+  EXPECT_EQ(input.text, small_case);
+  EXPECT_EQ(input.models, (std::vector<std::string>{"hertz", "halfspace", "fem"}));
+  EXPECT_EQ(input.load.normal_force, 50e3);
+  EXPECT_FALSE(input.load.approach);
+  EXPECT_EQ(input.friction_coefficient, 0.55);
+  EXPECT_EQ(input.wheel.rolling_radius, 405.0);
+  EXPECT_TRUE(std::isinf(input.wheel.transverse_radius));
+  EXPECT_EQ(input.rail.transverse_radius, 2000.0);
+  EXPECT_EQ(input.rail.material.young_modulus, 210e3);
+  EXPECT_EQ(input.wheel.material.poisson_ratio, 0.3);
+  ASSERT_EQ(input.rolling.creepages.size(), 1u);
+  EXPECT_EQ(input.rolling.creepages[0].longitudinal, 0.0);
+  EXPECT_EQ(input.rolling.upwind_order, contact::UpwindOrder::second);
+  EXPECT_EQ(input.rolling.extra_slip, contact::ExtraSlip::none);
+  EXPECT_EQ(input.contact_grid.elements_across, 40);
+  EXPECT_FALSE(input.contact_grid.cell_size);
+  EXPECT_EQ(input.fem.degree, 2);
+  EXPECT_EQ(input.output.paths, (std::vector<std::string>{"x", "y"}));
+  EXPECT_TRUE(input.output.fields);
+}
+
+TEST(CaseValues, EveryKeyArrives) {
+  const Case input = parse_case(R"(title = "all keys: \"quoted\""
+models = ["fem", "hertz"]
+[load]
+approach = 0.05
+[friction]
+coefficient = 0
+[wheel]
+rolling_radius = 460
+transverse_radius = -300.0
+young_modulus = 200e3
+poisson_ratio = 0.25
+density = 7.2e-9
+[rail]
+transverse_radius = 250
+young_modulus = 100000
+poisson_ratio = 0.0
+[rolling]
+longitudinal_creepage = [0, 0.001]
+speed = 4e4
+lateral_creepage = -0.002
+spin = [1e-4, 0.0]
+upwind_order = "first"
+extra_slip = "rolling-radius"
+[contact_grid]
+cell_size = [0.2, 0.3]
+[fem]
+cell_size = 0.5
+degree = 1
+extent = 60.0
+fine_extent = 1.5
+linear_solver = "multigrid"
+[output]
+paths = ["y"]
+fields = false
+)",
+                                "all.toml");
+  EXPECT_EQ(input.title, "all keys: \"quoted\"");
+  EXPECT_EQ(input.models, (std::vector<std::string>{"fem", "hertz"}));
+  EXPECT_FALSE(input.load.normal_force);
+  EXPECT_EQ(input.load.approach, 0.05);
+  EXPECT_EQ(input.friction_coefficient, 0.0);
+  EXPECT_EQ(input.wheel.rolling_radius, 460.0);
+  EXPECT_EQ(input.wheel.transverse_radius, -300.0);
+  EXPECT_EQ(input.wheel.material.young_modulus, 200e3);
+  EXPECT_EQ(input.wheel.material.poisson_ratio, 0.25);
+  EXPECT_EQ(input.wheel.material.density, 7.2e-9);
+  EXPECT_EQ(input.rail.material.density, 7.85e-9);
+  EXPECT_EQ(input.rolling.speed, 4e4);
+  EXPECT_EQ(input.rail.transverse_radius, 250.0);
+  EXPECT_EQ(input.rail.material.young_modulus, 100e3);
+  EXPECT_EQ(input.rail.material.poisson_ratio, 0.0);
+  ASSERT_EQ(input.rolling.creepages.size(), 2u);
+  EXPECT_EQ(input.rolling.creepages[1].longitudinal, 0.001);
+  EXPECT_EQ(input.rolling.creepages[0].lateral, -0.002);
+  EXPECT_EQ(input.rolling.creepages[1].lateral, -0.002);
+  EXPECT_EQ(input.rolling.creepages[0].spin, 1e-4);
+  EXPECT_EQ(input.rolling.creepages[1].spin, 0.0);
+  EXPECT_EQ(input.rolling.upwind_order, contact::UpwindOrder::first);
+  EXPECT_EQ(input.rolling.extra_slip, contact::ExtraSlip::rolling_radius);
+  ASSERT_TRUE(input.contact_grid.cell_size);
+  EXPECT_EQ((*input.contact_grid.cell_size)[1], 0.3);
+  EXPECT_EQ(input.fem.cell_size, 0.5);
+  EXPECT_EQ(input.fem.degree, 1);
+  EXPECT_EQ(input.fem.extent, 60.0);
+  EXPECT_EQ(input.fem.fine_extent, 1.5);
+  EXPECT_EQ(input.fem.linear_solver, contact::LinearSolver::multigrid);
+  EXPECT_EQ(input.output.paths, std::vector<std::string>{"y"});
+  EXPECT_FALSE(input.output.fields);
+}
+
+TEST(CaseValues, ScalarsAreBroadcastWhateverTheOrderOfTheLists) {
+  for (const char* lines :
+       {"[rolling]\nspin = [0.1, 0.2, 0.3]\nlongitudinal_creepage = 0.01\n",
+        "[rolling]\nlongitudinal_creepage = [0.01]\nspin = [0.1, 0.2, 0.3]\n"}) {
+    const Case input = parse_case(plus(lines), "b.toml");
+    ASSERT_EQ(input.rolling.creepages.size(), 3u);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(input.rolling.creepages[i].longitudinal, 0.01);
+      EXPECT_EQ(input.rolling.creepages[i].lateral, 0.0);
+      EXPECT_EQ(input.rolling.creepages[i].spin, 0.1 * (i + 1) + (i == 2 ? 0.3 - 0.1 * 3 : 0.0));
+    }
+  }
+}
+
+TEST(CaseValues, DottedKeysWindowsLineEndsAndListsOverManyLinesAreRead) {
+  const Case input = parse_case(
+      "load.normal_force = 1_000\r\nfriction = {coefficient = 0.3}\r\nwheel.rolling_radius = "
+      "405\r\n"
+      "wheel.transverse_radius = inf\r\nrail.transverse_radius = 300\r\n[rolling]\r\n"
+      "longitudinal_creepage = [ # braking\r\n 0.0,\r\n 0.001,\r\n]\r\n",
+      "d.toml");
+  EXPECT_EQ(input.load.normal_force, 1000.0);
+  EXPECT_EQ(input.friction_coefficient, 0.3);
+  EXPECT_EQ(input.rolling.creepages.size(), 2u);
+}
+
+TEST(CaseValues, TemplateIsAValidCaseWithTheDefaultsInIt) {
+  const Case input = parse_case(contact::case_template(), "template.toml");
+  const Case defaults = contact::default_case();
+  EXPECT_EQ(input.models, defaults.models);
+  EXPECT_EQ(input.contact_grid.elements_across, defaults.contact_grid.elements_across);
+  EXPECT_EQ(input.rolling.creepages.size(), 7u);
+}
+
+TEST(CaseValues, TemplateAndReferenceNameEveryKey) {
+  const std::string text = contact::case_template();
+  const std::string page = contact::case_reference_markdown();
+  for (const contact::Key& key : contact::case_keys()) {
+    EXPECT_NE(text.find(key.name + " = "), std::string::npos) << key.path();
+    EXPECT_NE(page.find("| `" + key.name + "` |"), std::string::npos) << key.path();
+    EXPECT_FALSE(key.sentence.empty()) << key.path();
+    EXPECT_EQ(key.sentence.back(), '.') << key.path();
+  }
+}
+
+TEST(CaseValues, EveryKeyIsReadBackByItsGetter) {
+  // get and set of a declaration belong together: what set puts in, get takes out.
+  for (const contact::Key& key : contact::case_keys()) {
+    Case input = contact::default_case();
+    contact::KeyValue value = key.get(input);
+    switch (key.kind) {
+      case contact::KeyKind::text:
+        value = std::string("other");
+        break;
+      case contact::KeyKind::word:
+        value = key.words.back();
+        break;
+      case contact::KeyKind::words:
+        value = std::vector<std::string>{key.words.back()};
+        break;
+      case contact::KeyKind::number:
+        value = 0.25 * (key.bounds.lower + 1.5);
+        break;
+      case contact::KeyKind::integer:
+        value = key.bounds.upper;
+        break;
+      case contact::KeyKind::boolean:
+        // One without a default is not there yet.
+        value = std::holds_alternative<bool>(value) ? !std::get<bool>(value) : true;
+        break;
+      case contact::KeyKind::pair:
+        value = std::vector<double>{3.0, 5.0};
+        break;
+      case contact::KeyKind::triple:
+        value = std::vector<double>{0.5, 0.75, 1.5};
+        break;
+      case contact::KeyKind::numbers:
+        value = std::vector<double>{0.5, 0.75};
+        break;
+    }
+    key.set(input, value);
+    EXPECT_EQ(key.get(input), value) << key.path();
+  }
+}
+
+TEST(CaseValues, DescriptionTellsValuesUnitsDefaultsAndWhatFollows) {
+  const std::string text = contact::describe(parse_case(small_case, "small.toml"));
+  EXPECT_NE(text.find("normal_force           50000 N\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("young_modulus          210000 MPa  (default)"), std::string::npos) << text;
+  EXPECT_NE(text.find("A                      0.00123457 1/mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("B                      0.00025 1/mm"), std::string::npos) << text;
+  // E* = 210000 / (2 (1 - 0.09)), G = 210000 / 2.6
+  EXPECT_NE(text.find("E*                     115385 MPa"), std::string::npos) << text;
+  EXPECT_NE(text.find("G                      80769.2 MPa"), std::string::npos) << text;
+  EXPECT_EQ(text.find("approach"), std::string::npos) << text;
+}
+
+TEST(CaseValues, CommittedCasesAreValidAndHaveTheEllipsesOfTheStudy) {
+  const std::string folder = std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_";
+  for (const char name : std::string("abcdef")) {
+    const Case input = contact::read_case(folder + name + ".toml");
+    EXPECT_EQ(input.load.normal_force, 50e3);
+    EXPECT_EQ(input.friction_coefficient, 0.55);
+    EXPECT_EQ(input.rolling.creepages.size(), 7u);
+    const bool curved = name == 'e' || name == 'f';
+    EXPECT_EQ(input.rolling.extra_slip == contact::ExtraSlip::rolling_radius, curved);
+    EXPECT_EQ(input.models.size(), 3u);
+  }
+}
+
+}  // namespace

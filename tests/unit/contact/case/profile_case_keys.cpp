@@ -1,0 +1,122 @@
+// The keys of profiles in a case file: what they set, and which combinations are refused.
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/case_examples.hpp"
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace rollfem;
+
+const std::string rest = R"([load]
+normal_force = 50e3
+[friction]
+coefficient = 0.3
+[wheel]
+rolling_radius = 460.0
+)";
+
+/// What profiles need besides; after the sections of the bodies.
+const std::string track = "[track]\ninclination = \"1:40\"\n";
+
+std::string refusal(const std::string& text) {
+  try {
+    contact::parse_case(rest + text, "case.toml");
+  } catch (const contact::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ProfileKeys, AreReadOfBothBodies) {
+  const contact::Case input = contact::parse_case(rest + R"(profile = "measured/wheel.csv"
+[rail]
+profile = "arcs"
+[wheel_profile]
+unit = "inch"
+mirror = true
+flip = true
+reverse = true
+sort = true
+drop_duplicates = true
+drop_zigzag = true
+thinning = 0.2
+longest_gap = 7.0
+largest_kink = 30.0
+rounding = 1.5
+rotation = 0.01
+shift = [1.0, -2.0]
+smoothing = 0.01
+[rail_profile]
+radii = [300.0, 80.0, 13.0]
+ends = [10.0, 26.0, 35.0]
+symmetric = true
+)" + track,
+                                                  "case.toml");
+  EXPECT_TRUE(input.has_profiles());
+  const contact::ProfileSource& wheel = input.wheel.profile;
+  EXPECT_EQ(wheel.name, "measured/wheel.csv");
+  EXPECT_EQ(wheel.unit, contact::LengthUnit::inch);
+  EXPECT_TRUE(wheel.mirror && wheel.flip && wheel.reverse && wheel.sort);
+  EXPECT_TRUE(wheel.drop_duplicates && wheel.drop_zigzag);
+  EXPECT_EQ(wheel.thinning, 0.2);
+  EXPECT_EQ(wheel.longest_gap, 7.0);
+  EXPECT_EQ(wheel.largest_kink, 30.0);
+  EXPECT_EQ(wheel.rounding, 1.5);
+  EXPECT_EQ(wheel.rotation, 0.01);
+  EXPECT_EQ(wheel.shift[1], -2.0);
+  EXPECT_EQ(wheel.smoothing, 0.01);
+  const contact::ProfileSource& rail = input.rail.profile;
+  EXPECT_EQ(rail.radii, (std::vector<double>{300.0, 80.0, 13.0}));
+  EXPECT_EQ(rail.ends, (std::vector<double>{10.0, 26.0, 35.0}));
+  EXPECT_TRUE(rail.symmetric);
+  // Lists of a profile are not load points.
+  EXPECT_EQ(input.rolling.creepages.size(), 1u);
+}
+
+TEST(ProfileKeys, NothingIsMendedUnlessTold) {
+  const contact::Case input = contact::parse_case(
+      rest + "profile = \"a.csv\"\n[rail]\nprofile = \"60E1\"\n" + track, "case.toml");
+  const contact::ProfileSource& wheel = input.wheel.profile;
+  EXPECT_FALSE(wheel.mirror || wheel.flip || wheel.reverse || wheel.sort);
+  EXPECT_FALSE(wheel.drop_duplicates || wheel.drop_zigzag);
+  EXPECT_EQ(wheel.rounding + wheel.smoothing + wheel.thinning + wheel.rotation, 0.0);
+  EXPECT_EQ(wheel.unit, contact::LengthUnit::mm);
+}
+
+TEST(ProfileKeys, WhatContradictsIsRefused) {
+  struct Wrong {
+    std::string text;
+    std::vector<std::string> parts;
+  };
+  const std::string both = "profile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n";
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {"profile = \"S1002\"\ntransverse_radius = 300.0\n[rail]\nprofile = \"60E1\"\n",
+            {"case.toml:7:", "wheel.profile", "contradicts wheel.transverse_radius"}},
+           {"[rail]\nprofile = \"60E1\"\n",
+            {"rail.profile", "stands alone: wheel.profile is missing", "\"arcs\""}},
+           {"profile = \"\"\n[rail]\nprofile = \"60E1\"\n", {"wheel.profile", "is empty"}},
+           {"transverse_radius = inf\n[rail]\nprofile = \"60E1\"\n[wheel_profile]\nflip = true\n",
+            {"wheel_profile.flip", "wheel.profile is missing"}},
+           {both + "[rail_profile]\nradii = [300.0]\n",
+            {"rail_profile.radii", "is not used with rail.profile = \"60E1\"", "arcs"}},
+           {both + "[wheel_profile]\nsmoothing = 0.01\n",
+            {"wheel_profile.smoothing", "is not used with", "from files"}},
+           {both + "[wheel_profile]\ncoefficients = [1.0]\n", {"polynomial"}},
+           {both + "[wheel_profile]\nsmoothing = -1\n", {"wheel_profile.smoothing = -1", "bounds"}},
+           {both + "[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
+            {"wheel.profile", "contradicts [undeformed_distance]"}}}) {
+    const std::string message = refusal(wrong.text);
+    for (const std::string& part : wrong.parts)
+      EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
+    EXPECT_NE(message.find("; do: "), std::string::npos) << message;
+  }
+  EXPECT_EQ(refusal(both + track), "no error");
+  EXPECT_EQ(refusal(both + track + "[wheel_profile]\nmirror = true\n"), "no error");
+}
+
+}  // namespace

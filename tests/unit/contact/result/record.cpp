@@ -1,0 +1,71 @@
+// Results as bytes and back: everything that results.h5 and summary.json show comes out the same,
+// and a record that is cut short is an error, not a crash.
+#include "contact/result/record.hpp"
+
+#include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/summary_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/output_synthetic_run.hpp"
+
+namespace {
+
+using namespace rollfem;
+
+contact::PointResult full_point() {
+  contact::PointResult point = tests::synthetic_run().models[2].points[3];
+  point.step = 2;
+  point.longitudinal_shift = 0.1;
+  point.lateral_shift = 0.2;
+  point.spin_shift = 0.3;
+  point.distance = 0.4;
+  point.richardson = {{"max_pressure", 580.0}};
+  point.derived = {{"elastic_energy", 957.0}, {"frictional_work", 3.0}};
+  contact::SubsurfaceField below;
+  below.request.points = {2, 1};
+  below.points = {{0, 0, 1}, {0, 0, 2}};
+  below.displacement = {{1e-3, 0, 2e-3}, {1e-3, 0, 1e-3}};
+  below.stress = {{1, 2, 3, 4, 5, 6}, {6, 5, 4, 3, 2, 1}};
+  point.subsurface = {below};
+  return point;
+}
+
+std::string bytes_of(contact::PointResult point) {
+  contact::Record record;
+  record.value(point);
+  return record.bytes();
+}
+
+TEST(Record, APointComesBackToTheLastBit) {
+  postprocess::RunRecord run = tests::synthetic_run();
+  run.input.subsurface = {full_point().subsurface.front().request};
+  auto& point = run.models[2].points[3];
+  point = full_point();
+  const std::string summary = postprocess::summary_json(run);
+  const std::string fields = postprocess::results_hdf5(run);
+  contact::Record record(bytes_of(point));
+  point = {};
+  record.value(point);
+  EXPECT_TRUE(record.exhausted());
+  EXPECT_EQ(postprocess::summary_json(run), summary);
+  EXPECT_TRUE(postprocess::results_hdf5(run) == fields);
+}
+
+TEST(Record, CutShortAnywhereItIsAnError) {
+  const std::string bytes = bytes_of(full_point());
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 300) {
+    contact::Record record(bytes.substr(0, size));
+    contact::PointResult point;
+    EXPECT_THROW(record.value(point), std::runtime_error) << size;
+  }
+}
+
+TEST(Record, AnAbsurdLengthDoesNotAskForMemory) {
+  std::string bytes(16, '\xff');
+  contact::Record record(bytes);
+  contact::Field field;
+  EXPECT_THROW(record.value(field), std::runtime_error);
+}
+
+}  // namespace

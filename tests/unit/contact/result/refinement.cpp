@@ -1,0 +1,64 @@
+// The error estimated from a sequence of levels, against sequences whose limit is known, and what
+// of a case's load points decides about its accuracy.
+#include "contact/result/refinement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace rollfem::contact;
+
+std::vector<double> sequence(double order, int levels) {
+  std::vector<double> values;
+  for (int i = 0; i < levels; ++i) values.push_back(3.0 + 0.1 * std::exp2(-order * i));
+  return values;
+}
+
+double effectivity(const std::vector<double>& values, double limit) {
+  return estimated_error(values, 1.5) / std::abs(values.back() - limit);
+}
+
+TEST(Refinement, IsExactForAPureOrderBetweenOneAndTwo) {
+  for (const double order : {1.0, 1.3, 1.7, 2.0})
+    EXPECT_NEAR(effectivity(sequence(order, 3), 3.0), 1.0, 1e-10) << order;
+}
+
+TEST(Refinement, OverestimatesWhatConvergesQuicker) {
+  // Order 3: the change before, taken as if it fell by 4 only, is 2 changes; (8 - 1) 2 / (4 - 1).
+  EXPECT_NEAR(effectivity(sequence(3.0, 3), 3.0), 14.0 / 3.0, 1e-9);
+}
+
+TEST(Refinement, UnderestimatesALowOrderByNoMoreThanItsShareOfOrderOne) {
+  EXPECT_NEAR(effectivity(sequence(0.5, 3), 3.0), std::sqrt(2.0) - 1.0, 1e-9);
+}
+
+TEST(Refinement, TwoLevelsTakeTheAssumedOrder) {
+  EXPECT_NEAR(effectivity(sequence(1.5, 2), 3.0), 1.0, 1e-10);
+}
+
+TEST(Refinement, TwoGridsThatAgreeByChanceAreNotBelieved) {
+  EXPECT_NEAR(estimated_error({1.0, 1.4, 1.4}, 1.5), 0.025 / (std::exp2(1.5) - 1.0), 1e-12);
+  EXPECT_NEAR(estimated_error({1.0, 1.4, 1.41}, 1.5), 0.1 / 3.0, 1e-12);
+  EXPECT_GT(estimated_error({1.0, 1.4, 1.3}, 1.5), 0.05);
+}
+
+TEST(Refinement, TractionsAreRelativeToTheLargestOfTheCurve) {
+  Case input;
+  input.friction_coefficient = 0.5;
+  input.accuracy_of = {"traction_coefficient"};
+  std::vector<PointResult> points(2);
+  points[0].traction_coefficient = 0.002;                  // less than a hundredth of full sliding
+  points[0].error_estimate["traction_coefficient"] = 0.8;  // of 0.005
+  points[1].traction_coefficient = 0.4;
+  points[1].error_estimate["traction_coefficient"] = 0.02;
+  const WorstError worst = worst_error(input, points);
+  EXPECT_EQ(worst.point, 2);
+  EXPECT_DOUBLE_EQ(worst.error, 0.02);
+  points[1].error_estimate["traction_coefficient"] = 0.005;
+  EXPECT_EQ(worst_error(input, points).point, 1);
+  EXPECT_DOUBLE_EQ(worst_error(input, points).error, 0.8 * 0.005 / 0.4);
+}
+
+}  // namespace

@@ -1,0 +1,98 @@
+// The frame of a patch: heights of curves through knots, and the wheel as a surface of revolution
+// about an axle that is tilted and turned against the patch.
+#include "contact/scene/patch_geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+using rollfem::contact::Axle;
+using rollfem::contact::CurveValue;
+using rollfem::contact::HeightCurve;
+using rollfem::contact::PatchGeometry;
+
+namespace {
+
+/// z = c (y - y0)^3 + y: cubics are their own Hermite pieces.
+HeightCurve cubic(double c, double y0) {
+  std::vector<double> y, z, slope;
+  for (double at = -3.0; at < 3.1; at += 0.75) {
+    y.push_back(at);
+    z.push_back(c * std::pow(at - y0, 3) + at);
+    slope.push_back(3.0 * c * std::pow(at - y0, 2) + 1.0);
+  }
+  return {y, z, slope};
+}
+
+/// A sphere of radius R about a point of the axle: whatever the axle's direction, the same surface.
+PatchGeometry sphere(double radius, const std::array<double, 3>& direction) {
+  std::vector<double> w, r, slope;
+  for (double at = -250.0; at < 250.05; at += 0.1) {
+    w.push_back(at);
+    r.push_back(std::sqrt(radius * radius - at * at));
+    slope.push_back(-at / r.back());
+  }
+  const Axle axle{{0.0, 0.0, radius}, direction};
+  return {HeightCurve({-50.0, 50.0}, {0.0, 0.0}, {0.0, 0.0}), HeightCurve(w, r, slope), axle, -30.0,
+          30.0};
+}
+
+}  // namespace
+
+TEST(HeightCurve, GivesCubicsAndTheirDerivativesExactly) {
+  const HeightCurve curve = cubic(0.3, 0.4);
+  for (const double y : {-3.0, -2.9, -1.01, 0.0, 1.3, 3.0}) {
+    const CurveValue at = curve.at(y);
+    EXPECT_NEAR(at.value, 0.3 * std::pow(y - 0.4, 3) + y, 1e-13);
+    EXPECT_NEAR(at.slope, 0.9 * std::pow(y - 0.4, 2) + 1.0, 1e-12);
+    EXPECT_NEAR(at.second, 1.8 * (y - 0.4), 1e-11);
+  }
+}
+
+TEST(HeightCurve, GoesOnAlongItsTangents) {
+  const HeightCurve curve = cubic(0.3, 0.4);
+  const CurveValue end = curve.at(curve.last());
+  EXPECT_NEAR(curve.at(curve.last() + 2.0).value, end.value + 2.0 * end.slope, 1e-13);
+  EXPECT_FALSE(curve.contains(curve.last() + 1e-9));
+}
+
+TEST(HeightCurve, RefusesKnotsThatDoNotRise) {
+  EXPECT_THROW(HeightCurve({0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(HeightCurve({0.0}, {0.0}, {0.0}), std::invalid_argument);
+}
+
+TEST(PatchGeometry, SphereIsTheSameAboutAnyAxle) {
+  const double yaw = 0.02, tilt = 0.4;
+  const PatchGeometry plain = sphere(460.0, {0.0, 1.0, 0.0});
+  const PatchGeometry turned = sphere(
+      460.0, {std::sin(yaw), std::cos(yaw) * std::cos(tilt), std::cos(yaw) * std::sin(tilt)});
+  for (const double x : {0.0, 3.0, -9.0})
+    for (const double y : {-20.0, 0.0, 7.0}) {
+      const double exact = 460.0 - std::sqrt(460.0 * 460.0 - x * x - y * y);
+      EXPECT_NEAR(plain.distance(x, y), exact, 1e-9) << x << ' ' << y;
+      EXPECT_NEAR(turned.distance(x, y), exact, 1e-9) << x << ' ' << y;
+    }
+  // The axle passes the centre, 460 above the origin.
+  EXPECT_NEAR(turned.local_rolling_radius(0.0),
+              460.0 * std::sqrt(1.0 - std::pow(std::cos(yaw) * std::sin(tilt), 2)), 1e-9);
+  EXPECT_NEAR(turned.tilt(), tilt, 1e-12);
+}
+
+TEST(PatchGeometry, ConeUnderATiltedAxleIsFlatAcross) {
+  // A cone of half angle a about an axle that is tilted by a touches a plane along a line.
+  const double angle = 0.3, radius = 400.0;
+  const HeightCurve wheel({-80.0, 80.0},
+                          {radius + 80.0 * std::tan(angle), radius - 80.0 * std::tan(angle)},
+                          {-std::tan(angle), -std::tan(angle)});
+  const Axle axle{{0.0, radius * std::sin(angle), radius * std::cos(angle)},
+                  {0.0, std::cos(angle), -std::sin(angle)}};
+  const PatchGeometry patch(HeightCurve({-50.0, 50.0}, {0.0, 0.0}, {0.0, 0.0}), wheel, axle, -20.0,
+                            20.0);
+  for (const double y : {-15.0, 0.0, 15.0}) {
+    EXPECT_NEAR(patch.distance(0.0, y), 0.0, 1e-10);
+    // Normal curvature of a cone across its generator: cos(a) / radius there.
+    const double local = patch.local_rolling_radius(y) / std::cos(angle);
+    EXPECT_NEAR(patch.distance(0.1, y), 0.005 / local, 1e-9);
+  }
+}

@@ -1,0 +1,100 @@
+// The tangential solver and GMRES on problems small enough to know the answer.
+#include "contact/solve/tangential.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/solve/gmres.hpp"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rollfem::contact {
+namespace {
+
+/// T = c I: every element on its own, the solution is p = -Proj(s / c).
+class Springs : public TangentialOperator {
+ public:
+  Springs(const ContactGrid& grid, double c) : grid_(grid), c_(c) {}
+  const ContactGrid& grid() const override { return grid_; }
+  TangentialField apply(const TangentialField& p) const override { return {c_ * p.x, c_ * p.y}; }
+  double diagonal() const override { return c_; }
+  TangentialField precondition(const TangentialField& residual, double r,
+                               double shift) const override {
+    const double inverse = 1.0 / (r * c_ + shift);
+    return {inverse * residual.x, inverse * residual.y};
+  }
+
+ private:
+  ContactGrid grid_;
+  double c_;
+};
+
+TEST(SolveTangential, OfSpringsIsTheProjection) {
+  const ContactGrid grid = ContactGrid::centred(5, 1, 1.0, 1.0);
+  const Springs springs(grid, 0.01);
+  TangentialProblem problem;
+  problem.traction_bound = Field::Zero(5);
+  problem.traction_bound << 0.0, 1.0, 1.0, 10.0, 0.5;
+  problem.rigid_slip = {Field::Constant(5, 0.03), Field::Constant(5, -0.04)};  // |s| / c = 5
+  const TangentialSolution s = solve_tangential(springs, problem);
+  const double expected[] = {0.0, 1.0, 1.0, 5.0, 0.5};
+  const ElementState states[] = {ElementState::exterior, ElementState::slip, ElementState::slip,
+                                 ElementState::adhesion, ElementState::slip};
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_NEAR(s.traction.x[k], -0.6 * expected[k], 1e-5);
+    EXPECT_NEAR(s.traction.y[k], 0.8 * expected[k], 1e-5);
+    EXPECT_EQ(s.state[static_cast<std::size_t>(k)], states[k]);
+    EXPECT_NEAR(s.slip.x[k], 0.03 - 0.006 * expected[k], 1e-7);
+  }
+}
+
+TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
+  const ContactGrid grid = ContactGrid::centred(3, 2, 1.0, 1.0);
+  const Springs springs(grid, 0.01);
+  TangentialProblem problem{Field::Constant(6, 2.0), {Field::Zero(6), Field::Zero(6)}};
+  const TangentialSolution still = solve_tangential(springs, problem);
+  EXPECT_EQ(still.newton_steps, 0);
+  EXPECT_EQ(still.traction.x.cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(still.state[0], ElementState::adhesion);
+  problem.traction_bound.setZero();
+  problem.rigid_slip.x.setOnes();
+  const TangentialSolution frictionless = solve_tangential(springs, problem);
+  EXPECT_EQ(frictionless.traction.x.cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(frictionless.slip.x[0], 1.0);
+  EXPECT_EQ(frictionless.state[0], ElementState::exterior);
+}
+
+TEST(SolveTangential, RefusesFieldsOfAnotherGridAndNan) {
+  const Springs springs(ContactGrid::centred(3, 1, 1.0, 1.0), 0.01);
+  EXPECT_THROW(solve_tangential(springs, {Field::Ones(2), {Field::Ones(3), Field::Ones(3)}}),
+               SolveError);
+  EXPECT_THROW(solve_tangential(
+                   springs, {Field::Ones(3), {Field::Constant(3, std::nan("")), Field::Ones(3)}}),
+               SolveError);
+}
+
+TEST(Gmres, SolvesANonsymmetricSystemAndReportsTheTrueResidual) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(40, 40) * 3.0;
+  for (int i = 0; i + 1 < 40; ++i) {
+    matrix(i, i + 1) = 1.5;
+    matrix(i + 1, i) = -0.7;
+  }
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(40, -1.0, 2.0);
+  const auto apply = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(matrix * v); };
+  const auto none = [](const Eigen::VectorXd& v) { return v; };
+  for (const int restart : {5, 100}) {
+    const GmresResult result = gmres(apply, none, b, {1e-10, 400, restart});
+    EXPECT_TRUE(result.converged);
+    EXPECT_LT((matrix * result.solution - b).norm(), 1.01e-10 * b.norm());
+    EXPECT_NEAR((matrix * result.solution - b).norm() / b.norm(), result.residual, 1e-12);
+  }
+  const Eigen::MatrixXd inverse = matrix.inverse();
+  const auto exact = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(inverse * v); };
+  EXPECT_EQ(gmres(apply, exact, b, {1e-8, 400, 50}).iterations, 1);
+  EXPECT_EQ(gmres(apply, none, Eigen::VectorXd::Zero(40), {1e-8, 400, 50}).iterations, 0);
+  EXPECT_FALSE(gmres(apply, none, b, {1e-12, 3, 50}).converged);
+}
+
+}  // namespace
+}  // namespace rollfem::contact

@@ -1,0 +1,195 @@
+// Hertz's closed forms against published digits, each other and limits.
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/scene/geometry.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rollfem::halfspace {
+namespace {
+
+contact::Case thesis_case_a() {
+  contact::Case input;
+  input.load.normal_force = 50e3;
+  input.wheel.rolling_radius = 405.0;
+  input.rail.transverse_radius = 2000.0;
+  return input;
+}
+
+TEST(Hertz, GivesCaseAToAllDigitsShown) {
+  const HertzContact hertz = hertz_of_case(thesis_case_a());
+  EXPECT_NEAR(hertz.semi_axis_x, 3.79236, 5e-6);
+  EXPECT_NEAR(hertz.semi_axis_y, 10.87295, 5e-6);
+  EXPECT_NEAR(hertz.max_pressure, 578.967, 5e-4);
+  EXPECT_NEAR(hertz.approach, 0.0473108, 5e-8);
+}
+
+TEST(Hertz, GivesTheBenchmarkTable) {
+  struct Row {
+    double rx, ry, force, a, b, p0, approach;
+  };
+  for (const Row& row : {Row{300, 300, 82000, 5.45136, 5.45136, 1317.484, 0.099058},
+                         Row{460, 300, 10000, 3.33864, 2.51140, 569.449, 0.022628},
+                         Row{460, 300, 82000, 6.73248, 5.06432, 1148.311, 0.092013},
+                         Row{460, 80, 82000, 8.03001, 2.53894, 1920.375, 0.110377},
+                         Row{460, 13, 82000, 9.47315, 0.96579, 4279.343, 0.133419}}) {
+    const HertzContact hertz =
+        hertz_from_force(0.5 / row.rx, 0.5 / row.ry, 82000.0 / (1.0 - 0.28), row.force);
+    EXPECT_NEAR(hertz.semi_axis_x, row.a, 6e-6);
+    EXPECT_NEAR(hertz.semi_axis_y, row.b, 6e-6);
+    EXPECT_NEAR(hertz.max_pressure, row.p0, 6e-4);
+    EXPECT_NEAR(hertz.approach, row.approach, 6e-7);
+  }
+}
+
+TEST(Hertz, OfACircleIsElementary) {
+  const double radius = 50.0;
+  const double modulus = 1e5;
+  const double force = 1234.0;
+  const HertzContact hertz = hertz_from_force(0.5 / radius, 0.5 / radius, modulus, force);
+  const double a = std::cbrt(0.75 * force * radius / modulus);
+  EXPECT_NEAR(hertz.semi_axis_x, a, 1e-14 * a);
+  EXPECT_NEAR(hertz.semi_axis_y, a, 1e-14 * a);
+  EXPECT_NEAR(hertz.approach, a * a / radius, 1e-14 * a);
+}
+
+TEST(Hertz, HoldsForAnyAspectRatioBothWays) {
+  // The displacement under the pressure must be approach - h everywhere in the patch: checked at
+  // the middle and the ends of both axes, where the potential is evaluated independently of the
+  // root that gave the shape.
+  for (const double ratio : {1.0, 1.000001, 2.0, 37.0, 1e3, 1e5, 1e7})
+    for (const bool swapped : {false, true}) {
+      const double A = swapped ? 1e-3 * ratio : 1e-3;
+      const double B = swapped ? 1e-3 : 1e-3 * ratio;
+      const double modulus = 115384.6;
+      const HertzContact hertz = hertz_from_force(A, B, modulus, 1e4);
+      const auto mismatch = [&](double x, double y) {
+        return hertz_displacement(hertz, modulus, x, y) + A * x * x + B * y * y - hertz.approach;
+      };
+      EXPECT_NEAR(mismatch(0.0, 0.0), 0.0, 1e-13 * hertz.approach);
+      EXPECT_NEAR(mismatch(hertz.semi_axis_x, 0.0), 0.0, 1e-11 * hertz.approach) << ratio;
+      EXPECT_NEAR(mismatch(0.0, hertz.semi_axis_y), 0.0, 1e-11 * hertz.approach) << ratio;
+      EXPECT_NEAR(mismatch(0.3 * hertz.semi_axis_x, -0.7 * hertz.semi_axis_y), 0.0,
+                  1e-11 * hertz.approach);
+      const HertzContact back = hertz_from_approach(A, B, modulus, hertz.approach);
+      EXPECT_NEAR(back.normal_force / 1e4, 1.0, 1e-12);
+      EXPECT_NEAR(back.semi_axis_y / hertz.semi_axis_y, 1.0, 1e-12);
+    }
+  const HertzContact slender = hertz_from_force(1e-10, 1e-2, 1e5, 1e3);
+  EXPECT_GT(slender.semi_axis_x / slender.semi_axis_y, 1e4);
+}
+
+TEST(Hertz, DisplacementOutsideIsThatOfThePressure) {
+  const HertzContact hertz = hertz_from_force(1e-3, 3e-3, 1e5, 1e4);
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+  for (const auto& [u, v] : {std::pair{1.5, 0.2}, {0.4, -1.4}, {5.0, 5.0}}) {
+    const double x = u * hertz.semi_axis_x;
+    const double y = v * hertz.semi_axis_y;
+    // p r dr dphi with r = sin(t): smooth up to the edge.
+    const auto ring = [&](double t) {
+      const auto f = [&](double phi) {
+        const double r = std::sin(t);
+        const double dx = x - hertz.semi_axis_x * r * std::cos(phi);
+        const double dy = y - hertz.semi_axis_y * r * std::sin(phi);
+        return std::cos(t) * r * std::cos(t) / std::hypot(dx, dy);
+      };
+      return Rule::integrate(f, 0.0, 2.0 * M_PI, 10, 1e-11);
+    };
+    const double integral = Rule::integrate(ring, 0.0, 0.5 * M_PI, 10, 1e-11) * hertz.semi_axis_x *
+                            hertz.semi_axis_y * hertz.max_pressure;
+    EXPECT_NEAR(hertz_displacement(hertz, 1e5, x, y), integral / (M_PI * 1e5),
+                1e-9 * hertz.approach);
+  }
+}
+
+TEST(Hertz, LongEllipseTendsToTheLine) {
+  // In the middle of a very long ellipse the pressure and the width are those of a line contact
+  // with the force per length found there, p0 = 2 P/(pi a).
+  const double modulus = 1e5;
+  const HertzContact ellipse = hertz_from_force(1e-2, 1e-9, modulus, 1e4);
+  const double force_per_length = 0.5 * M_PI * ellipse.semi_axis_x * ellipse.max_pressure;
+  const HertzLine line = hertz_line(0.5 / 1e-2, modulus, force_per_length);
+  EXPECT_NEAR(line.half_width / ellipse.semi_axis_x, 1.0, 1e-4);
+  EXPECT_NEAR(line.max_pressure / ellipse.max_pressure, 1.0, 1e-4);
+  const HertzLine benchmark = hertz_line(500.0, 82000.0 / 0.72, 178.896);
+  EXPECT_NEAR(benchmark.half_width, 1.0, 1e-5);
+  EXPECT_NEAR(benchmark.max_pressure, 113.889, 1e-3);
+}
+
+TEST(Hertz, RefusesWhatIsNoEllipticContact) {
+  EXPECT_THROW(hertz_from_force(1e-3, 0.0, 1e5, 1.0), contact::InputError);
+  EXPECT_THROW(hertz_from_force(1e-3, -1e-3, 1e5, 1.0), contact::InputError);
+  EXPECT_THROW(hertz_from_force(1e-3, 1e-3, 1e5, 0.0), contact::InputError);
+  EXPECT_THROW(hertz_from_force(1e-3, 1e-3, 1e5, std::nan("")), contact::InputError);
+  EXPECT_THROW(hertz_from_approach(1e-3, 1e-3, 1e5, -1e-3), contact::InputError);
+  EXPECT_THROW(hertz_axis_stress(HertzContact{1.0, 1.0, 1.0}, 0.3, -1.0), contact::InputError);
+}
+
+TEST(HertzAxisStress, OfACircleHasThePublishedMaxima) {
+  struct Row {
+    double nu, tau, depth;
+  };
+  for (const Row& row : {Row{0.25, 0.32168, 0.4643}, Row{0.28, 0.31465, 0.4742},
+                         Row{0.30, 0.31002, 0.4809}, Row{0.50, 0.26635, 0.5479}}) {
+    const HertzContact unit{1.0, 1.0, 1.0};
+    const auto tau = [&](double z) {
+      const AxisStress s = hertz_axis_stress(unit, row.nu, z);
+      EXPECT_NEAR(s.xx, s.yy, 1e-14);
+      return 0.5 * std::abs(s.xx - s.zz);
+    };
+    EXPECT_NEAR(tau(row.depth), row.tau, 6e-6);
+    EXPECT_LT(tau(row.depth - 0.01), tau(row.depth));
+    EXPECT_LT(tau(row.depth + 0.01), tau(row.depth));
+    const double z = 0.7;  // the elementary form of the circle
+    const AxisStress s = hertz_axis_stress(unit, row.nu, z);
+    EXPECT_NEAR(s.zz, -1.0 / (1.0 + z * z), 1e-14);
+    EXPECT_NEAR(s.xx, -(1 + row.nu) * (1 - z * std::atan(1 / z)) + 0.5 / (1 + z * z), 1e-14);
+  }
+}
+
+TEST(HertzAxisStress, AgreesWithContactBelowCaseA) {
+  // reference/contact_subsurface_a.csv: CONTACT, case a: z, sxx, syy, szz.
+  const double rows[][4] = {{0.5, -383.311, -340.510, -573.375}, {1, -276.966, -283.211, -557.459},
+                            {2, -137.465, -194.151, -503.644},   {3, -64.6025, -132.593, -437.695},
+                            {4, -28.1380, -90.6904, -373.829},   {6, -1.13786, -42.7999, -270.821},
+                            {8, 5.22582, -20.2541, -199.750},    {12, 5.77334, -3.95558, -117.141}};
+  const HertzContact hertz = hertz_of_case(thesis_case_a());
+  for (const auto& row : rows) {
+    const AxisStress s = hertz_axis_stress(hertz, 0.3, row[0]);
+    EXPECT_NEAR(s.xx, row[1], 0.002 * hertz.max_pressure) << row[0];
+    EXPECT_NEAR(s.yy, row[2], 0.002 * hertz.max_pressure) << row[0];
+    EXPECT_NEAR(s.zz, row[3], 0.002 * hertz.max_pressure) << row[0];
+  }
+}
+
+TEST(HertzAxisStress, OfALongEllipseIsThatOfTheLine) {
+  const double z = 0.78615;
+  const HertzContact ellipse{1.0, 1e6, 1.0};  // differs from the line by O(a/b)
+  const AxisStress s = hertz_axis_stress(ellipse, 0.3, z);
+  EXPECT_NEAR(s.xx, -((1 + 2 * z * z) / std::sqrt(1 + z * z) - 2 * z), 1e-6);
+  EXPECT_NEAR(s.zz, -1.0 / std::sqrt(1 + z * z), 1e-6);
+  EXPECT_NEAR(s.yy, 0.3 * (s.xx + s.zz), 1e-6);
+  EXPECT_NEAR(0.5 * (s.xx - s.zz), 0.30028, 1e-5);
+}
+
+TEST(HertzModel, HasOnePointWithTheFieldsOfTheClosedForm) {
+  contact::Case input = thesis_case_a();
+  input.friction_coefficient = 0.55;
+  input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
+  const contact::ModelResult result = run_hertz(input, {});
+  ASSERT_EQ(result.points.size(), 1u);
+  const contact::PointResult& point = result.points.front();
+  EXPECT_EQ(point.creepage.longitudinal, 0.0);
+  EXPECT_EQ(point.normal_force, 50e3);
+  const double sum = point.fields.traction.n.sum() * result.grid.element_area();
+  EXPECT_NEAR(sum / 50e3, 1.0, 0.003);
+  EXPECT_GE(point.fields.gap.minCoeff(), 0.0);
+  EXPECT_EQ(point.fields.traction.x.cwiseAbs().maxCoeff(), 0.0);
+}
+
+}  // namespace
+}  // namespace rollfem::halfspace

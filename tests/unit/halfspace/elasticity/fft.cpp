@@ -1,0 +1,183 @@
+// FFT products of the half-space compliance against direct summation, symmetry, definiteness.
+#include "halfspace/elasticity/fft.hpp"
+
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/influence.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace rollfem::halfspace {
+namespace {
+
+using contact::ContactGrid;
+using contact::Field;
+using contact::SurfaceField;
+using contact::TangentialField;
+using contact::UpwindOrder;
+
+Field random_field(int n, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return Field::NullaryExpr(n, [&](Eigen::Index) { return uniform(engine); });
+}
+
+SurfaceField random_surface_field(int n, unsigned seed) {
+  return {random_field(n, seed), random_field(n, seed + 1), random_field(n, seed + 2)};
+}
+
+/// Displacement at any (also exterior) column and row by summing over all elements.
+void direct(const ContactGrid& grid, const contact::CombinedMaterial& material,
+            const SurfaceField& p, int i, int j, double u[3]) {
+  u[0] = u[1] = u[2] = 0.0;
+  for (int l = 0; l < grid.ny; ++l)
+    for (int k = 0; k < grid.nx; ++k) {
+      const Influence a =
+          rectangle_influence((i - k) * grid.dx, (j - l) * grid.dy, grid.dx, grid.dy, material);
+      const int e = grid.index(k, l);
+      u[0] += a.xx * p.x[e] + a.xy * p.y[e] + a.xn * p.n[e];
+      u[1] += a.xy * p.x[e] + a.yy * p.y[e] + a.yn * p.n[e];
+      u[2] += -a.xn * p.x[e] - a.yn * p.y[e] + a.nn * p.n[e];
+    }
+}
+
+const contact::CombinedMaterial unlike = contact::combine({210e3, 0.3}, {70e3, 0.33});
+
+TEST(Fft, SizesAreEvenSmoothAndLargeEnough) {
+  for (int n = 1; n < 3000; ++n) {
+    int size = good_fft_size(n);
+    EXPECT_GE(size, n);
+    EXPECT_EQ(size % 2, 0);
+    for (const int factor : {2, 3, 5, 7})
+      while (size % factor == 0) size /= factor;
+    EXPECT_EQ(size, 1);
+  }
+}
+
+TEST(Fft, RoundTripGivesTheFieldBack) {
+  const PaddedFft fft(13, 7, 30, 16);
+  const Field field = random_field(13 * 7, 5);
+  PaddedFft::Spectrum spectrum;
+  fft.forward(field, spectrum);
+  Field back;
+  fft.backward(spectrum, back);
+  EXPECT_LT((back - field).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+class ComplianceOfGrid : public testing::TestWithParam<std::pair<int, int>> {
+ protected:
+  ContactGrid grid = ContactGrid::centred(GetParam().first, GetParam().second, 0.3, 0.5);
+  HalfspaceCompliance compliance{grid, unlike};
+};
+
+TEST_P(ComplianceOfGrid, EqualsDirectSummation) {
+  const SurfaceField p = random_surface_field(grid.size(), 1);
+  const SurfaceField u = compliance.apply(p);
+  const double scale = u.n.cwiseAbs().maxCoeff();
+  const Field normal = compliance.normal().apply(p.n);
+  const TangentialField shift = compliance.shift().apply({p.x, p.y});
+  const SurfaceField tangential_only{p.x, p.y, Field::Zero(grid.size())};
+  const SurfaceField normal_only{Field::Zero(grid.size()), Field::Zero(grid.size()), p.n};
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int e = grid.index(i, j);
+      double all[3], t[3], n[3];
+      direct(grid, unlike, p, i, j, all);
+      direct(grid, unlike, tangential_only, i, j, t);
+      direct(grid, unlike, normal_only, i, j, n);
+      EXPECT_NEAR(u.x[e], all[0], 1e-13 * scale);
+      EXPECT_NEAR(u.y[e], all[1], 1e-13 * scale);
+      EXPECT_NEAR(u.n[e], all[2], 1e-13 * scale);
+      EXPECT_NEAR(normal[e], n[2], 1e-13 * scale);
+      EXPECT_NEAR(shift.x[e], t[0], 1e-13 * scale);
+      EXPECT_NEAR(shift.y[e], t[1], 1e-13 * scale);
+    }
+}
+
+TEST_P(ComplianceOfGrid, RollingIsTheUpwindDifferenceUpToTheBorder) {
+  const SurfaceField p{random_field(grid.size(), 3), random_field(grid.size(), 4),
+                       Field::Zero(grid.size())};
+  for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
+    const TangentialField w = compliance.rolling(order).apply({p.x, p.y});
+    const double scale = w.x.cwiseAbs().maxCoeff();
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        double u0[3], u1[3], u2[3];
+        direct(grid, unlike, p, i, j, u0);
+        direct(grid, unlike, p, i + 1, j, u1);
+        direct(grid, unlike, p, i + 2, j, u2);
+        for (int c = 0; c < 2; ++c) {
+          const double expected = order == UpwindOrder::first
+                                      ? (u0[c] - u1[c]) / grid.dx
+                                      : (3 * u0[c] - 4 * u1[c] + u2[c]) / (2 * grid.dx);
+          const Field& component = c == 0 ? w.x : w.y;
+          EXPECT_NEAR(component[grid.index(i, j)], expected, 1e-12 * scale);
+        }
+      }
+  }
+}
+
+TEST_P(ComplianceOfGrid, IsSymmetricAndPositiveDefinite) {
+  for (unsigned seed = 10; seed < 20; ++seed) {
+    const SurfaceField p = random_surface_field(grid.size(), seed);
+    const SurfaceField q = random_surface_field(grid.size(), seed + 100);
+    const auto product = [](const SurfaceField& a, const SurfaceField& b) {
+      return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
+    };
+    const double energy = product(p, compliance.apply(p));
+    EXPECT_GT(energy, 0.0);
+    EXPECT_NEAR(product(q, compliance.apply(p)), product(p, compliance.apply(q)), 1e-12 * energy);
+  }
+}
+
+TEST_P(ComplianceOfGrid, NormalPreconditionerIsSymmetricPositiveDefinite) {
+  const contact::NormalOperator& normal = compliance.normal();
+  for (unsigned seed = 30; seed < 40; ++seed) {
+    const Field p = random_field(grid.size(), seed);
+    const Field q = random_field(grid.size(), seed + 100);
+    const double energy = p.dot(normal.precondition(p));
+    EXPECT_GT(energy, 0.0);
+    EXPECT_NEAR(q.dot(normal.precondition(p)), p.dot(normal.precondition(q)), 1e-12 * energy);
+  }
+}
+
+TEST_P(ComplianceOfGrid, DiagonalIsTheMeanOfTheMatrixDiagonal) {
+  SurfaceField unit = {Field::Zero(grid.size()), Field::Zero(grid.size()),
+                       Field::Zero(grid.size())};
+  const int e = grid.index(grid.nx / 2, grid.ny / 2);
+  unit.x[e] = 1.0;
+  unit.y[e] = 1.0;
+  for (const contact::TangentialOperator* t :
+       {&compliance.shift(), &compliance.rolling(UpwindOrder::first),
+        &compliance.rolling(UpwindOrder::second)}) {
+    const TangentialField w = t->apply({unit.x, unit.y});
+    EXPECT_NEAR(0.5 * (w.x[e] + w.y[e]), t->diagonal(), 1e-12 * t->diagonal());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, ComplianceOfGrid,
+                         testing::Values(std::pair{12, 9}, std::pair{7, 14}, std::pair{1, 5},
+                                         std::pair{6, 1}, std::pair{3, 3}));
+
+TEST(HalfspaceCompliance, OfASmallGridHasPositiveEigenvalues) {
+  const ContactGrid grid = ContactGrid::centred(8, 6, 0.4, 0.1);
+  const HalfspaceCompliance compliance(grid, unlike);
+  const int n = grid.size();
+  Eigen::MatrixXd matrix(3 * n, 3 * n);
+  for (int k = 0; k < 3 * n; ++k) {
+    Eigen::VectorXd unit = Eigen::VectorXd::Zero(3 * n);
+    unit[k] = 1.0;
+    const SurfaceField u =
+        compliance.apply({unit.segment(0, n), unit.segment(n, n), unit.segment(2 * n, n)});
+    matrix.col(k) << u.x, u.y, u.n;
+  }
+  EXPECT_LT((matrix - matrix.transpose()).cwiseAbs().maxCoeff(),
+            1e-14 * matrix.cwiseAbs().maxCoeff());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  EXPECT_GT(solver.eigenvalues().minCoeff(), 0.01 * matrix(0, 0));
+}
+
+}  // namespace
+}  // namespace rollfem::halfspace

@@ -1,0 +1,145 @@
+// Energy, power, moments and sensitivities against values known in closed form.
+#include "halfspace/model/derived.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/scene/geometry.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace rollfem;
+using contact::ContactGrid;
+using contact::SurfaceField;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+}  // namespace
+
+TEST(Derived, ElasticEnergyOfHertzianPressure) {
+  // Like bodies, sphere: work of the load P over the approach, delta ~ P^(2/3), is 2/5 P delta.
+  const double a = 1.0, p0 = 1000.0;
+  const contact::Material steel{210e3, 0.3};
+  const contact::CombinedMaterial combined = contact::combine(steel, steel);
+  const auto energy = [&](int elements) {
+    const double h = 2.0 * a / elements;
+    const ContactGrid grid = ContactGrid::centred(elements + 2, elements + 2, h, h);
+    SurfaceField p;
+    p.x = p.y = contact::Field::Zero(grid.size());
+    p.n = grid.sample([&](double x, double y) {
+      return p0 * std::sqrt(std::max(0.0, 1.0 - (x * x + y * y) / (a * a)));
+    });
+    const halfspace::HalfspaceCompliance compliance(grid, combined);
+    return halfspace::elastic_energy(grid, p, compliance.apply(p));
+  };
+  const double force = 2.0 / 3.0 * pi * a * a * p0;
+  const double approach = pi * p0 * a / (2.0 * combined.contact_modulus);
+  // Elastic energy of the pressure field: integral of p u/2 with u = delta - r^2/(2R), R =
+  // a^2/delta.
+  const double exact = 0.4 * force * approach;
+  EXPECT_NEAR(energy(40), exact, 2e-3 * exact);
+  EXPECT_NEAR(energy(80), exact, 7e-4 * exact);
+}
+
+TEST(Derived, FrictionAndCreepagePowerAgreeInCarterRolling) {
+  // Carter's tractions and slip in closed form: wheel braked (xi > 0), F_x < 0, adhesion at the
+  // leading edge. The slip follows from the integral of an ellipse of traction:
+  // -du/dx = -(2 q0/(a E*)) (X - sign(X) sqrt(X^2 - a^2)) with the root only outside the ellipse.
+  const double a = 1.0, stick = 0.6, mu_p0 = 300.0, modulus = 115e3, speed = 20e3;
+  const int n = 20000;
+  const ContactGrid grid = ContactGrid::centred(n, 1, 2.0 * a / n, 3.0);
+  const double xi = 2.0 * mu_p0 * (a - stick) / (a * modulus);
+  const auto ellipse = [](double X, double b) { return std::sqrt(std::max(0.0, b * b - X * X)); };
+  const auto slope = [](double X, double b) {
+    return std::abs(X) <= b ? X : X - std::copysign(std::sqrt(X * X - b * b), X);
+  };
+  const double centre = a - stick;
+  contact::PointResult point;
+  point.creepage.longitudinal = xi;
+  point.fields.traction.x = grid.sample(
+      [&](double x, double) { return -mu_p0 / a * (ellipse(x, a) - ellipse(x - centre, stick)); });
+  point.fields.traction.y = contact::Field::Zero(n);
+  point.fields.slip.x = grid.sample([&](double x, double) {
+    return xi - 2.0 * mu_p0 / (a * modulus) * (slope(x, a) - slope(x - centre, stick));
+  });
+  point.fields.slip.y = contact::Field::Zero(n);
+  // No slip in the adhesion area, slip against the traction behind it.
+  EXPECT_NEAR(point.fields.slip.x[n - 10], 0.0, 1e-15);
+  EXPECT_GT(point.fields.slip.x[n / 20], 0.0);
+  const double force = -(1.0 - stick * stick) * pi / 2.0 * mu_p0 * a * 3.0;
+  const auto balance = halfspace::power_balance(grid, point, speed);
+  EXPECT_NEAR(balance.creepage, -speed * xi * force, 1e-5 * balance.creepage);
+  EXPECT_NEAR(balance.friction, -speed * xi * force, 1e-4 * balance.friction);
+  EXPECT_LT(balance.difference, 1e-4);
+  EXPECT_NEAR(halfspace::slip_velocity(point.fields.slip, speed).x[0],
+              speed * point.fields.slip.x[0], 0.0);
+}
+
+TEST(Derived, FullSlipDissipatesForceTimesCreepage) {
+  // Rigid slip only: both powers are the same sum whatever the tractions, with spin and extra slip.
+  const ContactGrid grid = ContactGrid::centred(7, 5, 0.3, 0.4, 0.2, -0.1);
+  const contact::Creepage creepage{2e-3, -1e-3, 4e-4};
+  contact::PointResult point;
+  point.creepage = creepage;
+  point.fields.traction.x = grid.sample([](double x, double y) { return -30.0 + x * y; });
+  point.fields.traction.y = grid.sample([](double x, double y) { return 10.0 * x - y; });
+  const contact::TangentialField extra{grid.sample([](double, double y) { return 1e-4 * y * y; }),
+                                       contact::Field::Zero(grid.size())};
+  point.fields.slip.x = grid.sample([&](double, double y) {
+    return creepage.longitudinal - creepage.spin * y;
+  }) + extra.x;
+  point.fields.slip.y =
+      grid.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
+  const auto balance = halfspace::power_balance(grid, point, 1000.0, extra);
+  EXPECT_GT(balance.friction, 0.0);
+  EXPECT_LT(balance.difference, 1e-13);
+  // Without the extra slip the two must not agree.
+  EXPECT_GT(halfspace::power_balance(grid, point, 1000.0).difference, 1e-3);
+}
+
+TEST(Derived, SpinMomentMovesWithItsPoint) {
+  const ContactGrid grid = ContactGrid::centred(6, 4, 0.5, 0.5, 1.0, 2.0);
+  SurfaceField p;
+  p.x = contact::Field::Constant(grid.size(), 3.0);
+  p.y = contact::Field::Constant(grid.size(), -2.0);
+  const double area = grid.size() * grid.element_area();
+  EXPECT_NEAR(halfspace::spin_moment_about(grid, p, 1.0, 2.0), 0.0, 1e-12);
+  // M = x F_y - y F_x of the resultant at the middle.
+  EXPECT_NEAR(halfspace::spin_moment_about(grid, p, 0.0, 0.0), (1.0 * -2.0 - 2.0 * 3.0) * area,
+              1e-12);
+}
+
+TEST(Derived, SensitivitiesOfAKnownLaw) {
+  // Cubic saturation in all three creepages with cross terms: derivative by hand.
+  const auto law = [](const contact::Creepage& c) {
+    const double v = 1e3 * (c.longitudinal + 0.3 * c.lateral + 2.0 * c.spin);
+    return halfspace::ForcesAndMoment(-1e4 * std::tanh(v), 2e3 * c.longitudinal * c.lateral * 1e3,
+                                      -5e4 * c.spin);
+  };
+  const contact::Creepage at{4e-4, -2e-4, 1e-5};
+  const double v = 1e3 * (at.longitudinal + 0.3 * at.lateral + 2.0 * at.spin);
+  const double slope = -1e7 / (std::cosh(v) * std::cosh(v));
+  Eigen::Matrix3d exact;
+  exact << slope, 0.3 * slope, 2.0 * slope, 2e6 * at.lateral, 2e6 * at.longitudinal, 0.0, 0.0, 0.0,
+      -5e4;
+  const auto found = halfspace::creep_sensitivities(law, at);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(found.derivative(i, k), exact(i, k), 1e-6 * std::abs(slope)) << i << k;
+      EXPECT_LE(std::abs(found.derivative(i, k) - exact(i, k)),
+                found.error(i, k) + 1e-9 * std::abs(slope));
+    }
+  EXPECT_THROW(halfspace::creep_sensitivities(law, at, {0.0, 1e-6}), contact::InputError);
+}
+
+TEST(Derived, FieldsMustFitTheGrid) {
+  const ContactGrid grid = ContactGrid::centred(3, 3, 1.0, 1.0);
+  const contact::Field good = contact::Field::Zero(9);
+  EXPECT_THROW(halfspace::elastic_energy(grid, {good, good, good}, {}), contact::InputError);
+  EXPECT_THROW(halfspace::frictional_power(grid, {good, good, good}, {good, {}}, 1.0),
+               contact::InputError);
+  EXPECT_THROW(halfspace::spin_moment_about(grid, {}, 0.0, 0.0), contact::InputError);
+}

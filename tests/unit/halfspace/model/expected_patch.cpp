@@ -1,0 +1,124 @@
+// The extent of a patch found before any grid is laid. References: Hertz for bodies that the radii
+// describe too, and mirror images.
+#include "halfspace/model/expected_patch.hpp"
+
+#include "contact/base/errors.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/profile_patches.hpp"
+#include "support/thesis_cases.hpp"
+
+using namespace rollfem;
+using halfspace::expected_patch;
+using halfspace::ExpectedPatch;
+
+namespace {
+
+/// What the header promises of the coarse search.
+constexpr double of_extents = 0.01;
+constexpr double of_area = 0.02;
+constexpr double of_pressure = 0.005;
+
+contact::Case with_circles(char name, double reach = 30.0) {
+  contact::Case input = tests::thesis_case(name);
+  input.patch = tests::circles(input.wheel.rolling_radius, contact::infinity,
+                               input.rail.transverse_radius, reach);
+  return input;
+}
+
+void expect_like(const ExpectedPatch& found, const ExpectedPatch& exact) {
+  EXPECT_NEAR(found.length(), exact.length(), of_extents * exact.length());
+  EXPECT_NEAR(found.width(), exact.width(), of_extents * exact.width());
+  EXPECT_NEAR(found.max_pressure, exact.max_pressure, of_pressure * exact.max_pressure);
+  EXPECT_NEAR(found.approach, exact.approach, of_pressure * exact.approach);
+  EXPECT_NEAR(found.normal_force, exact.normal_force, 2.0 * of_pressure * exact.normal_force);
+  EXPECT_NEAR(found.area, exact.area, of_area * exact.area);
+}
+
+}  // namespace
+
+TEST(ExpectedPatch, OfRadiiIsHertzs) {
+  const contact::Case input = tests::thesis_case('a');
+  const auto hertz = halfspace::hertz_of_case(input);
+  const ExpectedPatch patch = expected_patch(input);
+  EXPECT_DOUBLE_EQ(patch.x_upper, hertz.semi_axis_x);
+  EXPECT_DOUBLE_EQ(patch.y_lower, -hertz.semi_axis_y);
+  EXPECT_DOUBLE_EQ(patch.max_pressure, hertz.max_pressure);
+  EXPECT_DOUBLE_EQ(patch.normal_force, 50e3);
+}
+
+TEST(ExpectedPatch, OfCirclesIsThatOfTheirRadii) {
+  for (const char name : {'a', 'b', 'c'}) {
+    SCOPED_TRACE(name);
+    expect_like(expected_patch(with_circles(name)), expected_patch(tests::thesis_case(name)));
+  }
+}
+
+TEST(ExpectedPatch, TakesAnApproach) {
+  contact::Case circles = with_circles('b');
+  contact::Case radii = tests::thesis_case('b');
+  circles.load = radii.load = {};
+  circles.load.approach = radii.load.approach = 0.05;
+  expect_like(expected_patch(circles), expected_patch(radii));
+}
+
+TEST(ExpectedPatch, HoldsOverManyOrdersOfTheLoad) {
+  for (const double force : {1.0, 1e3, 1e6}) {
+    SCOPED_TRACE(force);
+    contact::Case circles = with_circles('c', 60.0);
+    contact::Case radii = tests::thesis_case('c');
+    circles.load.normal_force = radii.load.normal_force = force;
+    // At 1 MN the patch is 35 mm long and 14 mm wide: circle and parabola differ by 2e-3.
+    expect_like(expected_patch(circles), expected_patch(radii));
+  }
+}
+
+TEST(ExpectedPatch, TakesTheLargestOfTheLoads) {
+  contact::Case input = with_circles('b');
+  const ExpectedPatch single = expected_patch(input);
+  input.load.normal_force = 30e3;
+  input.load.normal_forces = {40e3, 50e3, 20e3};
+  EXPECT_DOUBLE_EQ(expected_patch(input).width(), single.width());
+}
+
+TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
+  // S1002 on UIC60: stiffer on the side of R80, so that the patch lies on the other.
+  contact::Case input = tests::thesis_case('b');
+  input.load.normal_force = 100e3;
+  input.wheel.rolling_radius = 450.0;
+  input.patch = tests::s1002_on_uic60(-3.95, 8.58);
+  const ExpectedPatch patch = expected_patch(input);
+  EXPECT_LT(patch.y_middle(), -1.0);
+  EXPECT_NEAR(patch.x_middle(), 0.0, 1e-9);
+  EXPECT_GT(patch.y_centre, patch.y_middle());
+}
+
+TEST(ExpectedPatch, SharperSolutionComesNearer) {
+  const ExpectedPatch exact = expected_patch(tests::thesis_case('a'));
+  const ExpectedPatch sharp = expected_patch(with_circles('a'), 90);
+  EXPECT_NEAR(sharp.width(), exact.width(), 0.002 * exact.width());
+  EXPECT_NEAR(sharp.max_pressure, exact.max_pressure, 0.002 * exact.max_pressure);
+}
+
+TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
+  // Hertz's patch of case b is 6.1 mm wide to each side.
+  const double half = halfspace::hertz_of_case(tests::thesis_case('b')).semi_axis_y;
+  EXPECT_NO_THROW(expected_patch(with_circles('b', 1.1 * half)));
+  try {
+    expected_patch(with_circles('b', 0.9 * half));
+    FAIL() << "accepted";
+  } catch (const contact::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("profile too short for the contact"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(ExpectedPatch, RefusesAnApproachThatDoesNotTouch) {
+  contact::Case input = with_circles('b');
+  input.load = {};
+  input.load.approach = -0.01;
+  EXPECT_THROW(expected_patch(input), contact::SolveError);
+}

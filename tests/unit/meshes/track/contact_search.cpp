@@ -1,0 +1,203 @@
+// Contact search against closed forms: spheres on cylinders, humps of known height, mirror images.
+#include "meshes/track/contact_search.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/wheel_rail_cases.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem;
+using meshes::find_contacts;
+using meshes::WheelRailContact;
+
+constexpr double radius = 460.0, rail_radius = 80.0;
+
+/// A load so small that the patch is a point.
+contact::Case light_case(double shift, double yaw) {
+  contact::Case input = test::manchester_case(shift, yaw);
+  input.load = {};
+  input.load.approach = 1e-7;
+  input.track.inclination = 0.0;
+  return input;
+}
+
+/// Middle of the rail's circle in the side frame: its face at 14 mm is 717.5 from the middle.
+const double rail_middle =
+    717.5 + std::sqrt(rail_radius * rail_radius - std::pow(rail_radius - 14.0, 2));
+
+class SphereOnCylinder : public testing::TestWithParam<std::array<double, 3>> {};
+
+TEST_P(SphereOnCylinder, TouchesOnTheLineBetweenTheCentres) {
+  const auto [shift, yaw, roll] = GetParam();
+  contact::Case input = light_case(shift, yaw);
+  input.wheelset.roll = {roll};
+  const auto scene =
+      meshes::make_search_scene(input, test::sphere_on_cylinder(radius, rail_radius));
+  for (const bool left : {true, false}) {
+    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
+    ASSERT_EQ(found.size(), 1u);
+    const WheelRailContact& contact = found[0];
+    // Centre of the sphere in the side frame.
+    const double sign = left ? -1.0 : 1.0;
+    const double centre = sign * shift + 750.0 * std::cos(yaw) * std::cos(roll);
+    const double sine = (rail_middle - centre) / (radius + rail_radius);
+    const double angle = std::asin(sine);
+    EXPECT_NEAR(contact.place.contact_angle, angle, 1e-8);
+    EXPECT_NEAR(contact.place.y_track, sign * (rail_middle - rail_radius * sine), 1e-5);
+    EXPECT_NEAR(contact.place.y_rail, -rail_radius * sine, 1e-5);
+    EXPECT_NEAR(contact.origin[0], -sign * 750.0 * std::sin(yaw) * std::cos(roll), 1e-4);
+    // Distance of the contact from the axle, whose angle against the normal is known.
+    const double along =
+        std::cos(yaw) * std::cos(roll) * -sine - sign * std::sin(roll) * std::cos(angle);
+    EXPECT_NEAR(contact.place.rolling_radius, radius * std::sqrt(1.0 - along * along), 1e-5);
+    EXPECT_NEAR(contact.place.separation, 0.0, 1e-9);
+  }
+}
+
+TEST_P(SphereOnCylinder, DistanceInThePatchFrameIsThatOfSphereAndCylinder) {
+  const auto [shift, yaw, roll] = GetParam();
+  contact::Case input = light_case(shift, yaw);
+  input.wheelset.roll = {roll};
+  const auto scene =
+      meshes::make_search_scene(input, test::sphere_on_cylinder(radius, rail_radius));
+  for (const bool left : {true, false}) {
+    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
+    ASSERT_EQ(found.size(), 1u);
+    for (const double x : {0.0, 6.0, -4.0})
+      for (const double y : {-8.0, 0.0, 5.0}) {
+        const double exact = radius - std::sqrt(radius * radius - x * x - y * y) + rail_radius -
+                             std::sqrt(rail_radius * rail_radius - y * y);
+        EXPECT_NEAR(found[0].geometry.distance(x, y), exact, 1e-6) << x << ' ' << y;
+      }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Poses, SphereOnCylinder,
+                         testing::Values(std::array{0.0, 0.0, 0.0}, std::array{3.0, 0.0, 0.0},
+                                         std::array{-5.0, 0.02, 0.0},
+                                         std::array{4.0, -0.05, 0.01}));
+
+TEST(Roll, IsFoundSuchThatBothSpheresTouch) {
+  // Spheres about the ends of the axle: the centres stand on circles about the rails' middles.
+  const contact::Case input = light_case(6.0, 0.0);
+  const auto scene =
+      meshes::make_search_scene(input, test::sphere_on_cylinder(radius, rail_radius));
+  const meshes::WheelsetPose pose = find_pose(input, scene, 1);
+  const double reach = radius + rail_radius;
+  const auto height = [&](double sign) {
+    const double y = sign * 6.0 + 750.0 * std::cos(pose.roll) - rail_middle;
+    return std::sqrt(reach * reach - y * y) - rail_radius + sign * 750.0 * std::sin(pose.roll);
+  };
+  EXPECT_GT(std::abs(pose.roll), 1e-5);
+  EXPECT_NEAR(height(-1.0), height(1.0), 1e-8);
+}
+
+TEST(Mirror, RightWheelIsTheMirrorImageOfTheLeftOne) {
+  const contact::Case input = test::manchester_case(3.3, 0.008);
+  const contact::Case mirrored = test::manchester_case(-3.3, -0.008);
+  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto left = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  const auto right = find_contacts(mirrored, scene, find_pose(mirrored, scene, 1), 1, false);
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const auto &a = left[k].place, &b = right[k].place;
+    EXPECT_NEAR(a.y_track, -b.y_track, 1e-7);
+    EXPECT_NEAR(a.roll, -b.roll, 1e-12);
+    EXPECT_NEAR(a.height, b.height, 1e-8);
+    EXPECT_NEAR(a.contact_angle, b.contact_angle, 1e-9);
+    EXPECT_NEAR(a.y_wheel, b.y_wheel, 1e-7);
+    EXPECT_NEAR(left[k].reach[0], -right[k].reach[1], 1e-6);
+    EXPECT_NEAR(left[k].origin[0], right[k].origin[0], 1e-7);
+    for (const double x : {-5.0, 0.0, 3.0})
+      for (const double y : {-6.0, 0.0, 2.0})
+        EXPECT_NEAR(left[k].geometry.distance(x, y), right[k].geometry.distance(x, -y), 1e-8);
+  }
+}
+
+/// A rail with two humps 10 mm apart and a valley of `depth` between, under a cylinder.
+meshes::ProfilePair two_humps(double depth) {
+  const auto z = [=](double y) { return depth * std::pow(y * y / 25.0 - 1.0, 2); };
+  const auto slope = [=](double y) { return depth * 4.0 * y / 25.0 * (y * y / 25.0 - 1.0); };
+  return {test::profile_of([](double) { return 0.0; }, [](double) { return 0.0; }, -70.0, 80.0),
+          test::profile_of(z, slope, -40.0, 40.0)};
+}
+
+TEST(Patches, TwoHumpsMergeAsTheApproachGrows) {
+  constexpr double depth = 0.03;
+  contact::Case input = light_case(0.0, 0.0);
+  input.wheelset.roll = {0.0};
+  const auto scene = meshes::make_search_scene(input, two_humps(depth));
+  const auto found = [&](double approach) {
+    input.load.approach = approach;
+    return find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  };
+  const auto apart = found(0.5 * depth);
+  ASSERT_EQ(apart.size(), 2u);
+  EXPECT_EQ(apart[0].place.patches, 2);
+  const double middle = scene.rail_place.shift_y;
+  EXPECT_NEAR(std::abs(-apart[0].place.y_track + apart[0].touching[0][0] - middle), 5.0, 1e-4);
+  // Where z = depth/2: y^2 = 25 (1 +- sqrt(1/2)).
+  const double inner = 5.0 * std::sqrt(1.0 - std::sqrt(0.5));
+  const double outer = 5.0 * std::sqrt(1.0 + std::sqrt(0.5));
+  EXPECT_NEAR(apart[0].reach[1] - apart[0].reach[0], outer - inner, 1e-4);
+  EXPECT_TRUE(std::isinf(apart[0].limits[0]) != std::isinf(apart[0].limits[1]));
+  const auto merged = found(1.5 * depth);
+  ASSERT_EQ(merged.size(), 1u);
+  EXPECT_EQ(merged[0].touching.size(), 2u);
+  EXPECT_NEAR(std::abs(merged[0].place.y_track), middle, 1e-6);
+  EXPECT_NEAR(merged[0].reach[1], 5.0 * std::sqrt(1.0 + std::sqrt(1.5)), 1e-4);
+  EXPECT_NEAR(merged[0].geometry.distance(0.0, 0.0), depth, 1e-9);
+  EXPECT_NEAR(merged[0].geometry.distance(0.0, 5.0), 0.0, 1e-9);
+}
+
+TEST(Patches, HumpThatDoesNotTouchIsANearMissWithItsSeparation) {
+  contact::Case input = light_case(0.0, 0.0);
+  constexpr double roll = 2e-3;  // lifts the humps' common tangent by 10 roll across them
+  input.wheelset.roll = {roll};
+  input.load.approach = 0.005;
+  const auto scene = meshes::make_search_scene(input, two_humps(0.03));
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].place.patch, 1);
+  EXPECT_EQ(found[0].place.patches, 1);
+  EXPECT_EQ(found[1].place.patch, 0);
+  // Humps are stationary: their heights change by roll * 5 each, and by half the square of the
+  // change of slope over the curvature, which is the same for both.
+  EXPECT_NEAR(found[1].place.separation, 10.0 * roll, 1e-4);
+  EXPECT_EQ(found[1].normal_force, 0.0);
+  meshes::SearchOptions options;
+  options.near_miss = 0.01;
+  EXPECT_EQ(find_contacts(input, scene, find_pose(input, scene, 1), 1, true, options).size(), 1u);
+}
+
+TEST(Load, EstimateIsCloseToHertzForASphereOnACylinder) {
+  // Equal radii 460: a sphere of radius 460 on a plane has R = 460 both ways.
+  contact::Case input = light_case(0.0, 0.0);
+  const auto flat = meshes::ProfilePair{
+      test::sphere_on_cylinder(radius, rail_radius).wheel,
+      test::profile_of([](double y) { return 2e-7 * std::pow(y, 5) * y / 40.0; },
+                       [](double y) { return 12e-7 * std::pow(y, 5) / 40.0; }, -45.0, 45.0)};
+  const auto scene = meshes::make_search_scene(input, flat);
+  input.load = {};
+  input.load.vertical_force = 10e3;
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  ASSERT_FALSE(found.empty());
+  const double modulus = 2.0 * 1.28 * 82000.0 / (2.0 * (1.0 - 0.28 * 0.28));
+  const double hertz = std::cbrt(9.0 * 1e8 / (16.0 * radius * modulus * modulus));
+  EXPECT_NEAR(found[0].approach, hertz, 0.05 * hertz);
+  EXPECT_NEAR(found[0].normal_force, 10e3, 1e-3);
+}
+
+TEST(Sinking, IsSharedByThePatchesOfAWheel) {
+  WheelRailContact contact;
+  contact.place.contact_angle = std::acos(0.6);
+  contact.place.separation = 0.03;
+  EXPECT_NEAR(contact.approach_at(0.1), 0.03, 1e-15);
+  EXPECT_LT(contact.approach_at(0.04), 0.0);
+}
+
+}  // namespace

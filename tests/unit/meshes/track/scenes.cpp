@@ -1,0 +1,148 @@
+// Scenes: one case for each patch, with load, creepages and geometry of its own.
+#include "meshes/track/scenes.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/wheel_rail_cases.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem;
+using meshes::Scene;
+
+std::vector<Scene> scenes_of(const contact::Case& input) {
+  return make_scenes(input, meshes::make_search_scene(input, test::manchester_pair()));
+}
+
+TEST(Scenes, ComeByPositionWheelAndPatch) {
+  contact::Case input = test::manchester_case(0.0, 0.0);
+  input.wheelset.side = contact::WheelSide::both;
+  input.wheelset.lateral_shift = {0.0, 5.0};
+  input.wheelset.yaw = {0.0, 0.012};
+  const auto scenes = scenes_of(input);
+  // At 5 mm the right wheel touches twice, tread and flange root.
+  ASSERT_EQ(scenes.size(), 5u);
+  const char* labels[] = {"left, position 1", "right, position 1", "left, position 2",
+                          "right, position 2, patch 1 of 2", "right, position 2, patch 2 of 2"};
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    EXPECT_EQ(scenes[k].input.place->label(), labels[k]);
+    ASSERT_TRUE(scenes[k].input.patch);
+    EXPECT_TRUE(scenes[k].input.patch->known(0.0));
+  }
+}
+
+TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
+  const auto scenes = scenes_of(test::manchester_case(0.0, 0.0));
+  ASSERT_EQ(scenes.size(), 1u);
+  const double angle = scenes[0].input.place->contact_angle;
+  EXPECT_NEAR(*scenes[0].input.load.normal_force * std::cos(angle), 10e3, 1e-8);
+}
+
+TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
+  contact::Case input = test::manchester_case(-5.0, -0.012);
+  const auto scenes = scenes_of(input);
+  ASSERT_EQ(scenes.size(), 2u);
+  double sum = 0.0;
+  for (const Scene& scene : scenes)
+    sum += *scene.input.load.normal_force * std::cos(scene.input.place->contact_angle);
+  EXPECT_NEAR(sum, 10e3, 1e-6);
+  EXPECT_GT(*scenes[0].input.load.normal_force, *scenes[1].input.load.normal_force);
+  // One of them touches first, the other after some sinking.
+  EXPECT_NEAR(std::min(scenes[0].contact.place.separation, scenes[1].contact.place.separation), 0.0,
+              1e-9);
+  EXPECT_GT(std::max(scenes[0].contact.place.separation, scenes[1].contact.place.separation), 1e-4);
+}
+
+TEST(Scenes, NormalForceCannotBeSharedByTwoPatches) {
+  contact::Case input = test::manchester_case(-5.0, -0.012);
+  input.load = {};
+  input.load.normal_force = 10e3;
+  try {
+    scenes_of(input);
+    FAIL() << "accepted";
+  } catch (const contact::InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("2 patches"), std::string::npos) << text;
+    EXPECT_NE(text.find("vertical_force = 10000"), std::string::npos) << text;
+  }
+}
+
+TEST(Scenes, ApproachIsThatOfTheFirstPatchAndOneSinking) {
+  contact::Case input = test::manchester_case(-5.0, -0.012);
+  input.load = {};
+  input.load.approach = 0.03;
+  const auto scenes = scenes_of(input);
+  ASSERT_EQ(scenes.size(), 2u);
+  for (const Scene& scene : scenes) {
+    EXPECT_FALSE(scene.input.load.normal_force);
+    // Both at one sinking, which the patch that touched first tells.
+    EXPECT_GT(*scene.input.load.approach, 0.0);
+  }
+  const auto sinking = [](const Scene& scene) {
+    return (*scene.input.load.approach + scene.contact.place.separation) /
+           std::cos(scene.contact.place.contact_angle);
+  };
+  EXPECT_NEAR(sinking(scenes[0]), sinking(scenes[1]), 0.02 * sinking(scenes[0]));
+}
+
+TEST(Scenes, RotationChangesMakeACreepCurve) {
+  contact::Case input = test::manchester_case(2.0, 0.0048);
+  input.rolling.creepages.resize(3);
+  input.wheelset.rotation_change = {-0.002, 0.0, 0.002};
+  const auto scenes = scenes_of(input);
+  ASSERT_EQ(scenes.size(), 1u);
+  const auto& curve = scenes[0].input.rolling.creepages;
+  ASSERT_EQ(curve.size(), 3u);
+  const double radius = scenes[0].contact.place.rolling_radius;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double change = input.wheelset.rotation_change[k];
+    EXPECT_NEAR(curve[k].longitudinal, 1.0 - (1.0 + change) * radius / 460.0 * std::cos(0.0048),
+                1e-6);
+    EXPECT_NEAR(curve[k].lateral, (1.0 + change) * std::sin(0.0048), 3e-5);
+  }
+  Scene free = scenes[0];
+  set_rotation_change(free, -0.002);
+  for (const auto& creepage : free.input.rolling.creepages)
+    EXPECT_EQ(creepage.longitudinal, curve[0].longitudinal);
+}
+
+TEST(Scenes, GivenCreepagesStayAndTheOthersFollowFromTheMotion) {
+  contact::Case input = test::manchester_case(2.0, 0.0048);
+  input.rolling.creepages = {{0.001, 0.0, 0.0}, {0.002, 0.0, 0.0}};
+  input.rolling.given.longitudinal = true;
+  const auto curve = scenes_of(input).at(0).input.rolling.creepages;
+  ASSERT_EQ(curve.size(), 2u);
+  EXPECT_EQ(curve[0].longitudinal, 0.001);
+  EXPECT_EQ(curve[1].longitudinal, 0.002);
+  EXPECT_NEAR(curve[1].lateral, 0.0048, 3e-5);
+  EXPECT_NEAR(curve[1].spin, -0.0134 / 460.0, 1e-6);
+}
+
+TEST(Scenes, PrescribedForceStandsInPlaceOfItsCreepage) {
+  contact::Case input = test::manchester_case(2.0, 0.0048);
+  input.rolling.forces.resize(1);
+  input.rolling.forces[0].longitudinal = -100.0;
+  const auto creepage = scenes_of(input).at(0).input.rolling.creepages.at(0);
+  EXPECT_EQ(creepage.longitudinal, 0.0);
+  EXPECT_GT(creepage.lateral, 0.004);
+}
+
+TEST(Scenes, FrictionTakesPartOfTheVerticalForce) {
+  Scene scene = scenes_of(test::manchester_case(0.0, 0.0)).at(0);
+  set_normal_forces(scene, 10e3, {0.0, 300.0, -300.0});
+  const auto& load = scene.input.load;
+  ASSERT_EQ(load.normal_forces.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(meshes::vertical_force(*load.normal_force_of(k),
+                                       k == 0   ? 0.0
+                                       : k == 1 ? 300.0
+                                                : -300.0,
+                                       *scene.input.place),
+                10e3, 1e-8);
+  EXPECT_EQ(*load.normal_force, load.normal_forces[2]);
+}
+
+}  // namespace

@@ -1,0 +1,254 @@
+// Differences, scales and error bars of a comparison, against numbers worked out by hand.
+#include "postprocess/compare/comparison.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using namespace rollfem::postprocess;
+using nlohmann::json;
+
+json point(double xi, double p0, double traction, double largest, const json& errors) {
+  return {{"longitudinal_creepage", xi},
+          {"lateral_creepage", 0.0},
+          {"spin", 0.0},
+          {"normal_force", 1000.0},
+          {"longitudinal_force", -1000.0 * traction},
+          {"lateral_force", 0.0},
+          {"traction_coefficient", traction},
+          {"max_pressure", p0},
+          {"max_traction", largest},
+          {"max_traction_x", largest},
+          {"approach", 0.0},
+          {"semi_axis_x", 2.0},
+          {"semi_axis_y", 3.0},
+          {"contact_area", 18.8},
+          {"error_estimate", errors}};
+}
+
+json model(const char* name, const json& points) {
+  return {{"name", name}, {"seconds", {{"total", 0.5}}}, {"points", points}};
+}
+
+/// Half-space with error bars, FASTSIM without, Hertz with one point.
+ComparedCase example() {
+  const json errors{{"max_pressure", 0.01}, {"traction_coefficient", 0.02}};
+  json models = json::array();
+  models.push_back(model("hertz", json::array({point(0.0, 101.0, 0.0, 0.0, json::object())})));
+  models.push_back(model("fastsim", {point(0.0, 100.0, 0.0, 0.0, json::object()),
+                                     point(0.001, 100.0, 0.19, 30.0, json::object())}));
+  models.push_back(model(
+      "halfspace", {point(0.0, 100.0, 0.0, 0.0, errors), point(0.001, 100.0, 0.20, 25.0, errors)}));
+  ComparedCase compared;
+  compared.name = "a";
+  compared.friction = 0.5;
+  compared.summary = json{{"models", models}}.dump();
+  return compared;
+}
+
+ComparedNumber number(const std::vector<ComparedNumber>& all, const char* name, int load_point,
+                      const char* quantity) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const ComparedNumber& n) {
+    return n.model == name && n.point == load_point && n.quantity == quantity;
+  });
+  EXPECT_NE(found, all.end()) << name << ' ' << quantity;
+  return found == all.end() ? ComparedNumber{} : *found;
+}
+
+TEST(Comparison, DifferencesAreRelativeToReferenceFrictionAndItsPressure) {
+  const auto all = compared_numbers(example(), "");
+  const auto pressure = number(all, "hertz", 1, "max_pressure");
+  EXPECT_EQ(pressure.reference, "halfspace");
+  EXPECT_NEAR(pressure.difference(), 0.01, 1e-12);
+  EXPECT_NEAR(pressure.allowed(), 0.01, 1e-12);
+  EXPECT_FALSE(pressure.differs());
+  EXPECT_FALSE(pressure.error);
+  const auto force = number(all, "fastsim", 2, "traction_coefficient");
+  EXPECT_NEAR(force.difference(), -0.01 / 0.5, 1e-12);
+  EXPECT_NEAR(force.allowed(), 0.02 * 0.20 / 0.5, 1e-12);
+  EXPECT_TRUE(force.differs());
+  // mu p0 = 50 MPa
+  EXPECT_NEAR(number(all, "fastsim", 2, "max_traction_x").difference(), 5.0 / 50.0, 1e-12);
+}
+
+TEST(Comparison, AnEstimateOfAForceThatVanishesIsOfAHundredthOfFullSliding) {
+  const auto force =
+      number(compared_numbers(example(), ""), "halfspace", 1, "traction_coefficient");
+  EXPECT_NEAR(*force.error, 0.02 * 0.01 * 0.5, 1e-12);
+  EXPECT_FALSE(force.reference_value);  // it is the reference
+}
+
+TEST(Comparison, WhatAModelDoesNotGiveIsNotCompared) {
+  for (const ComparedNumber& n : compared_numbers(example(), "")) {
+    EXPECT_NE(n.quantity, "approach");             // 0: not given
+    EXPECT_NE(n.quantity, "lateral_coefficient");  // nothing lateral in this case
+    EXPECT_FALSE(n.model == "hertz" && n.quantity == "traction_coefficient");
+  }
+}
+
+TEST(Comparison, TheWishedReferenceIsTakenWhereItHasTheNumber) {
+  const auto all = compared_numbers(example(), "hertz");
+  EXPECT_EQ(number(all, "halfspace", 1, "max_pressure").reference, "hertz");
+  EXPECT_NEAR(number(all, "halfspace", 1, "max_pressure").difference(), -1.0 / 101.0, 1e-12);
+  EXPECT_EQ(number(all, "fastsim", 2, "traction_coefficient").reference, "halfspace");
+  EXPECT_EQ(reference_of({"strip", "fem"}, ""), "fem");
+  EXPECT_EQ(reference_of({"strip"}, "fem"), "strip");
+  EXPECT_EQ(reference_of({}, ""), "");
+}
+
+TEST(Comparison, WordsSayWhatAgreesAndWhatDiffersWhere) {
+  const CaseStandings stand = case_standings(example(), "");
+  ASSERT_EQ(stand.seconds.size(), 3U);
+  const auto words = comparison_words(stand.standings);
+  ASSERT_EQ(words.size(), 2U);
+  EXPECT_EQ(words[0],
+            "hertz against halfspace: within the error bars: largest pressure (1.0 %), semi-axis "
+            "along x (0.000 %), semi-axis along y (0.000 %).");
+  EXPECT_NE(words[1].find("; beyond them: traction coefficient lower by 2.0 % of mu at load point "
+                          "2, xi = 0.1 %, where they allow 0.80 % (at 1 of 2 load points); "),
+            std::string::npos)
+      << words[1];
+}
+
+TEST(Comparison, TheSummaryTellsQuantityByQuantityWhichModelsAgree) {
+  CaseStandings good = case_standings(example(), "");
+  CaseStandings bad = good;
+  bad.name = "b";
+  bad.seconds[0].second = 2.0;
+  for (Standing& standing : bad.standings)
+    if (standing.model == "hertz" && standing.quantity == "max_pressure") standing.differ = 1;
+  const auto words = summary_words({good, bad});
+  ASSERT_EQ(words.size(), 4U);
+  EXPECT_EQ(words[0],
+            "The largest pressure against halfspace: within the error bars in every case: fastsim "
+            "(at most 0.000 %); beyond them in some: hertz (1.0 % in b, where they allow 1.0 %; in "
+            "the other at most 1.0 %).");
+  EXPECT_EQ(
+      words[1],
+      "The traction coefficient against halfspace, in % of mu: beyond the error bars in every "
+      "case: fastsim (2.0 % in a, where they allow 0.80 %; 2.0 % in b, where they allow 0.80 "
+      "%; at 2 of 4 load points there).");
+  CaseStandings third = good;
+  third.name = "c";
+  EXPECT_NE(summary_words({good, bad, third})[1].find("fastsim (2.0 % in a to 2.0 % in c; at 3 of "
+                                                      "6 load points there)"),
+            std::string::npos);
+  EXPECT_EQ(words[3], "Cost a case: hertz 0.5 to 2 s, fastsim 0.5 s, halfspace 0.5 s.");
+}
+
+TEST(Comparison, WhatIsPhysicsIsSaidWhereFiniteElementsDifferFromHalfspaces) {
+  ComparedNumber force;
+  force.model = "fem";
+  force.reference = "halfspace";
+  force.quantity = "traction_coefficient";
+  force.value = 0.1;
+  force.error = 0.01;
+  force.reference_value = 0.0;
+  force.scale = 1.0;
+  const auto says = [&] {
+    for (const std::string& words : summary_words({{"a", standings({force}), {{"fem", 1.0}}}}))
+      if (words.find("docs/verification.md") != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_TRUE(says());
+  force.error = 0.2;  // within the bars
+  EXPECT_FALSE(says());
+  force.error = 0.01;
+  force.model = "strip";  // a theory: what it leaves out is another matter
+  EXPECT_FALSE(says());
+}
+
+/// Of the worn wheel: the first patch agrees, the second does not.
+ComparedCase two_places() {
+  json models = json::array();
+  const json errors{{"max_pressure", 0.01}};
+  for (const int patch : {1, 2})
+    for (const char* name : {"halfspace", "fem"}) {
+      const double p0 = std::string(name) == "fem" && patch == 2 ? 110.0 : 100.0;
+      models.push_back(model(name, json::array({point(0.0, p0, 0.0, 0.0, errors)})));
+      models.back()["place"] = {
+          {"wheel", "left"}, {"position", 1.0}, {"patch", patch}, {"patches", 2.0}};
+    }
+  ComparedCase compared;
+  compared.name = "worn";
+  compared.friction = 0.5;
+  compared.summary = json{{"models", models}}.dump();
+  return compared;
+}
+
+TEST(Comparison, PlacesStandForThemselves) {
+  const CaseStandings stand = case_standings(two_places(), "");
+  int of_pressure = 0;
+  for (const Standing& standing : stand.standings) {
+    if (standing.quantity != "max_pressure") continue;
+    ++of_pressure;
+    EXPECT_EQ(standing.compared, 1);
+    EXPECT_EQ(standing.differ, standing.patch == "left wheel, position 1, patch 2 of 2" ? 1 : 0);
+  }
+  EXPECT_EQ(of_pressure, 2);
+  const auto words = comparison_words(stand.standings);
+  ASSERT_EQ(words.size(), 2U);
+  EXPECT_EQ(
+      words[0].rfind("left wheel, position 1, patch 1 of 2: fem against halfspace: within", 0), 0U)
+      << words[0];
+  EXPECT_NE(words[1].find("beyond them: largest pressure higher by 10 %, where they allow 2.1 %"),
+            std::string::npos)
+      << words[1];
+  const auto all = over_places(stand.standings);
+  EXPECT_EQ(all.front().compared, 2);
+  EXPECT_EQ(all.front().differ, 1);
+  ComparisonRecord record;
+  record.cases = {two_places()};
+  const json out = json::parse(comparison_json(record));
+  EXPECT_EQ(out.at("cases")[0].at("standings")[0].at("patch"),
+            "left wheel, position 1, patch 1 of 2");
+}
+
+TEST(Comparison, WordsTellTheDifferenceThatTheErrorBarsAllowLeast) {
+  // Point 1 is off by 3 with bars of 4, point 2 by 2 with bars of 1.
+  ComparedNumber wide;
+  wide.model = "fem";
+  wide.reference = "halfspace";
+  wide.quantity = "traction_coefficient";
+  wide.value = 0.03;
+  wide.error = 0.04;
+  wide.reference_value = 0.0;
+  wide.scale = 1.0;
+  ComparedNumber narrow = wide;
+  narrow.point = 2;
+  narrow.value = 0.02;
+  narrow.error = 0.01;
+  const auto words = comparison_words(standings({wide, narrow}));
+  ASSERT_EQ(words.size(), 1U);
+  EXPECT_EQ(words[0],
+            "fem against halfspace: beyond the error bars: traction coefficient higher by 2.0 % of "
+            "mu at load point 2, xi = 0 %, where they allow 1.0 % (at 1 of 2 load points; the "
+            "largest difference is 3.0 %, within them).");
+}
+
+TEST(Comparison, FilesHoldEveryNumberAndWhatIsMissing) {
+  ComparisonRecord record;
+  record.models = {"hertz", "fastsim", "halfspace", "fem"};
+  record.cases = {example(), {}};
+  record.cases[1].name = "b";
+  record.cases[1].missing = {{"fem", "did not converge", true}};
+  const json out = json::parse(comparison_json(record));
+  EXPECT_EQ(out.at("kind"), "compare");
+  EXPECT_TRUE(out.at("cases")[0].at("complete").get<bool>());
+  EXPECT_FALSE(out.at("cases")[1].at("complete").get<bool>());
+  EXPECT_EQ(out.at("cases")[1].at("missing")[0].at("reason"), "did not converge");
+  const std::string csv = comparison_csv(record);
+  const auto rows = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n'));
+  EXPECT_EQ(rows, 1 + out.at("cases")[0].at("numbers").size());
+  const auto commas = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',');
+  };
+  const long head = commas(csv.substr(0, csv.find('\n')));
+  for (std::size_t at = 0; at < csv.size(); at = csv.find('\n', at) + 1)
+    EXPECT_EQ(commas(csv.substr(at, csv.find('\n', at) - at)), head);
+}
+
+}  // namespace

@@ -1,0 +1,275 @@
+// results.h5 read back in C++: every scalar and field to the last bit, and one clear message for
+// each way in which a file is not a whole result.
+#include "postprocess/read/results_reader.hpp"
+
+#include "contact/base/errors.hpp"
+#include "postprocess/write/point_table.hpp"
+#include "postprocess/write/results_hdf5.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/output_python.hpp"
+#include "support/output_synthetic_run.hpp"
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::InputError;
+using contact::PointResult;
+using tests::write_temporary;
+
+class ResultsReaderTest : public ::testing::Test {
+ protected:
+  void TearDown() override {
+    for (const std::string& path : made_) fs::remove_all(path);
+  }
+  std::string file(const std::string& content) {
+    made_.push_back(write_temporary("reader_" + std::to_string(made_.size()) + ".h5", content));
+    return made_.back();
+  }
+  /// A model with all that is stored of it.
+  static contact::ModelResult whole(const ResultsFile& read, const StoredModel& model) {
+    contact::ModelResult result = read.read(model);
+    for (const std::size_t k : model.points_with_bodies) read.read_bodies(model, k, result);
+    return result;
+  }
+  /// What the reader says about a file.
+  static std::string refusal(const std::string& path) {
+    try {
+      const ResultsFile read(path);
+      for (const StoredModel& model : read.models()) whole(read, model);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "it was read";
+  }
+  std::vector<std::string> made_;
+};
+
+RunRecord full_run() {
+  RunRecord run = tests::synthetic_run();
+  run.input.wheel.material = {207e3, 0.28};
+  run.input.rail.material = {211e3, 0.29};
+  PointResult& point = run.models[1].points[3];
+  point.step = 4;
+  point.spin_moment = 123.25;
+  point.lateral_shift = 0.125;
+  point.spin_shift = 1e-3;
+  point.distance = 2.5;
+  point.creepage = {0.002, -0.001, 3e-4};
+  point.richardson = {{"max_pressure", 578.9}};
+  point.derived = {{"elastic_energy", 946.0}};
+  point.stress_maxima = {{"rail", "von_mises", 344.5, {0.1, -0.2, -3.0}},
+                         {"wheel", "tresca", 380.5, {0.0, 0.0, 2.5}}};
+  return run;
+}
+
+void expect_same(const contact::ModelResult& found, const contact::ModelResult& written) {
+  EXPECT_EQ(found.name, written.name);
+  EXPECT_EQ(found.key(), written.key());
+  EXPECT_EQ(found.unknowns, written.unknowns);
+  EXPECT_EQ(found.notes, written.notes);
+  EXPECT_EQ(found.grid.nx, written.grid.nx);
+  EXPECT_EQ(found.grid.dy, written.grid.dy);
+  EXPECT_EQ(found.grid.x(found.grid.nx - 1), written.grid.x(found.grid.nx - 1));
+  ASSERT_EQ(found.points.size(), written.points.size());
+  for (std::size_t k = 0; k < found.points.size(); ++k) {
+    const PointResult& a = found.points[k];
+    const PointResult& b = written.points[k];
+    for (const PointScalar& scalar : point_scalars())
+      EXPECT_EQ(scalar.value(a), scalar.value(b)) << scalar.name;
+    EXPECT_EQ(a.converged, b.converged);
+    EXPECT_EQ(a.residual, b.residual);
+    EXPECT_EQ(a.error_estimate, b.error_estimate);
+    EXPECT_EQ(a.richardson, b.richardson);
+    EXPECT_EQ(a.derived, b.derived);
+    for (const PointField& field : point_fields()) {
+      const contact::Field& values = field.value(a.fields);
+      ASSERT_EQ(values.size(), field.value(b.fields).size()) << field.name;
+      EXPECT_TRUE(values == field.value(b.fields)) << field.name;
+    }
+    EXPECT_EQ(a.fields.state, b.fields.state);
+    ASSERT_EQ(a.stress_maxima.size(), b.stress_maxima.size());
+    for (std::size_t m = 0; m < a.stress_maxima.size(); ++m) {
+      EXPECT_EQ(a.stress_maxima[m].body, b.stress_maxima[m].body);
+      EXPECT_EQ(a.stress_maxima[m].measure, b.stress_maxima[m].measure);
+      EXPECT_EQ(a.stress_maxima[m].value, b.stress_maxima[m].value);
+      EXPECT_EQ(a.stress_maxima[m].place, b.stress_maxima[m].place);
+    }
+    ASSERT_EQ(a.bodies.size(), b.bodies.size()) << k;
+    for (std::size_t body = 0; body < a.bodies.size(); ++body) {
+      EXPECT_EQ(a.bodies[body].displacement, b.bodies[body].displacement) << k;
+      EXPECT_EQ(a.bodies[body].stress, b.bodies[body].stress) << k;
+    }
+  }
+  ASSERT_EQ(found.bodies.size(), written.bodies.size());
+  for (std::size_t k = 0; k < found.bodies.size(); ++k) {
+    EXPECT_EQ(found.bodies[k].name, written.bodies[k].name);
+    EXPECT_EQ(found.bodies[k].points, written.bodies[k].points);
+    EXPECT_EQ(found.bodies[k].cells, written.bodies[k].cells);
+  }
+}
+
+TEST_F(ResultsReaderTest, ReadsBackWhatWasWritten) {
+  const RunRecord run = full_run();
+  const ResultsFile read(file(results_hdf5(run)));
+  EXPECT_EQ(read.input().title, run.input.title);
+  EXPECT_EQ(read.input().text, run.input.text);
+  EXPECT_EQ(read.input().wheel.material.young_modulus, 207e3);
+  EXPECT_EQ(read.input().rail.material.poisson_ratio, 0.29);
+  EXPECT_EQ(read.input().rail.transverse_radius, 2000.0);
+  EXPECT_EQ(read.input().wheel.transverse_radius, contact::infinity);
+  ASSERT_EQ(read.models().size(), run.models.size());
+  for (std::size_t k = 0; k < run.models.size(); ++k) {
+    EXPECT_EQ(read.models()[k].points, static_cast<int>(run.models[k].points.size()));
+    EXPECT_EQ(read.models()[k].points_with_bodies, run.models[k].points_with_bodies());
+    expect_same(whole(read, read.models()[k]), run.models[k]);
+  }
+}
+
+TEST_F(ResultsReaderTest, TellsPatchesApart) {
+  RunRecord run = full_run();
+  run.models.resize(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    run.models[k].name = "halfspace";
+    run.models[k].place.emplace();
+    run.models[k].place->left = k == 0;
+    run.models[k].place->patch = 3;
+    run.models[k].place->position = 7;
+  }
+  const ResultsFile read(file(results_hdf5(run)));
+  ASSERT_EQ(read.models().size(), 2U);
+  const StoredModel& second = read.models()[1];
+  EXPECT_EQ(second.key, "halfspace_right_7_3");
+  EXPECT_EQ(second.name, "halfspace");
+  EXPECT_TRUE(second.placed);
+  EXPECT_FALSE(second.left);
+  EXPECT_EQ(second.position, 7);
+  EXPECT_EQ(second.patch, 3);
+  EXPECT_EQ(read.read(second).key(), second.key);
+}
+
+TEST_F(ResultsReaderTest, RefusesWhatIsNoWholeResult) {
+  const std::string whole = results_hdf5(full_run());
+  EXPECT_EQ(refusal(file(whole)), "it was read");
+  EXPECT_NE(refusal("no/such/folder").find("there is no such file or folder"), std::string::npos);
+  EXPECT_NE(refusal("/dev/null").find("is not a regular file"), std::string::npos);
+  EXPECT_NE(refusal(::testing::TempDir()).find("no results.h5 in this folder"), std::string::npos);
+  EXPECT_NE(refusal(file("title = \"a case\"")).find("not a result of rollfem"), std::string::npos);
+  EXPECT_NE(refusal(file("")).find("not a result of rollfem"), std::string::npos);
+  // Killed while it was written, at many places.
+  for (int part = 1; part < 40; ++part) {
+    const std::string said = refusal(file(whole.substr(0, whole.size() * part / 40)));
+    EXPECT_NE(said.find("cut short or damaged"), std::string::npos) << part << ": " << said;
+    EXPECT_NE(said.find("do: "), std::string::npos) << said;
+  }
+}
+
+TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
+  if (!tests::python_can_import("h5py"))
+    GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
+  const std::string whole = results_hdf5(full_run());
+  const auto changed = [&](const std::string& change) {
+    const std::string path = file(whole);
+    EXPECT_EQ(tests::python("import sys, h5py\nf = h5py.File(sys.argv[1], 'a')\n" + change, path),
+              "");
+    return refusal(path);
+  };
+  EXPECT_EQ(changed("f.attrs['note'] = 'more of it'"), "it was read");
+  EXPECT_EQ(changed("f.attrs['format_minor'] = 7"), "it was read");
+  EXPECT_EQ(changed("del f.attrs['format_minor']; del f['models/fem/bodies']\n"
+                    "for p in f['models/fem/points'].values(): del p['bodies']"),
+            "it was read");
+  const std::pair<const char*, const char*> changes[] = {
+      {"f.attrs['format'] = 'something'", "but not a result of rollfem"},
+      {"del f.attrs['format']", "but not a result of rollfem"},
+      {"f.attrs['format_version'] = 2", "format version 2, this program reads 1"},
+      {"del f.attrs['complete']", "is incomplete: its writing was cut short"},
+      {"f.attrs['complete'] = 0", "is incomplete: its writing was cut short"},
+      {"del f['case']", "there is no group case"},
+      {"del f['models/hertz/grid']", "there is no group grid"},
+      {"del f['models/fem/points/0002'].attrs['approach']", "there is no attribute approach"},
+      {"f['case'].attrs['title'] = 3.0", "not a text: attribute title"},
+      {"f['models/fem/bodies/rail/cells'][1, 2] = 12", "names node 12 of 12"},
+      {"del f['models/fem/points/0002/bodies/rail/stress']", "there is no dataset stress"},
+      {"d = f['models/fem/points/0002/bodies/wheel']; x = d['stress'][1:]; del d['stress']; "
+       "d['stress'] = x",
+       "nodes and values of the wheel differ in number"},
+      {"d = f['models/fem/points/0002']; del d['pressure']; d['pressure'] = [1.0]",
+       "pressure has 1 values for a grid of 1007"},
+  };
+  for (const auto& [change, part] : changes) {
+    const std::string said = changed(change);
+    EXPECT_NE(said.find(part), std::string::npos) << change << ": " << said;
+    EXPECT_NE(said.find("do: "), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  }
+}
+
+TEST_F(ResultsReaderTest, RefusesDamagedFields) {
+  if (!tests::python_can_import("h5py"))
+    GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
+  // Bytes of a compressed field overwritten. (HDF5 does not guard its own structures like that.)
+  const std::string path = file(results_hdf5(full_run()));
+  EXPECT_EQ(tests::python(R"(
+import sys, h5py
+with h5py.File(sys.argv[1]) as f:
+    chunk = f['models/fem/points/0002/pressure'].id.get_chunk_info(0)
+with open(sys.argv[1], 'r+b') as f:
+    f.seek(chunk.byte_offset + chunk.size // 2)
+    f.write(b'\xff' * 64)
+)",
+                          path),
+            "");
+  const std::string said = refusal(path);
+  EXPECT_NE(said.find("damaged or cut short: dataset pressure"), std::string::npos) << said;
+}
+
+TEST_F(ResultsReaderTest, ReadsAFileWithoutBodies) {
+  RunRecord run = full_run();
+  run.models[2].bodies.clear();
+  for (PointResult& point : run.models[2].points) point.bodies.clear();
+  const ResultsFile read(file(results_hdf5(run)));
+  EXPECT_TRUE(read.models()[2].points_with_bodies.empty());
+  EXPECT_TRUE(read.read(read.models()[2]).bodies.empty());
+}
+
+TEST_F(ResultsReaderTest, ReadsBodiesOfOneLoadPointAlone) {
+  RunRecord run = full_run();
+  for (std::size_t k = 0; k + 1 < run.models[2].points.size(); ++k)
+    run.models[2].points[k].bodies.clear();
+  const ResultsFile read(file(results_hdf5(run)));
+  EXPECT_EQ(read.models()[2].points_with_bodies, (std::vector<std::size_t>{6}));
+  expect_same(whole(read, read.models()[2]), run.models[2]);
+}
+
+TEST_F(ResultsReaderTest, ReadsTheBodiesOfFormatMinorOne) {
+  if (!tests::python_can_import("h5py"))
+    GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
+  // There the values stood beside the nodes, in double precision, of the last load point alone.
+  const RunRecord run = full_run();
+  const std::string path = file(results_hdf5(run));
+  EXPECT_EQ(tests::python(R"(
+import sys, h5py
+f = h5py.File(sys.argv[1], 'a')
+f.attrs['format_minor'] = 1
+m = f['models/fem']
+for p in m['points'].values(): del p['bodies']
+for b in m['bodies'].values():
+    for n in ('displacement', 'stress'):
+        x = b[n][()].astype('f8'); del b[n]; b[n] = x
+)",
+                          path),
+            "");
+  const ResultsFile read(path);
+  ASSERT_EQ(read.models()[2].points_with_bodies, (std::vector<std::size_t>{6}));
+  const contact::ModelResult found = whole(read, read.models()[2]);
+  EXPECT_TRUE(found.points[5].bodies.empty());
+  EXPECT_EQ(found.points[6].bodies.at(1).stress, run.models[2].points[6].bodies[1].stress);
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess

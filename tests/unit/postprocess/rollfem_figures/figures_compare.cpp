@@ -1,0 +1,218 @@
+// The pages of compare and study, made by Debian's Python from written data: self-contained, with
+// every case, model and figure. Skipped with a message where matplotlib or h5py is not installed.
+#include "postprocess/compare/comparison.hpp"
+#include "postprocess/study/study.hpp"
+#include "postprocess/write/output.hpp"
+#include "postprocess/write/result_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/output_in_folder.hpp"
+#include "support/output_placed_run.hpp"
+#include "support/output_python.hpp"
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+using tests::read;
+using tests::scripts;
+
+std::size_t count(const std::string& text, const std::string& piece) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
+    ++found;
+  return found;
+}
+
+void expect_self_contained(const std::string& page) {
+  for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url("})
+    EXPECT_EQ(page.find(link), std::string::npos) << link;
+  EXPECT_EQ(count(page, "<img"), count(page, "src=\"data:image/svg+xml;base64,"));
+  EXPECT_NE(page.find("name=viewport"), std::string::npos);
+  EXPECT_NE(page.find("@media print"), std::string::npos);
+}
+
+class PagesTest : public tests::InFolder {
+ protected:
+  void SetUp() override {
+    if (!tests::python_can_import("matplotlib, h5py, numpy"))
+      GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
+    InFolder::SetUp();
+  }
+
+  ComparedCase written(const std::string& name, const RunRecord& run) {
+    write_results((base_ / name).string(), run);
+    ComparedCase compared;
+    compared.name = name;
+    compared.title = run.input.title;
+    compared.case_file = name + ".toml";
+    compared.friction = run.input.friction_coefficient;
+    compared.summary = read(base_ / name / "summary.json");
+    return compared;
+  }
+};
+
+TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
+  RunRecord run = tests::synthetic_run();
+  ComparisonRecord record;
+  record.models = {"hertz", "halfspace", "fem", "strip"};
+  record.cases.push_back(written("one", run));
+  run.input.title = "second <case>";
+  run.models.erase(run.models.begin());
+  record.cases.push_back(written("two", run));
+  record.cases[1].missing = {{"strip", "it cannot take this & that", false}};
+  ComparedCase failed;
+  failed.name = "three";
+  failed.title = "third";
+  failed.missing = {{"every model", "no contact", true}};
+  record.cases.push_back(failed);
+  replace_file(base_ / "compare.json", comparison_json(record));
+  ASSERT_EQ(make_report(base_.string(), scripts), "");
+  const std::string page = read(base_ / "compare.html");
+  expect_self_contained(page);
+  for (const char* text :
+       {"Comparison of models on 3 cases", "second &lt;case&gt;", "it cannot take this &amp; that",
+        "is left out", "no contact", "failed", "Which models agree where", "Cost",
+        "Hertz against half-space", "Force per strip", "Lateral traction", "id=\"one\""})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  // Ten figures in the first case, one less in the second without Hertz, and differences against
+  // cost.
+  EXPECT_EQ(count(page, "<img"), 20U);
+  // Names of the page, not of the program, and no words of a terminal.
+  EXPECT_EQ(page.find("halfspace against"), std::string::npos);
+  EXPECT_EQ(page.find(" of mu"), std::string::npos);
+  EXPECT_TRUE(fs::exists(base_ / "one" / "report.html"));
+}
+
+TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByPlace) {
+  RunRecord run = tests::placed_run(1);  // two patches
+  for (contact::ModelResult& model : run.models) {
+    model.points.resize(2);
+    if (model.name == "fem" && model.place->patch == 2)
+      for (contact::PointResult& point : model.points) point.max_pressure *= 1.3;
+  }
+  ComparisonRecord record;
+  record.models = {"halfspace", "fem"};
+  record.cases.push_back(written("wheels", run));
+  replace_file(base_ / "compare.json", comparison_json(record));
+  ASSERT_EQ(make_report(base_.string(), scripts), "");
+  const std::string page = read(base_ / "compare.html");
+  expect_self_contained(page);
+  for (const char* text :
+       {"Where wheel and rail touch", "y track [mm]", "with the contact points",
+        "left wheel,<br>position 1,<br>patch 2 of 2", "Left wheel, position 1, patch 1 of 2",
+        "left wheel, position 1, patch 2 of 2: FEM against half-space: "})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+}
+
+TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
+  StudyRecord study;
+  study.title = "a <study>";
+  study.friction = 0.5;
+  StudyPlace place;
+  place.creepages = {{0.0, 0.0, 0.0}, {0.002, 0.0, 0.0}};
+  place.exact = {{"max_pressure", 100.0}};
+  StudySeries fine{"halfspace", "grid", "contact grid", 2.0, {}, ""};
+  StudySeries jumpy{"fem", "cell", "FE cell", 2.0, {}, "ran out of memory"};
+  for (int k = 0; k < 4; ++k) {
+    StudyLevel level;
+    level.label = std::to_string(10 << k);
+    level.unknowns = 100L << (2 * k);
+    level.seconds = 0.1 * std::exp2(2 * k);
+    level.values = {{"max_pressure", 100.0 + std::exp2(-2 * k)},
+                    {"traction_coefficient:2", 0.3 - 0.01 * std::exp2(-k)}};
+    fine.levels.push_back(level);
+    level.values["traction_coefficient:2"] = 0.31 + (k % 2 == 0 ? 0.002 : -0.001);
+    jumpy.levels.push_back(level);
+  }
+  StudySeries theory{"hertz", "", "", 0.0, {fine.levels[0]}, ""};
+  theory.levels[0].values = {{"max_pressure", 100.0}};
+  place.series = {fine, jumpy, theory};
+  study.places = {place};
+  replace_file(base_ / "study.json", study_json(study));
+  ASSERT_EQ(make_report(base_.string(), scripts), "");
+  const std::string page = read(base_ / "study.html");
+  expect_self_contained(page);
+  for (const char* text : {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
+                           "ran out of memory", "order 2", "no order", "exact", "extrapolated"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_EQ(count(page, "<img"), 2U);
+  for (const char* name : {"speed_error.svg", "error_unknowns.svg"})
+    EXPECT_NE(read(base_ / "figures" / name).find("</svg>"), std::string::npos) << name;
+}
+
+/// What rollfem_figures/published.py gives for a result, name by name.
+std::string published(const fs::path& folder) {
+  return tests::python("import sys; sys.path.insert(0, '" + scripts +
+                           "'); sys.dont_write_bytecode = True\n"
+                           "from rollfem_figures import published, read_result\n"
+                           "r = read_result(sys.argv[1])\n"
+                           "print(*[row['name'] for _, s in r.scenes() for row in "
+                           "published.patches(s) + published.creep_curves(s)], sep='; ')",
+                       folder.string());
+}
+
+TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
+  RunRecord run = tests::synthetic_run();
+  run.input.load.normal_force = 50e3;
+  run.input.friction_coefficient = 0.55;
+  run.input.wheel.rolling_radius = 405.0;
+  run.input.wheel.transverse_radius = contact::infinity;
+  const auto names = [&](const char* name, double rail, double wheel) {
+    run.input.rail.transverse_radius = rail;
+    run.input.wheel.transverse_radius = wheel;
+    write_results((base_ / name).string(), run);
+    return published(base_ / name);
+  };
+  EXPECT_NE(names("a", 2000.0, contact::infinity).find("thesis: Hertz, from a diagram"),
+            std::string::npos);
+  EXPECT_EQ(names("b", 500.0, contact::infinity), "Hertz, exact\n");
+  EXPECT_EQ(names("d", 2000.0, 105.263), "Hertz, exact\n");
+  EXPECT_EQ(names("f", 50.0, -51.282), "Hertz, exact\n");
+  EXPECT_EQ(names("none", 501.0, contact::infinity), "\n");
+  run.input.load.normal_force = 60e3;
+  EXPECT_EQ(names("other", 2000.0, contact::infinity), "\n");
+}
+
+TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
+  RunRecord run = tests::placed_run(1);
+  run.models.resize(2);
+  run.input.load.vertical_force = 100e3;
+  run.input.friction_coefficient = 0.55;
+  run.input.wheel.rolling_radius = 450.0;
+  run.input.rail.profile.name = "UIC60-manchester";
+  for (contact::ModelResult& model : run.models) {
+    model.place->patches = 1;
+    model.place->lateral_shift = 2.0;
+    model.place->y_track = -755.7;
+  }
+  const auto names = [&](const char* name) {
+    write_results((base_ / name).string(), run);
+    return published(base_ / name);
+  };
+  EXPECT_NE(names("left").find("thesis: SRS (FE)"), std::string::npos);
+  for (contact::ModelResult& model : run.models) model.place->lateral_shift = 3.0;
+  EXPECT_EQ(names("shifted"), "\n");
+  for (contact::ModelResult& model : run.models) {
+    model.place->lateral_shift = 2.0;
+    model.place->y_track = -750.0;  // another gauge or inclination
+  }
+  EXPECT_EQ(names("elsewhere"), "\n");
+}
+
+TEST_F(PagesTest, DataOfAnotherKindIsRefusedInALine) {
+  std::ofstream(base_ / "compare.json") << "{\"format\": 2, \"kind\": \"compare\"}";
+  const std::string message = make_report(base_.string(), scripts);
+  EXPECT_NE(message.find("not a comparison that this program reads"), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess

@@ -1,0 +1,209 @@
+// Figures and report are made from a written result by Debian's Python, whatever the result holds.
+// Skipped with a message where matplotlib or h5py is not installed.
+#include "postprocess/write/output.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/output_in_folder.hpp"
+#include "support/output_python.hpp"
+#include "support/output_synthetic_run.hpp"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+using tests::read;
+using tests::scripts;
+
+class FiguresTest : public tests::InFolder {
+ protected:
+  void SetUp() override {
+    if (!tests::python_can_import("matplotlib, h5py, numpy"))
+      GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
+    InFolder::SetUp();
+  }
+
+  /// Writes the run and draws it; returns the folder.
+  fs::path draw(const RunRecord& run) {
+    const fs::path folder = base_ / "result with spaces";
+    write_results(folder.string(), run);
+    EXPECT_EQ(make_report(folder.string(), scripts), "");
+    return folder;
+  }
+};
+
+TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
+  const fs::path folder = draw(tests::synthetic_run());
+  for (const char* name :
+       {"creep_curve", "path_x", "path_y", "path_lateral", "outlines", "contact_area",
+        "strip_force", "oblique_px_halfspace", "oblique_px_fem"}) {
+    const fs::path figure = folder / "figures" / (std::string(name) + ".svg");
+    ASSERT_TRUE(fs::exists(figure)) << name;
+    EXPECT_NE(read(figure).find("</svg>"), std::string::npos) << name;
+    EXPECT_LT(fs::file_size(figure), 1500000U) << name;
+  }
+  // A frictionless model has no tangential tractions to draw, but a pressure.
+  EXPECT_TRUE(fs::exists(folder / "figures/oblique_pn_hertz.svg"));
+  EXPECT_FALSE(fs::exists(folder / "figures/oblique_px_hertz.svg"));
+
+  const std::string report = read(folder / "report.html");
+  for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url("})
+    EXPECT_EQ(report.find(link), std::string::npos) << link;
+  std::size_t images = 0;
+  for (std::size_t at = report.find("data:image/svg"); at != std::string::npos;
+       at = report.find("data:image/svg", at + 1))
+    ++images;
+  EXPECT_EQ(images, 10U);
+  for (const char* text :
+       {"thesis case a: conforming plane", "578.7", "0.51136", "half-space", "FEM", "446 000",
+        "symmetry plane y = 0 used", "normal_force = 50e3", "not converged"})
+    EXPECT_EQ(report.find(text) != std::string::npos, std::string(text) != "not converged") << text;
+}
+
+TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
+  RunRecord run = tests::synthetic_run();
+  run.models.resize(1);
+  const fs::path folder = draw(run);
+  for (const char* drawn : {"path_x", "outlines"})
+    EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(drawn) + ".svg"))) << drawn;
+  for (const char* not_drawn : {"creep_curve", "path_lateral", "contact_area"})
+    EXPECT_FALSE(fs::exists(folder / "figures" / (std::string(not_drawn) + ".svg"))) << not_drawn;
+  EXPECT_EQ(read(folder / "report.html").find("Traction coefficient"), std::string::npos);
+}
+
+TEST_F(FiguresTest, OnePointWithoutFieldsBreaksNothing) {
+  RunRecord run = tests::synthetic_run();
+  run.models = {run.models[1]};
+  run.models[0].points.resize(2);
+  for (contact::PointResult& point : run.models[0].points) point.fields = {};
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+  run.models[0].points.resize(1);
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+  run.models[0].points.clear();
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+  run.models.clear();
+  EXPECT_TRUE(fs::exists(draw(run) / "report.html"));
+}
+
+/// Uniaxial tension that grows along a line, and the largest stresses.
+contact::SubsurfaceField tension_along(contact::SubsurfaceRequest::Kind kind, bool wheel) {
+  contact::SubsurfaceField field;
+  field.request.kind = kind;
+  field.request.wheel = wheel;
+  field.request.points = {5, 1};
+  for (int k = 0; k < 5; ++k) {
+    field.points.push_back({0.0, 0.0, wheel ? 0.5 * k : -0.5 * k});
+    field.displacement.push_back({});
+    field.stress.push_back({100.0 * k, 0.0, 0.0, 0.0, 30.0, 40.0});
+  }
+  return field;
+}
+
+TEST_F(FiguresTest, StressAlongLinesIsDrawnAndTheLargestIsTabulated) {
+  using Kind = contact::SubsurfaceRequest::Kind;
+  RunRecord run = tests::synthetic_run();
+  for (contact::ModelResult& model : run.models)
+    for (contact::PointResult& point : model.points) {
+      if (model.name == "hertz") continue;
+      point.subsurface = {tension_along(Kind::line, true), tension_along(Kind::plane, true),
+                          tension_along(Kind::surface, false)};
+      point.stress_maxima = {{"wheel", "von_mises", 345.6, {0.0, 0.0, 1.25}},
+                             {"rail", "tresca", 234.5, {-0.5, 0.0, -1.5}}};
+      point.error_estimate["max_von_mises_wheel"] = 0.01;
+    }
+  run.models[2].points[4].stress_maxima[0].value = 456.7;  // at 0.3 %
+  const fs::path folder = draw(run);
+  EXPECT_TRUE(fs::exists(folder / "figures/stress_1.svg"));
+  EXPECT_FALSE(fs::exists(folder / "figures/stress_2.svg"));  // a plane is no line
+  EXPECT_TRUE(fs::exists(folder / "figures/stress_3.svg"));
+  const std::string report = read(folder / "report.html");
+  for (const char* text :
+       {"Stress in the bodies", "wheel: von Mises", "345.6", "456.7</b>&nbsp;<span class=e>±",
+        "at (0, 0, 1.25) mm, ξ = 0.3 %", "rail: Tresca", "On the surface of the rail"})
+    EXPECT_NE(report.find(text), std::string::npos) << text;
+  // The measures of the figures are those of the result, the others by hand: uniaxial 400 MPa with
+  // a shear of 50 MPa beside it.
+  EXPECT_EQ(tests::python("import sys\nsys.path.insert(0, '" + scripts +
+                              "')\n"
+                              "import numpy as np\n"
+                              "from rollfem_figures import read_result\n"
+                              "from rollfem_figures.stresses import measures\n"
+                              "point = read_result(sys.argv[1]).model('fem').points[4]\n"
+                              "part = point.subsurface[0]\n"
+                              "got = measures(part['stress'])\n"
+                              "assert np.allclose(got['von_mises'], part['von_mises'])\n"
+                              "assert np.allclose(got['orthogonal_shear'], 50)\n"
+                              "assert np.allclose(got['hydrostatic'][4], 400 / 3)\n"
+                              "roots = np.roots([1, -400, -2500, 900 * 400])\n"
+                              "assert np.isclose(got['tresca'][4], max(roots) - min(roots))\n"
+                              "first = point.stress_maxima[0]\n"
+                              "assert (first['body'], first['measure']) == ('wheel', 'von_mises')\n"
+                              "assert first['value'] == 456.7 and first['place'][2] == 1.25\n",
+                          folder.string()),
+            "");
+}
+
+TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
+  RunRecord run = tests::synthetic_run();
+  run.models = {run.models[1]};
+  run.models[0].name = "some-new-model";
+  run.input.title = "<b>markup</b> & \"quotes\"";
+  double eta = 0.0;
+  for (contact::PointResult& point : run.models[0].points) {
+    std::swap(point.fields.traction.x, point.fields.traction.y);
+    std::swap(point.longitudinal_force, point.lateral_force);
+    point.creepage = {0.0, eta, 1e-4};
+    eta += 0.0005;
+  }
+  const fs::path folder = draw(run);
+  EXPECT_TRUE(fs::exists(folder / "figures/creep_curve.svg"));
+  const std::string report = read(folder / "report.html");
+  EXPECT_NE(report.find("Lateral force"), std::string::npos);
+  EXPECT_EQ(report.find("<b>markup"), std::string::npos);
+}
+
+TEST_F(FiguresTest, AModelThatDidNotConvergeIsNamed) {
+  RunRecord run = tests::synthetic_run();
+  run.models[1].points[3].converged = false;
+  EXPECT_NE(read(draw(run) / "report.html").find("half-space at ξ = 0.2 %"), std::string::npos);
+}
+
+TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
+  const fs::path folder = draw(tests::synthetic_run());
+  fs::resize_file(folder / "results.h5", fs::file_size(folder / "results.h5") / 2);
+  const std::string message = make_report(folder.string(), scripts);
+  EXPECT_NE(message.find("is cut short or damaged"), std::string::npos) << message;
+  EXPECT_NE(message.find("run the case again"), std::string::npos) << message;
+  EXPECT_EQ(message.find("Traceback"), std::string::npos) << message;
+  fs::remove(folder / "results.h5");
+  EXPECT_NE(make_report(folder.string(), scripts).find("there is no"), std::string::npos);
+}
+
+TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
+  const fs::path folder = draw(tests::synthetic_run());
+  const fs::path scripts_here = base_ / "rollfem_figures";
+  fs::create_directory(scripts_here);
+  std::ofstream(scripts_here / "__init__.py") << "";
+  std::ofstream(scripts_here / "__main__.py") << "def f():\n    raise ValueError('odd')\nf()\n";
+  const std::string message = make_report(folder.string(), base_.string());
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_EQ(message.rfind("ValueError: odd (the whole text is in ", 0), 0U) << message;
+  EXPECT_NE(read(folder / "report.log").find("Traceback"), std::string::npos);
+}
+
+TEST(MakeReport, SaysWhatIsMissing) {
+  EXPECT_NE(make_report("/nowhere", "/nowhere").find("no Python package"), std::string::npos);
+  ::setenv("ROLLFEM_PYTHON", "/nowhere/python3", 1);
+  EXPECT_NE(make_report("/nowhere", scripts).find("cannot run /nowhere/python3"),
+            std::string::npos);
+  ::unsetenv("ROLLFEM_PYTHON");
+  EXPECT_NE(make_report("/nowhere", scripts + "/rollfem_figures"), "");
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess

@@ -1,0 +1,221 @@
+// Orders, limits and uncertainties against sequences whose limit and order are known, and what a
+// study makes of them.
+#include "postprocess/study/study.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+using namespace rollfem::postprocess;
+
+/// limit + 0.1 ratio^(-order k)
+std::vector<double> sequence(double order, int levels, double ratio = 2.0, double limit = 3.0) {
+  std::vector<double> values;
+  for (int k = 0; k < levels; ++k) values.push_back(limit + 0.1 * std::pow(ratio, -order * k));
+  return values;
+}
+
+TEST(Limit, IsExactForAPureOrder) {
+  for (const double ratio : {1.5, 2.0, 4.0})
+    for (const double order : {0.7, 1.0, 2.0, 3.0}) {
+      const Limit limit = limit_of(sequence(order, 4, ratio), ratio);
+      ASSERT_TRUE(limit.order) << order << ' ' << limit.reason;
+      EXPECT_NEAR(*limit.order, order, 1e-9);
+      EXPECT_NEAR(limit.value, 3.0, 1e-12);
+      EXPECT_EQ(limit.reason, "");
+    }
+}
+
+TEST(Limit, GridUncertaintyIsRoachesIndex) {
+  // Order 2, ratio 2: 1.25 |f3 - f2| / 3, which is 1.25 times the true error.
+  const auto values = sequence(2.0, 3);
+  const Limit limit = limit_of(values, 2.0);
+  EXPECT_NEAR(limit.grid_uncertainty, 1.25 * (values[2] - 3.0), 1e-12);
+  EXPECT_DOUBLE_EQ(limit.uncertainty, limit.grid_uncertainty);
+}
+
+TEST(Limit, AQuickOrderIsNotBelievedInTheUncertainty) {
+  // Order 3 is taken as 2: change 0.1 (1/8 - 1/64) over 3, times 1.25.
+  const Limit limit = limit_of(sequence(3.0, 4), 2.0);
+  EXPECT_NEAR(limit.grid_uncertainty, 1.25 * 0.1 * (1.0 / 64.0 - 1.0 / 512.0) / 3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(limit.uncertainty, limit.grid_uncertainty);
+}
+
+TEST(Limit, FourLevelsOfAMixedSequenceEncloseTheirLimit) {
+  std::vector<double> values;
+  for (int k = 0; k < 5; ++k) {
+    const double h = std::exp2(-k);
+    values.push_back(1.0 + 0.2 * h * h + 0.05 * h * h * h);
+  }
+  const Limit limit = limit_of(values, 2.0);
+  ASSERT_TRUE(limit.order);
+  EXPECT_NEAR(*limit.order, 2.0, 0.05);
+  EXPECT_LT(std::abs(limit.value - 1.0), limit.uncertainty);
+  EXPECT_LT(limit.uncertainty, 0.5 * limit.grid_uncertainty);
+  EXPECT_LT(std::abs(values.back() - 1.0), limit.grid_uncertainty);
+}
+
+TEST(Limit, NoOrderIsClaimedWhereThereIsNone) {
+  const auto reason = [](const std::vector<double>& values) {
+    const Limit limit = limit_of(values, 2.0);
+    EXPECT_FALSE(limit.order);
+    EXPECT_DOUBLE_EQ(limit.value, values.back());
+    return limit.reason;
+  };
+  EXPECT_EQ(reason({1.0, 1.2, 1.1}), "the sequence is not monotone");
+  EXPECT_EQ(reason({1.0, 1.1, 1.3}), "its changes do not fall");
+  EXPECT_EQ(reason({1.0, 1.1, 1.1}), "the last two values are the same");
+  EXPECT_EQ(reason({1.0, 1.1}), "two levels show no order");
+  EXPECT_NE(reason(sequence(0.2, 3)).find("too slowly"), std::string::npos);
+  EXPECT_NE(reason(sequence(8.0, 3)).find("chance"), std::string::npos);
+  // Three times the largest of the last two changes.
+  EXPECT_NEAR(limit_of({1.0, 1.2, 1.1}, 2.0).grid_uncertainty, 0.6, 1e-12);
+  EXPECT_THROW(limit_of({1.0}, 2.0), std::logic_error);
+  EXPECT_THROW(limit_of({1.0, 2.0}, 1.0), std::logic_error);
+}
+
+TEST(Limit, ALittleScatterDoesNotHideTheOrderOfManyLevels) {
+  // The last three changes do not fall, but all five values follow 3 + 0.1 / 4^k within 2e-3.
+  std::vector<double> values = sequence(2.0, 5);
+  values[3] += 2e-3;
+  const Limit limit = limit_of(values, 2.0);
+  ASSERT_TRUE(limit.order) << limit.reason;
+  EXPECT_TRUE(limit.fitted);
+  EXPECT_NE(limit.reason, "");
+  EXPECT_NEAR(*limit.order, 2.0, 0.2);
+  EXPECT_LT(std::abs(limit.value - 3.0), limit.uncertainty);
+  EXPECT_LT(limit.uncertainty, 5e-3);
+  // As much scatter as change, or an order that no method here has, is no curve.
+  EXPECT_FALSE(limit_of({3.1, 3.0, 3.05, 2.98, 3.06}, 2.0).order);
+  EXPECT_FALSE(limit_of({3.1, 3.001, 3.0, 2.9995, 3.0001}, 2.0).order);
+}
+
+TEST(Limit, OrderOfErrorsOnAnyRatio) {
+  EXPECT_NEAR(*order_of_errors(9.0, 1.0, 3.0), 2.0, 1e-12);
+  EXPECT_NEAR(*order_of_errors(-2.0, 4.0, 2.0), -1.0, 1e-12);
+  EXPECT_FALSE(order_of_errors(1.0, 0.0, 2.0));
+}
+
+/// Pressure of order 2 towards 100, a coefficient of order 1 towards 0.2.
+StudyRecord record() {
+  StudyRecord study;
+  study.title = "a case";
+  study.friction = 0.4;
+  StudyPlace place;
+  place.creepages = {{0.0, 0.0, 0.0}, {0.001, 0.0, 0.0}};
+  StudySeries series{"halfspace", "grid", "contact grid", 2.0, {}, ""};
+  for (int k = 0; k < 4; ++k) {
+    StudyLevel level;
+    level.label = std::to_string(10 << k);
+    level.unknowns = 100L << (2 * k);
+    level.seconds = 0.1 * std::exp2(2 * k);
+    level.values = {{"max_pressure", 100.0 + std::exp2(-2 * k)},
+                    {"traction_coefficient:2", 0.2 - 0.01 * std::exp2(-k)}};
+    series.levels.push_back(level);
+  }
+  place.series = {series};
+  study.places = {place};
+  return study;
+}
+
+std::map<std::string, StudyReference> references_of(const StudyRecord& study) {
+  return references(study.places[0], study.rule);
+}
+
+TEST(Study, TakesWhatIsExactAndExtrapolatesTheRest) {
+  StudyRecord study = record();
+  study.places[0].exact = {{"max_pressure", 100.0}};
+  auto refs = references_of(study);
+  EXPECT_EQ(refs.at("max_pressure").kind, "exact");
+  EXPECT_EQ(refs.at("traction_coefficient:2").kind, "extrapolated");
+  EXPECT_NEAR(refs.at("traction_coefficient:2").value, 0.2, 1e-12);
+  study.rule = ReferenceRule::finest;
+  refs = references_of(study);
+  EXPECT_EQ(refs.at("max_pressure").kind, "finest");
+  EXPECT_DOUBLE_EQ(refs.at("max_pressure").value, 100.0 + 1.0 / 64.0);
+  study.places[0].given = {{"max_pressure", 99.0}};
+  EXPECT_EQ(references_of(study).at("max_pressure").kind, "given");
+  study.rule = ReferenceRule::exact;
+  EXPECT_EQ(references_of(study).count("traction_coefficient:2"), 0U);
+}
+
+TEST(Study, FiniteBodiesAreNotMeasuredAgainstHalfSpaces) {
+  StudyRecord study = record();
+  study.places[0].exact = {{"max_pressure", 100.5}};
+  study.places[0].series[0].model = "fem";
+  EXPECT_EQ(references_of(study).at("max_pressure").kind, "extrapolated");
+  // A half-space in the same study is the reference of both.
+  study.places[0].series.push_back(study.places[0].series[0]);
+  study.places[0].series[1].model = "halfspace";
+  EXPECT_EQ(reference_series(study.places[0]), 1U);
+  EXPECT_EQ(references_of(study).at("max_pressure").kind, "exact");
+}
+
+TEST(Study, ErrorsAreRelativeAndOfCoefficientsToFriction) {
+  StudyRecord study = record();
+  study.places[0].exact = {{"max_pressure", 100.0}};
+  const auto refs = references_of(study);
+  EXPECT_NEAR(study_error(study, "max_pressure", 101.0, refs.at("max_pressure")), 0.01, 1e-12);
+  EXPECT_NEAR(study_error(study, "traction_coefficient:2", 0.19, refs.at("traction_coefficient:2")),
+              0.025, 1e-12);
+}
+
+TEST(Study, OrdersComeFromErrorsOnlyWhereTheReferenceIsKnown) {
+  StudyRecord study = record();
+  study.places[0].exact = {{"max_pressure", 100.0}};
+  const auto refs = references_of(study);
+  const auto of = [&](const char* key) {
+    return level_orders(study, study.places[0].series[0], key, refs.at(key));
+  };
+  const auto pressure = of("max_pressure");
+  ASSERT_EQ(pressure.size(), 4U);
+  EXPECT_FALSE(pressure[0]);
+  for (int k = 1; k < 4; ++k) EXPECT_NEAR(*pressure[static_cast<std::size_t>(k)], 2.0, 1e-9);
+  const auto force = of("traction_coefficient:2");
+  EXPECT_FALSE(force[1]);
+  EXPECT_NEAR(*force[3], 1.0, 1e-9);
+}
+
+TEST(Study, FilesHoldValuesErrorsOrdersAndWords) {
+  StudyRecord study = record();
+  study.places[0].exact = {{"max_pressure", 100.0}};
+  const auto json = nlohmann::json::parse(study_json(study));
+  const auto& level = json.at("places")[0].at("series")[0].at("levels")[3];
+  EXPECT_NEAR(level.at("errors").at("max_pressure").get<double>(), 1.0 / 6400.0, 1e-12);
+  EXPECT_NEAR(level.at("orders").at("max_pressure").get<double>(), 2.0, 1e-9);
+  EXPECT_NEAR(json.at("places")[0]
+                  .at("series")[0]
+                  .at("limits")
+                  .at("traction_coefficient:2")
+                  .at("value")
+                  .get<double>(),
+              0.2, 1e-9);
+  const std::string csv = study_csv(study);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 2);
+  EXPECT_NE(csv.find(",halfspace,grid,10,0,100,0,0.1,max_pressure,101,100,exact,0.01,\n"),
+            std::string::npos)
+      << csv;
+  const std::string table = study_table(study);
+  EXPECT_NE(table.find("order 1.00 from the last three levels"), std::string::npos) << table;
+  bool said = false;
+  for (const std::string& words : study_words(study, study.places[0]))
+    said = said || words.find(
+                       "coefficient at xi = 0.1 % is 0.19875 on the finest level and 0.2 "
+                       "+-") != std::string::npos;
+  EXPECT_TRUE(said);
+}
+
+TEST(Study, OneLevelHasNoOrderAndBreaksNothing) {
+  StudyRecord study = record();
+  study.places[0].series[0].levels.resize(1);
+  study.places[0].series[0].ratio = 0.0;
+  EXPECT_FALSE(series_limit(study.places[0].series[0], "max_pressure"));
+  EXPECT_EQ(references_of(study).at("max_pressure").kind, "finest");
+  EXPECT_FALSE(study_table(study).empty());
+}
+
+}  // namespace

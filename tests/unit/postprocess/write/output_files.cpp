@@ -1,0 +1,185 @@
+// The files of a result hold the numbers of the record, all digits, and no NaN.
+#include "postprocess/write/csv.hpp"
+#include "postprocess/write/output.hpp"
+#include "postprocess/write/summary_json.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/output_synthetic_run.hpp"
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace rollfem::postprocess {
+namespace {
+
+using tests::synthetic_run;
+
+std::vector<std::string> split(const std::string& line, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(line);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+/// A CSV file as rows of name -> cell, names without units.
+std::vector<std::map<std::string, std::string>> parse_csv(const std::string& text) {
+  const std::vector<std::string> lines = split(text, '\n');
+  std::vector<std::string> names;
+  for (const std::string& name : split(lines.at(0), ',')) names.push_back(split(name, ' ')[0]);
+  std::vector<std::map<std::string, std::string>> rows;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    std::vector<std::string> cells = split(lines[k], ',');
+    EXPECT_LE(cells.size(), names.size());
+    cells.resize(names.size());
+    rows.emplace_back();
+    for (std::size_t c = 0; c < names.size(); ++c) rows.back()[names[c]] = cells[c];
+  }
+  return rows;
+}
+
+double number(const std::string& text) {
+  return std::strtod(text.c_str(), nullptr);
+}
+
+TEST(SummaryJson, HasTheDocumentedKeysAndNoOthers) {
+  const auto json = nlohmann::ordered_json::parse(summary_json(synthetic_run()));
+  const auto keys = [](const nlohmann::ordered_json& object) {
+    std::string names;
+    for (const auto& item : object.items()) names += item.key() + " ";
+    return names;
+  };
+  EXPECT_EQ(keys(json), "format title case_file program models ");
+  EXPECT_EQ(json["format"], 1);
+  EXPECT_EQ(keys(json["program"]), "version commit ");
+  const auto& model = json["models"][1];
+  EXPECT_EQ(keys(model), "name seconds unknowns contact_elements points ");
+  EXPECT_EQ(keys(model["points"][0]),
+            "longitudinal_creepage lateral_creepage spin step longitudinal_shift lateral_shift "
+            "spin_shift distance normal_force longitudinal_force "
+            "lateral_force spin_moment traction_coefficient max_pressure max_traction "
+            "max_traction_x approach semi_axis_x semi_axis_y contact_length contact_width "
+            "contact_area adhesion_area iterations seconds converged error_estimate ");
+}
+
+TEST(SummaryJson, GivesEveryNumberBackToTheLastBit) {
+  const RunRecord run = synthetic_run();
+  const auto json = nlohmann::json::parse(summary_json(run));
+  ASSERT_EQ(json["models"].size(), run.models.size());
+  for (std::size_t m = 0; m < run.models.size(); ++m)
+    for (std::size_t k = 0; k < run.models[m].points.size(); ++k) {
+      const contact::PointResult& point = run.models[m].points[k];
+      const auto& read = json["models"][m]["points"][k];
+      EXPECT_EQ(read["longitudinal_creepage"].get<double>(), point.creepage.longitudinal);
+      EXPECT_EQ(read["longitudinal_force"].get<double>(), point.longitudinal_force);
+      EXPECT_EQ(read["normal_force"].get<double>(), point.normal_force);
+      EXPECT_EQ(read["contact_area"].get<double>(), point.contact_area);
+      EXPECT_EQ(read["converged"].get<bool>(), point.converged);
+    }
+  EXPECT_EQ(json["models"][2]["points"][3]["error_estimate"]["max_pressure"].get<double>(), 0.002);
+}
+
+TEST(CreepCurveCsv, HasOneRowPerModelAndCreepageWithTheSameNumbers) {
+  const RunRecord run = synthetic_run();
+  const auto rows = parse_csv(creep_curve_csv(run));
+  ASSERT_EQ(rows.size(), 1U + 7U + 7U);
+  EXPECT_EQ(rows[0].at("model"), "hertz");
+  EXPECT_EQ(number(rows[4].at("traction_coefficient")),
+            run.models[1].points[3].traction_coefficient);
+  EXPECT_EQ(number(rows[14].at("max_pressure")), run.models[2].points[6].max_pressure);
+}
+
+TEST(PathCsv, SumsAlongTheMiddleLinesGiveTheForcePerLength) {
+  const RunRecord run = synthetic_run();
+  for (const Path path : {Path::x, Path::y}) {
+    const auto rows = parse_csv(path_csv(run, path));
+    const tests::SyntheticPatch patch;
+    double sum = 0.0;
+    for (const auto& row : rows)
+      if (row.at("model") == "halfspace" && row.at("point") == "3")
+        sum += number(row.at("pressure"));
+    const contact::ContactGrid& grid = run.models[1].grid;
+    const double axis = path == Path::x ? patch.a : patch.b;
+    const double exact = M_PI / 2 * patch.p0 * axis;  // the integral of a semi-ellipse
+    EXPECT_NEAR(sum * (path == Path::x ? grid.dx : grid.dy), exact, 0.005 * exact);
+  }
+}
+
+TEST(PathCsv, LeavesCellsEmptyWhereAModelHasNoField) {
+  const auto rows = parse_csv(path_csv(synthetic_run(), Path::x));
+  EXPECT_EQ(rows[0].at("model"), "hertz");
+  EXPECT_NE(rows[20].at("pressure"), "");
+  EXPECT_EQ(rows[20].at("slip_x"), "");
+}
+
+TEST(MiddleLines, AreTheNearestRowOrTheTwoEquallyNearOnes) {
+  EXPECT_EQ(middle_lines(-2.0, 1.0, 5), (std::vector<int>{2}));
+  EXPECT_EQ(middle_lines(-1.5, 1.0, 4), (std::vector<int>{1, 2}));
+  EXPECT_EQ(middle_lines(-1.3, 1.0, 4), (std::vector<int>{1}));
+  EXPECT_EQ(middle_lines(3.0, 1.0, 4), (std::vector<int>{0}));
+  EXPECT_EQ(middle_lines(-9.0, 1.0, 4), (std::vector<int>{3}));
+  EXPECT_EQ(middle_lines(0.5, 1.0, 4), (std::vector<int>{0}));
+  EXPECT_TRUE(middle_lines(0.0, 1.0, 0).empty());
+}
+
+/// The text of the logic_error with which a record is refused, empty when it is not.
+std::string refusal(const RunRecord& run) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) /
+                      ("rollfem_refused_" + std::to_string(::getpid()));
+  std::filesystem::remove_all(folder);
+  std::string text;
+  try {
+    write_results(folder.string(), run);
+  } catch (const std::logic_error& error) {
+    text = error.what();
+  }
+  EXPECT_EQ(std::filesystem::exists(folder), text.empty());
+  return text;
+}
+
+TEST(WriteResults, RefusesNumbersThatAreNotFiniteAndNamesThem) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  RunRecord run = synthetic_run();
+  run.models[1].points[2].max_pressure = nan;
+  EXPECT_NE(refusal(run).find("halfspace/points[2]/max_pressure"), std::string::npos);
+
+  run = synthetic_run();
+  run.models[2].points[0].fields.slip.x[17] = contact::infinity;
+  EXPECT_NE(refusal(run).find("fem/points[0]/slip_x[17]"), std::string::npos);
+
+  run = synthetic_run();
+  run.models[2].points[5].bodies[0].stress[4][2] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(refusal(run).find("fem/points[5]/wheel/stress[4]"), std::string::npos);
+
+  run = synthetic_run();
+  run.models[2].points[5].bodies[1].displacement.pop_back();
+  EXPECT_NE(refusal(run).find("fem/points[5]/rail has not 12 values"), std::string::npos);
+
+  run = synthetic_run();
+  run.models[2].bodies[0].points[1][0] = nan;
+  EXPECT_NE(refusal(run).find("fem/wheel/points[1]"), std::string::npos);
+
+  run = synthetic_run();
+  run.models[0].points[0].error_estimate["approach"] = nan;
+  EXPECT_NE(refusal(run).find("hertz/points[0]/error_estimate/approach"), std::string::npos);
+}
+
+TEST(WriteResults, RefusesFieldsThatDoNotFitTheGridAndNamesThatAreNoFileNames) {
+  RunRecord run = synthetic_run();
+  run.models[1].points[0].fields.gap.conservativeResize(5);
+  EXPECT_NE(refusal(run).find("halfspace/points[0]/gap"), std::string::npos);
+  run = synthetic_run();
+  run.models[1].name = "../halfspace";
+  EXPECT_NE(refusal(run).find("model name"), std::string::npos);
+  run = synthetic_run();
+  run.models[1].name = "fem";
+  EXPECT_NE(refusal(run).find("twice"), std::string::npos);
+  EXPECT_EQ(refusal(synthetic_run()), "");
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess
