@@ -187,17 +187,16 @@ void report_and_tell(const CompareRequest& request, const postprocess::Compariso
   std::vector<postprocess::CaseStandings> all;
   for (const ComparedCase& compared : record.cases) {
     all.push_back(postprocess::case_standings(compared, record.reference));
-    std::cout << compared.name << ": " << compared.title << '\n';
-    for (const std::string& words : postprocess::comparison_words(all.back().standings))
-      std::cout << "  " << words << '\n';
+    std::cout << compared.name << ": " << compared.title << '\n'
+              << postprocess::comparison_table(all.back());
     for (const postprocess::MissingModel& missing : compared.missing)
       std::cout << fmt::format("  {}: {}: {}\n", missing.model,
                                missing.failed ? "failed" : "left out", missing.reason);
     std::cout << '\n';
   }
-  std::cout << "all cases\n";
-  for (const std::string& words : postprocess::summary_words(all))
-    std::cout << "  " << words << '\n';
+  if (const std::string verdict = postprocess::comparison_verdict(all); !verdict.empty())
+    std::cout << "largest difference at any load point; *: some are beyond the error bars\n"
+              << verdict << '\n';
   std::cout << "\nresults: " << directory.string() << '\n';
   if (drawn) std::cout << "report:  " << (directory / "compare.html").string() << '\n';
 }

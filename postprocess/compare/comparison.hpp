@@ -81,10 +81,6 @@ std::vector<Standing> standings(const std::vector<ComparedNumber>& numbers);
 /// The places of a case taken together: one standing for each model and quantity.
 std::vector<Standing> over_places(const std::vector<Standing>& standings);
 
-/// One sentence for each model, and place where there are a few: where it agrees with the reference
-/// within the error bars, where not and by how much. Without markup.
-std::vector<std::string> comparison_words(const std::vector<Standing>& standings);
-
 /// A case and how its models stand.
 struct CaseStandings {
   std::string name;
@@ -93,9 +89,13 @@ struct CaseStandings {
 };
 CaseStandings case_standings(const ComparedCase& compared, const std::string& wished_reference);
 
-/// Over all cases: one sentence for each quantity, which models agree where and by how much; what
-/// each costs; what is not error where finite elements and half-space differ.
-std::vector<std::string> summary_words(const std::vector<CaseStandings>& cases);
+/// For the terminal: the largest differences of every model, marked where any is beyond the error
+/// bars, and its seconds. Of several places the worst.
+std::string comparison_table(const CaseStandings& one);
+
+/// One line: which models are within the error bars of the reference in every case, and by how much
+/// the others are beyond them. Empty when nothing was compared.
+std::string comparison_verdict(const std::vector<CaseStandings>& cases);
 
 /// compare.json: everything above; docs/compare.md has the layout.
 std::string comparison_json(const ComparisonRecord& record);

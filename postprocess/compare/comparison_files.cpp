@@ -62,7 +62,6 @@ ordered_json case_json(const ComparedCase& compared, const std::string& referenc
         {{"model", model.model}, {"reason", model.reason}, {"failed", model.failed}});
   json["seconds"] = ordered_json::object();
   for (const auto& [model, seconds] : stand.seconds) json["seconds"][model] = seconds;
-  json["words"] = comparison_words(stand.standings);
   json["standings"] = ordered_json::array();
   for (const Standing& standing : stand.standings)
     json["standings"].push_back(standing_json(standing));
@@ -81,13 +80,13 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::string comparison_json(const ComparisonRecord& record) {
-  ordered_json json = json_head(1, "compare", record.provenance);
+  ordered_json json = json_head(2, "compare", record.provenance);
   json["models"] = record.models;
   json["reference"] = record.reference;
   std::vector<CaseStandings> all;
   for (const ComparedCase& compared : record.cases)
     all.push_back(case_standings(compared, record.reference));
-  json["words"] = summary_words(all);
+  json["verdict"] = comparison_verdict(all);
   json["cases"] = ordered_json::array();
   for (const ComparedCase& compared : record.cases)
     json["cases"].push_back(case_json(compared, record.reference));

@@ -1,6 +1,7 @@
 """report.html: one file with everything in it, for the screen, the phone and the printer."""
 import base64
 import os
+import re
 from html import escape
 
 from . import places, selection, stresses, style, tables
@@ -100,9 +101,7 @@ def _numbers(result):
     if failed:
         html.insert(0, f"<p class=bad><b>Not converged:</b> {escape('; '.join(failed))}. These numbers "
                     "cannot be trusted.</p>")
-    # A comparison with a chosen reference has its own words.
-    said = [] if result.reference else tables.disagreements(result)
-    return "".join(html + [f"<p class=say>{s}</p>" for s in said])
+    return "".join(html)
 
 
 def _forces(result, creep_curve):
@@ -212,6 +211,19 @@ def report_html(result, figures):
         "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
         "contacts.csv with profiles, path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ "
         "(for ParaView), figures/.</p></div>"])
+
+
+# What a verdict, made for a terminal, looks like on a page.
+LOOKS = [(r"\bmu\b", "μ"), (r"\bp0\b", "p<sub>0</sub>"), (r"([Fp])_([xyz])", r"\1<sub>\2</sub>"), ("-F<", "−F<")]
+
+
+def verdict(text):
+    """The verdict of a comparison or study, models by the names that figures and tables have."""
+    text = escape(text)
+    for pattern, look in LOOKS + [(rf"(?<![\w.-]){name}(?![\w-])", label)
+                                  for name, (label, *_) in style.MODELS.items()]:
+        text = re.sub(pattern, look, text)
+    return f"<p class=say>{text}</p>" if text else ""
 
 
 def page(title, parts):

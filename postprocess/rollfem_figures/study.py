@@ -263,7 +263,7 @@ def _figures(study, place, directory, folder, png_folder):
 
 
 def _place_parts(study, place, images):
-    """Figures, tables and words of a place."""
+    """Figures and tables of a place."""
     heading = "h3" if place["name"] else "h2"
     parts = [images]
     for series in place["series"]:
@@ -276,8 +276,6 @@ def _place_parts(study, place, images):
             parts.append(f"<p class=hint>Too coarse and left out: {escape(series['left_out'])}</p>")
         if series["levels"]:
             parts.append(_series_table(place, series))
-    words = "".join(f"<li>{escape(sentence)}</li>" for sentence in place["words"])
-    parts.append(f"<{heading}>In words</{heading}><ul>{words}</ul>")
     if not place["name"]:
         return parts
     title = escape(place["name"])
@@ -290,7 +288,7 @@ def build_study(directory, png_folder=None):
     """Draws the study in `directory` and writes study.html."""
     with open(os.path.join(directory, "study.json"), encoding="utf-8") as file:
         study = json.load(file)
-    if study.get("kind") != "study" or study.get("format") != 2:
+    if study.get("kind") != "study" or study.get("format") != 3:
         raise ResultError(f"{directory}/study.json is not a study that this program reads")
     style.use()
     folder = os.path.join(directory, "figures")
@@ -301,6 +299,7 @@ def build_study(directory, png_folder=None):
     title = "Refinement study: " + escape(study["title"] or study["case_file"])
     meta = f"rollfem {made['version']} ({made['commit']}), {study['started']}, {study['host']}"
     parts = [f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(study['command'])}</code></p>",
+             report.verdict(study["verdict"]),
              f"<details><summary>case file {escape(study['case_file'])}</summary>"
              f"<pre>{escape(study['case_text'])}</pre></details>"]
     parts += [f"<p class=hint>{escape(note)}.</p>" for note in study["notes"]]

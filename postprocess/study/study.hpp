@@ -101,13 +101,13 @@ std::vector<std::optional<double>> level_orders(const StudyRecord& record,
                                                 const StudySeries& series, const std::string& key,
                                                 const StudyReference& reference);
 
-/// One sentence for each series and quantity of a place. Without markup.
-std::vector<std::string> study_words(const StudyRecord& record, const StudyPlace& place);
+/// One line: how far the finest levels are off, and how many sequences of levels show an order.
+std::string study_verdict(const StudyRecord& record);
 
 std::string study_json(const StudyRecord& record);
 /// One row per place, series, level and key.
 std::string study_csv(const StudyRecord& record);
-/// For the terminal: a table for each series of each place.
+/// For the terminal: a table for each series of each place, and the verdict.
 std::string study_table(const StudyRecord& record);
 
 }  // namespace rollfem::postprocess

@@ -85,7 +85,6 @@ ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
     json["points"].push_back({{"longitudinal_creepage", creepage.longitudinal},
                               {"lateral_creepage", creepage.lateral},
                               {"spin", creepage.spin}});
-  json["words"] = study_words(record, place);
   json["references"] = ordered_json::object();
   for (const auto& [key, reference] : refs)
     json["references"][key] = {{"value", reference.value},
@@ -122,12 +121,13 @@ std::string reference_cells(const StudyRecord& record, const StudySeries& series
 }  // namespace
 
 std::string study_json(const StudyRecord& record) {
-  ordered_json json = json_head(2, "study", record.provenance);
+  ordered_json json = json_head(3, "study", record.provenance);
   json["title"] = record.title;
   json["case_file"] = record.case_file;
   json["case_text"] = record.case_text;
   json["friction_coefficient"] = record.friction;
   json["notes"] = record.notes;
+  json["verdict"] = study_verdict(record);
   json["places"] = ordered_json::array();
   for (const StudyPlace& place : record.places) json["places"].push_back(place_json(record, place));
   return json_text(json);

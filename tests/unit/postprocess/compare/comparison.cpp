@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <sstream>
 
 namespace {
 
@@ -99,66 +100,43 @@ TEST(Comparison, TheWishedReferenceIsTakenWhereItHasTheNumber) {
   EXPECT_EQ(reference_of({}, ""), "");
 }
 
-TEST(Comparison, WordsSayWhatAgreesAndWhatDiffersWhere) {
+/// The words of a line, one space between them.
+std::string words(const std::string& line) {
+  std::istringstream stream(line);
+  std::string text;
+  for (std::string word; stream >> word;) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+TEST(Comparison, TheTableMarksWhatIsBeyondTheErrorBars) {
   const CaseStandings stand = case_standings(example(), "");
   ASSERT_EQ(stand.seconds.size(), 3U);
-  const auto words = comparison_words(stand.standings);
-  ASSERT_EQ(words.size(), 2U);
-  EXPECT_EQ(words[0],
-            "hertz against halfspace: within the error bars: largest pressure (1.0 %), semi-axis "
-            "along x (0.000 %), semi-axis along y (0.000 %).");
-  EXPECT_NE(words[1].find("; beyond them: traction coefficient lower by 2.0 % of mu at load point "
-                          "2, xi = 0.1 %, where they allow 0.80 % (at 1 of 2 load points); "),
-            std::string::npos)
-      << words[1];
+  std::istringstream table(comparison_table(stand));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(table, line);) lines.push_back(words(line));
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[0], "p0 semi-axis x semi-axis y -F_x/F_z |p_x| seconds");
+  EXPECT_EQ(lines[1], "% % % % of mu % of mu p0");
+  EXPECT_EQ(lines[2], "hertz 1.0 0 0 - - 0.5");
+  EXPECT_EQ(lines[3], "fastsim 0 0 0 -2.0* 10* 0.5");
+  EXPECT_EQ(lines[4], "halfspace - - - - - 0.5");
 }
 
-TEST(Comparison, TheSummaryTellsQuantityByQuantityWhichModelsAgree) {
-  CaseStandings good = case_standings(example(), "");
+TEST(Comparison, TheVerdictNamesTheLargestDifferenceBeyondTheErrorBarsOfAllCases) {
+  const CaseStandings good = case_standings(example(), "");
   CaseStandings bad = good;
   bad.name = "b";
-  bad.seconds[0].second = 2.0;
-  for (Standing& standing : bad.standings)
+  EXPECT_EQ(comparison_verdict({good}),
+            "Within the error bars of halfspace: hertz. Beyond them: fastsim (-F_x/F_z 2.0 % of "
+            "mu, |p_x| 10 % of mu p0).");
+  for (Standing& standing : bad.standings) {
     if (standing.model == "hertz" && standing.quantity == "max_pressure") standing.differ = 1;
-  const auto words = summary_words({good, bad});
-  ASSERT_EQ(words.size(), 4U);
-  EXPECT_EQ(words[0],
-            "The largest pressure against halfspace: within the error bars in every case: fastsim "
-            "(at most 0.000 %); beyond them in some: hertz (1.0 % in b, where they allow 1.0 %; in "
-            "the other at most 1.0 %).");
-  EXPECT_EQ(
-      words[1],
-      "The traction coefficient against halfspace, in % of mu: beyond the error bars in every "
-      "case: fastsim (2.0 % in a, where they allow 0.80 %; 2.0 % in b, where they allow 0.80 "
-      "%; at 2 of 4 load points there).");
-  CaseStandings third = good;
-  third.name = "c";
-  EXPECT_NE(summary_words({good, bad, third})[1].find("fastsim (2.0 % in a to 2.0 % in c; at 3 of "
-                                                      "6 load points there)"),
-            std::string::npos);
-  EXPECT_EQ(words[3], "Cost a case: hertz 0.5 to 2 s, fastsim 0.5 s, halfspace 0.5 s.");
-}
-
-TEST(Comparison, WhatIsPhysicsIsSaidWhereFiniteElementsDifferFromHalfspaces) {
-  ComparedNumber force;
-  force.model = "fem";
-  force.reference = "halfspace";
-  force.quantity = "traction_coefficient";
-  force.value = 0.1;
-  force.error = 0.01;
-  force.reference_value = 0.0;
-  force.scale = 1.0;
-  const auto says = [&] {
-    for (const std::string& words : summary_words({{"a", standings({force}), {{"fem", 1.0}}}}))
-      if (words.find("docs/verification.md") != std::string::npos) return true;
-    return false;
-  };
-  EXPECT_TRUE(says());
-  force.error = 0.2;  // within the bars
-  EXPECT_FALSE(says());
-  force.error = 0.01;
-  force.model = "strip";  // a theory: what it leaves out is another matter
-  EXPECT_FALSE(says());
+    if (standing.quantity == "max_traction_x") standing.beyond.value += 10.0;  // of mu p0 = 50 MPa
+  }
+  EXPECT_EQ(comparison_verdict({good, bad}),
+            "Within the error bars of halfspace: none. Beyond them: hertz (p0 1.0 %), fastsim "
+            "(-F_x/F_z 2.0 % of mu, |p_x| 30 % of mu p0).");
+  EXPECT_EQ(comparison_verdict({}), "");
 }
 
 /// Of the worn wheel: the first patch agrees, the second does not.
@@ -189,14 +167,8 @@ TEST(Comparison, PlacesStandForThemselves) {
     EXPECT_EQ(standing.differ, standing.patch == "left wheel, position 1, patch 2 of 2" ? 1 : 0);
   }
   EXPECT_EQ(of_pressure, 2);
-  const auto words = comparison_words(stand.standings);
-  ASSERT_EQ(words.size(), 2U);
-  EXPECT_EQ(
-      words[0].rfind("left wheel, position 1, patch 1 of 2: fem against halfspace: within", 0), 0U)
-      << words[0];
-  EXPECT_NE(words[1].find("beyond them: largest pressure higher by 10 %, where they allow 2.1 %"),
-            std::string::npos)
-      << words[1];
+  EXPECT_EQ(comparison_verdict({stand}),
+            "Within the error bars of halfspace: none. Beyond them: fem (p0 10 %).");
   const auto all = over_places(stand.standings);
   EXPECT_EQ(all.front().compared, 2);
   EXPECT_EQ(all.front().differ, 1);
@@ -207,7 +179,7 @@ TEST(Comparison, PlacesStandForThemselves) {
             "left wheel, position 1, patch 1 of 2");
 }
 
-TEST(Comparison, WordsTellTheDifferenceThatTheErrorBarsAllowLeast) {
+TEST(Comparison, TheVerdictTellsTheDifferenceThatTheErrorBarsAllowLeast) {
   // Point 1 is off by 3 with bars of 4, point 2 by 2 with bars of 1.
   ComparedNumber wide;
   wide.model = "fem";
@@ -221,12 +193,8 @@ TEST(Comparison, WordsTellTheDifferenceThatTheErrorBarsAllowLeast) {
   narrow.point = 2;
   narrow.value = 0.02;
   narrow.error = 0.01;
-  const auto words = comparison_words(standings({wide, narrow}));
-  ASSERT_EQ(words.size(), 1U);
-  EXPECT_EQ(words[0],
-            "fem against halfspace: beyond the error bars: traction coefficient higher by 2.0 % of "
-            "mu at load point 2, xi = 0 %, where they allow 1.0 % (at 1 of 2 load points; the "
-            "largest difference is 3.0 %, within them).");
+  EXPECT_EQ(comparison_verdict({{"a", standings({wide, narrow}), {{"fem", 1.0}}}}),
+            "Within the error bars of halfspace: none. Beyond them: fem (-F_x/F_z 2.0 % of mu).");
 }
 
 TEST(Comparison, FilesHoldEveryNumberAndWhatIsMissing) {

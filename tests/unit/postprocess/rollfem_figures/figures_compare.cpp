@@ -79,14 +79,14 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   expect_self_contained(page);
   for (const char* text :
        {"Comparison of models on 3 cases", "second &lt;case&gt;", "it cannot take this &amp; that",
-        "is left out", "no contact", "failed", "Which models agree where", "Cost",
-        "Hertz against half-space", "Force per strip", "Lateral traction", "id=\"one\""})
+        "is left out", "no contact", "failed", "Within the error bars of half-space: ", "Cost",
+        "Force per strip", "Lateral traction", "id=\"one\""})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   // Ten figures in the first case, one less in the second without Hertz, and differences against
   // cost.
   EXPECT_EQ(count(page, "<img"), 20U);
-  // Names of the page, not of the program, and no words of a terminal.
-  EXPECT_EQ(page.find("halfspace against"), std::string::npos);
+  // Names of the page, not of the program, and no symbols of a terminal.
+  EXPECT_EQ(page.find("bars of halfspace"), std::string::npos);
   EXPECT_EQ(page.find(" of mu"), std::string::npos);
   EXPECT_TRUE(fs::exists(base_ / "one" / "report.html"));
 }
@@ -108,7 +108,7 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
   for (const char* text :
        {"Where wheel and rail touch", "y track [mm]", "with the contact points",
         "left wheel,<br>position 1,<br>patch 2 of 2", "Left wheel, position 1, patch 1 of 2",
-        "left wheel, position 1, patch 2 of 2: FEM against half-space: "})
+        "Beyond them: FEM (p<sub>0</sub> 30 %"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
@@ -140,8 +140,10 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = read(base_ / "study.html");
   expect_self_contained(page);
-  for (const char* text : {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
-                           "ran out of memory", "order 2", "no order", "exact", "extrapolated"})
+  for (const char* text :
+       {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
+        "ran out of memory", "Finest levels against their references: half-space (grid) ",
+        "order 2", "no order", "exact", "extrapolated"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   EXPECT_EQ(count(page, "<img"), 2U);
   for (const char* name : {"speed_error.svg", "error_unknowns.svg"})
@@ -208,7 +210,7 @@ TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
 }
 
 TEST_F(PagesTest, DataOfAnotherKindIsRefusedInALine) {
-  std::ofstream(base_ / "compare.json") << "{\"format\": 2, \"kind\": \"compare\"}";
+  std::ofstream(base_ / "compare.json") << "{\"format\": 1, \"kind\": \"compare\"}";
   const std::string message = make_report(base_.string(), scripts);
   EXPECT_NE(message.find("not a comparison that this program reads"), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;

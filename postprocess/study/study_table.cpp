@@ -1,10 +1,10 @@
-// What a study says in sentences and as a table for the terminal.
+// A study for the terminal: a table for each series, and one line on all of them.
 #include "postprocess/study/study.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
-#include <iterator>
 
 namespace rollfem::postprocess {
 namespace {
@@ -46,29 +46,6 @@ const double* finest_value(const StudySeries& series, const std::string& key) {
   return last;
 }
 
-std::string sentence(const StudyRecord& record, const StudyPlace& place, const StudySeries& series,
-                     const std::string& key, const StudyReference& reference, double finest) {
-  const auto limit = series_limit(series, key);
-  const char* unit = unit_of(key);
-  std::string text = fmt::format("{}{}{}: the {} is ", series.model,
-                                 series.vary.empty() ? "" : ", ", series.vary, name_of(place, key));
-  if (limit && limit->order)
-    text += fmt::format(
-        "{:.6g}{} on the finest level and {:.6g} +- {:.2g}{} extrapolated, with order {:.2f}{}",
-        finest, unit, limit->value, limit->uncertainty, unit, *limit->order,
-        limit->fitted ? " fitted to all levels" : "");
-  else if (limit)
-    text += fmt::format("{:.6g} +- {:.2g}{} on the finest level; no order can be claimed: {}",
-                        finest, limit->grid_uncertainty, unit, limit->reason);
-  else
-    text += fmt::format("{:.6g}{}", finest, unit);
-  if (is_reference(place, series, reference)) return text + "; it is the reference itself.";
-  return text + fmt::format("; {}{} off the reference {:.6g}{} ({}).",
-                            percent(study_error(record, key, finest, reference)),
-                            is_coefficient(key) ? " of mu" : "", reference.value, unit,
-                            reference.kind);
-}
-
 std::string key_table(const StudyRecord& record, const StudyPlace& place, const StudySeries& series,
                       const std::string& key, const StudyReference& reference) {
   std::string text = fmt::format("  {}, reference {:.7g}{} ({})\n", name_of(place, key),
@@ -107,23 +84,74 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
   return text;
 }
 
+std::string series_name(const StudySeries& series) {
+  return series.model + (series.vary.empty() ? "" : fmt::format(" ({})", series.vary));
+}
+
+/// The largest errors of finest levels; 0 without any.
+struct Errors {
+  double pressure = 0.0;
+  double coefficient = 0.0;
+};
+
+struct Orders {
+  int sequences = 0;
+  int shown = 0;   ///< by the last three levels
+  int fitted = 0;  ///< to all levels
+};
+
+void gather(const StudyRecord& record, const StudyPlace& place, const StudySeries& series,
+            const References& refs, Errors& errors, Orders& orders) {
+  for (const auto& [key, reference] : refs) {
+    const double* finest = finest_value(series, key);
+    if (finest == nullptr) continue;
+    if (const auto limit = series_limit(series, key)) {
+      ++orders.sequences;
+      if (limit->order) ++(limit->fitted ? orders.fitted : orders.shown);
+    }
+    if (is_reference(place, series, reference)) continue;
+    const double error = study_error(record, key, *finest, reference);
+    if (key == "max_pressure") errors.pressure = std::max(errors.pressure, error);
+    if (is_coefficient(key)) errors.coefficient = std::max(errors.coefficient, error);
+  }
+}
+
+constexpr double smallest = 1e-9;  // less is rounding
+
+/// "p0 0.27 %, -F_x/F_z 0.5 % of mu".
+std::string words_of(const Errors& errors) {
+  std::string text;
+  if (errors.pressure > smallest) text = "p0 " + percent(errors.pressure);
+  if (errors.coefficient > smallest)
+    text +=
+        fmt::format("{}-F_x/F_z {} of mu", text.empty() ? "" : ", ", percent(errors.coefficient));
+  return text;
+}
+
 }  // namespace
 
-std::vector<std::string> study_words(const StudyRecord& record, const StudyPlace& place) {
-  std::vector<std::string> sentences;
-  const References refs = references(place, record.rule);
-  for (const StudySeries& series : place.series) {
-    for (const auto& [key, reference] : refs)
-      if (const double* finest = finest_value(series, key))
-        sentences.push_back(sentence(record, place, series, key, reference, *finest));
-    if (!series.left_out.empty())
-      sentences.push_back(fmt::format("{}, {}: too coarse and left out: {}", series.model,
-                                      series.vary, series.left_out));
-    if (!series.failure.empty())
-      sentences.push_back(fmt::format("{}, {}: levels without a result: {}", series.model,
-                                      series.vary, series.failure));
+std::string study_verdict(const StudyRecord& record) {
+  std::vector<std::string> names;  // of the series, in their order
+  std::map<std::string, Errors> errors;
+  Orders orders;
+  for (const StudyPlace& place : record.places) {
+    const References refs = references(place, record.rule);
+    for (const StudySeries& series : place.series) {
+      const std::string name = series_name(series);
+      if (errors.count(name) == 0) names.push_back(name);
+      gather(record, place, series, refs, errors[name], orders);
+    }
   }
-  return sentences;
+  std::string text;
+  for (const std::string& name : names)
+    if (const std::string words = words_of(errors[name]); !words.empty())
+      text +=
+          (text.empty() ? "Finest levels against their references: " : "; ") + name + " " + words;
+  if (!text.empty()) text += ". ";
+  return text + fmt::format("Of {} sequences of levels {} show an order{}.", orders.sequences,
+                            orders.shown,
+                            orders.fitted > 0 ? fmt::format(" and {} a fitted one", orders.fitted)
+                                              : std::string());
 }
 
 std::string study_table(const StudyRecord& record) {
@@ -141,7 +169,7 @@ std::string study_table(const StudyRecord& record) {
           text += key_table(record, place, series, key, reference);
     }
   }
-  return text;
+  return text + '\n' + study_verdict(record) + '\n';
 }
 
 }  // namespace rollfem::postprocess
