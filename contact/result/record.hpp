@@ -3,8 +3,8 @@
 // of the program: no format for exchange (that is results.h5).
 #pragma once
 
+#include "contact/base/response.hpp"
 #include "contact/result/result.hpp"
-#include "contact/solve/compliance.hpp"
 
 #include <map>
 #include <string>

@@ -40,42 +40,46 @@ double quantity(const PointResult& point, const std::string& name) {
   return point.*found->second;
 }
 
-double estimate_scale(const Case& input, const PointResult& point, const std::string& name) {
+double estimate_scale(double friction_coefficient, const PointResult& point,
+                      const std::string& name) {
   double scale = std::abs(quantity(point, name));
-  const double sliding = 0.01 * input.friction_coefficient;
+  const double sliding = 0.01 * friction_coefficient;
   if (name == "traction_coefficient") scale = std::max(scale, sliding);
   if (name == "max_traction_x") scale = std::max(scale, sliding * point.max_pressure);
   return scale;
 }
 
-double accuracy_scale(const Case& input, const std::vector<PointResult>& points, std::size_t k,
-                      const std::string& name) {
-  double scale = estimate_scale(input, points[k], name);
+double accuracy_scale(double friction_coefficient, const std::vector<PointResult>& points,
+                      std::size_t k, const std::string& name) {
+  double scale = estimate_scale(friction_coefficient, points[k], name);
   if (name == "traction_coefficient" || name == "max_traction_x")
     for (const PointResult& point : points)
-      scale = std::max(scale, estimate_scale(input, point, name));
+      scale = std::max(scale, estimate_scale(friction_coefficient, point, name));
   return scale;
 }
 
-WorstError worst_error(const Case& input, const std::vector<PointResult>& points) {
+WorstError worst_error(const AccuracyRequest& asked, double friction_coefficient,
+                       const std::vector<PointResult>& points) {
   WorstError worst;
   for (std::size_t k = 0; k < points.size(); ++k)
-    for (const std::string& name : input.accuracy_of) {
+    for (const std::string& name : asked.of) {
       const auto estimate = points[k].error_estimate.find(name);
       if (estimate == points[k].error_estimate.end()) continue;
-      const double scale = accuracy_scale(input, points, k, name);
+      const double scale = accuracy_scale(friction_coefficient, points, k, name);
       if (scale == 0.0) continue;
-      const double error = estimate->second * estimate_scale(input, points[k], name) / scale;
+      const double error =
+          estimate->second * estimate_scale(friction_coefficient, points[k], name) / scale;
       if (error > worst.error) worst = {name, static_cast<int>(k) + 1, error};
     }
   return worst;
 }
 
-std::string shortfall_text(const Case& input, const WorstError& worst, const std::string& reason) {
+std::string shortfall_text(const AccuracyRequest& asked, const WorstError& worst,
+                           const std::string& reason) {
   return fmt::format(
       "accuracy = {:g} was asked for and not reached: the estimated error of {} at load point {} "
       "is {:.2g}; {}",
-      *input.accuracy, worst.quantity, worst.point, worst.error, reason);
+      *asked.relative, worst.quantity, worst.point, worst.error, reason);
 }
 
 }  // namespace rollfem::contact

@@ -1,8 +1,8 @@
-// When to stop halving cells: the error of what a case asks to be accurate, estimated from the
+// When to stop halving cells: the error of what is asked to be accurate, estimated from the
 // sequence of levels.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "contact/base/accuracy.hpp"
 #include "contact/result/result.hpp"
 
 #include <map>
@@ -34,14 +34,15 @@ double quantity(const PointResult& point, const std::string& name);
 
 /// What PointResult::error_estimate is relative to: the value, or a hundredth of full sliding where
 /// that is more.
-double estimate_scale(const Case& input, const PointResult& point, const std::string& name);
+double estimate_scale(double friction_coefficient, const PointResult& point,
+                      const std::string& name);
 
 /// What the error of a quantity at load point k is relative to: its value, or the largest of the
 /// curve for tractions (at least a hundredth of full sliding).
-double accuracy_scale(const Case& input, const std::vector<PointResult>& points, std::size_t k,
-                      const std::string& name);
+double accuracy_scale(double friction_coefficient, const std::vector<PointResult>& points,
+                      std::size_t k, const std::string& name);
 
-/// The largest error of what the case asks for.
+/// The largest error of what is asked for.
 struct WorstError {
   std::string quantity;
   int point = 0;  ///< counted from 1
@@ -50,9 +51,11 @@ struct WorstError {
 
 /// From the error estimates that the points carry (relative to the value, or to a hundredth of
 /// full sliding where that is more).
-WorstError worst_error(const Case& input, const std::vector<PointResult>& points);
+WorstError worst_error(const AccuracyRequest& asked, double friction_coefficient,
+                       const std::vector<PointResult>& points);
 
 /// "accuracy 0.001 was asked for, ...": for ModelResult::shortfall.
-std::string shortfall_text(const Case& input, const WorstError& worst, const std::string& reason);
+std::string shortfall_text(const AccuracyRequest& asked, const WorstError& worst,
+                           const std::string& reason);
 
 }  // namespace rollfem::contact

@@ -4,20 +4,11 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/base/response.hpp"
 
 #include <memory>
 
 namespace rollfem::contact {
-
-/// What tractions do to two bodies that roll over each other.
-struct Response {
-  SurfaceField displacement;
-  /// Slip beyond the upwind difference of the displacement: on a streamline of radius R a
-  /// displacement u_r towards the centre shortens the material by u_r / R along x; where the
-  /// surface is tilted across, the turning frame also brings a lateral part. Empty where
-  /// streamlines are straight.
-  TangentialField curvature_slip;
-};
 
 /// The whole compliance A: tractions on the wheel (MPa) -> u_wheel - u_rail (mm), all three
 /// components. Symmetric positive definite in the inner product sum over elements, each times its

@@ -69,7 +69,7 @@ void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
       std::vector<double> values;
       for (const ModelResult& level : levels)
         values.push_back(contact::quantity(level.points[k], name));
-      const double scale = contact::estimate_scale(input, point, name);
+      const double scale = contact::estimate_scale(input.friction_coefficient, point, name);
       if (scale > 0.0)
         point.error_estimate[name] +=
             contact::estimated_error(values, assumed_order, least_order) / scale;
@@ -122,7 +122,11 @@ ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress
   levels.push_back(solve(2.0 * cell, false));
   levels.push_back(solve(cell, input.output.fields));
   estimate_errors(input, levels);
-  contact::WorstError worst = contact::worst_error(input, levels.back().points);
+  const contact::AccuracyRequest asked{input.accuracy, input.accuracy_of};
+  const auto worst_of = [&] {
+    return contact::worst_error(asked, input.friction_coefficient, levels.back().points);
+  };
+  contact::WorstError worst = worst_of();
   std::string reason = fmt::format(
       "cells of {:.3g} mm are the finest tried; do: begin with a "
       "smaller [fem] cell_size, or ask for less",
@@ -140,7 +144,7 @@ ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress
     drop_bodies(levels.back());
     levels.push_back(solve(cell, input.output.fields));
     estimate_errors(input, levels);
-    worst = contact::worst_error(input, levels.back().points);
+    worst = worst_of();
   }
   ModelResult result = std::move(levels.back());
   result.notes.push_back(
@@ -149,7 +153,7 @@ ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress
                   "levels and the order that they show",
                   *input.accuracy, cell, worst.error, worst.quantity, worst.point));
   if (worst.error > *input.accuracy || levels.size() < fewest_levels)
-    result.shortfall = contact::shortfall_text(input, worst, reason);
+    result.shortfall = contact::shortfall_text(asked, worst, reason);
   return result;
 }
 

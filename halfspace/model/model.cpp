@@ -162,7 +162,9 @@ constexpr int most_elements_across = 320;
 bool refine_further(const Case& input, const LevelResult& fine, const Cell& cell,
                     ModelResult& result) {
   if (!input.accuracy) return false;
-  const contact::WorstError worst = contact::worst_error(input, fine.points);
+  const contact::AccuracyRequest asked{input.accuracy, input.accuracy_of};
+  const contact::WorstError worst =
+      contact::worst_error(asked, input.friction_coefficient, fine.points);
   if (worst.error <= *input.accuracy) {
     result.notes.push_back(fmt::format(
         "accuracy {:g} asked for: {} elements across; largest estimated error {:.2g} ({} at load "
@@ -172,7 +174,7 @@ bool refine_further(const Case& input, const LevelResult& fine, const Cell& cell
   }
   if (2 * cell.across <= most_elements_across) return true;
   result.shortfall = contact::shortfall_text(
-      input, worst,
+      asked, worst,
       fmt::format("{} elements across are the most; do: ask for less, or give a smaller "
                   "contact_grid.cell_size",
                   cell.across));

@@ -39,7 +39,6 @@ KNOWN = {
     ("contact/case/case_checks_problem.cpp", "contact/scene/contact_surface.hpp"),
     ("contact/case/case_checks_problem.cpp", "contact/solve/rayleigh.hpp"),
     ("contact/case/case_describe.cpp", "contact/scene/geometry.hpp"),
-    ("contact/result/record.hpp", "contact/solve/compliance.hpp"),
     ("contact/scene/contact_surface.hpp", "contact/result/result.hpp"),
     ("contact/solve/model.hpp", "contact/case/case.hpp"),
     ("contact/solve/prescribed_force.hpp", "contact/case/case.hpp"),

@@ -45,20 +45,19 @@ TEST(Refinement, TwoGridsThatAgreeByChanceAreNotBelieved) {
 }
 
 TEST(Refinement, TractionsAreRelativeToTheLargestOfTheCurve) {
-  Case input;
-  input.friction_coefficient = 0.5;
-  input.accuracy_of = {"traction_coefficient"};
+  const AccuracyRequest asked{{}, {"traction_coefficient"}};
+  constexpr double friction = 0.5;
   std::vector<PointResult> points(2);
   points[0].traction_coefficient = 0.002;                  // less than a hundredth of full sliding
   points[0].error_estimate["traction_coefficient"] = 0.8;  // of 0.005
   points[1].traction_coefficient = 0.4;
   points[1].error_estimate["traction_coefficient"] = 0.02;
-  const WorstError worst = worst_error(input, points);
+  const WorstError worst = worst_error(asked, friction, points);
   EXPECT_EQ(worst.point, 2);
   EXPECT_DOUBLE_EQ(worst.error, 0.02);
   points[1].error_estimate["traction_coefficient"] = 0.005;
-  EXPECT_EQ(worst_error(input, points).point, 1);
-  EXPECT_DOUBLE_EQ(worst_error(input, points).error, 0.8 * 0.005 / 0.4);
+  EXPECT_EQ(worst_error(asked, friction, points).point, 1);
+  EXPECT_DOUBLE_EQ(worst_error(asked, friction, points).error, 0.8 * 0.005 / 0.4);
 }
 
 }  // namespace
