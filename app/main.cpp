@@ -12,6 +12,7 @@
 #include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "contact/scene/what_follows.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -145,7 +146,7 @@ void new_case(const std::string& file) {
 
 void check_case(const std::string& file) {
   const contact::Case input = contact::read_case(file);
-  std::cout << contact::describe(input);
+  std::cout << contact::describe(input) << contact::what_follows(input);
   if (input.has_profiles())
     std::cout << "\nwhere wheel and rail touch\n"
               << app::contacts_text(input, meshes::search_scene_of(input));

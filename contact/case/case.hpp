@@ -2,9 +2,10 @@
 // read from TOML by case_reader.hpp. Units: mm, N, MPa, rad.
 #pragma once
 
+#include "contact/base/choices.hpp"
+#include "contact/base/material.hpp"
 #include "contact/case/track.hpp"
 #include "contact/scene/patch_geometry.hpp"
-#include "contact/solve/compliance.hpp"
 
 #include <array>
 #include <limits>
@@ -16,13 +17,6 @@
 namespace rollfem::contact {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Linear-elastic isotropic material.
-struct Material {
-  double young_modulus = 210e3;  ///< MPa, inf: rigid (at most one of the two bodies)
-  double poisson_ratio = 0.3;
-  double density = 7.85e-9;  ///< t/mm^3, felt at Rolling::speed > 0 only
-};
 
 /// Upper body (1): a surface of revolution about the axle.
 struct Wheel {
@@ -77,14 +71,6 @@ struct Lattice {
   std::vector<std::vector<double>> values;  ///< per column of the file; index j * nx + i
 };
 
-/// What is asked of friction.
-enum class Problem {
-  steady,        ///< steady rolling, every load point on its own
-  shift,         ///< bodies pressed and pushed without rolling (Cattaneo); load points are steps
-  transient,     ///< rolling in steps from the state before; load points are steps
-  frictionless,  ///< the normal problem alone, tangential tractions 0
-};
-
 /// One load point of a creep curve.
 struct Creepage {
   double longitudinal = 0.0;  ///< xi
@@ -98,12 +84,6 @@ struct PrescribedForce {
   std::optional<double> longitudinal;  ///< F_x, negative when braking (xi > 0)
   std::optional<double> lateral;       ///< F_y
   bool any() const { return longitudinal.has_value() || lateral.has_value(); }
-};
-
-/// Where the second-order difference takes the leading edge of the patch to be (docs/accuracy.md).
-enum class LeadingEdge {
-  fitted,  ///< where the pressure says, below the element size
-  plain,   ///< wherever the elements put it
 };
 
 /// Which creepages the case file gives; with profiles the others follow from the motion.
@@ -157,19 +137,12 @@ struct GridOptions {
   std::array<double, 2> middle{0.0, 0.0};          ///< mm, of the potential contact area
 };
 
-/// Traction bound of the model fastsim.
-enum class BoundForm { parabolic, elliptic };
-/// Flexibilities of the model fastsim: one for each creepage, or their weighted mean.
-enum class FlexibilityCount { three, one };
-/// Elements of the strips of the model fastsim: equal parts of the chord, or those of a grid.
-enum class StripElementPlace { chord, grid };
-
-struct FastsimCase {
-  BoundForm bound = BoundForm::parabolic;
-  FlexibilityCount flexibilities = FlexibilityCount::three;
-  StripElementPlace elements = StripElementPlace::chord;
-  int strips = 100;
-  int strip_elements = 100;
+struct FastsimOptions {
+  BoundShape bound = BoundShape::parabolic;  ///< 4/3 mu p0 (1 - r^2), or mu p0 sqrt(1 - r^2)
+  Flexibilities flexibilities = Flexibilities::three;
+  FastsimElements elements = FastsimElements::chord;
+  int strips = 100;          ///< across the patch
+  int strip_elements = 100;  ///< along each strip, for `grid` along the longest
 };
 
 /// Where the elements of the model halfspace lie: in the tangent plane, or along the arc of the
@@ -263,7 +236,7 @@ struct Case {
   std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;
   HalfspaceCase halfspace;
-  FastsimCase fastsim;
+  FastsimOptions fastsim;
   StripCase strip;
   CarterCase carter;
   std::vector<SubsurfaceRequest> subsurface;

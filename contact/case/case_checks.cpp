@@ -2,7 +2,6 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_text.hpp"
-#include "contact/scene/geometry.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 // Checks of problem, prescribed forces, history, given pressure, distance and slip from files.
-#include "contact/base/errors.hpp"
+#include "contact/base/material.hpp"
+#include "contact/base/profile_drop.hpp"
 #include "contact/case/case_checks.hpp"
-#include "contact/scene/contact_surface.hpp"
-#include "contact/solve/rayleigh.hpp"
 
 #include <fmt/format.h>
 
@@ -218,7 +217,10 @@ constexpr double most_above_surface = 1.0;
 /// Whether a place is outside of its body for sure: beyond z = 0, and not in a concave body.
 bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) {
   const double depth = wheel ? place[2] : -place[2];
-  const double drop = surface_drop(contact_surface(input), wheel, place[0], place[1]);
+  const double across = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;
+  double drop = profile_drop(across, place[1]).value;
+  const double circle = input.wheel.rolling_radius - drop;
+  if (wheel) drop += std::abs(place[0]) < circle ? circle_drop(circle, place[0]) : infinity;
   return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
 }
 

@@ -1,7 +1,6 @@
 // What a case file says, said back: `check`, `new-case` and the reference page.
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
-#include "contact/scene/geometry.hpp"
 
 #include <fmt/format.h>
 
@@ -71,29 +70,6 @@ bool is_silent(const Section& section, const Case& input) {
   return true;
 }
 
-std::string describe_derived(const Case& input) {
-  const Curvatures curvatures = relative_curvatures(input);
-  const CombinedMaterial material = combine(input.wheel.material, input.rail.material);
-  std::string text = "what follows\n";
-  const auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
-    text += fmt::format("  {} {}\n", pad(name, 22),
-                        fmt::format("{:.6g}{}  ({})", value, unit, meaning));
-  };
-  if (!input.given_pressure && !input.undeformed_distance.values && !input.has_profiles()) {
-    line("A", curvatures.A, " 1/mm", "undeformed distance h = A x^2 + B y^2");
-    line("B", curvatures.B, " 1/mm",
-         input.undeformed_distance.quadratic ? "as given"
-                                             : "from the transverse radii of wheel and rail");
-  }
-  line("E*", material.contact_modulus, " MPa", "contact modulus of both bodies");
-  line("G", material.shear_modulus, " MPa", "combined shear modulus");
-  line("nu", material.poisson_ratio, "", "combined Poisson's ratio");
-  line("K", material.difference, "",
-       "unlike materials couple pressure and friction; 0: they do not");
-  text += fmt::format("  {} {}\n", pad("load points", 22), input.rolling.creepages.size());
-  return text;
-}
-
 std::string default_text(const Key& key) {
   if (key.required) return "required";
   const std::string value = toml_text(key.get(defaults()));
@@ -127,7 +103,7 @@ std::string describe(const Case& input) {
     for (const Key& key : case_keys())
       if (key.section == section.name && key.name != "title") text += describe_key(key, input);
   }
-  return text + describe_derived(input);
+  return text;
 }
 
 std::string case_template() {

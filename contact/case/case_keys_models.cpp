@@ -189,21 +189,21 @@ std::vector<Key> theory_keys() {
   const Bounds strips{8, 2000};
   const Bounds elements{4, 2000};
   return {
-      word_key<BoundForm>("fastsim", "bound", {"parabolic", "elliptic"},
+      word_key<BoundShape>("fastsim", "bound", {"parabolic", "elliptic"},
                           "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), as is "
                           "usual; `elliptic` "
                           "mu p0 sqrt(1 - r^2), that of Hertz's pressure.",
-                          [](Case& c) -> BoundForm& { return c.fastsim.bound; }),
-      word_key<FlexibilityCount>(
+                          [](Case& c) -> BoundShape& { return c.fastsim.bound; }),
+      word_key<Flexibilities>(
           "fastsim", "flexibilities", {"three", "one"},
           "Flexibility of the brushes: one for each creepage, or their mean weighted by the "
           "creepages.",
-          [](Case& c) -> FlexibilityCount& { return c.fastsim.flexibilities; }),
-      word_key<StripElementPlace>(
+          [](Case& c) -> Flexibilities& { return c.fastsim.flexibilities; }),
+      word_key<FastsimElements>(
           "fastsim", "elements", {"chord", "grid"},
           "`chord` divides every strip equally; `grid` takes elements of a common grid, as CONTACT "
           "does, which is of first order.",
-          [](Case& c) -> StripElementPlace& { return c.fastsim.elements; }),
+          [](Case& c) -> FastsimElements& { return c.fastsim.elements; }),
       count_key("fastsim", "strips", strips, "Strips across the patch.",
                 [](Case& c) -> int& { return c.fastsim.strips; }),
       count_key("fastsim", "strip_elements", elements, "Elements along each strip.",

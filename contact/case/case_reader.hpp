@@ -15,8 +15,7 @@ Case read_case(const std::string& path);
 /// The same from text; `name` stands in messages for the file.
 Case parse_case(const std::string& text, const std::string& name);
 
-/// What was understood: every key with value, unit and whether it is the default, and what follows
-/// (relative curvatures, combined constants). Multi-line text.
+/// What was understood: every key with value, unit and whether it is the default. Multi-line text.
 std::string describe(const Case& input);
 
 /// A commented case file with defaults, which parse_case accepts.

@@ -7,8 +7,6 @@ namespace rollfem::contact {
 
 namespace {
 
-constexpr double steepest_sine = 0.7;
-
 double stretch_of(double climb) {
   return std::sqrt(1.0 + climb * climb);
 }
@@ -22,10 +20,7 @@ struct Height {
 Height wheel_height(const ContactSurface& surface, double x, double y) {
   const ProfileDrop drop = profile_drop(surface.wheel_transverse_radius, y);
   const double radius = surface.rolling_radius - drop.value;
-  // R - sqrt(R^2 - x^2) without cancellation.
-  const double rise =
-      std::isfinite(radius) ? x * x / (radius + std::sqrt(radius * radius - x * x)) : 0.0;
-  return {drop.value + rise, drop.slope};
+  return {drop.value + circle_drop(radius, x), drop.slope};
 }
 
 Height rail_height(const ContactSurface& surface, double y) {
@@ -107,19 +102,6 @@ double radius_slope(const PatchGeometry& profiles) {
 }
 
 }  // namespace
-
-ProfileDrop profile_drop(double transverse_radius, double y) {
-  if (!std::isfinite(transverse_radius)) return {};
-  const double radius = std::abs(transverse_radius);
-  const double sign = transverse_radius > 0 ? 1.0 : -1.0;
-  const double distance = std::min(std::abs(y), steepest_sine * radius);
-  const double root = std::sqrt(1.0 - (distance / radius) * (distance / radius));
-  const double slope = distance / (radius * root);
-  // y^2 / (R + sqrt(R^2 - y^2)) rather than R - sqrt(R^2 - y^2): no cancellation.
-  const double drop =
-      distance * distance / (radius * (1.0 + root)) + slope * (std::abs(y) - distance);
-  return {sign * drop, sign * (y < 0 ? -slope : slope)};
-}
 
 double ContactSurface::climb(double y) const {
   if (profiles) return 0.5 * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);

@@ -3,22 +3,14 @@
 // rigid slip of the true shapes (docs/theory.md, "Curved contact").
 #pragma once
 
+#include "contact/base/grid.hpp"
+#include "contact/base/profile_drop.hpp"
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 
 #include <memory>
 
 namespace rollfem::contact {
-
-/// Depth at which a profile has dropped below its middle at lateral coordinate y (mm, towards the
-/// body's inside), and its slope: a circle arc of `transverse_radius`, continued by its tangent
-/// beyond 0.7 of that radius, where nothing touches any more and a steeper surface would only spoil
-/// the cells.
-struct ProfileDrop {
-  double value = 0.0;
-  double slope = 0.0;
-};
-ProfileDrop profile_drop(double transverse_radius, double y);
 
 /// The contact grid is laid in the projection of this surface on z = 0: an element dx by dy at y
 /// covers dx * dy * stretch of the surface. Its normal points into the wheel.

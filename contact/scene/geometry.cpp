@@ -47,25 +47,6 @@ Field slip_of_rolling_radius(const PatchGeometry& patch, const ContactGrid& grid
 
 }  // namespace
 
-double shear_modulus(const Material& material) {
-  return material.young_modulus / (2.0 * (1.0 + material.poisson_ratio));
-}
-
-CombinedMaterial combine(const Material& wheel, const Material& rail) {
-  const double g1 = shear_modulus(wheel);
-  const double g2 = shear_modulus(rail);
-  const double nu1 = wheel.poisson_ratio;
-  const double nu2 = rail.poisson_ratio;
-  CombinedMaterial combined;
-  combined.shear_modulus = 2.0 / (1.0 / g1 + 1.0 / g2);
-  combined.poisson_ratio = combined.shear_modulus * (nu1 / g1 + nu2 / g2) / 2.0;
-  combined.difference =
-      combined.shear_modulus * ((1.0 - 2.0 * nu1) / g1 - (1.0 - 2.0 * nu2) / g2) / 4.0;
-  combined.contact_modulus =
-      1.0 / ((1.0 - nu1 * nu1) / wheel.young_modulus + (1.0 - nu2 * nu2) / rail.young_modulus);
-  return combined;
-}
-
 Curvatures relative_curvatures(const Case& input) {
   if (input.patch) return curvatures_at_contact_point(*input.patch);
   if (input.undeformed_distance.quadratic)

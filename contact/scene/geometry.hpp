@@ -1,21 +1,12 @@
-// What follows from a case without solving anything: combined constants, relative curvatures,
-// undeformed distance and rigid slip at a point. Conventions: docs/theory.md.
+// What follows from a case without solving anything: relative curvatures, undeformed distance and
+// rigid slip at a point. Conventions: docs/theory.md.
 #pragma once
 
+#include "contact/base/grid.hpp"
+#include "contact/base/material.hpp"
 #include "contact/case/case.hpp"
 
 namespace rollfem::contact {
-
-/// Combined constants of two bodies, also of unlike ones (Kalker 1990, eq. 1.44).
-struct CombinedMaterial {
-  double shear_modulus = 0.0;    ///< MPa, 1/G = (1/G1 + 1/G2)/2
-  double poisson_ratio = 0.0;    ///< nu/G = (nu1/G1 + nu2/G2)/2
-  double difference = 0.0;       ///< K, K/G = ((1-2nu1)/G1 - (1-2nu2)/G2)/4; 0 for like materials
-  double contact_modulus = 0.0;  ///< E* in MPa, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
-};
-
-double shear_modulus(const Material& material);
-CombinedMaterial combine(const Material& wheel, const Material& rail);
 
 /// Undeformed distance h = A x^2 + B y^2 of the case's radii, or as the case gives it; with `patch`
 /// that of the osculating paraboloids at the contact point.

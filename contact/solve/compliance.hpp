@@ -3,6 +3,7 @@
 // half-space or finite elements, is not known here.
 #pragma once
 
+#include "contact/base/choices.hpp"
 #include "contact/base/grid.hpp"
 #include "contact/base/response.hpp"
 
@@ -32,12 +33,6 @@ class NormalOperator {
   virtual Field apply(const Field& pressure) const = 0;
   /// Symmetric positive definite approximation of A_nn^-1.
   virtual Field precondition(const Field& residual) const = 0;
-};
-
-/// Order of the one-sided difference along the streamline.
-enum class UpwindOrder {
-  first,   ///< (u_i - u_i+1) / dx: what CONTACT does
-  second,  ///< (3 u_i - 4 u_i+1 + u_i+2) / (2 dx)
 };
 
 /// A tangential operator T that gives slip (steady rolling: T = D A_tt, dimensionless per MPa) or

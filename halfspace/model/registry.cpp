@@ -27,18 +27,7 @@ using contact::Progress;
 namespace {
 
 ModelResult run_fastsim_of_case(const Case& input, const Progress& progress) {
-  FastsimOptions options;
-  options.bound = input.fastsim.bound == contact::BoundForm::parabolic ? BoundShape::parabolic
-                                                                       : BoundShape::elliptic;
-  options.flexibilities = input.fastsim.flexibilities == contact::FlexibilityCount::three
-                              ? Flexibilities::three
-                              : Flexibilities::one;
-  options.elements = input.fastsim.elements == contact::StripElementPlace::chord
-                         ? FastsimElements::chord
-                         : FastsimElements::grid;
-  options.strips = input.fastsim.strips;
-  options.strip_elements = input.fastsim.strip_elements;
-  return run_fastsim(input, progress, options);
+  return run_fastsim(input, progress, input.fastsim);
 }
 
 ModelResult run_halfspace_with_depth(const Case& input, const Progress& progress,

@@ -28,11 +28,7 @@ BrushFlexibilities kalker_flexibilities(double semi_axis_x, double semi_axis_y,
 BrushFlexibilities single_flexibility(const BrushFlexibilities& three,
                                       const contact::Creepage& creepage, double c);
 
-/// How the traction bound falls off along a strip, t from -1 to 1 over its length.
-enum class BoundShape {
-  parabolic,  ///< 1 - t^2
-  elliptic,   ///< sqrt(1 - t^2)
-};
+using contact::BoundShape;
 
 /// A line along x through the patch.
 struct BrushStrip {

@@ -1,8 +1,8 @@
 // Inertia of steady rolling against closed forms: a spinning ring, a pressure wave that moves over
 // a half-space, the spinning disc behind the wheel's expansion; and that it vanishes as V^2.
 #include "contact/base/errors.hpp"
+#include "contact/base/material.hpp"
 #include "contact/case/case_reader.hpp"
-#include "contact/solve/rayleigh.hpp"
 #include "fem/coupling/compliance.hpp"
 #include "fem/model/contact_run.hpp"
 #include "fem/solver/cell_terms.hpp"

@@ -2,6 +2,7 @@
 // declarations.
 #include "contact/case/case_keys.hpp"
 #include "contact/case/case_reader.hpp"
+#include "contact/scene/what_follows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -198,7 +199,8 @@ TEST(CaseValues, EveryKeyIsReadBackByItsGetter) {
 }
 
 TEST(CaseValues, DescriptionTellsValuesUnitsDefaultsAndWhatFollows) {
-  const std::string text = contact::describe(parse_case(small_case, "small.toml"));
+  const Case input = parse_case(small_case, "small.toml");
+  const std::string text = contact::describe(input) + contact::what_follows(input);
   EXPECT_NE(text.find("normal_force           50000 N\n"), std::string::npos) << text;
   EXPECT_NE(text.find("young_modulus          210000 MPa  (default)"), std::string::npos) << text;
   EXPECT_NE(text.find("A                      0.00123457 1/mm"), std::string::npos) << text;

@@ -1,0 +1,47 @@
+// What a case chooses and what solvers and theories below it are told, so that neither includes the
+// other for an enumerator.
+#pragma once
+
+namespace rollfem::contact {
+
+/// What is asked of friction.
+enum class Problem {
+  steady,        ///< steady rolling, every load point on its own
+  shift,         ///< bodies pressed and pushed without rolling (Cattaneo); load points are steps
+  transient,     ///< rolling in steps from the state before; load points are steps
+  frictionless,  ///< the normal problem alone, tangential tractions 0
+};
+
+/// Order of the one-sided difference along the streamline.
+enum class UpwindOrder {
+  first,   ///< (u_i - u_i+1) / dx: what CONTACT does
+  second,  ///< (3 u_i - 4 u_i+1 + u_i+2) / (2 dx)
+};
+
+/// Where the second-order difference takes the leading edge of the patch to be (docs/accuracy.md).
+enum class LeadingEdge {
+  fitted,  ///< where the pressure says, below the element size
+  plain,   ///< wherever the elements put it
+};
+
+/// How the traction bound of brushes falls off along a strip, t from -1 to 1 over its length.
+enum class BoundShape {
+  parabolic,  ///< 1 - t^2
+  elliptic,   ///< sqrt(1 - t^2)
+};
+
+/// Flexibilities of the brushes of FASTSIM.
+enum class Flexibilities {
+  three,  ///< L1, L2, L3: one for each creepage
+  one,    ///< Kalker's weighted mean, as in the paper of 1982
+};
+
+/// Where the elements of FASTSIM's strips lie.
+enum class FastsimElements {
+  chord,  ///< every strip divided into equal elements: forces of order 2 for the parabolic bound
+          ///< without spin, 1.5 for the elliptic one, 1 with spin, which turns the slip
+  grid,   ///< elements of the bounding box whose centres lie in the ellipse, the first reached by a
+          ///< whole step, as in CONTACT: order one
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,13 @@
+// What `check` says of the contact beyond the keys: relative curvatures and combined constants.
+#pragma once
+
+#include "contact/case/case.hpp"
+
+#include <string>
+
+namespace rollfem::contact {
+
+/// Multi-line text, laid out like describe() of contact/case/case_reader.hpp.
+std::string what_follows(const Case& input);
+
+}  // namespace rollfem::contact
