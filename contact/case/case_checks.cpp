@@ -33,39 +33,38 @@ bool replaces_radii(const GivenCase& given) {
   return false;
 }
 
-void check_entries(const GivenCase& given) {
-  for (const GivenEntry& entry : given.entries)
-    for (const Key& key : case_keys()) {
-      if (key.section != entry.section || !key.required || entry.values.count(&key) > 0) continue;
-      CaseProblem problem;
-      problem.line = entry.line;
-      problem.column = 1;
-      problem.key = key.path();
-      problem.wrong = "is missing";
-      problem.allowed = allowed_values(key);
-      problem.action =
-          fmt::format("add `{} = {}` under [[{}]]", key.name, key.example, key.section);
-      fail(given.file, problem);
-    }
+[[noreturn]] void fail_missing(const GivenCase& given, const Key& key, unsigned section_line,
+                               const std::string& section) {
+  CaseProblem problem;
+  problem.line = section_line;
+  problem.column = section_line > 0 ? 1 : 0;
+  problem.key = key.path();
+  problem.wrong = "is missing";
+  problem.allowed = allowed_values(key);
+  problem.action = fmt::format("add `{} = {}` under {}", key.name, key.example, section);
+  fail(given.file, problem);
 }
 
 void check_required(const GivenCase& given) {
   const bool radii_replaced = replaces_radii(given);
-  for (const Key& key : case_keys()) {
-    if (!key.required || given.values.count(&key) > 0) continue;
-    if (key.section.find('.') != std::string::npos) continue;  // repeated: check_entries
-    const bool is_radius = key.section == "wheel" || key.section == "rail";
-    if (radii_replaced && is_radius) continue;
-    if (key.name == "transverse_radius" && given.find(key.section, "profile") != nullptr) continue;
-    CaseProblem problem;
-    problem.line = section_line(given, key.section);
-    problem.column = problem.line > 0 ? 1 : 0;
-    problem.key = key.path();
-    problem.wrong = "is missing";
-    problem.allowed = allowed_values(key);
-    problem.action = fmt::format("add `{} = {}` under [{}]", key.name, key.example, key.section);
-    fail(given.file, problem);
+  for (const Section& section : case_sections()) {
+    if (section.repeated) continue;
+    const bool is_body = section.name == "wheel" || section.name == "rail";
+    if (radii_replaced && is_body) continue;
+    for (const Key& key : section) {
+      if (!key.required || given.values.count(&key) > 0) continue;
+      if (key.name == "transverse_radius" && given.find(section.name, "profile") != nullptr)
+        continue;
+      fail_missing(given, key, section_line(given, section.name), "[" + section.name + "]");
+    }
   }
+}
+
+void check_entries(const GivenCase& given) {
+  for (const GivenEntry& entry : given.entries)
+    for (const Key& key : case_keys())
+      if (key.section == entry.section && key.required && entry.values.count(&key) == 0)
+        fail_missing(given, key, entry.line, "[[" + entry.section + "]]");
 }
 
 /// The keys that can say how hard the bodies are pressed together: exactly one of them does.
@@ -144,7 +143,7 @@ void check_list_lengths(const GivenCase& given, const std::string& group) {
     if (found == given.values.end()) continue;
     const GivenValue& value = found->second;
     const bool steps = key.path() == "history.steps";
-    if ((key.kind != KeyKind::numbers && !steps) || list_group(key) != group) continue;
+    if (key.per != group) continue;
     const std::size_t length = steps ? static_cast<std::size_t>(std::get<double>(value.value))
                                      : std::get<std::vector<double>>(value.value).size();
     if (length == 1 && !steps) continue;

@@ -60,10 +60,6 @@ bool has_profiles(const GivenCase& given);
 /// Profiles, track and wheelset must fit each other and the rest. Throws InputError.
 void check_track(const GivenCase& given);
 
-/// Lists of one group have one length: "load points", "positions" of the wheelset; empty: a list of
-/// its own.
-std::string list_group(const Key& key);
-
 /// Which creepages are given; positions of the wheelset at one length.
 void complete_track(const GivenCase& given, Case& input);
 

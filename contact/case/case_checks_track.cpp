@@ -112,14 +112,6 @@ void check_track(const GivenCase& given) {
   check_rivals(given);
 }
 
-std::string list_group(const Key& key) {
-  const bool position = key.section == "wheelset" &&
-                        (key.name == "lateral_shift" || key.name == "yaw" || key.name == "roll");
-  if (position) return "positions";
-  if (key.section == "wheel_profile" || key.section == "rail_profile") return "";
-  return "load points";
-}
-
 void complete_track(const GivenCase& given, Case& input) {
   input.rolling.given = {given.find("rolling", "longitudinal_creepage") != nullptr,
                          given.find("rolling", "lateral_creepage") != nullptr,

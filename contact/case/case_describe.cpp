@@ -13,61 +13,20 @@ const Case& defaults() {
   return input;
 }
 
-std::string pad(const std::string& text, std::size_t width) {
-  return fmt::format("{:<{}}", text, width);
-}
-
-std::string describe_key(const Key& key, const Case& input) {
-  const KeyValue value = key.get(input);
-  const std::string text = toml_text(value);
-  if (text.empty()) {
-    // Of two alternatives only the given one is worth a line.
-    const bool alternative = key.section == "load" || key.section == "contact_grid" ||
-                             key.section == "history" || key.section == "undeformed_distance" ||
-                             key.section == "given_pressure" || key.section == "rolling";
-    return alternative ? "" : fmt::format("  {} {}\n", pad(key.name, 22), key.when_absent);
-  }
-  const bool is_default = !key.required && key.when_absent.empty() && value == key.get(defaults());
-  std::string line = fmt::format("  {} {}", pad(key.name, 22), text);
-  if (!key.unit.empty()) line += " " + key.unit;
-  if (is_default) line += "  (default)";
-  return line + "\n";
-}
-
-/// A section of which there may be several: each with its own values.
-std::string describe_entries(const Section& section, const Case& input) {
+/// A section without its head. Of keys that are alternatives only the given ones are worth a line.
+std::string describe_keys(const Section& section, const Case& input) {
   std::string text;
-  Case one = input;
-  for (const SubsurfaceRequest& request : input.subsurface) {
-    one.subsurface = {request};
-    std::string keys;
-    bool here = false;
-    for (const Key& key : case_keys()) {
-      if (key.section != section.name) continue;
-      const std::string value = toml_text(key.get(one));
-      here = here || !value.empty();
-      keys += fmt::format("  {} {}{}\n", pad(key.name, 22), value,
-                          key.unit.empty() ? "" : " " + key.unit);
-    }
-    if (here) text += fmt::format("[[{}]]\n{}", section.name, keys);
+  for (const Key& key : section) {
+    const KeyValue value = key.get(input);
+    const bool given = !std::holds_alternative<std::monostate>(value);
+    if (key.path() == "title" || (!given && section.alternatives)) continue;
+    const bool is_default =
+        given && !key.required && key.when_absent.empty() && value == key.get(defaults());
+    text += fmt::format("  {:<22} {}{}{}\n", key.name, given ? toml_text(value) : key.when_absent,
+                        given && !key.unit.empty() ? " " + key.unit : "",
+                        is_default ? "  (default)" : "");
   }
   return text;
-}
-
-/// Sections that belong to profiles, which a case may do without.
-bool is_of_profiles(const Section& section) {
-  return section.name == "track" || section.name == "wheelset";
-}
-
-/// Sections that say nothing when nothing is given in them, or without profiles.
-bool is_silent(const Section& section, const Case& input) {
-  if (is_of_profiles(section)) return !input.has_profiles();
-  if (section.name != "history" && section.name != "undeformed_distance" &&
-      section.name != "given_pressure")
-    return false;
-  for (const Key& key : case_keys())
-    if (key.section == section.name && !toml_text(key.get(input)).empty()) return false;
-  return true;
 }
 
 std::string default_text(const Key& key) {
@@ -92,16 +51,22 @@ std::string template_key(const Key& key, bool commented_out) {
 
 std::string describe(const Case& input) {
   std::string text = fmt::format("{}\n", input.title);
-  if (!input.file.empty()) text += fmt::format("  {} {}\n", pad("file", 22), input.file);
+  if (!input.file.empty()) text += fmt::format("  {:<22} {}\n", "file", input.file);
+  const auto add = [&](const std::string& head, const std::string& keys) {
+    if (!keys.empty()) text += head + keys;
+  };
   for (const Section& section : case_sections()) {
-    if (section.repeated) {
-      text += describe_entries(section, input);
+    if (section.of_profiles && !input.has_profiles()) continue;
+    if (!section.repeated) {
+      const std::string head = section.name.empty() ? "" : "[" + section.name + "]\n";
+      add(head, describe_keys(section, input));
       continue;
     }
-    if (is_silent(section, input)) continue;
-    if (!section.name.empty()) text += fmt::format("[{}]\n", section.name);
-    for (const Key& key : case_keys())
-      if (key.section == section.name && key.name != "title") text += describe_key(key, input);
+    Case one = input;
+    for (const SubsurfaceRequest& request : input.subsurface) {
+      one.subsurface = {request};
+      add("[[" + section.name + "]]\n", describe_keys(section, one));
+    }
   }
   return text;
 }
@@ -117,9 +82,8 @@ std::string case_template() {
     else
       text += section.name.empty() ? "\n"
                                    : fmt::format("\n# {}\n[{}]\n", section.sentence, section.name);
-    for (const Key& key : case_keys())
-      if (key.section == section.name)
-        text += template_key(key, section.repeated || is_of_profiles(section));
+    for (const Key& key : section)
+      text += template_key(key, section.repeated || section.of_profiles);
   }
   return text;
 }
@@ -127,9 +91,8 @@ std::string case_template() {
 std::string case_reference_markdown() {
   std::string text =
       "# Case file reference\n\n"
-      "<!-- Made by `rollfem docs case-file` from the declarations in contact/case/case_keys.cpp; "
-      "do "
-      "not edit. -->\n\n"
+      "<!-- Made by `rollfem docs case-file` from the declarations in contact/case/keys_*.cpp; "
+      "do not edit. -->\n\n"
       "A case file is TOML. Units: mm, N, MPa, rad; x is the rolling direction, y lateral, z "
       "normal "
       "into the wheel.\nUnknown keys, wrong types, values out of bounds and contradictions are "
@@ -142,10 +105,9 @@ std::string case_reference_markdown() {
                               section.name, section.sentence);
     text += "| key | symbol | unit | allowed | default | meaning |\n";
     text += "|---|---|---|---|---|---|\n";
-    for (const Key& key : case_keys())
-      if (key.section == section.name)
-        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
-                            allowed_values(key), default_text(key), key.sentence);
+    for (const Key& key : section)
+      text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
+                          allowed_values(key), default_text(key), key.sentence);
   }
   return text;
 }

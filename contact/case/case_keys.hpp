@@ -1,5 +1,6 @@
-// The one declaration of the case file: every key with section, kind, unit, symbol, bounds, default
-// and a sentence. Reading, `check`, `new-case` and docs/case-file.md are all derived from it.
+// The keys of the case file: each with section, kind, unit, symbol, bounds, default and a sentence,
+// declared once in contact/case/keys_*.cpp. Reading, checks of bounds, `check`, `new-case` and
+// docs/case-file.md are all derived from that.
 #pragma once
 
 #include "contact/case/case.hpp"
@@ -50,6 +51,7 @@ struct Key {
   std::string when_absent;  ///< what happens without it, for keys that have no default value
   std::string example;      ///< TOML text for `new-case`; empty: the default, or left commented out
   std::string sentence;
+  std::string per;  ///< lists of the same `per` have one length: "load points", "positions"
   std::function<KeyValue(const Case&)> get;
   std::function<void(Case&, const KeyValue&)> set;
 
@@ -60,8 +62,14 @@ struct Key {
 struct Section {
   std::string name;
   std::string sentence;
-  /// Written [[name]], any number of times; the keys' get and set work on the last one.
-  bool repeated = false;
+  bool repeated = false;      ///< [[name]], any number of times; keys get and set in the last one
+  bool alternatives = false;  ///< `check` says nothing of keys that are not given
+  bool of_profiles = false;   ///< has a meaning only where wheel and rail have profiles
+
+  const Key* begin() const { return first; }
+  const Key* end() const { return last; }
+  const Key* first = nullptr;
+  const Key* last = nullptr;
 };
 
 /// Adds an empty entry of a repeated section, which the setters of its keys then fill.

@@ -147,57 +147,6 @@ TEST(CaseValues, TemplateIsAValidCaseWithTheDefaultsInIt) {
   EXPECT_EQ(input.rolling.creepages.size(), 7u);
 }
 
-TEST(CaseValues, TemplateAndReferenceNameEveryKey) {
-  const std::string text = contact::case_template();
-  const std::string page = contact::case_reference_markdown();
-  for (const contact::Key& key : contact::case_keys()) {
-    EXPECT_NE(text.find(key.name + " = "), std::string::npos) << key.path();
-    EXPECT_NE(page.find("| `" + key.name + "` |"), std::string::npos) << key.path();
-    EXPECT_FALSE(key.sentence.empty()) << key.path();
-    EXPECT_EQ(key.sentence.back(), '.') << key.path();
-  }
-}
-
-TEST(CaseValues, EveryKeyIsReadBackByItsGetter) {
-  // get and set of a declaration belong together: what set puts in, get takes out.
-  for (const contact::Key& key : contact::case_keys()) {
-    Case input = contact::default_case();
-    contact::KeyValue value = key.get(input);
-    switch (key.kind) {
-      case contact::KeyKind::text:
-        value = std::string("other");
-        break;
-      case contact::KeyKind::word:
-        value = key.words.back();
-        break;
-      case contact::KeyKind::words:
-        value = std::vector<std::string>{key.words.back()};
-        break;
-      case contact::KeyKind::number:
-        value = 0.25 * (key.bounds.lower + 1.5);
-        break;
-      case contact::KeyKind::integer:
-        value = key.bounds.upper;
-        break;
-      case contact::KeyKind::boolean:
-        // One without a default is not there yet.
-        value = std::holds_alternative<bool>(value) ? !std::get<bool>(value) : true;
-        break;
-      case contact::KeyKind::pair:
-        value = std::vector<double>{3.0, 5.0};
-        break;
-      case contact::KeyKind::triple:
-        value = std::vector<double>{0.5, 0.75, 1.5};
-        break;
-      case contact::KeyKind::numbers:
-        value = std::vector<double>{0.5, 0.75};
-        break;
-    }
-    key.set(input, value);
-    EXPECT_EQ(key.get(input), value) << key.path();
-  }
-}
-
 TEST(CaseValues, DescriptionTellsValuesUnitsDefaultsAndWhatFollows) {
   const Case input = parse_case(small_case, "small.toml");
   const std::string text = contact::describe(input) + contact::what_follows(input);

@@ -1,0 +1,39 @@
+// Keys before the first section.
+#include "contact/case/key_builder.hpp"
+
+namespace rollfem::contact {
+
+SectionWithKeys general_section() {
+  Keys<Case> keys("", "Before the first section", whole_case());
+  keys.text("title")
+      .example(R"("a wheel on a crowned rail")")
+      .otherwise("the name of the file")
+      .says("What the report is headed with.")
+      .into(&Case::title);
+  keys.choices("models")
+      .among({"hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip", "halfspace",
+              "fem"})
+      .says(
+          "The models that `run` computes, in this order; `--model` on the command line overrides "
+          "it.")
+      .into(&Case::models);
+  keys.real("accuracy")
+      .between(1e-5, 0.5)
+      .otherwise("the cells that the case gives, whatever their error")
+      .says(
+          "Largest estimated error, relative, of the quantities of `accuracy_of`: the models "
+          "halfspace and fem halve their cells, beginning with those of the case, until it is "
+          "reached; the run fails (status 1, results are written) when memory or the finest grid "
+          "allowed ends that before.")
+      .into(&Case::accuracy);
+  keys.choices("accuracy_of")
+      .among({"max_pressure", "semi_axis_x", "semi_axis_y", "approach", "normal_force",
+              "traction_coefficient", "max_traction_x"})
+      .says(
+          "What `accuracy` is asked of: the largest error over all load points, relative to the "
+          "value; of traction_coefficient and max_traction_x to the largest of the creep curve.")
+      .into(&Case::accuracy_of);
+  return keys;
+}
+
+}  // namespace rollfem::contact

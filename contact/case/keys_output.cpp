@@ -1,0 +1,34 @@
+#include "contact/case/key_builder.hpp"
+
+namespace rollfem::contact {
+
+SectionWithKeys output_section() {
+  Keys<OutputOptions> keys("output", "What is written beside summary.json and results.h5",
+                           &Case::output);
+  keys.choices("paths")
+      .among({"x", "y"})
+      .says("Middle lines of the patch along which stresses are written and drawn.")
+      .into(&OutputOptions::paths);
+  keys.toggle("fields")
+      .says(
+          "Write the contact surfaces as ParaView files, and wheel and rail of the model fem as "
+          "`body_fields` says.")
+      .into(&OutputOptions::fields);
+  keys.choice("body_fields")
+      .says(
+          "Load points at which displacement (mm) and stress (MPa) of wheel and rail (model fem) "
+          "are kept, as ParaView files and in results.h5, from which rollfem stress reads them.")
+      .into(&OutputOptions::body_fields,
+            {{"all", BodyFields::all}, {"last", BodyFields::last}, {"none", BodyFields::none}});
+  keys.toggle("stress_maxima")
+      .example("true")
+      .otherwise(
+          "true for the model fem, false for halfspace, where it costs some 0.3 s a load point")
+      .says(
+          "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail at "
+          "every load point, with their places (models fem and halfspace).")
+      .into(&OutputOptions::stress_maxima);
+  return keys;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,115 @@
+#include "contact/case/key_builder.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+using RollingKeys = Keys<Rolling>;
+
+void add_motion(RollingKeys& keys) {
+  keys.reals("longitudinal_creepage")
+      .symbol("xi")
+      .within(1.0)
+      .example("[0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006]")
+      .says(
+          "Rigid slip of the wheel over the rolling speed, along x. Positive when braking: the "
+          "rail pulls the wheel towards -x. A list makes a creep curve.")
+      .into_each(&Rolling::creepages, &Creepage::longitudinal);
+  keys.reals("lateral_creepage")
+      .symbol("eta")
+      .within(1.0)
+      .says("The same along y.")
+      .into_each(&Rolling::creepages, &Creepage::lateral);
+  keys.reals("spin")
+      .symbol("phi")
+      .unit("rad/mm")
+      .within(1.0)
+      .says("Rigid rotation about the normal over the rolling speed.")
+      .into_each(&Rolling::creepages, &Creepage::spin);
+  keys.real("speed")
+      .symbol("V")
+      .unit("mm/s")
+      .between(0.0, 1e8)
+      .says(
+          "Rolling speed, for the inertia of wheel and rail and the wheel's centrifugal load; 0 is "
+          "quasi-static. Below 0.9 of the slower body's Rayleigh wave speed.")
+      .into(&Rolling::speed);
+}
+
+void add_difference(RollingKeys& keys) {
+  keys.choice("upwind_order")
+      .says(
+          "Order of the difference along the streamline; `first` is what CONTACT does and needs "
+          "some ten times finer elements.")
+      .into(&Rolling::upwind_order,
+            {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}});
+  keys.choice("leading_edge")
+      .says(
+          "Whether the second-order difference of steady rolling is fitted to the place of the "
+          "leading edge inside its elements; `plain` is the textbook difference, whose tractions "
+          "zigzag.")
+      .into(&Rolling::leading_edge,
+            {{"fitted", LeadingEdge::fitted}, {"plain", LeadingEdge::plain}});
+}
+
+void add_extra_slip(RollingKeys& keys) {
+  keys.choice("extra_slip")
+      .says(
+          "Rigid slip from the shape of the surface (the model fem has it from its bodies): "
+          "`rolling-radius` adds s_x = -z(y)/R, because across a curved patch the wheel rolls on "
+          "different radii (z: drop of the rail surface); `file` takes it from extra_slip_file.")
+      .into(&Rolling::extra_slip, {{"none", ExtraSlip::none},
+                                   {"rolling-radius", ExtraSlip::rolling_radius},
+                                   {"file", ExtraSlip::file}});
+  keys.text("extra_slip_file")
+      .otherwise("none, unless extra_slip is `file`")
+      .says(
+          "Lines `x, y, s_x, s_y` (mm and slip over the rolling speed) on a regular lattice; the "
+          "path is relative to the case file.")
+      .into(&Rolling::extra_slip_values);
+}
+
+void add_problem(RollingKeys& keys) {
+  keys.choice("problem")
+      .says(
+          "`steady`: steady rolling, every load point on its own; `shift`: pressed and pushed "
+          "without rolling (Cattaneo), load points are steps; `transient`: rolling in steps from "
+          "the state before; `frictionless`: the normal problem alone.")
+      .into(&Rolling::problem, {{"steady", Problem::steady},
+                                {"shift", Problem::shift},
+                                {"transient", Problem::transient},
+                                {"frictionless", Problem::frictionless}});
+  keys.reals("longitudinal_force")
+      .symbol("F_x")
+      .unit("N")
+      .within(largest_force)
+      .otherwise("creepage or shift is given instead")
+      .says(
+          "Force on the wheel along x, in place of longitudinal_creepage (or longitudinal_shift); "
+          "negative when braking. Its size must be below mu F_z.")
+      .into_each(&Rolling::forces, &PrescribedForce::longitudinal);
+  keys.reals("lateral_force")
+      .symbol("F_y")
+      .unit("N")
+      .within(largest_force)
+      .otherwise("creepage or shift is given instead")
+      .says("The same along y, in place of lateral_creepage (or lateral_shift).")
+      .into_each(&Rolling::forces, &PrescribedForce::lateral);
+}
+
+}  // namespace
+
+SectionWithKeys rolling_section() {
+  RollingKeys keys(
+      "rolling",
+      "Rolling along x; lists have one length, that of the load points; numbers serve all",
+      &Case::rolling);
+  keys.section().alternatives = true;
+  add_motion(keys);
+  add_difference(keys);
+  add_extra_slip(keys);
+  add_problem(keys);
+  return keys;
+}
+
+}  // namespace rollfem::contact

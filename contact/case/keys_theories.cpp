@@ -1,0 +1,67 @@
+// The theories that take options, a section each: [fastsim], [strip], [carter].
+#include "contact/case/key_builder.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+template <class Options>
+void add_strips(Keys<Options>& keys, int fewest) {
+  keys.whole("strips")
+      .between(fewest, 2000)
+      .says("Strips across the patch.")
+      .into(&Options::strips);
+}
+
+template <class Options>
+void add_strip_elements(Keys<Options>& keys) {
+  keys.whole("strip_elements")
+      .between(4, 2000)
+      .says("Elements along each strip.")
+      .into(&Options::strip_elements);
+}
+
+}  // namespace
+
+SectionWithKeys fastsim_section() {
+  Keys<FastsimOptions> keys(
+      "fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse", &Case::fastsim);
+  keys.choice("bound")
+      .says(
+          "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), as is usual; "
+          "`elliptic` mu p0 sqrt(1 - r^2), that of Hertz's pressure.")
+      .into(&FastsimOptions::bound,
+            {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}});
+  keys.choice("flexibilities")
+      .says(
+          "Flexibility of the brushes: one for each creepage, or their mean weighted by the "
+          "creepages.")
+      .into(&FastsimOptions::flexibilities,
+            {{"three", Flexibilities::three}, {"one", Flexibilities::one}});
+  keys.choice("elements")
+      .says(
+          "`chord` divides every strip equally; `grid` takes elements of a common grid, as CONTACT "
+          "does, which is of first order.")
+      .into(&FastsimOptions::elements,
+            {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}});
+  add_strips(keys, 8);
+  add_strip_elements(keys);
+  return keys;
+}
+
+SectionWithKeys strip_section() {
+  Keys<StripCase> keys(
+      "strip", "Model `strip`: strips along rolling, each after Hertz, with brushes", &Case::strip);
+  add_strips(keys, 16);
+  add_strip_elements(keys);
+  return keys;
+}
+
+SectionWithKeys carter_section() {
+  Keys<CarterCase> keys("carter", "Model `carter`: strips along rolling, each a line contact",
+                        &Case::carter);
+  add_strips(keys, 8);
+  return keys;
+}
+
+}  // namespace rollfem::contact

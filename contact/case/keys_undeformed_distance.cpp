@@ -1,0 +1,26 @@
+#include "contact/case/key_builder.hpp"
+
+namespace rollfem::contact {
+
+SectionWithKeys undeformed_distance_section() {
+  Keys<DistanceOptions> keys("undeformed_distance",
+                             "Distance of the undeformed bodies, in place of that of the radii",
+                             &Case::undeformed_distance);
+  keys.section().alternatives = true;
+  keys.pair("quadratic")
+      .symbol("A, B")
+      .unit("1/mm")
+      .between(1e-9, 1e6)
+      .otherwise("from the radii of wheel and rail")
+      .says("h = A x^2 + B y^2; the radii may then be left out.")
+      .into(&DistanceOptions::quadratic);
+  keys.text("file")
+      .otherwise("from the radii of wheel and rail")
+      .says(
+          "Lines `x, y, h` in mm on a regular lattice, which becomes the potential contact area; "
+          "the path is relative to the case file. Cubics between the points.")
+      .into(&DistanceOptions::values);
+  return keys;
+}
+
+}  // namespace rollfem::contact

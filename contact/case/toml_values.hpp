@@ -1,0 +1,15 @@
+// Values of keys from TOML, each checked against the declaration of its key; private to
+// contact/case.
+#pragma once
+
+#include "contact/case/case_checks.hpp"
+#include "contact/case/toml_source.hpp"
+
+namespace rollfem::contact {
+
+inline constexpr std::size_t longest_list = 1000;
+
+/// Throws InputError when the value is not what the key allows.
+GivenValue read_value(const TomlSource& source, const Key& key, const toml::node& node);
+
+}  // namespace rollfem::contact

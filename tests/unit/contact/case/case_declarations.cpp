@@ -1,0 +1,144 @@
+// A key is declared once: reader, checks of bounds, `check`, `new-case` and the reference page take
+// it from there.
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/case/case_text.hpp"
+#include "contact/case/key_builder.hpp"
+#include "contact/case/toml_reader.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace rollfem::contact;
+
+/// A value that each key of that kind takes and that is no default.
+KeyValue other_value(const Key& key) {
+  const KeyValue initial = key.get(default_case());
+  switch (key.kind) {
+    case KeyKind::text:
+      return std::string("other");
+    case KeyKind::word:
+      return initial == KeyValue(key.words.back()) ? key.words.front() : key.words.back();
+    case KeyKind::words:
+      return Words{key.words.back()};
+    case KeyKind::boolean:
+      return initial != KeyValue(true);
+    case KeyKind::integer:
+      return initial == KeyValue(key.bounds.upper) ? key.bounds.lower : key.bounds.upper;
+    case KeyKind::number:
+      return 0.5 * key.bounds.upper;
+    default:
+      break;
+  }
+  Numbers numbers{0.5 * key.bounds.upper, 0.25 * key.bounds.upper, 0.125 * key.bounds.upper};
+  if (key.kind != KeyKind::triple) numbers.resize(2);
+  return numbers;
+}
+
+std::string head_of(const Section& section) {
+  if (section.name.empty()) return "";
+  return section.repeated ? "[[" + section.name + "]]\n" : "[" + section.name + "]\n";
+}
+
+TEST(CaseDeclarations, TheReaderTakesWhatIsAllowedAndFillsTheMember) {
+  for (const Section& section : case_sections())
+    for (const Key& key : section) {
+      const KeyValue value = other_value(key);
+      const std::string line = key.name + " = " + toml_text(value) + "\n";
+      const GivenCase given = read_toml(head_of(section) + line, "case.toml");
+      const auto& values = section.repeated ? given.entries.at(0).values : given.values;
+      ASSERT_EQ(values.count(&key), 1u) << key.path();
+      EXPECT_EQ(values.at(&key).value, value) << key.path();
+      Case input = default_case();
+      key.set(input, value);
+      EXPECT_EQ(key.get(input), value) << key.path();
+    }
+}
+
+TEST(CaseDeclarations, TheReaderRefusesWhatIsOutOfBoundsAndSaysWhatIsAllowed) {
+  int bounded = 0;
+  for (const Section& section : case_sections())
+    for (const Key& key : section) {
+      const bool whole = key.kind == KeyKind::integer;
+      if (!whole && key.kind != KeyKind::number && key.kind != KeyKind::numbers) continue;
+      const std::string beyond = whole ? std::to_string(static_cast<long>(key.bounds.upper) + 1)
+                                       : toml_text(KeyValue(2.0 * key.bounds.upper));
+      try {
+        read_toml(head_of(section) + key.name + " = " + beyond + "\n", "case.toml");
+        FAIL() << key.path() << " = " << beyond;
+      } catch (const InputError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find(key.path() + " = " + beyond +
+                            ": is out of bounds; allowed: " + allowed_values(key)),
+                  std::string::npos)
+            << text;
+      }
+      ++bounded;
+    }
+  EXPECT_GT(bounded, 60);
+}
+
+TEST(CaseDeclarations, CheckTemplateAndReferenceNameEveryKey) {
+  const std::string new_case = case_template();
+  const std::string page = case_reference_markdown();
+  for (const Section& section : case_sections())
+    for (const Key& key : section) {
+      Case input = default_case();
+      input.wheel.profile.name = "S1002";  // without one, [track] and the like are not talked of
+      key.set(input, other_value(key));
+      const std::string said = toml_text(key.get(input)) + (key.unit.empty() ? "" : " " + key.unit);
+      const bool title = key.path() == "title";
+      const std::string check = head_of(section) + (title ? "other\n" : "");
+      const std::string text = describe(input);
+      EXPECT_NE(text.find(check), std::string::npos) << key.path();
+      if (!title) {
+        EXPECT_NE(text.find(key.name + std::string(23 - key.name.size(), ' ') + said + "\n"),
+                  std::string::npos)
+            << key.path() << "\n"
+            << text;
+      }
+      EXPECT_NE(new_case.find("# " + key.sentence + "\n# " + allowed_values(key)),
+                std::string::npos)
+          << key.path();
+      EXPECT_NE(page.find("| `" + key.name + "` | " + key.symbol + " | " + key.unit + " | " +
+                          allowed_values(key) + " | "),
+                std::string::npos)
+          << key.path();
+      EXPECT_FALSE(key.sentence.empty()) << key.path();
+      EXPECT_EQ(key.sentence.back(), '.') << key.path();
+    }
+}
+
+TEST(CaseDeclarations, PartsEndUpInTheKey) {
+  Keys<FemOptions> keys("toy", "A section of this test", &Case::fem);
+  keys.real("stiffness")
+      .symbol("k")
+      .unit("N/mm")
+      .between(1.0, 5.0)
+      .upper_open()
+      .otherwise("none")
+      .says("How stiff it is.")
+      .into(&FemOptions::extent);
+  keys.choice("kind")
+      .required("\"gmsh\"")
+      .into(&FemOptions::mesh, {{"gmsh", MeshFamily::gmsh}, {"box", MeshFamily::structured}});
+  const SectionWithKeys declared = keys;
+  ASSERT_EQ(declared.keys.size(), 2u);
+  const Key& stiffness = declared.keys[0];
+  EXPECT_EQ(stiffness.path(), "toy.stiffness");
+  EXPECT_EQ(allowed_values(stiffness), "a number from 1 to below 5 N/mm");
+  Case input;
+  EXPECT_EQ(stiffness.get(input), KeyValue());
+  stiffness.set(input, 2.0);
+  EXPECT_EQ(input.fem.extent, 2.0);
+  const Key& kind = declared.keys[1];
+  EXPECT_TRUE(kind.required);
+  EXPECT_EQ(allowed_values(kind), "one of gmsh, box");
+  // The order of the words is not that of the enumerators.
+  kind.set(input, std::string("gmsh"));
+  EXPECT_EQ(input.fem.mesh, MeshFamily::gmsh);
+  EXPECT_EQ(kind.get(input), KeyValue(std::string("gmsh")));
+}
+
+}  // namespace
