@@ -35,10 +35,6 @@ double tresca(const Stress& stress) {
   return values[0] - values[2];
 }
 
-double max_shear(const Stress& stress) {
-  return 0.5 * tresca(stress);
-}
-
 double orthogonal_shear(const Stress& stress) {
   return std::hypot(stress.xz, stress.yz);
 }

@@ -34,9 +34,6 @@ std::array<double, 3> principal(const Stress& stress);
 /// Largest difference of principal stresses (Tresca's equivalent stress).
 double tresca(const Stress& stress);
 
-/// Largest shear stress on any plane: half of tresca().
-double max_shear(const Stress& stress);
-
 /// Shear stress on the plane parallel to the surface, sqrt(xz^2 + yz^2). Its largest value below
 /// the patch is the maximum orthogonal shear of rolling fatigue (Lundberg & Palmgren).
 double orthogonal_shear(const Stress& stress);

@@ -169,47 +169,4 @@ double hertz_displacement(const HertzContact& contact, double contact_modulus, d
                   y * y / 3.0 * ellint_rd(l, a2 + l, b2 + l));
 }
 
-HertzLine hertz_line(double radius, double contact_modulus, double force_per_length) {
-  if (!(radius > 0.0 && contact_modulus > 0.0 && force_per_length > 0.0))
-    throw contact::InputError(
-        "Hertz line contact: radius, contact modulus and force per length must be positive");
-  HertzLine line;
-  line.half_width = std::sqrt(4.0 * force_per_length * radius / (pi * contact_modulus));
-  line.max_pressure = 2.0 * force_per_length / (pi * line.half_width);
-  return line;
-}
-
-/// Love's potentials V and chi (dchi/dz = V) of the pressure [Love 1929; Johnson 1985,
-/// section 3.2]:
-///   2 pi szz = V_z - z V_zz,  2 pi sxx = 2 nu V_z - z V_xx - (1 - 2 nu) chi_xx.
-/// On the axis V_xx = -(2/3) pi a b p0 R_D(b^2 + l, l, a^2 + l) with l = z^2, and chi_xx is the
-/// integral of V_xx over depth, elementary but for z V_xx. No axis is the major one, and the circle
-/// is not a special case (the textbook form by Thomas and Hoersch divides by a^2 - b^2).
-AxisStress hertz_axis_stress(const HertzContact& contact, double poisson_ratio, double depth) {
-  if (!(depth >= 0.0))
-    throw contact::InputError(
-        fmt::format("Hertz: the depth is {} mm, it must not be negative", depth));
-  const double a2 = contact.semi_axis_x * contact.semi_axis_x;
-  const double b2 = contact.semi_axis_y * contact.semi_axis_y;
-  const double z = depth;
-  const double l = z * z;
-  // In units of 2 pi: s = pi a b p0 / (2 pi).
-  const double s = 0.5 * contact.semi_axis_x * contact.semi_axis_y * contact.max_pressure;
-  const double third = 2.0 / 3.0;
-  const double v_xx = -third * s * ellint_rd(b2 + l, l, a2 + l);
-  const double v_yy = -third * s * ellint_rd(a2 + l, l, b2 + l);
-  const double v_z =
-      z > 0.0 ? -third * s * z * ellint_rd(a2 + l, b2 + l, l) : -contact.max_pressure;
-  const double alpha = std::sqrt(a2 + l);
-  const double beta = std::sqrt(b2 + l);
-  const double chi_xx = s * 2.0 / (alpha * (alpha + beta)) + z * v_xx;
-  const double chi_yy = s * 2.0 / (beta * (alpha + beta)) + z * v_yy;
-  const double nu = poisson_ratio;
-  AxisStress stress;
-  stress.zz = v_z + z * (v_xx + v_yy);
-  stress.xx = 2.0 * nu * v_z - z * v_xx - (1.0 - 2.0 * nu) * chi_xx;
-  stress.yy = 2.0 * nu * v_z - z * v_yy - (1.0 - 2.0 * nu) * chi_yy;
-  return stress;
-}
-
 }  // namespace rollfem::halfspace

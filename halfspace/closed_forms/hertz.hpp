@@ -1,4 +1,4 @@
-// Hertz's elliptic and line contact in closed form (Johnson 1985, chapter 4), any aspect ratio.
+// Hertz's elliptic contact in closed form (Johnson 1985, chapter 4), any aspect ratio.
 #pragma once
 
 #include "contact/scene/geometry.hpp"
@@ -18,7 +18,7 @@ struct HertzContact {
 };
 
 /// A, B > 0 in 1/mm, E* in MPa. Throws contact::InputError when A or B is not positive (line
-/// contact, for which the approach of two half-spaces is unbounded: use hertz_line).
+/// contact, for which the approach of two half-spaces is unbounded).
 HertzContact hertz_from_force(double A, double B, double contact_modulus, double normal_force);
 HertzContact hertz_from_approach(double A, double B, double contact_modulus, double approach);
 
@@ -36,21 +36,6 @@ contact::Curvatures curvatures_of_case(const contact::Case& input);
 /// u_wheel - u_rail in mm, normal component, at any point of the surface: inside the patch
 /// approach - h, outside the closed form with the confocal ellipse.
 double hertz_displacement(const HertzContact& contact, double contact_modulus, double x, double y);
-
-/// Line contact h = x^2 / (2 R), force per unit length in N/mm.
-struct HertzLine {
-  double half_width = 0.0;    ///< mm
-  double max_pressure = 0.0;  ///< MPa
-};
-HertzLine hertz_line(double radius, double contact_modulus, double force_per_length);
-
-/// Stress below the middle of the patch (x = y = 0) at depth z >= 0 under the pressure alone.
-struct AxisStress {
-  double xx = 0.0;
-  double yy = 0.0;
-  double zz = 0.0;
-};
-AxisStress hertz_axis_stress(const HertzContact& contact, double poisson_ratio, double depth);
 
 /// The model "hertz": patch, pressure and approach; no friction. Tractions are sampled on the
 /// case's contact grid.

@@ -114,10 +114,4 @@ Influence rectangle_influence(double x, double y, double dx, double dy,
   return combine(integrals(x, y, dx, dy), material);
 }
 
-Influence point_influence(double x, double y, const contact::CombinedMaterial& material) {
-  Integrals at_point;
-  add_kernels(x, y, 1.0, at_point);
-  return combine(at_point, material);
-}
-
 }  // namespace rollfem::halfspace

@@ -26,8 +26,4 @@ struct Influence {
 Influence rectangle_influence(double x, double y, double dx, double dy,
                               const contact::CombinedMaterial& material);
 
-/// The same for a point load at the middle of the rectangle, per unit traction times area (1/N):
-/// u = point_influence * force.
-Influence point_influence(double x, double y, const contact::CombinedMaterial& material);
-
 }  // namespace rollfem::halfspace

@@ -31,6 +31,17 @@ double tangential_product(const contact::ContactGrid& grid, const contact::Surfa
   return (traction.x.dot(slip.x) + traction.y.dot(slip.y)) * grid.element_area();
 }
 
+/// Moment of the tangential tractions about the origin, N mm.
+double spin_moment(const contact::ContactGrid& grid, const contact::SurfaceField& traction) {
+  double moment = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      moment += grid.x(i) * traction.y[k] - grid.y(j) * traction.x[k];
+    }
+  return moment * grid.element_area();
+}
+
 }  // namespace
 
 double elastic_energy(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
@@ -55,7 +66,7 @@ double creepage_power(const contact::ContactGrid& grid, const contact::SurfaceFi
                       const contact::TangentialField& extra_slip) {
   check_tangential(traction, grid);
   const double area = grid.element_area();
-  const double moment = spin_moment_about(grid, traction, 0.0, 0.0);
+  const double moment = spin_moment(grid, traction);
   double work = creepage.longitudinal * traction.x.sum() * area +
                 creepage.lateral * traction.y.sum() * area + creepage.spin * moment;
   if (extra_slip.x.size() != 0 || extra_slip.y.size() != 0)
@@ -71,54 +82,6 @@ PowerBalance power_balance(const contact::ContactGrid& grid, const contact::Poin
   const double scale = std::max(std::abs(balance.friction), std::abs(balance.creepage));
   if (scale > 0.0) balance.difference = std::abs(balance.friction - balance.creepage) / scale;
   return balance;
-}
-
-double spin_moment_about(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                         double x, double y) {
-  check_tangential(traction, grid);
-  double moment = 0.0;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const int k = grid.index(i, j);
-      moment += (grid.x(i) - x) * traction.y[k] - (grid.y(j) - y) * traction.x[k];
-    }
-  return moment * grid.element_area();
-}
-
-contact::TangentialField slip_velocity(const contact::TangentialField& slip, double speed) {
-  return {speed * slip.x, speed * slip.y};
-}
-
-namespace {
-
-ForcesAndMoment central_difference(const CreepForceLaw& forces, const contact::Creepage& at,
-                                   int direction, double step) {
-  const auto moved = [&](double distance) {
-    contact::Creepage creepage = at;
-    if (direction == 0) creepage.longitudinal += distance;
-    if (direction == 1) creepage.lateral += distance;
-    if (direction == 2) creepage.spin += distance;
-    return creepage;
-  };
-  return (forces(moved(step)) - forces(moved(-step))) / (2.0 * step);
-}
-
-}  // namespace
-
-Sensitivities creep_sensitivities(const CreepForceLaw& forces, const contact::Creepage& at,
-                                  const SensitivitySteps& steps) {
-  if (!(steps.creepage > 0.0 && steps.spin > 0.0))
-    throw contact::InputError(fmt::format("sensitivity steps {} and {} rad/mm; allowed: positive",
-                                          steps.creepage, steps.spin));
-  Sensitivities result;
-  for (int k = 0; k < 3; ++k) {
-    const double step = k < 2 ? steps.creepage : steps.spin;
-    const ForcesAndMoment coarse = central_difference(forces, at, k, step);
-    const ForcesAndMoment fine = central_difference(forces, at, k, 0.5 * step);
-    result.derivative.col(k) = (4.0 * fine - coarse) / 3.0;
-    result.error.col(k) = (fine - coarse).cwiseAbs();
-  }
-  return result;
 }
 
 }  // namespace rollfem::halfspace

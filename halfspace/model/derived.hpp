@@ -1,14 +1,9 @@
-// What follows from a solution without solving again: elastic energy, frictional power, spin moment
-// about a point, slip velocity; and, by solving again, the sensitivities of forces to creepages.
+// What follows from a solution without solving again: elastic energy, frictional power.
 // Signs as everywhere: tractions and forces on the wheel, slip of the wheel relative to the rail.
 #pragma once
 
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
-
-#include <Eigen/Core>
-
-#include <functional>
 
 namespace rollfem::halfspace {
 
@@ -38,38 +33,5 @@ struct PowerBalance {
 };
 PowerBalance power_balance(const contact::ContactGrid& grid, const contact::PointResult& point,
                            double speed, const contact::TangentialField& extra_slip = {});
-
-/// Moment of the tangential tractions about the vertical through (x, y), N mm, on the wheel:
-/// sum ((x_i - x) p_y - (y_i - y) p_x) dx dy.
-double spin_moment_about(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                         double x, double y);
-
-/// Slip velocity V w of the wheel surface relative to the rail, mm/s.
-contact::TangentialField slip_velocity(const contact::TangentialField& slip, double speed);
-
-/// F_x, F_y (N) and M_z (N mm) on the wheel.
-using ForcesAndMoment = Eigen::Vector3d;
-
-/// A model that solves one creepage.
-using CreepForceLaw = std::function<ForcesAndMoment(const contact::Creepage&)>;
-
-struct SensitivitySteps {
-  double creepage = 2e-5;  ///< step in xi and eta
-  double spin = 2e-6;      ///< step in phi, rad/mm
-};
-
-/// Derivatives with respect to (xi, eta, phi): column k belongs to the k-th creepage, row i to the
-/// i-th of F_x, F_y, M_z.
-struct Sensitivities {
-  Eigen::Matrix3d derivative;  ///< N, N mm, per unit or per rad/mm
-  Eigen::Matrix3d error;       ///< estimate of its absolute error, from two step lengths
-};
-
-/// Central differences at steps h and h/2, extrapolated (12 solutions). `forces` must be solved
-/// tightly: an error e in a force makes about 2 e/h in a derivative, which `error` shows. Steps
-/// near a kink (creepage 0 with friction at its bound) are the caller's. Throws contact::InputError
-/// for steps not positive.
-Sensitivities creep_sensitivities(const CreepForceLaw& forces, const contact::Creepage& at,
-                                  const SensitivitySteps& steps = {});
 
 }  // namespace rollfem::halfspace

@@ -11,8 +11,6 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// From how many times the longer side on the point sources are summed by Gauss's rule.
 constexpr double far_distance = 20.0;
 
@@ -168,38 +166,6 @@ void check_half_space(double z, double shear_modulus, double poisson_ratio) {
   if (!(poisson_ratio > -1.0 && poisson_ratio <= 0.5))
     throw contact::InputError(
         fmt::format("Poisson's ratio = {}; allowed: above -1 and up to 0.5", poisson_ratio));
-}
-
-namespace {
-
-LocalState state_of_source(const Potentials& source, const LocalLoad& load, double shear_modulus,
-                           double poisson_ratio, double z) {
-  const Potentials p_x = load.x * source;
-  const Potentials p_y = load.y * source;
-  const Potentials p_z = load.z * source;
-  LocalState state = assemble_state(p_x.data(), p_y.data(), p_z.data(), poisson_ratio, z);
-  for (std::size_t i = 0; i < component_count; ++i)
-    state[i] *= i < s_xx ? 1.0 / (4.0 * pi * shear_modulus) : 1.0 / (2.0 * pi);
-  return state;
-}
-
-}  // namespace
-
-LocalState rectangle_state(double x, double y, double z, double dx, double dy,
-                           const LocalLoad& traction, double shear_modulus, double poisson_ratio) {
-  check_half_space(z, shear_modulus, poisson_ratio);
-  if (!(dx > 0.0 && dy > 0.0))
-    throw contact::InputError(fmt::format("rectangle of {} by {} mm; allowed: positive", dx, dy));
-  return state_of_source(rectangle_potentials(x, y, z, dx, dy), traction, shear_modulus,
-                         poisson_ratio, z);
-}
-
-LocalState point_state(double x, double y, double z, const LocalLoad& force, double shear_modulus,
-                       double poisson_ratio) {
-  check_half_space(z, shear_modulus, poisson_ratio);
-  if (x == 0.0 && y == 0.0 && z == 0.0)
-    throw contact::InputError("the field of a point load is infinite at the load: move the point");
-  return state_of_source(point_potentials(x, y, z), force, shear_modulus, poisson_ratio, z);
 }
 
 }  // namespace rollfem::halfspace

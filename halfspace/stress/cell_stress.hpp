@@ -54,13 +54,6 @@ enum Component : int { u_x, u_y, u_z, s_xx, s_yy, s_zz, s_xy, s_yz, s_xz, compon
 /// Local displacement (mm) and stress (MPa, tension positive), indexed by Component.
 using LocalState = std::array<double, component_count>;
 
-/// Uniform tractions (MPa) or forces (N) on the surface along +x, +y, +z of the local frame.
-struct LocalLoad {
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
-};
-
 /// Mixed antiderivative in X and Y at a corner; X, Y from the corner to the field point and z >= 0
 /// in units of the longer side. Terms that depend on X or on Y alone are dropped: they cancel in
 /// the difference over the four corners. Where the stress is infinite, that is on the surface at a
@@ -83,17 +76,6 @@ Potentials rectangle_potentials(double x, double y, double z, double dx, double 
 template <class Scalar>
 std::array<Scalar, component_count> assemble_state(const Scalar* p_x, const Scalar* p_y,
                                                    const Scalar* p_z, double nu, double z);
-
-/// State at (x, y, z >= 0) under uniform tractions on the rectangle. Throws contact::InputError for
-/// z < 0, sides not positive, or constants outside G > 0 (inf: rigid, no displacement),
-/// -1 < nu <= 1/2.
-LocalState rectangle_state(double x, double y, double z, double dx, double dy,
-                           const LocalLoad& traction, double shear_modulus, double poisson_ratio);
-
-/// State under a point force at the origin (Boussinesq and Cerruti). Throws contact::InputError at
-/// the origin itself and as rectangle_state.
-LocalState point_state(double x, double y, double z, const LocalLoad& force, double shear_modulus,
-                       double poisson_ratio);
 
 /// Throws contact::InputError unless the constants and the depth are possible.
 void check_half_space(double z, double shear_modulus, double poisson_ratio);

@@ -143,25 +143,6 @@ std::vector<SubsurfaceState> subsurface_at(const LoadedBody& body,
   return states;
 }
 
-std::vector<SubsurfacePoint> line_of_points(const SubsurfacePoint& from, const SubsurfacePoint& to,
-                                            int count) {
-  if (count < 2)
-    throw contact::InputError(fmt::format("line of {} points; allowed: 2 or more", count));
-  std::vector<SubsurfacePoint> points;
-  points.reserve(static_cast<std::size_t>(count));
-  for (int k = 0; k < count; ++k) {
-    const double t = static_cast<double>(k) / (count - 1);
-    points.push_back({(1.0 - t) * from.x + t * to.x, (1.0 - t) * from.y + t * to.y,
-                      (1.0 - t) * from.depth + t * to.depth});
-  }
-  return points;
-}
-
-SubsurfaceLayer subsurface_plane(const LoadedBody& body, const contact::ContactGrid& points,
-                                 double depth, Summation summation) {
-  return subsurface_box(body, points, {depth}, summation).front();
-}
-
 std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
                                             const contact::ContactGrid& points,
                                             const std::vector<double>& depths,

@@ -62,16 +62,9 @@ enum class Summation {
 std::vector<SubsurfaceState> subsurface_at(const LoadedBody& body,
                                            const std::vector<SubsurfacePoint>& points);
 
-/// `count` >= 2 equally spaced points from one end to the other, both included.
-std::vector<SubsurfacePoint> line_of_points(const SubsurfacePoint& from, const SubsurfacePoint& to,
-                                            int count);
-
-/// State on the points of a lattice (the element centres of a ContactGrid) at one depth. By FFT the
-/// lattice needs dx and dy of the contact grid, but may be shifted, larger or smaller.
-SubsurfaceLayer subsurface_plane(const LoadedBody& body, const contact::ContactGrid& points,
-                                 double depth, Summation summation = Summation::automatic);
-
-/// The same at several depths: a box; a lattice with nx or ny = 1 is a vertical section.
+/// State on the points of a lattice (the element centres of a ContactGrid) at several depths: a
+/// box; a lattice with nx or ny = 1 is a vertical section. By FFT the lattice needs dx and dy of
+/// the contact grid, but may be shifted, larger or smaller.
 std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
                                             const contact::ContactGrid& points,
                                             const std::vector<double>& depths,

@@ -1,9 +1,6 @@
 #include "halfspace/theories/carter.hpp"
 
-#include "contact/base/errors.hpp"
 #include "halfspace/theories/brush.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,10 +69,6 @@ double CarterContact::saturation_creepage() const {
   return 2.0 * friction * max_pressure / contact_modulus;
 }
 
-double CarterContact::initial_slope() const {
-  return -0.5 * pi * half_width * contact_modulus;
-}
-
 CarterSolution::CarterSolution(const CarterContact& contact, double creepage)
     : contact_(contact), creepage_(creepage), stick_(contact.half_width) {
   if (creepage == 0.0) return;
@@ -113,16 +106,6 @@ double CarterSolution::slip(double x) const {
   if (creepage_ == 0.0 || contact_.half_width == 0.0) return 0.0;
   // All slips: the rigid slip less the slope of the displacement under mu p.
   return creepage_ - std::copysign(saturation, creepage_) * x / contact_.half_width;
-}
-
-double carter_creepage(const CarterContact& contact, double force) {
-  const double limit = contact.friction * contact.force_per_length();
-  if (!(std::abs(force) < limit))
-    throw contact::InputError(fmt::format(
-        "a force of {:g} N/mm cannot be transmitted: friction allows less than {:g} N/mm", force,
-        limit));
-  const double stick_ratio = std::sqrt(1.0 - std::abs(force) / limit);
-  return -std::copysign(contact.saturation_creepage() * (1.0 - stick_ratio), force);
 }
 
 contact::ModelResult run_carter(const contact::Case& input, const contact::Progress& progress,

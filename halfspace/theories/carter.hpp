@@ -15,7 +15,6 @@ struct CarterContact {
 
   double force_per_length() const;     ///< P = pi a p0 / 2, N/mm
   double saturation_creepage() const;  ///< 2 mu p0 / E* = mu a / R, beyond which all slips
-  double initial_slope() const;        ///< dF_x/dxi at xi = 0: -pi a E* / 2, N/mm
 };
 
 /// Steady rolling at a longitudinal creepage. Tractions and forces are those on the wheel.
@@ -36,10 +35,6 @@ class CarterSolution {
   double creepage_;
   double stick_;
 };
-
-/// Creepage at which the force on the wheel is F_x in N/mm. Throws contact::InputError unless
-/// |F_x| < mu P.
-double carter_creepage(const CarterContact& contact, double force);
 
 /// The model "carter": every strip of Hertz's ellipse rolls as a line contact of its own length and
 /// pressure, with the extra rigid slip of the case. The forces are exact integrals along x and

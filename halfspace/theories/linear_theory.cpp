@@ -82,12 +82,6 @@ void check(double a, double b, double nu) {
 
 }  // namespace
 
-KalkerCoefficients kalker_asymptotes(double semi_axis_x, double semi_axis_y, double poisson_ratio) {
-  check(semi_axis_x, semi_axis_y, poisson_ratio);
-  return semi_axis_x < semi_axis_y ? asymptotes_short(semi_axis_x / semi_axis_y, poisson_ratio)
-                                   : asymptotes_long(semi_axis_y / semi_axis_x, poisson_ratio);
-}
-
 KalkerCoefficients kalker_coefficients(double semi_axis_x, double semi_axis_y,
                                        double poisson_ratio) {
   check(semi_axis_x, semi_axis_y, poisson_ratio);

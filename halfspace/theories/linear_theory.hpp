@@ -23,10 +23,6 @@ struct KalkerCoefficients {
 KalkerCoefficients kalker_coefficients(double semi_axis_x, double semi_axis_y,
                                        double poisson_ratio);
 
-/// The asymptotes alone, for a/b -> 0 when a < b and for b/a -> 0 otherwise: at a ratio of 0.1 they
-/// differ from the table by up to 5 % (C11), 3 % (C22), 6 % (C23) and 12 % (C33).
-KalkerCoefficients kalker_asymptotes(double semi_axis_x, double semi_axis_y, double poisson_ratio);
-
 /// Tangential forces on the wheel.
 struct CreepForces {
   double longitudinal = 0.0;  ///< F_x, N

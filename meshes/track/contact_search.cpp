@@ -233,10 +233,6 @@ class WheelSearch {
 
 }  // namespace
 
-double WheelRailContact::approach_at(double sinking) const {
-  return sinking * std::cos(place.contact_angle) - place.separation;
-}
-
 std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,
                                             const WheelsetPose& pose, int position, bool left,
                                             const SearchOptions& options) {

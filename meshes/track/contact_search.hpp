@@ -32,10 +32,6 @@ struct WheelRailContact {
   std::array<double, 2> limits{};
   /// Points of first contact that went into it: y of the patch frame, separation along the normal.
   std::vector<std::array<double, 2>> touching;
-
-  /// Approach along the normal when the wheel sinks vertically by `sinking` (mm) from its first
-  /// contact: the patches of one wheel share one sinking. Negative: no contact.
-  double approach_at(double sinking) const;
 };
 
 struct SearchOptions {

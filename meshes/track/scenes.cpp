@@ -96,18 +96,4 @@ void set_rotation_changes(Scene& scene, const std::vector<double>& rotation_chan
   set_creepages(scene.input, scene.contact, rotation_changes);
 }
 
-void set_rotation_change(Scene& scene, double rotation_change) {
-  set_rotation_changes(scene,
-                       std::vector<double>(scene.input.rolling.creepages.size(), rotation_change));
-}
-
-void set_normal_forces(Scene& scene, double vertical, const std::vector<double>& lateral) {
-  std::vector<double>& forces = scene.input.load.normal_forces;
-  forces.clear();
-  for (const double force : lateral)
-    forces.push_back(normal_force(vertical, force, scene.contact.place));
-  if (!forces.empty())
-    scene.input.load.normal_force = *std::max_element(forces.begin(), forces.end());
-}
-
 }  // namespace rollfem::meshes

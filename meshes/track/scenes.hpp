@@ -23,8 +23,8 @@ SearchScene search_scene_of(const contact::Case& input);
 
 /// Scenes in the order positions, left and right wheel, patches; near misses make none. The normal
 /// force is that of vertical_force without friction for a wheel with one patch, and the estimate of
-/// load_estimate.hpp where several share it: the caller corrects both with forces it has found
-/// (set_normal_forces). Creepages that the case gives (Rolling::given) replace those of the motion.
+/// load_estimate.hpp where several share it: the caller corrects both with forces it has found.
+/// Creepages that the case gives (Rolling::given) replace those of the motion.
 /// Throws what find_contacts throws; contact::InputError when a normal force is given for a wheel
 /// with several patches.
 std::vector<Scene> make_scenes(const contact::Case& input, const SearchScene& scene,
@@ -40,9 +40,5 @@ std::vector<double> rotation_changes(const contact::Case& input);
 /// Creepages of the scene at rotations of the wheelset other than those of the case (free rolling):
 /// one for each load point, or one for all.
 void set_rotation_changes(Scene& scene, const std::vector<double>& rotation_changes);
-void set_rotation_change(Scene& scene, double rotation_change);
-
-/// Normal forces of the load points from a vertical force and the lateral forces found at each.
-void set_normal_forces(Scene& scene, double vertical, const std::vector<double>& lateral);
 
 }  // namespace rollfem::meshes

@@ -37,9 +37,6 @@ class Silhouette {
   const contact::HeightCurve& curve() const { return curve_; }
   /// The point of the outline at this y of the side frame.
   OutlinePoint at(double y) const;
-  /// Profile y of the first and the last point of the curve, mm.
-  double first_profile_y() const { return profile_y_.at(curve_.first()).value; }
-  double last_profile_y() const { return profile_y_.at(curve_.last()).value; }
 
  private:
   contact::HeightCurve curve_;

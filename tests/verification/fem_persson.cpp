@@ -4,7 +4,6 @@
 #include "contact/result/patch_size.hpp"
 #include "contact/solve/normal.hpp"
 #include "fem/solver/factorisation.hpp"
-#include "halfspace/closed_forms/persson.hpp"
 
 #include <Eigen/Cholesky>
 #include <deal.II/base/quadrature_lib.h>
@@ -19,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
+#include "support/persson.hpp"
 #include "support/recorded.hpp"
 #include <algorithm>
 #include <cmath>
@@ -185,7 +185,7 @@ Reached solve_persson(double half_angle, long elements) {
   const Eigen::MatrixXd vertical =
       cosine.cwiseInverse().asDiagonal() * a * cosine.cwiseInverse().asDiagonal();
 
-  const double clearance = halfspace::PerssonContact{half_angle}.clearance_number() * line_load *
+  const double clearance = tests::PerssonContact{half_angle}.clearance_number() * line_load *
                            (1 - steel.poisson_ratio * steel.poisson_ratio) / steel.young_modulus;
   const DenseNormal compliance({1, count, thickness, radius * step, 0.0, 0.5 * radius * step},
                                vertical);
@@ -204,7 +204,7 @@ Reached solve_persson(double half_angle, long elements) {
 
 TEST(PerssonPin, TouchesOverTheAngleAndWithThePressureOfTheClosedForm) {
   for (const double angle : {20.0, 40.0, 60.0}) {
-    const double exact = halfspace::PerssonContact{angle * degree}.pressure(0);
+    const double exact = tests::PerssonContact{angle * degree}.pressure(0);
     const Reached coarse = solve_persson(angle * degree, std::lround(angle / 3));
     const Reached fine = solve_persson(angle * degree, std::lround(angle / 1.5));
     EXPECT_NEAR(fine.half_angle / degree, angle, 0.5);

@@ -2,7 +2,6 @@
 // (reference/benchmarks.md, 3 and 4).
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
-#include "halfspace/closed_forms/cattaneo_mindlin.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/contact_problem.hpp"
@@ -10,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cattaneo_mindlin.hpp"
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
 #include <algorithm>
@@ -51,7 +51,7 @@ ModelResult pushed(Case input, const std::vector<double>& parts) {
   return halfspace::run_halfspace(input, {});
 }
 
-halfspace::CattaneoMindlin exact(const Case& input) {
+tests::CattaneoMindlin exact(const Case& input) {
   return {halfspace::hertz_of_case(input),
           contact::combine(input.wheel.material, input.rail.material), 0.4};
 }
@@ -81,7 +81,7 @@ TEST(Cattaneo, ShiftAndStickRadiusOfTheBenchmarkAt40Elements) {
 
 TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
   const Case input = cattaneo(0.0, 40);
-  const halfspace::CattaneoMindlin theory = exact(input);
+  const tests::CattaneoMindlin theory = exact(input);
   const double unit = 0.4 * *input.load.normal_force;
   const ModelResult result = pushed(input, {7.0 / 8.0, 0.0});
   const PointResult& loaded = result.points[0];

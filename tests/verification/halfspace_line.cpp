@@ -4,12 +4,12 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/history.hpp"
 #include "contact/solve/prescribed_force.hpp"
-#include "halfspace/elasticity/line_compliance.hpp"
 #include "halfspace/model/contact_problem.hpp"
 #include "halfspace/theories/carter.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/line_compliance.hpp"
 #include "support/recorded.hpp"
 #include <cmath>
 #include <memory>
@@ -27,7 +27,7 @@ using Eigen::Vector2d;
 using halfspace::ContactProblem;
 using halfspace::ContactScene;
 using halfspace::ContactState;
-using halfspace::LineCompliance;
+using tests::LineCompliance;
 
 /// A roller whose Hertz contact has half width a, n elements across it, forces in N/mm.
 class Roller {

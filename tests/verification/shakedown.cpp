@@ -141,8 +141,8 @@ TEST(Shakedown, TheSurfaceOfTheCircleIsThatOfHalfSpaceElements) {
   const double friction = 0.5;
   const int n = 161;
   const auto points = contact::ContactGrid::centred(n, 1, 2.0 / n, 2.0 / n);
-  const auto pressed = halfspace::subsurface_plane(loaded(n, true, false), points, 0.0);
-  const auto rubbed = halfspace::subsurface_plane(loaded(n, true, true), points, 0.0);
+  const auto pressed = halfspace::subsurface_box(loaded(n, true, false), points, {0.0}).front();
+  const auto rubbed = halfspace::subsurface_box(loaded(n, true, true), points, {0.0}).front();
   for (int i = 0; i < n; ++i) {
     if (std::abs(points.x(i)) > 0.9) continue;
     const auto without = pressed.at(i).stress.as_array();

@@ -23,7 +23,6 @@ TEST(StressMeasures, UniaxialTensionIsItsOwnEquivalentStress) {
   const Stress stress{0.0, 120.0, 0.0, 0.0, 0.0, 0.0};
   EXPECT_NEAR(von_mises(stress), 120.0, 1e-12);
   EXPECT_NEAR(tresca(stress), 120.0, 1e-12);
-  EXPECT_NEAR(max_shear(stress), 60.0, 1e-12);
   EXPECT_NEAR(hydrostatic(stress), 40.0, 1e-12);
   EXPECT_EQ(orthogonal_shear(stress), 0.0);
 }

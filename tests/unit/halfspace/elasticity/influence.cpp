@@ -13,6 +13,21 @@ contact::CombinedMaterial unlike_materials() {
   return contact::combine({210e3, 0.3}, {70e3, 0.33});
 }
 
+/// Displacement difference per force at a point of the surface, Johnson 1985, eqs. 3.18 and 3.75.
+Influence point_influence(double x, double y, const contact::CombinedMaterial& material) {
+  const double r = std::hypot(x, y);
+  const double nu = material.poisson_ratio;
+  const double unit = 1.0 / (M_PI * material.shear_modulus * r);
+  Influence result;
+  result.xx = unit * (1.0 - nu + nu * x * x / (r * r));
+  result.yy = unit * (1.0 - nu + nu * y * y / (r * r));
+  result.xy = unit * nu * x * y / (r * r);
+  result.nn = unit * (1.0 - nu);
+  result.xn = -unit * material.difference * x / r;
+  result.yn = -unit * material.difference * y / r;
+  return result;
+}
+
 /// One coefficient integrated numerically from point loads, the rectangle split at the field point.
 double integrated(double Influence::*component, double x, double y, double dx, double dy,
                   const contact::CombinedMaterial& material) {

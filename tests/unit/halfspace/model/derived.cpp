@@ -1,4 +1,4 @@
-// Energy, power, moments and sensitivities against values known in closed form.
+// Energy and power against values known in closed form.
 #include "halfspace/model/derived.hpp"
 
 #include "contact/base/errors.hpp"
@@ -74,8 +74,6 @@ TEST(Derived, FrictionAndCreepagePowerAgreeInCarterRolling) {
   EXPECT_NEAR(balance.creepage, -speed * xi * force, 1e-5 * balance.creepage);
   EXPECT_NEAR(balance.friction, -speed * xi * force, 1e-4 * balance.friction);
   EXPECT_LT(balance.difference, 1e-4);
-  EXPECT_NEAR(halfspace::slip_velocity(point.fields.slip, speed).x[0],
-              speed * point.fields.slip.x[0], 0.0);
 }
 
 TEST(Derived, FullSlipDissipatesForceTimesCreepage) {
@@ -100,46 +98,10 @@ TEST(Derived, FullSlipDissipatesForceTimesCreepage) {
   EXPECT_GT(halfspace::power_balance(grid, point, 1000.0).difference, 1e-3);
 }
 
-TEST(Derived, SpinMomentMovesWithItsPoint) {
-  const ContactGrid grid = ContactGrid::centred(6, 4, 0.5, 0.5, 1.0, 2.0);
-  SurfaceField p;
-  p.x = contact::Field::Constant(grid.size(), 3.0);
-  p.y = contact::Field::Constant(grid.size(), -2.0);
-  const double area = grid.size() * grid.element_area();
-  EXPECT_NEAR(halfspace::spin_moment_about(grid, p, 1.0, 2.0), 0.0, 1e-12);
-  // M = x F_y - y F_x of the resultant at the middle.
-  EXPECT_NEAR(halfspace::spin_moment_about(grid, p, 0.0, 0.0), (1.0 * -2.0 - 2.0 * 3.0) * area,
-              1e-12);
-}
-
-TEST(Derived, SensitivitiesOfAKnownLaw) {
-  // Cubic saturation in all three creepages with cross terms: derivative by hand.
-  const auto law = [](const contact::Creepage& c) {
-    const double v = 1e3 * (c.longitudinal + 0.3 * c.lateral + 2.0 * c.spin);
-    return halfspace::ForcesAndMoment(-1e4 * std::tanh(v), 2e3 * c.longitudinal * c.lateral * 1e3,
-                                      -5e4 * c.spin);
-  };
-  const contact::Creepage at{4e-4, -2e-4, 1e-5};
-  const double v = 1e3 * (at.longitudinal + 0.3 * at.lateral + 2.0 * at.spin);
-  const double slope = -1e7 / (std::cosh(v) * std::cosh(v));
-  Eigen::Matrix3d exact;
-  exact << slope, 0.3 * slope, 2.0 * slope, 2e6 * at.lateral, 2e6 * at.longitudinal, 0.0, 0.0, 0.0,
-      -5e4;
-  const auto found = halfspace::creep_sensitivities(law, at);
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) {
-      EXPECT_NEAR(found.derivative(i, k), exact(i, k), 1e-6 * std::abs(slope)) << i << k;
-      EXPECT_LE(std::abs(found.derivative(i, k) - exact(i, k)),
-                found.error(i, k) + 1e-9 * std::abs(slope));
-    }
-  EXPECT_THROW(halfspace::creep_sensitivities(law, at, {0.0, 1e-6}), contact::InputError);
-}
-
 TEST(Derived, FieldsMustFitTheGrid) {
   const ContactGrid grid = ContactGrid::centred(3, 3, 1.0, 1.0);
   const contact::Field good = contact::Field::Zero(9);
   EXPECT_THROW(halfspace::elastic_energy(grid, {good, good, good}, {}), contact::InputError);
   EXPECT_THROW(halfspace::frictional_power(grid, {good, good, good}, {good, {}}, 1.0),
                contact::InputError);
-  EXPECT_THROW(halfspace::spin_moment_about(grid, {}, 0.0, 0.0), contact::InputError);
 }

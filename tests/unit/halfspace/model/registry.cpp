@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include "support/hertz_line.hpp"
 #include <cmath>
 
 namespace {
@@ -152,7 +153,7 @@ TEST(SubsurfaceFields, BelowTheMiddleAreHertzsAxisStress) {
   EXPECT_GT(result.seconds.at("subsurface"), 0.0);
   for (const auto& field : fields)
     for (std::size_t k = 0; k < field.points.size(); ++k) {
-      const auto exact = halfspace::hertz_axis_stress(hertz, 0.3, std::abs(field.points[k][2]));
+      const auto exact = tests::hertz_axis_stress(hertz, 0.3, std::abs(field.points[k][2]));
       EXPECT_NEAR(field.stress[k][0], exact.xx, 2e-3 * hertz.max_pressure);
       EXPECT_NEAR(field.stress[k][1], exact.yy, 2e-3 * hertz.max_pressure);
       EXPECT_NEAR(field.stress[k][2], exact.zz, 2e-3 * hertz.max_pressure);

@@ -8,10 +8,12 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
+#include "support/cell_state.hpp"
 #include <cmath>
 #include <vector>
 
 using namespace rollfem::halfspace;
+using namespace rollfem::tests;
 using rollfem::contact::InputError;
 
 namespace {
@@ -275,10 +277,8 @@ TEST(CellStress, IncompressibleAndRigidBodiesAreAllowed) {
 }
 
 TEST(CellStress, ImpossibleInputIsRefused) {
-  const LocalLoad load{0.0, 0.0, 1.0};
-  EXPECT_THROW(rectangle_state(0.0, 0.0, -0.1, 1.0, 1.0, load, G, 0.3), InputError);
-  EXPECT_THROW(rectangle_state(0.0, 0.0, 0.1, 0.0, 1.0, load, G, 0.3), InputError);
-  EXPECT_THROW(rectangle_state(0.0, 0.0, 0.1, 1.0, 1.0, load, -G, 0.3), InputError);
-  EXPECT_THROW(rectangle_state(0.0, 0.0, 0.1, 1.0, 1.0, load, G, 0.51), InputError);
-  EXPECT_THROW(point_state(0.0, 0.0, 0.0, load, G, 0.3), InputError);
+  EXPECT_NO_THROW(check_half_space(0.0, G, 0.3));
+  EXPECT_THROW(check_half_space(-0.1, G, 0.3), InputError);
+  EXPECT_THROW(check_half_space(0.1, -G, 0.3), InputError);
+  EXPECT_THROW(check_half_space(0.1, G, 0.51), InputError);
 }

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cell_state.hpp"
 #include <cmath>
 
 using namespace rollfem;
@@ -42,6 +43,11 @@ void expect_same(const SubsurfaceState& found, const SubsurfaceState& expected, 
     EXPECT_NEAR(found.stress.as_array()[i], expected.stress.as_array()[i], tolerance * 900.0);
 }
 
+halfspace::SubsurfaceLayer plane(const LoadedBody& body, const contact::ContactGrid& points,
+                                 double depth, Summation summation = Summation::automatic) {
+  return halfspace::subsurface_box(body, points, {depth}, summation).front();
+}
+
 }  // namespace
 
 TEST(Subsurface, SumIsThatOfItsElements) {
@@ -55,7 +61,7 @@ TEST(Subsurface, SumIsThatOfItsElements) {
     for (int j = 0; j < body.grid.ny; ++j)
       for (int i = 0; i < body.grid.nx; ++i) {
         const int k = body.grid.index(i, j);
-        const halfspace::LocalState one = halfspace::rectangle_state(
+        const halfspace::LocalState one = tests::rectangle_state(
             point.x - body.grid.x(i), point.y - body.grid.y(j), point.depth, body.grid.dx,
             body.grid.dy, {body.traction.x[k], body.traction.y[k], body.traction.n[k]}, G, 0.3);
         for (std::size_t c = 0; c < halfspace::component_count; ++c) sum[c] += one[c];
@@ -102,7 +108,7 @@ TEST(Subsurface, TractionsPassFromOneBodyToTheOther) {
   const LoadedBody wheel = example(Body::wheel);
   const LoadedBody rail = example(Body::rail);
   for (const LoadedBody& body : {wheel, rail}) {
-    const auto layer = halfspace::subsurface_plane(body, body.grid, 0.0);
+    const auto layer = plane(body, body.grid, 0.0);
     for (int k = 0; k < body.grid.size(); ++k) {
       EXPECT_NEAR(layer.zz[k], -body.traction.n[k], 1e-10);
       EXPECT_NEAR(layer.xz[k], -body.traction.x[k], 1e-10);
@@ -115,8 +121,8 @@ TEST(Subsurface, SurfaceDisplacementDifferenceIsTheCompliance) {
   // Independent code: the influence coefficients with the combined constants and the coupling K.
   const LoadedBody wheel = example(Body::wheel);
   const LoadedBody rail = example(Body::rail);
-  const auto upper = halfspace::subsurface_plane(wheel, wheel.grid, 0.0).displacement;
-  const auto lower = halfspace::subsurface_plane(rail, rail.grid, 0.0).displacement;
+  const auto upper = plane(wheel, wheel.grid, 0.0).displacement;
+  const auto lower = plane(rail, rail.grid, 0.0).displacement;
   const halfspace::HalfspaceCompliance compliance(wheel.grid,
                                                   contact::combine(wheel.material, rail.material));
   const contact::SurfaceField u = compliance.apply(wheel.traction);
@@ -133,19 +139,10 @@ TEST(Subsurface, ActionAndReactionBelowBothBodies) {
   for (const Body side : {Body::wheel, Body::rail}) {
     const LoadedBody body = example(side);
     const auto lattice = contact::ContactGrid::centred(175, 101, 0.4, 0.7);
-    const auto layer = halfspace::subsurface_plane(body, lattice, 2.5);
+    const auto layer = plane(body, lattice, 2.5);
     const double force = body.traction.n.sum() * body.grid.element_area();
     EXPECT_NEAR(layer.zz.sum() * lattice.element_area(), -force, 2e-3 * force);
   }
-}
-
-TEST(Subsurface, LineHasBothItsEnds) {
-  const auto points = halfspace::line_of_points({1.0, 2.0, 0.0}, {3.0, -2.0, 4.0}, 5);
-  ASSERT_EQ(points.size(), 5u);
-  EXPECT_EQ(points.front().y, 2.0);
-  EXPECT_EQ(points.back().depth, 4.0);
-  EXPECT_EQ(points[2].x, 2.0);
-  EXPECT_THROW(halfspace::line_of_points({}, {}, 1), contact::InputError);
 }
 
 TEST(Subsurface, NoTractionNoStress) {
@@ -158,8 +155,8 @@ TEST(Subsurface, WrongInputIsRefused) {
   LoadedBody body = example(Body::wheel);
   EXPECT_THROW(halfspace::subsurface_at(body, {{0.0, 0.0, -1.0}}), contact::InputError);
   const auto other = contact::ContactGrid::centred(5, 5, 0.2, 0.7);
-  EXPECT_THROW(halfspace::subsurface_plane(body, other, 1.0, Summation::fft), contact::InputError);
-  EXPECT_NO_THROW(halfspace::subsurface_plane(body, other, 1.0));
+  EXPECT_THROW(plane(body, other, 1.0, Summation::fft), contact::InputError);
+  EXPECT_NO_THROW(plane(body, other, 1.0));
   body.traction.x.conservativeResize(3);
   EXPECT_THROW(halfspace::subsurface_at(body, {{0.0, 0.0, 1.0}}), contact::InputError);
   body = example(Body::wheel);

@@ -192,12 +192,4 @@ TEST(Load, EstimateIsCloseToHertzForASphereOnACylinder) {
   EXPECT_NEAR(found[0].normal_force, 10e3, 1e-3);
 }
 
-TEST(Sinking, IsSharedByThePatchesOfAWheel) {
-  WheelRailContact contact;
-  contact.place.contact_angle = std::acos(0.6);
-  contact.place.separation = 0.03;
-  EXPECT_NEAR(contact.approach_at(0.1), 0.03, 1e-15);
-  EXPECT_LT(contact.approach_at(0.04), 0.0);
-}
-
 }  // namespace

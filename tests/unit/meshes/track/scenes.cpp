@@ -104,7 +104,7 @@ TEST(Scenes, RotationChangesMakeACreepCurve) {
     EXPECT_NEAR(curve[k].lateral, (1.0 + change) * std::sin(0.0048), 3e-5);
   }
   Scene free = scenes[0];
-  set_rotation_change(free, -0.002);
+  set_rotation_changes(free, std::vector<double>(3, -0.002));
   for (const auto& creepage : free.input.rolling.creepages)
     EXPECT_EQ(creepage.longitudinal, curve[0].longitudinal);
 }
@@ -128,21 +128,6 @@ TEST(Scenes, PrescribedForceStandsInPlaceOfItsCreepage) {
   const auto creepage = scenes_of(input).at(0).input.rolling.creepages.at(0);
   EXPECT_EQ(creepage.longitudinal, 0.0);
   EXPECT_GT(creepage.lateral, 0.004);
-}
-
-TEST(Scenes, FrictionTakesPartOfTheVerticalForce) {
-  Scene scene = scenes_of(test::manchester_case(0.0, 0.0)).at(0);
-  set_normal_forces(scene, 10e3, {0.0, 300.0, -300.0});
-  const auto& load = scene.input.load;
-  ASSERT_EQ(load.normal_forces.size(), 3u);
-  for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(meshes::vertical_force(*load.normal_force_of(k),
-                                       k == 0   ? 0.0
-                                       : k == 1 ? 300.0
-                                                : -300.0,
-                                       *scene.input.place),
-                10e3, 1e-8);
-  EXPECT_EQ(*load.normal_force, load.normal_forces[2]);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // Persson's conformal contact in closed form against the table of reference/benchmarks.md (which an
 // independent Fourier solution gave) and against its limits.
-#include "halfspace/closed_forms/persson.hpp"
+#include "support/persson.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-using rollfem::halfspace::PerssonContact;
+using rollfem::tests::PerssonContact;
 
 namespace {
 
