@@ -1,5 +1,7 @@
 #include "contact/base/material.hpp"
 
+#include "contact/base/root.hpp"
+
 #include <cmath>
 
 namespace rollfem::contact {
@@ -30,12 +32,8 @@ double rayleigh_speed(const Material& material) {
     return ((e - 8.0) * e + (24.0 - 16.0 * k)) * e - 16.0 * (1.0 - k);
   };
   // Negative at 0, positive at 1, and one root between for nu >= 0.
-  double lower = 0.0, upper = 1.0;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = 0.5 * (lower + upper);
-    (excess(middle) < 0.0 ? lower : upper) = middle;
-  }
-  return std::sqrt(lower * shear_modulus(material) / material.density);
+  const double square = bracketed_root(excess, 0.0, 1.0, 1e-15, "Rayleigh's wave speed");
+  return std::sqrt(square * shear_modulus(material) / material.density);
 }
 
 }  // namespace rollfem::contact

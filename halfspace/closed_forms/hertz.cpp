@@ -1,11 +1,11 @@
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 #include "contact/scene/geometry.hpp"
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -43,10 +43,7 @@ Shape shape_of(double A, double B) {
   double high = wanted * 2.0 / 3.0 + 0.5;
   for (double step = 0.5; f(low) > 0.0; step *= 2.0) low -= step;
   for (double step = 0.5; f(high) < 0.0; step *= 2.0) high += step;
-  std::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-      f, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
-  const double k = std::exp(0.5 * (bracket.first + bracket.second));
+  const double k = std::exp(contact::bracketed_root(f, low, high, 0.0, "Hertz's ellipse"));
   return {k, ellint_rd(0.0, k * k, 1.0), ellint_rf(0.0, k * k, 1.0)};
 }
 

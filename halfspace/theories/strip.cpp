@@ -1,6 +1,7 @@
 #include "halfspace/theories/strip.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 
 #include <fmt/format.h>
 
@@ -87,15 +88,10 @@ StripNormalSolution find_penetration(const StripProfile& profile, double contact
                     "profiles that "
                     "are wider than the contact",
                     quantity, target));
-  double lower = 0.0;
-  double upper = available;
-  StripNormalSolution solution;
-  // Halving to the last digit: the force jumps where two patches become one.
-  for (int k = 0; k < 200 && upper - lower > 4e-16 * upper; ++k) {
-    const double middle = 0.5 * (lower + upper);
-    (value(solve(middle)) < target ? lower : upper) = middle;
-  }
-  solution = solve(upper);
+  // To the last digit: the force jumps where two patches become one.
+  const StripNormalSolution solution =
+      solve(contact::bracketed_root([&](double g) { return value(solve(g)) / target - 1.0; }, 0.0,
+                                    available, 0.0, "strip model: penetration"));
   const double error = std::abs(value(solution) / target - 1.0);
   if (error > 1e-6)
     throw contact::SolveError(

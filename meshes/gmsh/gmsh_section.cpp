@@ -2,6 +2,7 @@
 // in quadrilaterals of twice the size, which gmsh then splits into four (or a left-over triangle
 // into three), so that only quadrilaterals remain.
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 #include "meshes/gmsh/gmsh_session.hpp"
 #include "meshes/gmsh/grading.hpp"
 #include "meshes/gmsh/segment_mesh.hpp"
@@ -26,14 +27,10 @@ struct ProfileNodes {
   std::size_t fine = 0;  ///< the block ends at y[fine]
 };
 
-/// The next node at the distance `step` along the profile, by bisection.
+/// The next node at the distance `step` along the profile.
 double next_node(const std::function<double(double)>& drop, double y, double step) {
-  double lower = y, upper = y + step;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (lower + upper);
-    (std::hypot(middle - y, drop(middle) - drop(y)) < step ? lower : upper) = middle;
-  }
-  return upper;
+  const auto beyond = [&](double at) { return std::hypot(at - y, drop(at) - drop(y)) - step; };
+  return contact::bracketed_root(beyond, y, y + step, 1e-15 * step, "nodes of the section");
 }
 
 ProfileNodes profile_nodes(const SectionOptions& options) {

@@ -37,7 +37,8 @@ bool usable(const ProfilePoint& point, double steepest) {
   return point.tangent_y > 0.0 && std::abs(point.tangent_z) <= steepest * point.tangent_y;
 }
 
-/// Where between `good` (usable) and `bad` (not) the curve gets too steep.
+/// Where between `good` (usable) and `bad` (not) the curve gets too steep. By halving: it is a
+/// property that ends there, not a value that vanishes, and the usable side of it is wanted.
 double steep_place(const ProfileCurve& curve, double good, double bad, double steepest) {
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (good + bad);

@@ -1,11 +1,15 @@
 #include "meshes/profiles/profile_features.hpp"
 
+#include "contact/base/root.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace rollfem::meshes {
 
 namespace {
+
+constexpr double last_digits = 1e-13;  // mm along a profile
 
 /// Length of a piece by Simpson's rule on the speed of the parameter, which is close to 1.
 double length_of(const ProfileKnots& knots, std::size_t k) {
@@ -28,15 +32,12 @@ ProfilePoint before(const ProfileCurve& curve, std::size_t k) {
 /// Place of the extreme height that the knot is nearest to.
 ProfilePoint extreme(const ProfileCurve& curve, std::size_t knot) {
   const auto& p = curve.knots().parameter;
-  double low = p[knot > 0 ? knot - 1 : 0];
-  double high = p[std::min(knot + 1, p.size() - 1)];
+  const double low = p[knot > 0 ? knot - 1 : 0];
+  const double high = p[std::min(knot + 1, p.size() - 1)];
   const bool rising = curve.at(low).tangent_z > 0.0;
   if (rising == (curve.at(high).tangent_z > 0.0)) return curve.at(p[knot]);
-  for (int step = 0; step < 60; ++step) {
-    const double middle = 0.5 * (low + high);
-    ((curve.at(middle).tangent_z > 0.0) == rising ? low : high) = middle;
-  }
-  return curve.at(0.5 * (low + high));
+  return curve.at(contact::bracketed_root([&](double at) { return curve.at(at).tangent_z; }, low,
+                                          high, last_digits, "extreme height of the profile"));
 }
 
 /// y where z passes a height, going from the place `from` to smaller parameters.
@@ -44,13 +45,11 @@ std::optional<double> face(const ProfileCurve& curve, std::size_t from, double h
   const ProfileKnots& knots = curve.knots();
   for (std::size_t k = from; k > 0; --k) {
     if ((knots.z[k] - height) * (knots.z[k - 1] - height) > 0.0) continue;
-    double near = knots.parameter[k], far = knots.parameter[k - 1];
-    const bool below = knots.z[k] < height;
-    for (int step = 0; step < 60; ++step) {
-      const double middle = 0.5 * (near + far);
-      ((curve.at(middle).z < height) == below ? near : far) = middle;
-    }
-    return curve.at(near).y;
+    const auto above = [&](double at) { return curve.at(at).z - height; };
+    return curve
+        .at(contact::bracketed_root(above, knots.parameter[k - 1], knots.parameter[k], last_digits,
+                                    "face of the profile"))
+        .y;
   }
   return {};
 }

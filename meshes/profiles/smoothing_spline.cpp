@@ -1,5 +1,6 @@
 #include "meshes/profiles/smoothing_spline.hpp"
 
+#include "contact/base/root.hpp"
 #include "meshes/profiles/curvature_smoothing.hpp"
 
 #include <algorithm>
@@ -124,14 +125,14 @@ double rms_distance(const std::array<Fit, 2>& fit, const Values& y, const Values
 
 /// Lambda at which the rms distance, which rises with it, is the tolerance.
 double lambda_for(const Smoother& smoother, const Values& y, const Values& z, double tolerance) {
-  double low = -40.0, high = 60.0;  // natural logarithms
-  if (rms_distance(smoother.fit(y, z, std::exp(high)), y, z) < tolerance)
+  constexpr double low = -40.0, high = 60.0;  // natural logarithms
+  const auto excess = [&](double log_lambda) {
+    return rms_distance(smoother.fit(y, z, std::exp(log_lambda)), y, z) - tolerance;
+  };
+  if (excess(high) < 0.0)
     throw std::invalid_argument("the smoothing tolerance is larger than the profile is curved");
-  while (high - low > 1e-3) {
-    const double middle = 0.5 * (low + high);
-    (rms_distance(smoother.fit(y, z, std::exp(middle)), y, z) < tolerance ? low : high) = middle;
-  }
-  return std::exp(0.5 * (low + high));
+  if (excess(low) >= 0.0) return std::exp(low);
+  return std::exp(contact::bracketed_root(excess, low, high, 1e-6, "smoothing of the profile"));
 }
 
 /// Radius of curvature of the first pass, as the rms curvature within a window says, mm.

@@ -1,5 +1,7 @@
 #include "meshes/track/load_estimate.hpp"
 
+#include "contact/base/root.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,15 +76,12 @@ double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stre
     return sum;
   };
   double lower = 0.0, upper = 0.01;
-  for (int step = 0; step < 30 && carried(least + upper) < vertical; ++step) {
+  const auto excess = [&](double approach) { return carried(least + approach) - vertical; };
+  for (int step = 0; step < 30 && excess(upper) < 0.0; ++step) {
     lower = upper;
     upper *= 2.0;
   }
-  for (int step = 0; step < 25; ++step) {
-    const double middle = 0.5 * (lower + upper);
-    (carried(least + middle) < vertical ? lower : upper) = middle;
-  }
-  return least + 0.5 * (lower + upper);
+  return least + contact::bracketed_root(excess, lower, upper, 1e-12, "estimate of the sinking");
 }
 
 }  // namespace rollfem::meshes

@@ -1,7 +1,9 @@
 #include "meshes/track/placement.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 
+#include <boost/math/tools/minima.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,35 +30,18 @@ std::vector<double> samples(const ProfileCurve& curve) {
   return result;
 }
 
-/// Smallest value of `value(t)` between `lower` and `upper`, which enclose one minimum: golden
-/// section.
-template <class Value>
-double smallest_between(double lower, double upper, const Value& value) {
-  const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
-  double a = upper - ratio * (upper - lower), b = lower + ratio * (upper - lower);
-  double at_a = value(a), at_b = value(b);
-  for (int step = 0; step < 80 && upper - lower > 1e-12 * (1.0 + std::abs(lower)); ++step) {
-    if (at_a < at_b) {
-      upper = b, b = a, at_b = at_a;
-      a = upper - ratio * (upper - lower);
-      at_a = value(a);
-    } else {
-      lower = a, a = b, at_a = at_b;
-      b = lower + ratio * (upper - lower);
-      at_b = value(b);
-    }
-  }
-  return std::min(at_a, at_b);
-}
-
+/// Smallest value, of those at the places `at` and beside the least of them.
 template <class Value>
 double smallest(const std::vector<double>& at, const Value& value) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < at.size(); ++k)
     if (value(at[k]) < least) least = value(at[k]), best = k;
-  return std::min(least, smallest_between(at[best > 0 ? best - 1 : 0],
-                                          at[std::min(best + 1, at.size() - 1)], value));
+  // Half the digits of the place are all of a smooth minimum's value.
+  constexpr int bits = std::numeric_limits<double>::digits / 2;
+  const auto beside = boost::math::tools::brent_find_minima(
+      value, at[best > 0 ? best - 1 : 0], at[std::min(best + 1, at.size() - 1)], bits);
+  return std::min(least, beside.second);
 }
 
 }  // namespace
@@ -88,14 +73,10 @@ RailPlace rail_place(const ProfileCurve& rail, const contact::Track& track) {
   std::size_t first = crown;
   while (first > 0 && turned.at(at[first]).z <= limit) --first;
   // Between `first` and the next the face crosses the gauge height.
-  double below = at[first], above = at[std::min(first + 1, at.size() - 1)];
-  if (turned.at(below).z > limit)
-    for (int step = 0; step < 100; ++step) {
-      const double middle = 0.5 * (below + above);
-      (turned.at(middle).z > limit ? below : above) = middle;
-    }
-  else
-    above = below;
+  const auto depth = [&](double t) { return turned.at(t).z - limit; };
+  double above = at[first];
+  if (depth(above) > 0.0)
+    above = contact::bracketed_root(depth, above, at[first + 1], 1e-13, "gauge of the track");
   std::vector<double> face{above};
   for (std::size_t k = first + 1; k <= crown; ++k)
     if (at[k] > above) face.push_back(at[k]);

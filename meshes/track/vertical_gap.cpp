@@ -1,6 +1,7 @@
 #include "meshes/track/vertical_gap.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,12 @@
 namespace rollfem::meshes {
 
 using contact::CurveValue;
+
+namespace {
+
+constexpr double y_tolerance = 1e-12;  // mm
+
+}  // namespace
 
 double GapMinimum::angle() const {
   return -std::atan(slope);
@@ -58,13 +65,9 @@ std::vector<GapMinimum> VerticalGap::minima() const {
   std::vector<GapMinimum> result;
   for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
     if (!(values_[k].slope < 0.0 && values_[k + 1].slope >= 0.0)) continue;
-    double lower = places_[k], upper = places_[k + 1];
-    for (int step = 0; step < 60 && upper - lower > 1e-12 * (1.0 + std::abs(lower)); ++step) {
-      const double middle = 0.5 * (lower + upper);
-      (at(middle).slope < 0.0 ? lower : upper) = middle;
-    }
     GapMinimum minimum;
-    minimum.y = 0.5 * (lower + upper);
+    minimum.y = contact::bracketed_root([&](double y) { return at(y).slope; }, places_[k],
+                                        places_[k + 1], y_tolerance, "smallest gap");
     minimum.gap = at(minimum.y).value;
     minimum.slope = rail_.at(minimum.y).slope;
     result.push_back(minimum);
@@ -111,12 +114,9 @@ std::array<double, 2> VerticalGap::below(double limit, double y, double lower, d
         inside = place;
         continue;
       }
-      double outside = place;
-      for (int step = 0; step < 40; ++step) {
-        const double middle = 0.5 * (inside + outside);
-        (at(middle).value < limit ? inside : outside) = middle;
-      }
-      return 0.5 * (inside + outside);
+      const auto excess = [&](double y_at) { return at(y_at).value - limit; };
+      if (!(excess(inside) < 0.0)) return inside;
+      return contact::bracketed_root(excess, inside, place, y_tolerance, "end of the overlap");
     }
     return up ? upper : lower;
   };

@@ -1,6 +1,7 @@
 #include "meshes/track/wheelset_pose.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 
 #include <fmt/format.h>
 
@@ -59,7 +60,7 @@ WheelsetPose asked_pose(const Case& input, int position) {
 }
 
 /// Roll at which both wheels touch at one height: what the left one can sink less what the right
-/// one can rises with roll, by twice the distance of the rails per radian. Illinois method.
+/// one can rises with roll, by twice the distance of the rails per radian.
 double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
   const auto difference = [&](double roll) {
     pose.roll = roll;
@@ -83,23 +84,7 @@ double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose p
           where(input, position, true), largest_roll));
     at_b = difference(b);
   }
-  int kept = 0;
-  for (int step = 0; step < 60 && std::abs(b - a) > 1e-13; ++step) {
-    const double c = (a * at_b - b * at_a) / (at_b - at_a);
-    const double at_c = difference(c);
-    if (at_c == 0.0) return c;
-    if ((at_c < 0.0) == (at_b < 0.0)) {
-      b = c, at_b = at_c;
-      if (kept == 1) at_a *= 0.5;
-      kept = 1;
-    } else {
-      a = c, at_a = at_c;
-      if (kept == -1) at_b *= 0.5;
-      kept = -1;
-    }
-    if (std::abs(at_c) < 1e-10) return c;
-  }
-  return 0.5 * (a + b);
+  return contact::bracketed_root(difference, a, b, 1e-13, "roll of the wheelset");
 }
 
 }  // namespace

@@ -173,6 +173,7 @@ double BodySampler::surface(double x, double y, double inner, double outer) cons
     throw contact::InputError(fmt::format(
         "the surface of the {} is not between z = {:g} and {:g} mm at x = {:g}, y = {:g} mm",
         body_.name, inner, outer, x, y));
+  // By halving: a place is in the body or not, and no value says how far.
   for (int step = 0; step < 40; ++step) {
     const double middle = 0.5 * (inner + outer);
     (inside({x, y, middle}) ? inner : outer) = middle;

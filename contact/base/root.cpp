@@ -1,0 +1,47 @@
+#include "contact/base/root.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace rollfem::contact {
+
+double bracketed_root(const std::function<double(double)>& f, double a, double b, double tolerance,
+                      const char* what) {
+  const auto value = [&](double at) {
+    const double found = f(at);
+    if (!std::isfinite(found))
+      throw SolveError(fmt::format("{}: the function is {} at {:.9g}", what, found, at));
+    return found;
+  };
+  if (b < a) std::swap(a, b);
+  const double at_a = value(a);
+  if (at_a == 0.0) return a;
+  const double at_b = value(b);
+  if (at_b == 0.0) return b;
+  if ((at_a < 0.0) == (at_b < 0.0))
+    throw SolveError(fmt::format("{}: no change of sign between {:.9g} and {:.9g}: {:.3g}, {:.3g}",
+                                 what, a, b, at_a, at_b));
+  const auto close = [tolerance](double lower, double upper) {
+    constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
+    return upper - lower <=
+           std::max(tolerance, digits * std::max(std::abs(lower), std::abs(upper)));
+  };
+  // TOMS 748 halves the bracket every third evaluation at the latest.
+  std::uintmax_t evaluations = 400;
+  const auto bracket =
+      boost::math::tools::toms748_solve(value, a, b, at_a, at_b, close, evaluations);
+  if (!close(bracket.first, bracket.second))
+    throw SolveError(fmt::format("{}: not found between {:.17g} and {:.17g} to {:.1e}", what,
+                                 bracket.first, bracket.second, tolerance));
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+}  // namespace rollfem::contact
