@@ -1,14 +1,16 @@
 #include "app/stress_request.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
 #include "postprocess/stress/shakedown.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 namespace rollfem::app {
 namespace {
@@ -19,24 +21,6 @@ using contact::SubsurfaceRequest;
 constexpr int points_of_line = 101;
 constexpr int points_of_plane = 51;
 constexpr int most_points = 1000000;
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts{""};
-  for (const char c : text) {
-    if (c == separator)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
-template <class Number>
-bool parse(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end;
-}
 
 /// One option of the call, for messages.
 struct Option {
@@ -50,28 +34,30 @@ struct Option {
   }
 };
 
-std::array<double, 3> place(const Option& option, const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
+std::array<double, 3> place(const Option& option, std::string_view text) {
+  const auto parts = contact::parts_of(text, ",");
   std::array<double, 3> values{};
   if (parts.size() != 3) option.refuse(fmt::format("'{}' is not a place x,y,z", text));
-  for (std::size_t c = 0; c < 3; ++c)
-    if (!parse(parts[c], values[c]) || !std::isfinite(values[c]))
-      option.refuse(fmt::format("'{}' is not a number", parts[c]));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::optional<double> value = contact::number_of(parts[c]);
+    if (!value) option.refuse(fmt::format("'{}' is not a number", parts[c]));
+    values[c] = *value;
+  }
   return values;
 }
 
-int count(const Option& option, const std::string& text) {
-  int value = 0;
-  if (!parse(text, value) || value < 2 || value > most_points)
+int count(const Option& option, std::string_view text) {
+  const std::optional<int> value = contact::whole_number_of(text);
+  if (!value || *value < 2 || *value > most_points)
     option.refuse(fmt::format("'{}' is not a number of points from 2 to {}", text, most_points));
-  return value;
+  return *value;
 }
 
 SubsurfaceRequest shape(const Option& option, SubsurfaceRequest::Kind kind,
                         const std::string& text) {
   using Kind = SubsurfaceRequest::Kind;
   const std::size_t corners = kind == Kind::point ? 1 : kind == Kind::line ? 2 : 3;
-  const std::vector<std::string> parts = split(text, ':');
+  const auto parts = contact::parts_of(text, ":");
   const bool counted = kind != Kind::point && parts.size() == corners + 1;
   if (parts.size() != corners && !counted)
     option.refuse(fmt::format("{} places are needed", corners));
@@ -87,7 +73,7 @@ SubsurfaceRequest shape(const Option& option, SubsurfaceRequest::Kind kind,
     request.across = place(option, parts[2]);
     request.points = {points_of_plane, points_of_plane};
     if (counted) {
-      const std::vector<std::string> numbers = split(parts[3], ',');
+      const auto numbers = contact::parts_of(parts[3], ",");
       if (numbers.size() != 2) option.refuse(fmt::format("'{}' is not n,m", parts[3]));
       request.points = {count(option, numbers[0]), count(option, numbers[1])};
       if (static_cast<long>(request.points[0]) * request.points[1] > most_points)

@@ -3,13 +3,13 @@
 #include "app/run.hpp"
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
 #include "contact/case/abilities.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <optional>
 
 namespace rollfem::app {
 
@@ -98,11 +98,9 @@ void read_number(const std::string& word, std::vector<StudyPlace>& places) {
   const auto known = quantities_of(*meant);
   if (std::find(known.begin(), known.end(), key) == known.end())
     refuse_reference(word, "no such quantity in this case", places);
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str() + at + 1, &end);
-  if (end == word.c_str() + at + 1 || *end != '\0' || !std::isfinite(value))
-    refuse_reference(word, "the value is not a number", places);
-  meant->given[key] = value;
+  const std::optional<double> value = contact::number_of(word.substr(at + 1));
+  if (!value) refuse_reference(word, "the value is not a number", places);
+  meant->given[key] = *value;
 }
 
 }  // namespace

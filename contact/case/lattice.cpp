@@ -1,17 +1,19 @@
 #include "contact/case/lattice.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
+#include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <string_view>
 
 namespace rollfem::contact {
 
@@ -35,40 +37,28 @@ struct Row {
                             : fmt::format("{}: {}; do: {}", file, wrong, action));
 }
 
-/// The words of a line without its comment.
-std::vector<std::string> words_of(std::string line) {
-  line.resize(std::min(line.find('#'), line.size()));
-  std::replace_if(
-      line.begin(), line.end(),
-      [](char c) { return c == ',' || c == ';' || c == '\t' || c == '\r'; }, ' ');
-  std::vector<std::string> words;
-  for (std::size_t begin = line.find_first_not_of(' '); begin != std::string::npos;) {
-    const std::size_t end = std::min(line.find(' ', begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(' ', end);
-  }
-  return words;
+/// A coordinate or value that makes sense.
+std::optional<double> number_in(std::string_view field) {
+  const std::optional<double> value = number_of(field);
+  return value && std::abs(*value) < 1e12 ? value : std::nullopt;
 }
 
-bool to_number(const std::string& word, double& value) {
-  char* end = nullptr;
-  value = std::strtod(word.c_str(), &end);
-  return end == word.c_str() + word.size() && std::isfinite(value) && std::abs(value) < 1e12;
-}
-
-Row row_of(const std::vector<std::string>& words, const std::string& file, std::size_t line,
+Row row_of(const std::vector<std::string_view>& fields, const std::string& file, std::size_t line,
            int columns) {
   const std::size_t expected = 2 + static_cast<std::size_t>(columns);
-  if (words.size() != expected)
+  if (fields.size() != expected)
     fail_at(file, line,
-            fmt::format("has {} numbers, not {}: x, y and {} value{}", words.size(), expected,
+            fmt::format("has {} numbers, not {}: x, y and {} value{}", fields.size(), expected,
                         columns, columns == 1 ? "" : "s"),
             "write one point on each line");
   std::vector<double> numbers(expected);
-  for (std::size_t k = 0; k < expected; ++k)
-    if (!to_number(words[k], numbers[k]))
-      fail_at(file, line, fmt::format("'{}' is not a finite number", words[k].substr(0, 40)),
+  for (std::size_t k = 0; k < expected; ++k) {
+    const std::optional<double> number = number_in(fields[k]);
+    if (!number)
+      fail_at(file, line, fmt::format("'{}' is not a finite number", printable(fields[k])),
               "correct this line; lengths are in mm");
+    numbers[k] = *number;
+  }
   return {numbers[0], numbers[1], {numbers.begin() + 2, numbers.end()}, line};
 }
 
@@ -83,17 +73,16 @@ std::vector<Row> rows_of(const std::string& path, const std::string& shown, int 
   std::size_t line = 0;
   while (std::getline(stream, text)) {
     ++line;
-    const std::vector<std::string> words = words_of(text);
-    if (words.empty()) continue;
-    double first = 0.0;
+    const auto fields = fields_of(without_comment(text, "#"), " ,;\t\r");
+    if (fields.empty()) continue;
     // A line of names may head the table.
-    const bool heading = rows.empty() && !to_number(words.front(), first) &&
-                         std::isalpha(static_cast<unsigned char>(words.front().front())) != 0;
+    const bool heading = rows.empty() && !number_in(fields.front()) &&
+                         std::isalpha(static_cast<unsigned char>(fields.front().front())) != 0;
     if (heading && line < 20) continue;
     if (rows.size() >= most_points)
       fail_at(shown, line, fmt::format("has more than {} points", most_points),
               "give a coarser lattice");
-    rows.push_back(row_of(words, shown, line, columns));
+    rows.push_back(row_of(fields, shown, line, columns));
   }
   if (stream.bad()) fail_at(shown, 0, "cannot be read", "check the permissions of the file");
   if (rows.empty()) fail_at(shown, 0, "has no points", "write lines of x, y and values");

@@ -1,6 +1,7 @@
 #include "fem/solver/memory.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
 #include "fem/solver/factorisation.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace rollfem::fem {
@@ -140,12 +142,11 @@ double available_bytes(const std::string& proc, const std::string& cgroup) {
 
 double available_bytes() {
   if (const char* text = std::getenv("ROLLFEM_MEMORY_GB")) {
-    char* end = nullptr;
-    const double value = std::strtod(text, &end);
-    if (end == text || *end != '\0' || !(value > 0.0))
+    const std::optional<double> value = contact::number_of(text);
+    if (!value || !(*value > 0.0))
       throw contact::InputError(fmt::format(
           "ROLLFEM_MEMORY_GB = {}: allowed: a number of GB above 0; do: change or unset it", text));
-    return value * gigabyte;
+    return *value * gigabyte;
   }
   return available_bytes("/proc", "/sys/fs/cgroup");
 }

@@ -1,6 +1,7 @@
-// Reading of profile files. Separators are white space, comma or semicolon; with semicolons a comma
-// is a decimal point.
+// Reading of profile files. Separators are blanks, comma or semicolon; with semicolons a comma is a
+// decimal point.
 #include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
 #include "meshes/profiles/profile_points.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -19,6 +19,8 @@ namespace rollfem::meshes {
 namespace {
 
 using contact::InputError;
+using contact::TextLines;
+using contact::trimmed;
 
 /// Numbers of a line that count; columns beyond are not read.
 constexpr std::size_t most_columns = 16;
@@ -29,44 +31,13 @@ struct Row {
   std::string wrong;  ///< the first field that is no number
 };
 
-bool is_separator(char c, bool semicolons) {
-  return c == ' ' || c == '\t' || c == ';' || (c == ',' && !semicolons);
-}
-
-std::string printable(std::string_view text) {
-  std::string result(text.substr(0, 40));
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
-  return result;
-}
-
-std::optional<double> number(std::string_view field, bool decimal_comma) {
-  std::string copy;
-  if (decimal_comma && field.find(',') != std::string_view::npos) {
-    copy = field;
-    std::replace(copy.begin(), copy.end(), ',', '.');
-    field = copy;
-  }
-  if (!field.empty() && field.front() == '+') field.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
-    return {};
-  return value;
-}
-
 Row numbers(std::string_view text) {
   Row row;
   const bool semicolons = text.find(';') != std::string_view::npos;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    while (at < text.size() && is_separator(text[at], semicolons)) ++at;
-    const std::size_t begin = at;
-    while (at < text.size() && !is_separator(text[at], semicolons)) ++at;
-    if (at == begin) break;
-    const auto value = number(text.substr(begin, at - begin), semicolons);
+  for (const std::string_view field : contact::fields_of(text, semicolons ? " \t;" : " \t,")) {
+    const std::optional<double> value = contact::number_of(field, semicolons);
     if (!value) {
-      row.wrong = printable(text.substr(begin, at - begin));
+      row.wrong = contact::printable(field);
       return row;
     }
     if (row.count < most_columns) row.values[row.count++] = *value;
@@ -74,40 +45,24 @@ Row numbers(std::string_view text) {
   return row;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-/// Hands every line to `use` (text, number); it says whether to go on.
-template <class Use>
-void each_line(std::string_view text, const Use& use) {
-  unsigned line = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (!use(trimmed(text.substr(begin, end - begin)), ++line)) return;
-    begin = end + 1;
-  }
-}
-
-void add(ProfilePoints& points, double y, double z, unsigned line) {
+void add(ProfilePoints& points, double y, double z, const TextLines& at) {
   points.y.push_back(y);
   points.z.push_back(z);
-  points.line.push_back(line);
+  points.line.push_back(static_cast<unsigned>(at.number()));
 }
 
-[[noreturn]] void not_numbers(const std::string& file, unsigned line, const std::string& field) {
+[[noreturn]] void not_numbers(const std::string& file, const TextLines& at,
+                              const std::string& field) {
   throw InputError(fmt::format(
       "{}:{}: `{}` is no number; allowed: lines of two numbers, y and z; do: correct the line, or "
       "put # before it if it is a comment",
-      file, line, field));
+      file, at.number(), field));
 }
 
-[[noreturn]] void too_few_numbers(const std::string& file, unsigned line) {
-  throw InputError(fmt::format(
-      "{}:{}: has one number; allowed: two columns, y and z; do: complete the line", file, line));
+[[noreturn]] void too_few_numbers(const std::string& file, const TextLines& at) {
+  throw InputError(
+      fmt::format("{}:{}: has one number; allowed: two columns, y and z; do: complete the line",
+                  file, at.number()));
 }
 
 bool is_comment(std::string_view text) {
@@ -120,11 +75,8 @@ std::optional<std::array<std::size_t, 2>> named_columns(std::string_view header)
   std::array<std::size_t, 2> found{most_columns, most_columns};
   const bool listed = header.find_first_of(",;\t") != std::string_view::npos;
   std::size_t column = 0;
-  for (std::size_t begin = 0; begin <= header.size();) {
-    const std::size_t end =
-        std::min(header.find_first_of(listed ? ",;\t" : " ", begin), header.size());
-    const std::string_view field = trimmed(header.substr(begin, end - begin));
-    begin = end + 1;
+  for (const std::string_view part : contact::parts_of(header, listed ? ",;\t" : " ")) {
+    const std::string_view field = trimmed(part);
     // Between blanks, units stand on their own.
     if (!listed && (field.empty() || field.front() == '[' || field.front() == '(')) continue;
     const std::string_view name = field.substr(0, field.find_first_of(" [(_/"));
@@ -140,27 +92,26 @@ ProfilePoints read_columns(std::string_view text, const std::string& name) {
   ProfilePoints points;
   std::optional<std::array<std::size_t, 2>> columns;
   bool header_possible = true;
-  each_line(text, [&](std::string_view line, unsigned number_of_line) {
-    if (is_comment(line)) return true;
-    const Row row = numbers(line);
+  for (TextLines lines(text); lines.next();) {
+    if (is_comment(lines.line())) continue;
+    const Row row = numbers(lines.line());
     if (!row.wrong.empty()) {
-      if (!header_possible) not_numbers(name, number_of_line, row.wrong);
+      if (!header_possible) not_numbers(name, lines, row.wrong);
       header_possible = false;
-      columns = named_columns(line);
-      return true;
+      columns = named_columns(lines.line());
+      continue;
     }
     header_possible = false;
-    if (row.count < 2) too_few_numbers(name, number_of_line);
+    if (row.count < 2) too_few_numbers(name, lines);
     if (row.count > 2 && !columns)
       throw InputError(fmt::format(
           "{}:{}: has {} numbers; allowed: two columns, y and z, or a first line that names the "
           "columns; do: put a line such as `s, y, z` before the numbers",
-          name, number_of_line, row.count));
+          name, lines.number(), row.count));
     const auto use = columns.value_or(std::array<std::size_t, 2>{0, 1});
-    if (std::max(use[0], use[1]) >= row.count) too_few_numbers(name, number_of_line);
-    add(points, row.values[use[0]], row.values[use[1]], number_of_line);
-    return true;
-  });
+    if (std::max(use[0], use[1]) >= row.count) too_few_numbers(name, lines);
+    add(points, row.values[use[0]], row.values[use[1]], lines);
+  }
   return points;
 }
 
@@ -170,7 +121,7 @@ bool key_and_value(std::string_view line, std::string& key, std::string& value) 
   if (equals == std::string_view::npos) return false;
   key = trimmed(line.substr(0, equals));
   std::string_view rest = line.substr(equals + 1);
-  value = trimmed(rest.substr(0, rest.find('!')));
+  value = trimmed(contact::without_comment(rest, "!"));
   return true;
 }
 
@@ -220,7 +171,9 @@ ProfilePoints processed(const ProfilePoints& listed, const SimpackData& data) {
     if (data.z_min < data.z_max && (z < data.z_min || z > data.z_max)) continue;
     if (data.mirror_y == 1.0) y = -y;
     if (data.mirror_z == 1.0) z = -z;
-    add(result, to_mm * y, to_mm * z, listed.line[k]);
+    result.y.push_back(to_mm * y);
+    result.z.push_back(to_mm * z);
+    result.line.push_back(listed.line[k]);
   }
   return result;
 }
@@ -230,8 +183,9 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
   SimpackData data;
   enum class Place { outside, header, spline, points } place = Place::outside;
   bool seen = false;
-  each_line(text, [&](std::string_view line, unsigned number_of_line) {
-    if (line.empty() || line.front() == '!') return true;
+  for (TextLines lines(text); lines.next();) {
+    const std::string_view line = lines.line();
+    if (line.empty() || line.front() == '!') continue;
     if (line == "header.begin")
       place = Place::header;
     else if (line == "spline.begin")
@@ -243,20 +197,19 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
     else if (line == "header.end" || line == "spline.end")
       place = Place::outside;
     else if (place == Place::points) {
-      const Row row = numbers(trimmed(line.substr(0, line.find('!'))));
-      if (!row.wrong.empty()) not_numbers(name, number_of_line, row.wrong);
-      if (row.count < 2) too_few_numbers(name, number_of_line);
-      add(listed, row.values[0], row.values[1], number_of_line);
+      const Row row = numbers(contact::without_comment(line, "!"));
+      if (!row.wrong.empty()) not_numbers(name, lines, row.wrong);
+      if (row.count < 2) too_few_numbers(name, lines);
+      add(listed, row.values[0], row.values[1], lines);
     } else if (std::string key, value; key_and_value(line, key, value)) {
       double* member = simpack_member(data, key, place == Place::header);
-      if (member == nullptr) return true;
-      const auto given = number(value, false);
+      if (member == nullptr) continue;
+      const auto given = contact::number_of(value);
       const bool factor = member == &data.length_factor || member == &data.angle_factor;
-      if (!given || (factor && *given <= 0.0)) not_numbers(name, number_of_line, value);
+      if (!given || (factor && *given <= 0.0)) not_numbers(name, lines, value);
       *member = *given;
     }
-    return true;
-  });
+  }
   if (!seen)
     throw InputError(fmt::format(
         "{}: has no section point.begin ... point.end; allowed: a SIMPACK profile; do: check the "
@@ -275,29 +228,27 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
 ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
   ProfilePoints points;
   std::array<std::size_t, 2> columns{0, 1};
-  each_line(text, [&](std::string_view line, unsigned number_of_line) {
-    if (is_comment(line)) return true;
+  for (TextLines lines(text); lines.next();) {
+    if (is_comment(lines.line())) continue;
     std::string key, value;
-    if (key_and_value(line, key, value)) {
-      if (key != "ColumnDef") return true;
-      std::istringstream fields(value);
-      std::size_t column = 0;
-      for (std::string field; std::getline(fields, field, ','); ++column) {
-        if (trimmed(field) == "X") columns[0] = column;
-        if (trimmed(field) == "Y") columns[1] = column;
+    if (key_and_value(lines.line(), key, value)) {
+      if (key != "ColumnDef") continue;
+      const auto names = contact::parts_of(value, ",");
+      for (std::size_t column = 0; column < names.size(); ++column) {
+        if (trimmed(names[column]) == "X") columns[0] = column;
+        if (trimmed(names[column]) == "Y") columns[1] = column;
       }
-      return true;
+      continue;
     }
-    const Row row = numbers(line);
+    const Row row = numbers(lines.line());
     if (!row.wrong.empty()) {
       // Plain words stand in the header of old files only.
-      if (points.y.empty()) return true;
-      not_numbers(name, number_of_line, row.wrong);
+      if (points.y.empty()) continue;
+      not_numbers(name, lines, row.wrong);
     }
-    if (std::max(columns[0], columns[1]) >= row.count) too_few_numbers(name, number_of_line);
-    add(points, row.values[columns[0]], row.values[columns[1]], number_of_line);
-    return true;
-  });
+    if (std::max(columns[0], columns[1]) >= row.count) too_few_numbers(name, lines);
+    add(points, row.values[columns[0]], row.values[columns[1]], lines);
+  }
   points.any_direction = true;
   return points;
 }

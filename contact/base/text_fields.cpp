@@ -1,0 +1,87 @@
+#include "contact/base/text_fields.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// The whole field as from_chars reads it, which knows no plus sign.
+template <class Number>
+std::optional<Number> parsed(std::string_view field) {
+  if (field.size() > 1 && field.front() == '+' && field[1] != '-') field.remove_prefix(1);
+  Number value{};
+  const char* const end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  if (error != std::errc() || stop != end) return {};
+  return value;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+std::string_view without_comment(std::string_view line, std::string_view marks) {
+  return line.substr(0, line.find_first_of(marks));
+}
+
+bool TextLines::next() {
+  if (rest_.empty()) return false;
+  const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+  line_ = trimmed(rest_.substr(0, end));
+  rest_.remove_prefix(std::min(end + 1, rest_.size()));
+  ++number_;
+  return true;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, std::string_view separators) {
+  std::vector<std::string_view> fields;
+  fields.reserve(8);
+  for (std::size_t begin = line.find_first_not_of(separators); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+    fields.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(separators, end);
+  }
+  return fields;
+}
+
+std::vector<std::string_view> parts_of(std::string_view line, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = line.find_first_of(separators, begin);
+    parts.push_back(line.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+std::optional<double> number_of(std::string_view field, bool decimal_comma) {
+  std::string copy;
+  if (decimal_comma && field.find(',') != std::string_view::npos) {
+    copy = field;
+    std::replace(copy.begin(), copy.end(), ',', '.');
+    field = copy;
+  }
+  const std::optional<double> value = parsed<double>(field);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<int> whole_number_of(std::string_view field) {
+  return parsed<int>(field);
+}
+
+std::string printable(std::string_view field) {
+  std::string result(field.substr(0, 40));
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+  return result;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,47 @@
+// Delimited text: its lines, their fields and the numbers in them, the same in every locale.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// Without blanks and carriage returns at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// What stands before a comment, which one of `marks` begins.
+std::string_view without_comment(std::string_view line, std::string_view marks);
+
+/// The lines of a text, trimmed: for (TextLines lines(text); lines.next();) ...
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : rest_(text) {}
+  /// Goes on to the next line; false after the last.
+  bool next();
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }  ///< from 1
+
+ private:
+  std::string_view rest_, line_;
+  std::size_t number_ = 0;
+};
+
+/// Fields of a line, views into it. Several separators in a row count as one, and those at the ends
+/// as none.
+std::vector<std::string_view> fields_of(std::string_view line, std::string_view separators);
+
+/// Parts between one separator and the next, which may be empty: "1,,2" has three.
+std::vector<std::string_view> parts_of(std::string_view line, std::string_view separators);
+
+/// The finite decimal number that all of a field is, or none. `decimal_comma`: a comma stands for
+/// the point.
+std::optional<double> number_of(std::string_view field, bool decimal_comma = false);
+std::optional<int> whole_number_of(std::string_view field);
+
+/// A field for a message: at most 40 characters, ? in place of what cannot be printed.
+std::string printable(std::string_view field);
+
+}  // namespace rollfem::contact
