@@ -1,13 +1,11 @@
 #include "fem/solver/coarse_solver.hpp"
 
-#include "contact/base/errors.hpp"
+#include "fem/solver/cholmod.hpp"
 
 #include <deal.II/base/mpi.h>
-#include <suitesparse/cholmod.h>
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 
 namespace rollfem::fem {
 
@@ -33,89 +31,27 @@ std::vector<MatrixEntry> gather(const std::vector<MatrixEntry>& mine, MPI_Comm c
 
 }  // namespace
 
-struct CoarseSolver::Implementation {
-  cholmod_common common{};
-  cholmod_factor* factor = nullptr;
-  cholmod_dense *right = nullptr, *solution = nullptr, *work1 = nullptr, *work2 = nullptr;
-  std::size_t first = 0;
-  MPI_Comm communicator = MPI_COMM_NULL;
-
-  Implementation() {
-    cholmod_start(&common);
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.print = 0;
-    common.quick_return_if_not_posdef = 1;
-  }
-  ~Implementation() {
-    for (auto* dense : {&right, &solution, &work1, &work2}) cholmod_free_dense(dense, &common);
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
-  }
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
-
-  void factorise(const std::vector<MatrixEntry>& entries, std::size_t size);
-};
-
-void CoarseSolver::Implementation::factorise(const std::vector<MatrixEntry>& entries,
-                                             std::size_t size) {
-  cholmod_triplet* triplets =
-      cholmod_allocate_triplet(size, size, entries.size(), -1, CHOLMOD_REAL, &common);
-  if (triplets == nullptr) throw contact::SolveError("coarse solve: out of memory");
-  auto* row = static_cast<int*>(triplets->i);
-  auto* column = static_cast<int*>(triplets->j);
-  auto* value = static_cast<double*>(triplets->x);
-  for (const auto& entry : entries) {
-    *row++ = static_cast<int>(entry.row);
-    *column++ = static_cast<int>(entry.column);
-    *value++ = entry.value;
-  }
-  triplets->nnz = entries.size();
-  cholmod_sparse* matrix = cholmod_triplet_to_sparse(triplets, entries.size(), &common);
-  cholmod_free_triplet(&triplets, &common);
-  if (matrix != nullptr) {
-    factor = cholmod_analyze(matrix, &common);
-    if (factor != nullptr) cholmod_factorize(matrix, factor, &common);
-    cholmod_free_sparse(&matrix, &common);
-  }
-  if (common.status == CHOLMOD_NOT_POSDEF)
-    throw contact::SolveError(
-        "coarse solve: the stiffness is not positive definite; is a boundary clamped?");
-  if (common.status < CHOLMOD_OK || factor == nullptr)
-    throw contact::SolveError("coarse solve: factorisation of " + std::to_string(size) +
-                              " unknowns failed (CHOLMOD status " + std::to_string(common.status) +
-                              "); make the coarse mesh smaller");
-  right = cholmod_zeros(size, 1, CHOLMOD_REAL, &common);
-}
-
 CoarseSolver::CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t size,
                            std::size_t first, MPI_Comm communicator)
-    : implementation_(std::make_unique<Implementation>()) {
-  implementation_->first = first;
-  implementation_->communicator = communicator;
-  implementation_->factorise(gather(entries, communicator), size);
-}
-
-CoarseSolver::~CoarseSolver() = default;
+    : factor_(gather(entries, communicator), size,
+              {"coarse solve of the multigrid", "use a coarser fem.cell_size"}),
+      right_(size),
+      first_(first),
+      communicator_(communicator) {}
 
 void CoarseSolver::solve(VectorType& x, const VectorType& b) const {
-  auto& it = *implementation_;
-  auto* right = static_cast<double*>(it.right->x);
-  const int size = static_cast<int>(it.right->nrow);
-  std::fill_n(right, size, 0.0);
-  std::copy(b.begin(), b.end(), right + it.first);
-  if (dealii::Utilities::MPI::n_mpi_processes(it.communicator) > 1)
-    MPI_Allreduce(MPI_IN_PLACE, right, size, MPI_DOUBLE, MPI_SUM, it.communicator);
-  const int done = cholmod_solve2(CHOLMOD_A, it.factor, it.right, nullptr, &it.solution, nullptr,
-                                  &it.work1, &it.work2, &it.common);
-  if (done == 0) throw contact::SolveError("coarse solve: CHOLMOD failed");
-  const auto* solution = static_cast<const double*>(it.solution->x) + it.first;
+  std::fill(right_.begin(), right_.end(), 0.0);
+  std::copy(b.begin(), b.end(), right_.begin() + static_cast<std::ptrdiff_t>(first_));
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
+    MPI_Allreduce(MPI_IN_PLACE, right_.data(), static_cast<int>(right_.size()), MPI_DOUBLE, MPI_SUM,
+                  communicator_);
+  const double* const solution = factor_.solve(right_) + first_;
   std::transform(solution, solution + x.locally_owned_size(), x.begin(),
                  [](double value) { return static_cast<float>(value); });
 }
 
 double CoarseSolver::memory_bytes() const {
-  return static_cast<double>(implementation_->common.memory_inuse);
+  return factor_.memory_bytes() + static_cast<double>(right_.size() * sizeof(double));
 }
 
 }  // namespace rollfem::fem

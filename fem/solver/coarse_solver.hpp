@@ -2,10 +2,10 @@
 // because iterations fail on the stretched cells of a graded coarse mesh.
 #pragma once
 
+#include "fem/solver/cholmod.hpp"
 #include "fem/solver/elasticity_operator.hpp"
 
 #include <cstddef>
-#include <memory>
 #include <mpi.h>
 #include <vector>
 
@@ -18,9 +18,6 @@ class CoarseSolver {
   /// when the matrix is not positive definite (nothing holds the body) or memory runs out.
   CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t size, std::size_t first,
                MPI_Comm communicator);
-  ~CoarseSolver();
-  CoarseSolver(const CoarseSolver&) = delete;
-  CoarseSolver& operator=(const CoarseSolver&) = delete;
 
   using VectorType = dealii::LinearAlgebra::distributed::Vector<float>;
   /// x = K^-1 b in owned entries, collective.
@@ -28,8 +25,10 @@ class CoarseSolver {
   double memory_bytes() const;
 
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  CholeskyFactor factor_;
+  mutable std::vector<double> right_;
+  std::size_t first_;
+  MPI_Comm communicator_;
 };
 
 }  // namespace rollfem::fem

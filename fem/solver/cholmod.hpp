@@ -1,0 +1,40 @@
+// Sparse Cholesky factors by CHOLMOD: supernodal, ordered by METIS' nested dissection.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rollfem::fem {
+
+struct MatrixEntry;
+struct SymmetricMatrix;
+
+/// How failures are told: "WHAT failed: REASON; do: REMEDY".
+struct FactorMessages {
+  std::string what;
+  std::string remedy;  ///< when the factor does not fit
+};
+
+class CholeskyFactor {
+ public:
+  /// Throws contact::SolveError when the matrix is not positive definite or memory runs out.
+  CholeskyFactor(const SymmetricMatrix& matrix, FactorMessages messages);
+  /// Of the entries of a lower triangle in any order; those of one place are added.
+  CholeskyFactor(const std::vector<MatrixEntry>& entries, std::size_t size,
+                 FactorMessages messages);
+  ~CholeskyFactor();
+  CholeskyFactor(const CholeskyFactor&) = delete;
+  CholeskyFactor& operator=(const CholeskyFactor&) = delete;
+
+  /// K^-1 b in a buffer of the factor, valid until the next call. One call at a time.
+  const double* solve(const std::vector<double>& b) const;
+  double memory_bytes() const;
+
+ private:
+  struct Cholmod;
+  std::unique_ptr<Cholmod> cholmod_;
+};
+
+}  // namespace rollfem::fem
