@@ -5,6 +5,8 @@
 #include "fem/solver/coarse_solver.hpp"
 #include "fem/solver/elasticity_operator.hpp"
 
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/vector_memory.h>
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 #include <fmt/format.h>
 
@@ -83,10 +85,12 @@ class Multigrid : public LinearSolver {
   double memory_bytes() const override;
   std::string description() const override;
 
+  /// As deal.II calls a preconditioner.
+  void vmult(Vector& z, const Vector& r) const;
+
  private:
-  void precondition(Vector& z, const Vector& r, double norm) const;
   void cycle(std::size_t level) const;
-  double iterate(Vector& x, Vector& r, double target) const;
+  void iterate(Vector& x, const Vector& b, double target) const;
 
   MultigridOptions options_;
   std::unique_ptr<ElasticityOperator<double>> stiffness_;
@@ -147,7 +151,8 @@ void Multigrid::cycle(std::size_t level) const {
 }
 
 /// z = V-cycle of r, scaled by its norm to stay within single precision.
-void Multigrid::precondition(Vector& z, const Vector& r, double norm) const {
+void Multigrid::vmult(Vector& z, const Vector& r) const {
+  const double norm = r.l2_norm();
   FloatVector& right = levels_.empty() ? coarse_right_ : levels_.back()->right;
   const FloatVector& solution = levels_.empty() ? coarse_solution_ : levels_.back()->solution;
   std::transform(r.begin(), r.end(), right.begin(),
@@ -157,42 +162,33 @@ void Multigrid::precondition(Vector& z, const Vector& r, double norm) const {
                  [=](float value) { return norm * static_cast<double>(value); });
 }
 
-/// Conjugate gradients on the residual r, added to x; returns the recursive residual's norm. The
-/// formula of Polak and Ribiere for beta forgives a preconditioner in single precision.
-double Multigrid::iterate(Vector& x, Vector& r, double target) const {
-  Vector z = stiffness_->make_vector(), p = z, product = z, previous = r;
-  double norm = r.l2_norm(), rho = 0;
-  while (norm > target && iterations_ < options_.max_iterations) {
-    precondition(z, r, norm);
-    const double rho_new = r * z;
-    const double beta = rho > 0 ? (rho_new - previous * z) / rho : 0;
-    rho = rho_new;
-    p.sadd(beta, 1.0, z);
-    stiffness_->vmult(product, p);
-    const double curvature = p * product;
-    if (!(curvature > 0 && std::isfinite(curvature))) return std::nan("");
-    previous = r;
-    x.add(rho / curvature, p);
-    r.add(-rho / curvature, product);
-    norm = r.l2_norm();
-    ++iterations_;
+/// Conjugate gradients from x. The formula of Polak and Ribiere for beta, which deal.II calls
+/// flexible, forgives a preconditioner in single precision.
+void Multigrid::iterate(Vector& x, const Vector& b, double target) const {
+  dealii::SolverControl control(static_cast<unsigned int>(options_.max_iterations - iterations_),
+                                target, false, false);
+  dealii::PrimitiveVectorMemory<Vector> memory;
+  try {
+    dealii::SolverFlexibleCG<Vector>(control, memory).solve(*stiffness_, x, b, *this);
+  } catch (const dealii::SolverControl::NoConvergence&) {
+    // The true residual says it.
   }
-  return norm;
+  iterations_ += static_cast<int>(control.last_step());
 }
 
 void Multigrid::solve(Vector& u, const Vector& b) const {
-  Vector right = stiffness_->make_vector(), x = right, residual = right;
+  Vector right = stiffness_->make_vector(), x = right;
   std::copy_n(b.begin(), right.locally_owned_size(), right.begin());
   stiffness_->condense(right);
   const double scale = right.l2_norm(), target = options_.tolerance * scale;
   if (!std::isfinite(scale))
     throw contact::SolveError("multigrid: the load is not a finite number");
   iterations_ = 0;
-  residual = right;
   double norm = scale;
   // The true residual decides; a second pass mends what rounding took from the recursive one.
   for (int pass = 0; pass < 3 && norm > target && scale > 0; ++pass) {
-    iterate(x, residual, pass == 0 ? target : 0.5 * target);
+    iterate(x, right, pass == 0 ? target : 0.5 * target);
+    Vector residual(right);
     stiffness_->vmult(residual, x);
     residual.sadd(-1.0, 1.0, right);
     norm = residual.l2_norm();
