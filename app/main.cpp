@@ -12,6 +12,7 @@
 #include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "contact/result/quantities.hpp"
 #include "contact/scene/what_follows.hpp"
 
 #include <CLI/CLI.hpp>
@@ -345,9 +346,14 @@ void add_commands(CLI::App& program, Call& call) {
   fresh->callback([&call] { new_case(call.new_case_file); });
 
   CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
-  docs->add_option("page", call.page, "case-file")->required()->check(CLI::IsMember({"case-file"}));
+  docs->add_option("page", call.page, "case-file, or quantities: the table in docs/results.md")
+      ->required()
+      ->check(CLI::IsMember({"case-file", "quantities"}));
   docs->footer("example: rollfem docs case-file > docs/case-file.md");
-  docs->callback([] { std::cout << contact::case_reference_markdown(); });
+  docs->callback([&call] {
+    std::cout << (call.page == "quantities" ? contact::quantities_markdown()
+                                            : contact::case_reference_markdown());
+  });
 }
 
 int execute(int argc, char** argv) {

@@ -80,7 +80,7 @@ void finish(const contact::Case& scene, const std::vector<std::string>& notes,
   result.place = scene.place;
   result.notes.insert(result.notes.end(), notes.begin(), notes.end());
   for (contact::PointResult& point : result.points)
-    point.derived["vertical_force"] =
+    point.vertical_force =
         meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
 }
 

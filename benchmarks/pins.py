@@ -29,7 +29,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 TOLERANCE = {"fem": 1e-7}
 TOLERANCE_OF_OTHERS = 1e-9
 # What a scalar may be without being a number of the solution.
-LEFT_OUT = {"iterations", "seconds", "format"}
+LEFT_OUT = {"iterations", "residual", "seconds", "format"}
 VANISHES = 1e-6  # in parts of the scale
 
 

@@ -12,4 +12,7 @@ struct AccuracyRequest {
   std::vector<std::string> of;     ///< quantities by their names in summary.json
 };
 
+/// What may be asked: the quantities that are declared so (contact/result/quantities.cpp).
+std::vector<std::string> accuracy_words();
+
 }  // namespace rollfem::contact

@@ -1,4 +1,5 @@
 // Keys before the first section.
+#include "contact/base/accuracy.hpp"
 #include "contact/case/key_builder.hpp"
 
 namespace rollfem::contact {
@@ -27,8 +28,7 @@ SectionWithKeys general_section() {
           "allowed ends that before.")
       .into(&Case::accuracy);
   keys.choices("accuracy_of")
-      .among({"max_pressure", "semi_axis_x", "semi_axis_y", "approach", "normal_force",
-              "traction_coefficient", "max_traction_x"})
+      .among(accuracy_words())
       .says(
           "What `accuracy` is asked of: the largest error over all load points, relative to the "
           "value; of traction_coefficient and max_traction_x to the largest of the creep curve.")

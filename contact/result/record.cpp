@@ -1,5 +1,7 @@
 #include "contact/result/record.hpp"
 
+#include "contact/result/quantities.hpp"
+
 #include <cstring>
 #include <stdexcept>
 
@@ -36,6 +38,14 @@ void Record::value(bool& truth) {
   unsigned char byte = truth ? 1 : 0;
   raw(&byte, 1);
   truth = byte != 0;
+}
+
+void Record::value(std::optional<double>& number) {
+  bool there = number.has_value();
+  value(there);
+  double content = number.value_or(0.0);
+  if (there) value(content);
+  if (reading_) number = there ? std::optional<double>(content) : std::nullopt;
 }
 
 void Record::value(std::string& text) {
@@ -108,13 +118,12 @@ void Record::value(std::vector<BodyField>& bodies) {
 }
 
 void Record::value(PointResult& p) {
-  values(p.creepage.longitudinal, p.creepage.lateral, p.creepage.spin, p.step);
-  values(p.longitudinal_shift, p.lateral_shift, p.spin_shift, p.distance);
-  values(p.normal_force, p.longitudinal_force, p.lateral_force, p.spin_moment);
-  values(p.traction_coefficient, p.max_pressure, p.max_traction, p.max_traction_x, p.approach);
-  values(p.semi_axis_x, p.semi_axis_y, p.contact_length, p.contact_width);
-  values(p.contact_area, p.adhesion_area, p.iterations, p.residual, p.seconds, p.converged);
-  values(p.error_estimate, p.richardson, p.derived);
+  for (const Quantity& quantity : quantities()) {
+    std::optional<double> number = quantity.value(p);
+    value(number);
+    if (reading_ && number) quantity.member.set(p, *number);
+  }
+  values(p.error_estimate, p.richardson);
   ContactFields& f = p.fields;
   values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.state);
   std::size_t requests = length(p.subsurface.size(), 1);

@@ -7,6 +7,7 @@
 #include "contact/result/result.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -33,6 +34,7 @@ class Record {
     raw(&number, sizeof number);
   }
   void value(bool& truth);
+  void value(std::optional<double>& number);
   void value(std::string& text);
   void value(Field& field);
   void value(TangentialField& field);

@@ -1,5 +1,7 @@
 #include "contact/result/refinement.hpp"
 
+#include "contact/result/quantities.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,33 +28,17 @@ double estimated_error(const std::vector<double>& values, double assumed_order,
          (std::exp2(assumed_order) - 1.0);
 }
 
-double quantity(const PointResult& point, const std::string& name) {
-  static const std::map<std::string, double PointResult::*> members{
-      {"max_pressure", &PointResult::max_pressure},
-      {"semi_axis_x", &PointResult::semi_axis_x},
-      {"semi_axis_y", &PointResult::semi_axis_y},
-      {"approach", &PointResult::approach},
-      {"normal_force", &PointResult::normal_force},
-      {"traction_coefficient", &PointResult::traction_coefficient},
-      {"max_traction_x", &PointResult::max_traction_x}};
-  const auto found = members.find(name);
-  if (found == members.end()) throw std::logic_error("no quantity of that name: " + name);
-  return point.*found->second;
-}
-
 double estimate_scale(double friction_coefficient, const PointResult& point,
                       const std::string& name) {
-  double scale = std::abs(quantity(point, name));
-  const double sliding = 0.01 * friction_coefficient;
-  if (name == "traction_coefficient") scale = std::max(scale, sliding);
-  if (name == "max_traction_x") scale = std::max(scale, sliding * point.max_pressure);
-  return scale;
+  const Quantity& of = quantity_named(name);
+  return std::max(std::abs(quantity(point, name)),
+                  0.01 * full_sliding(of, point, friction_coefficient));
 }
 
 double accuracy_scale(double friction_coefficient, const std::vector<PointResult>& points,
                       std::size_t k, const std::string& name) {
   double scale = estimate_scale(friction_coefficient, points[k], name);
-  if (name == "traction_coefficient" || name == "max_traction_x")
+  if (quantity_named(name).of_friction())
     for (const PointResult& point : points)
       scale = std::max(scale, estimate_scale(friction_coefficient, point, name));
   return scale;

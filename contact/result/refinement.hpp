@@ -28,10 +28,6 @@ constexpr double uneven_safety = 1.5;
 double estimated_error(const std::vector<double>& values, double assumed_order,
                        double least_order = 1.0);
 
-/// A quantity of PointResult by the name it has in summary.json; throws std::logic_error for one
-/// that is not among the words of `accuracy_of`.
-double quantity(const PointResult& point, const std::string& name);
-
 /// What PointResult::error_estimate is relative to: the value, or a hundredth of full sliding where
 /// that is more.
 double estimate_scale(double friction_coefficient, const PointResult& point,

@@ -50,7 +50,8 @@ struct BodyValues {
   std::vector<std::array<float, 6>> stress;        ///< MPa: xx yy zz xy yz xz
 };
 
-/// One load point of one model: the entries of summary.json and the fields behind them.
+/// One load point of one model: the entries of summary.json and the fields behind them. Its scalars
+/// are declared in quantities.hpp.
 struct PointResult {
   Creepage creepage;  ///< as prescribed, or as found for a prescribed force
   int step = 0;       ///< 1, 2, ... in a history (problems shift and transient), else 0
@@ -79,10 +80,14 @@ struct PointResult {
   bool converged = false;
   std::map<std::string, double> error_estimate;  ///< quantity -> relative error
   std::map<std::string, double> richardson;      ///< quantity -> value extrapolated to cells of 0
-  /// What follows from the fields: elastic_energy (N mm); in steady rolling frictional_work and
-  /// creepage_work (N mm per mm rolled), which agree but for the discretisation; with profiles
-  /// patch_x_middle and patch_y_middle (mm), of the extents of the patch, which is off the origin.
-  std::map<std::string, double> derived;
+  // What not every model gives.
+  std::optional<double> elastic_energy;   ///< N mm
+  std::optional<double> frictional_work;  ///< N mm per mm rolled; steady rolling only
+  std::optional<double> creepage_work;    ///< the same but for the discretisation
+  /// mm, of the extents of the patch, with profiles: it is off the origin.
+  std::optional<double> patch_x_middle;
+  std::optional<double> patch_y_middle;
+  std::optional<double> vertical_force;  ///< N, with profiles: on the track, friction included
   ContactFields fields;
   std::vector<SubsurfaceField> subsurface;   ///< as the case asks for, models halfspace and fem
   std::vector<StressMaximum> stress_maxima;  ///< of both bodies; models halfspace and fem

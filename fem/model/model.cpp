@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/patch_size.hpp"
+#include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "fem/model/contact_run.hpp"
 #include "fem/model/force_error.hpp"

@@ -430,11 +430,11 @@ class Level {
     point.fields.state = state_.tangential.state;
     contact::integrate_tractions(result_.grid, point,
                                  curved_ ? curved_->shape(result_.grid) : contact::PatchShape{});
-    point.derived = derived(point);
+    derive(point);
     if (input_.patch) {
       const contact::PatchSize size = contact::patch_size(result_.grid, state_.normal.pressure);
-      point.derived["patch_x_middle"] = 0.5 * (size.x_lower + size.x_upper);
-      point.derived["patch_y_middle"] = 0.5 * (size.y_lower + size.y_upper);
+      point.patch_x_middle = 0.5 * (size.x_lower + size.x_upper);
+      point.patch_y_middle = 0.5 * (size.y_lower + size.y_upper);
     }
     point.approach = state_.normal.approach;
     point.iterations = state_.iterations;
@@ -444,12 +444,11 @@ class Level {
   }
 
   /// Works per mm rolled are the powers at V = 1; shifts and transient steps have none.
-  std::map<std::string, double> derived(const PointResult& point) const {
-    std::map<std::string, double> values;
-    values["elastic_energy"] =
+  void derive(PointResult& point) const {
+    point.elastic_energy =
         elastic_energy(result_.grid, point.fields.traction, point.fields.displacement);
     const bool slips = point.fields.slip.x.size() == result_.grid.size();
-    if (input_.rolling.problem != Problem::steady || !slips) return values;
+    if (input_.rolling.problem != Problem::steady || !slips) return;
     // What is beyond the creepages in the rigid slip is extra slip.
     Case plain = input_;
     plain.rolling.extra_slip = contact::ExtraSlip::none;
@@ -457,9 +456,8 @@ class Level {
     const TangentialField uniform = contact::rigid_slip(plain, point.creepage, result_.grid);
     const PowerBalance balance =
         power_balance(result_.grid, point, 1.0, {all.x - uniform.x, all.y - uniform.y});
-    values["frictional_work"] = balance.friction;
-    values["creepage_work"] = balance.creepage;
-    return values;
+    point.frictional_work = balance.friction;
+    point.creepage_work = balance.creepage;
   }
 
   void describe_motion(std::size_t k, const Vector2d& unknowns, PointResult& point) {

@@ -107,8 +107,8 @@ void return_to_patch_frame(const Case& input, const EquivalentEllipse& ellipse,
     point.creepage = input.rolling.creepages[k];
     point.spin_moment += x * point.lateral_force - y * point.longitudinal_force;
     point.approach = ellipse.patch.approach;
-    point.derived["patch_x_middle"] = x;
-    point.derived["patch_y_middle"] = y;
+    point.patch_x_middle = x;
+    point.patch_y_middle = y;
     for (contact::SubsurfaceField& field : point.subsurface) shift_points(field, x, y);
   }
   const ExpectedPatch& patch = ellipse.patch;

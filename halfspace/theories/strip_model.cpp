@@ -93,9 +93,8 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
   point.adhesion_area = point.contact_area;
   if (contact.input.patch) {
     const int deepest = normal.patches.front().deepest;
-    point.derived["patch_x_middle"] = contact.profile.middle[deepest];
-    point.derived["patch_y_middle"] =
-        0.5 * (normal.patches.front().y_lower + normal.patches.back().y_upper);
+    point.patch_x_middle = contact.profile.middle[deepest];
+    point.patch_y_middle = 0.5 * (normal.patches.front().y_lower + normal.patches.back().y_upper);
   }
   return point;
 }

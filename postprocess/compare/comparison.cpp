@@ -1,7 +1,9 @@
 #include "postprocess/compare/comparison.hpp"
 
+#include "contact/result/quantities.hpp"
+#include "postprocess/read/summary_reader.hpp"
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,154 +12,139 @@
 namespace rollfem::postprocess {
 namespace {
 
-using nlohmann::json;
+using contact::ModelResult;
+using contact::PointResult;
+using contact::Quantity;
 
-/// What a difference of a quantity is relative to.
-enum class Scale { reference, friction, friction_pressure };
-
-struct Quantity {
-  const char* name;
-  bool of_friction;
-  Scale scale;
-  /// Under which names an estimate of its relative error may stand.
-  std::vector<const char*> estimates;
-};
-
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all{
-      {"max_pressure", false, Scale::reference, {"max_pressure"}},
-      {"semi_axis_x", false, Scale::reference, {"semi_axis_x"}},
-      {"semi_axis_y", false, Scale::reference, {"semi_axis_y"}},
-      {"contact_area", false, Scale::reference, {"contact_area"}},
-      {"approach", false, Scale::reference, {"approach"}},
-      {"normal_force", false, Scale::reference, {"normal_force"}},
-      {"traction_coefficient",
-       true,
-       Scale::friction,
-       {"traction_coefficient", "longitudinal_force"}},
-      {"lateral_coefficient", true, Scale::friction, {"lateral_force"}},
-      {"max_traction_x", true, Scale::friction_pressure, {"max_traction_x", "max_traction"}}};
-  return all;
+/// -F_y / F_z, which no file has.
+Quantity lateral_coefficient() {
+  Quantity quantity = contact::quantity_named("traction_coefficient");
+  quantity.name = "lateral_coefficient";
+  quantity.title = "lateral coefficient";
+  quantity.symbol = "-F_y/F_z";
+  quantity.member.get = [](const PointResult& point) -> std::optional<double> {
+    return point.normal_force != 0.0 ? -point.lateral_force / point.normal_force : 0.0;
+  };
+  return quantity;
 }
 
-double value_of(const json& point, const std::string& quantity) {
-  if (quantity != "lateral_coefficient") return point.at(quantity).get<double>();
-  const double normal = point.at("normal_force").get<double>();
-  return normal != 0.0 ? -point.at("lateral_force").get<double>() / normal : 0.0;
+bool is_named(const Quantity& quantity, const char* name) {
+  return std::string(quantity.name) == name;
+}
+
+/// Under which name an estimate of its error may stand, too.
+const char* same_error(const Quantity& quantity) {
+  if (is_named(quantity, "traction_coefficient")) return "longitudinal_force";
+  return is_named(quantity, "lateral_coefficient") ? "lateral_force" : quantity.name;
+}
+
+double value_of(const PointResult& point, const Quantity& quantity) {
+  return quantity.value(point).value_or(0.0);
 }
 
 /// Estimates are relative to the value, or to a hundredth of full sliding where that is more
 /// (contact/result/refinement.hpp).
-std::optional<double> error_of(const json& point, const Quantity& quantity, double sliding) {
-  for (const char* name : quantity.estimates) {
-    const auto& estimates = point.at("error_estimate");
-    if (!estimates.contains(name)) continue;
-    const double value = std::abs(value_of(point, quantity.name));
-    return estimates.at(name).get<double>() * std::max(value, 0.01 * sliding);
+std::optional<double> error_of(const PointResult& point, const Quantity& quantity,
+                               double friction) {
+  for (const char* name : {quantity.name, same_error(quantity)}) {
+    const auto found = point.error_estimate.find(name);
+    if (found == point.error_estimate.end()) continue;
+    return found->second * std::max(std::abs(value_of(point, quantity)),
+                                    0.01 * contact::full_sliding(quantity, point, friction));
   }
   return {};
 }
 
-bool has_friction(const json& model) {
-  const auto& points = model.at("points");
-  return std::any_of(points.begin(), points.end(), [](const json& point) {
-    return point.at("max_traction").get<double>() > 0.0;
-  });
+bool has_friction(const ModelResult& model) {
+  return std::any_of(model.points.begin(), model.points.end(),
+                     [](const PointResult& point) { return point.max_traction > 0.0; });
 }
 
 /// Whether any of the models has a lateral force worth a comparison.
-bool has_lateral(const std::vector<const json*>& models) {
-  for (const json* model : models)
-    for (const json& point : model->at("points"))
-      if (std::abs(point.at("lateral_force").get<double>()) >
-          1e-4 * std::abs(point.at("normal_force").get<double>()))
-        return true;
+bool has_lateral(const std::vector<const ModelResult*>& models) {
+  for (const ModelResult* model : models)
+    for (const PointResult& point : model->points)
+      if (std::abs(point.lateral_force) > 1e-4 * std::abs(point.normal_force)) return true;
   return false;
 }
 
-std::string patch_label(const json& model) {
-  if (!model.contains("place")) return {};
-  const json& place = model.at("place");
-  std::string text = fmt::format("{} wheel, position {:.0f}", place.at("wheel").get<std::string>(),
-                                 place.at("position").get<double>());
-  if (place.at("patches").get<double>() > 1.0)
-    text += fmt::format(", patch {:.0f} of {:.0f}", place.at("patch").get<double>(),
-                        place.at("patches").get<double>());
+std::string patch_label(const ModelResult& model) {
+  if (!model.place) return {};
+  std::string text = fmt::format("{} wheel, position {}", model.place->left ? "left" : "right",
+                                 model.place->position);
+  if (model.place->patches > 1)
+    text += fmt::format(", patch {} of {}", model.place->patch, model.place->patches);
   return text;
 }
 
-const json* named(const std::vector<const json*>& models, const std::string& name) {
-  for (const json* model : models)
-    if (model->at("name") == name) return model;
-  return nullptr;
-}
-
-std::vector<std::string> names_of(const std::vector<const json*>& models) {
+/// The model that others are held against; null where there are none.
+const ModelResult* reference_among(const std::vector<const ModelResult*>& models,
+                                   const std::string& wished) {
   std::vector<std::string> names;
-  for (const json* model : models) names.push_back(model->at("name").get<std::string>());
-  return names;
+  for (const ModelResult* model : models) names.push_back(model->name);
+  const std::string name = reference_of(names, wished);
+  for (const ModelResult* model : models)
+    if (model->name == name) return model;
+  return nullptr;
 }
 
 /// A value of exactly 0 of a quantity that cannot be 0 is one that the model does not give.
 bool is_given(const Quantity& quantity, double value) {
-  return quantity.of_friction || value != 0.0;
+  return quantity.of_friction() || value != 0.0;
 }
 
-ComparedNumber number_of(const json& model, const json& point, int index, const Quantity& quantity,
+ComparedNumber number_of(const ModelResult& model, std::size_t k, const Quantity& quantity,
                          double friction) {
+  const PointResult& point = model.points[k];
   ComparedNumber number;
   number.patch = patch_label(model);
-  number.model = model.at("name").get<std::string>();
-  number.point = index + 1;
-  number.longitudinal_creepage = point.at("longitudinal_creepage").get<double>();
-  number.lateral_creepage = point.at("lateral_creepage").get<double>();
-  number.spin = point.at("spin").get<double>();
+  number.model = model.name;
+  number.point = static_cast<int>(k) + 1;
+  number.longitudinal_creepage = point.creepage.longitudinal;
+  number.lateral_creepage = point.creepage.lateral;
+  number.spin = point.creepage.spin;
   number.quantity = quantity.name;
-  number.value = value_of(point, quantity.name);
-  const double sliding = quantity.scale == Scale::friction ? friction
-                         : quantity.scale == Scale::friction_pressure
-                             ? friction * point.at("max_pressure").get<double>()
-                             : 0.0;
-  number.error = error_of(point, quantity, sliding);
+  number.value = value_of(point, quantity);
+  number.error = error_of(point, quantity, friction);
   return number;
 }
 
-void refer(ComparedNumber& number, const json& reference, const json& point,
+void refer(ComparedNumber& number, const ModelResult& reference, std::size_t k,
            const Quantity& quantity, double friction) {
-  const double value = value_of(point, quantity.name);
+  const PointResult& point = reference.points[k];
+  const double value = value_of(point, quantity);
   if (!is_given(quantity, value)) return;
-  const ComparedNumber base = number_of(reference, point, number.point - 1, quantity, friction);
-  double scale = std::abs(value);
-  if (quantity.scale == Scale::friction) scale = friction;
-  if (quantity.scale == Scale::friction_pressure)
-    scale = friction * point.at("max_pressure").get<double>();
+  const double scale =
+      quantity.of_friction() ? contact::full_sliding(quantity, point, friction) : std::abs(value);
   if (!(scale > 0.0)) return;
   number.scale = scale;
-  number.reference = base.model;
+  number.reference = reference.name;
   number.reference_value = value;
-  number.reference_error = base.error.value_or(0.0);
+  number.reference_error = error_of(point, quantity, friction).value_or(0.0);
 }
 
 /// All numbers of the models of one patch.
-void append_patch(std::vector<ComparedNumber>& numbers, const std::vector<const json*>& models,
-                  double friction, const std::string& wished) {
-  std::vector<const json*> with_friction;
-  for (const json* model : models)
+void append_patch(std::vector<ComparedNumber>& numbers,
+                  const std::vector<const ModelResult*>& models, double friction,
+                  const std::string& wished) {
+  std::vector<const ModelResult*> with_friction;
+  for (const ModelResult* model : models)
     if (has_friction(*model)) with_friction.push_back(model);
-  const json* base_patch = named(models, reference_of(names_of(models), wished));
-  const json* base_friction = named(with_friction, reference_of(names_of(with_friction), wished));
+  const ModelResult* base_patch = reference_among(models, wished);
+  const ModelResult* base_friction = reference_among(with_friction, wished);
   const bool lateral = has_lateral(with_friction);
-  for (const json* model : models)
-    for (std::size_t k = 0; k < model->at("points").size(); ++k)
-      for (const Quantity& quantity : quantities()) {
-        if (quantity.of_friction && !has_friction(*model)) continue;
-        if (std::string(quantity.name) == "lateral_coefficient" && !lateral) continue;
-        const json& point = model->at("points").at(k);
-        ComparedNumber number = number_of(*model, point, static_cast<int>(k), quantity, friction);
+  const std::vector<Quantity> quantities = compared_quantities();
+  for (const ModelResult* model : models)
+    for (std::size_t k = 0; k < model->points.size(); ++k)
+      for (const Quantity& quantity : quantities) {
+        const bool of_friction = quantity.of_friction();
+        if (of_friction && !has_friction(*model)) continue;
+        if (is_named(quantity, "lateral_coefficient") && !lateral) continue;
+        ComparedNumber number = number_of(*model, k, quantity, friction);
         if (!is_given(quantity, number.value)) continue;
-        const json* base = quantity.of_friction ? base_friction : base_patch;
-        if (base != nullptr && base != model && k < base->at("points").size())
-          refer(number, *base, base->at("points").at(k), quantity, friction);
+        const ModelResult* base = of_friction ? base_friction : base_patch;
+        if (base != nullptr && base != model && k < base->points.size())
+          refer(number, *base, k, quantity, friction);
         numbers.push_back(number);
       }
 }
@@ -186,6 +173,16 @@ void gather(std::vector<Standing>& all, const Standing& more) {
 
 }  // namespace
 
+std::vector<contact::Quantity> compared_quantities() {
+  std::vector<Quantity> list;
+  for (const bool of_friction : {false, true})
+    for (const Quantity& quantity : contact::quantities())
+      if (quantity.use >= contact::QuantityUse::compared && quantity.of_friction() == of_friction)
+        list.push_back(quantity);
+  list.push_back(lateral_coefficient());
+  return list;
+}
+
 bool ComparedNumber::differs() const {
   // Models that agree to the last digits differ by rounding.
   return reference_value.has_value() && std::abs(difference()) > allowed() + 1e-9;
@@ -201,10 +198,10 @@ std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
                                              const std::string& wished_reference) {
   std::vector<ComparedNumber> numbers;
   if (compared.summary.empty()) return numbers;
-  const json summary = json::parse(compared.summary);
+  const std::vector<ModelResult> models = models_of_summary(compared.summary);
   std::vector<std::string> order;
-  std::map<std::string, std::vector<const json*>> patches;
-  for (const json& model : summary.at("models")) {
+  std::map<std::string, std::vector<const ModelResult*>> patches;
+  for (const ModelResult& model : models) {
     const std::string label = patch_label(model);
     if (patches.count(label) == 0) order.push_back(label);
     patches[label].push_back(&model);
@@ -235,14 +232,13 @@ std::vector<Standing> over_places(const std::vector<Standing>& standings) {
 CaseStandings case_standings(const ComparedCase& compared, const std::string& wished_reference) {
   CaseStandings all{compared.name, standings(compared_numbers(compared, wished_reference)), {}};
   if (compared.summary.empty()) return all;
-  const json summary = json::parse(compared.summary);
-  for (const json& model : summary.at("models")) {
-    const auto name = model.at("name").get<std::string>();
-    const double seconds = model.at("seconds").value("total", 0.0);
+  for (const ModelResult& model : models_of_summary(compared.summary)) {
+    const auto total = model.seconds.find("total");
+    const double seconds = total == model.seconds.end() ? 0.0 : total->second;
     const auto found = std::find_if(all.seconds.begin(), all.seconds.end(),
-                                    [&](const auto& entry) { return entry.first == name; });
+                                    [&](const auto& entry) { return entry.first == model.name; });
     if (found == all.seconds.end())
-      all.seconds.emplace_back(name, seconds);
+      all.seconds.emplace_back(model.name, seconds);
     else
       found->second += seconds;
   }

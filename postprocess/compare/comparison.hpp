@@ -3,6 +3,7 @@
 // folders, so that an earlier result takes part as one computed now does.
 #pragma once
 
+#include "contact/result/quantities.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <optional>
@@ -48,14 +49,16 @@ struct ComparedNumber {
   std::optional<double> error;  ///< the model's own estimate, absolute; none: it gives no estimate
   std::optional<double> reference_value;
   double reference_error = 0.0;  ///< absolute; 0 without an estimate
-  /// What differences are relative to: the reference's value, mu for coefficients, mu p0 for the
-  /// largest traction.
+  /// What differences are relative to: the reference's value, or what full sliding gives.
   double scale = 0.0;
   double difference() const { return (value - *reference_value) / scale; }
   /// What both error bars allow together, relative to the scale.
   double allowed() const { return (error.value_or(0.0) + reference_error) / scale; }
   bool differs() const;  ///< by more than that; a theory without an estimate has no bar of its own
 };
+
+/// By what models are held against each other, those of the patch before those of friction.
+std::vector<contact::Quantity> compared_quantities();
 
 /// The model that others are compared with: the wished one where it has such results (of friction
 /// or of the patch), else halfspace, fem, the first. `models` have such results.

@@ -83,6 +83,10 @@ std::string comparison_json(const ComparisonRecord& record) {
   ordered_json json = json_head(2, "compare", record.provenance);
   json["models"] = record.models;
   json["reference"] = record.reference;
+  const std::vector<contact::Quantity> quantities = compared_quantities();
+  json["quantities"] = headings_json(quantities);
+  for (const contact::Quantity& quantity : quantities)
+    json["quantities"][quantity.name]["relative_to"] = contact::text_of(quantity.scale);
   std::vector<CaseStandings> all;
   for (const ComparedCase& compared : record.cases)
     all.push_back(case_standings(compared, record.reference));

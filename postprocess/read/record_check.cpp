@@ -1,5 +1,6 @@
 #include "postprocess/read/record_check.hpp"
 
+#include "contact/result/quantities.hpp"
 #include "postprocess/write/point_table.hpp"
 
 #include <fmt/core.h>
@@ -61,16 +62,12 @@ void check_vectors(const std::string& where, const Vectors& vectors, std::size_t
 
 void check_point(const std::string& where, const contact::ContactGrid& grid,
                  const contact::PointResult& point) {
-  for (const PointScalar& scalar : point_scalars())
-    require_finite(scalar.value(point), fmt::format("{}/{}", where, scalar.name));
-  require_finite(point.seconds, where + "/seconds");
-  require_finite(point.residual, where + "/residual");
+  for (const contact::Quantity& quantity : contact::quantities())
+    require_finite(quantity.value(point).value_or(0.0), fmt::format("{}/{}", where, quantity.name));
   for (const auto& [quantity, error] : point.error_estimate)
     require_finite(error, fmt::format("{}/error_estimate/{}", where, quantity));
   for (const auto& [quantity, value] : point.richardson)
     require_finite(value, fmt::format("{}/richardson/{}", where, quantity));
-  for (const auto& [quantity, value] : point.derived)
-    require_finite(value, fmt::format("{}/derived/{}", where, quantity));
   check_fields(where, grid, point.fields);
   for (const contact::StressMaximum& maximum : point.stress_maxima) {
     const std::string name =

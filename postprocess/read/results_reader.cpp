@@ -1,6 +1,7 @@
 #include "postprocess/read/results_reader.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/quantities.hpp"
 #include "postprocess/write/hdf5_objects.hpp"
 #include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/stored_bodies.hpp"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -158,35 +160,28 @@ contact::ContactGrid read_grid(hid_t model) {
   return grid;
 }
 
-/// Scalars of a load point, by the names of point_scalars().
-const std::vector<std::pair<const char*, double PointResult::*>>& scalar_members() {
-  using P = PointResult;
-  static const std::vector<std::pair<const char*, double P::*>> list{
-      {"longitudinal_shift", &P::longitudinal_shift},
-      {"lateral_shift", &P::lateral_shift},
-      {"spin_shift", &P::spin_shift},
-      {"distance", &P::distance},
-      {"normal_force", &P::normal_force},
-      {"longitudinal_force", &P::longitudinal_force},
-      {"lateral_force", &P::lateral_force},
-      {"spin_moment", &P::spin_moment},
-      {"traction_coefficient", &P::traction_coefficient},
-      {"max_pressure", &P::max_pressure},
-      {"max_traction", &P::max_traction},
-      {"max_traction_x", &P::max_traction_x},
-      {"approach", &P::approach},
-      {"semi_axis_x", &P::semi_axis_x},
-      {"semi_axis_y", &P::semi_axis_y},
-      {"contact_length", &P::contact_length},
-      {"contact_width", &P::contact_width},
-      {"contact_area", &P::contact_area},
-      {"adhesion_area", &P::adhesion_area},
-      {"residual", &P::residual},
-      {"seconds", &P::seconds}};
-  return list;
+/// Names of the scalars that every load point of the file has, or may have: files of earlier
+/// versions have fewer.
+std::set<std::string> stored_quantities(hid_t file) {
+  std::set<std::string> names;
+  for (const std::string& line : read_lines(file, "documentation"))
+    names.insert(line.substr(0, line.find(" [")));
+  return names;
 }
 
-std::map<std::string, double> read_quantities(hid_t point, const char* name) {
+void read_quantities(hid_t group, const std::set<std::string>& stored, PointResult& point) {
+  for (const contact::Quantity& quantity : contact::quantities())
+    if (has_attribute(group, quantity.name))
+      quantity.member.set(point, read_number(group, quantity.name));
+    else if (!quantity.member.may_be_absent && stored.count(quantity.name) != 0)
+      throw std::runtime_error(fmt::format("there is no attribute {}", quantity.name));
+  if (!has_member(group, "derived")) return;  // of format_minor 2 and before
+  for (const auto& [name, value] : read_numbers(open_group(group, "derived")))
+    if (const contact::Quantity* quantity = contact::find_quantity(name))
+      quantity->member.set(point, value);
+}
+
+std::map<std::string, double> read_by_quantity(hid_t point, const char* name) {
   return has_member(point, name) ? read_numbers(open_group(point, name))
                                  : std::map<std::string, double>{};
 }
@@ -235,17 +230,12 @@ std::vector<contact::StressMaximum> read_maxima(hid_t point) {
   return maxima;
 }
 
-PointResult read_point(hid_t group, const contact::ContactGrid& grid) {
+PointResult read_point(hid_t group, const contact::ContactGrid& grid,
+                       const std::set<std::string>& stored) {
   PointResult point;
-  point.creepage = {read_number(group, "longitudinal_creepage"),
-                    read_number(group, "lateral_creepage"), read_number(group, "spin")};
-  for (const auto& [name, member] : scalar_members()) point.*member = read_number(group, name);
-  point.step = static_cast<int>(read_number(group, "step"));
-  point.iterations = static_cast<int>(read_number(group, "iterations"));
-  point.converged = read_number(group, "converged") != 0.0;
-  point.error_estimate = read_quantities(group, "error_estimate");
-  point.richardson = read_quantities(group, "richardson");
-  point.derived = read_quantities(group, "derived");
+  read_quantities(group, stored, point);
+  point.error_estimate = read_by_quantity(group, "error_estimate");
+  point.richardson = read_by_quantity(group, "richardson");
   read_fields(group, grid, point.fields);
   point.stress_maxima = read_maxima(group);
   return point;
@@ -283,9 +273,10 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
       result.place->patch = model.patch;
     }
     result.grid = read_grid(group);
+    const std::set<std::string> stored = stored_quantities(file);
     const Handle points = open_group(group, "points");
     for (const std::string& number : members(points))
-      result.points.push_back(read_point(open_group(points, number), result.grid));
+      result.points.push_back(read_point(open_group(points, number), result.grid, stored));
     result.bodies = postprocess::read_bodies(group);
     return result;
   });

@@ -11,16 +11,6 @@ from . import report, style, tables
 from .build import build
 from .reader import ResultError
 
-# quantity, heading, what a difference is in percent of
-DIFFERENCES = [("max_pressure", "largest pressure p<sub>0</sub>", "of the reference"),
-               ("semi_axis_x", "semi-axis along x", "of the reference"),
-               ("semi_axis_y", "semi-axis along y", "of the reference"),
-               ("approach", "approach", "of the reference"),
-               ("traction_coefficient", "traction coefficient −F<sub>x</sub>/F<sub>z</sub>", "of μ"),
-               ("lateral_coefficient", "lateral coefficient −F<sub>y</sub>/F<sub>z</sub>", "of μ"),
-               ("max_traction_x", "largest |p<sub>x</sub>|", "of μ p<sub>0</sub>")]
-
-
 def _model(name):
     """What style asks a model for."""
     return SimpleNamespace(name=name)
@@ -84,7 +74,15 @@ def _difference_cell(standing):
     return (f"<b>{value}</b>" if beyond else value) + f"<br><span class=d>{note}</span>"
 
 
-def _difference_table(columns, quantity, heading, of):
+def _heading(quantity):
+    """Title, symbol and what differences are a percentage of."""
+    of = quantity["relative_to"]
+    of = "of the reference" if of == "value" else f"of {tables.symbol(of)}"
+    title = " ".join(filter(None, (escape(quantity["title"]), tables.symbol(quantity["symbol"]))))
+    return f"{title}<br><span class=d>% {of}</span>"
+
+
+def _difference_table(columns, quantity, heading):
     """Largest difference of every model in every column; empty when nothing was compared."""
     models = [m for m in _models([c for c, _, _ in columns])
               if any(_standing(c, m, quantity) for c, _, _ in columns)]
@@ -93,25 +91,24 @@ def _difference_table(columns, quantity, heading, of):
     rows = [[escape(style.label(_model(model)))]
             + [_difference_cell(_standing(case, model, quantity, place)) for case, place, _ in columns]
             for model in models]
-    head = [f"{heading}<br><span class=d>% {of}</span>"] + [text for _, _, text in columns]
+    head = [heading] + [text for _, _, text in columns]
     return tables.table(head, rows)
 
 
-def _differences(cases):
+def _differences(cases, headings):
     """The tables of differences; of one case at one place one table with a column for each quantity."""
     columns = _columns(cases)
     if len(columns) != 1:
-        found = "".join(_difference_table(columns, *row) for row in DIFFERENCES)
+        found = "".join(_difference_table(columns, *row) for row in headings.items())
         return f"<div class=side>{found}</div>" if found else ""
     case, place, _ = columns[0]
     models = [m for m in _models(cases) if any(s["model"] == m for s in case["standings"])]
-    shown = [row for row in DIFFERENCES if any(_standing(case, m, row[0], place) for m in models)]
+    shown = [q for q in headings if any(_standing(case, m, q, place) for m in models)]
     if not shown:
         return ""
     rows = [[escape(style.label(_model(m)))] + [_difference_cell(_standing(case, m, q, place))
-                                                for q, _, _ in shown] for m in models]
-    return tables.table(["largest difference"] + [f"{heading}<br><span class=d>% {of}</span>"
-                                                  for _, heading, of in shown], rows)
+                                                for q in shown] for m in models]
+    return tables.table(["largest difference"] + [headings[q] for q in shown], rows)
 
 
 def _cost_table(cases):
@@ -225,7 +222,8 @@ def build_comparison(directory, png_folder=None):
         picture = report.image(directory, "difference_cost.svg",
                                "What a model differs from the reference by, and what it costs: one marker "
                                "for each case. Differences below 0.0001 % are drawn there.")
-    found = _differences(cases)
+    found = _differences(cases, {name: _heading(quantity)
+                                 for name, quantity in comparison["quantities"].items()})
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
     made = comparison["program"]

@@ -149,6 +149,16 @@ class Model:
 
 
 @dataclass
+class Quantity:
+    """What a scalar of a load point is."""
+
+    title: str  # for headings: "largest pressure"
+    symbol: str  # "F_x", "xi"; empty where there is none
+    unit: str  # "-" where it has none
+    meaning: str = ""
+
+
+@dataclass
 class Result:
     """A whole run."""
 
@@ -159,6 +169,7 @@ class Result:
     case: dict
     provenance: dict
     models: list
+    quantities: dict = field(default_factory=dict)  # {name: Quantity}, in the order of summary.json
     # with profiles: {(wheel, position): {"rail": [n, 2], "wheel": [n, 2]}}, y and z on the track
     profiles: dict = field(default_factory=dict)
     # name of the model that the others are compared with, where the user has chosen one
@@ -220,7 +231,10 @@ def _read_point(group, number, by_number, nodes):
     fields = {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
              for _, part in sorted(group["subsurface"].items())] if "subsurface" in group else []
-    return Point(_attributes(group), fields, _attributes(group["error_estimate"]), number, by_number,
+    scalars = _attributes(group)
+    if "derived" in group:  # format_minor 2 and before
+        scalars.update(_attributes(group["derived"]))
+    return Point(scalars, fields, _attributes(group["error_estimate"]), number, by_number,
                  below, _read_maxima(group), bodies)
 
 
@@ -249,6 +263,19 @@ def _read_profiles(file):
             for group in file["profiles"].values()}
 
 
+def _read_quantities(file):
+    if "quantities" in file:
+        columns = [_texts(file["quantities"][n]) for n in ("name", "title", "symbol", "unit", "meaning")]
+        return {name: Quantity(*row) for name, *row in zip(*columns)}
+    found = {}  # format_minor 2 and before: "name [unit]: meaning"
+    for line in _texts(file["documentation"]):
+        name, rest = line.split(" [", 1)
+        unit, meaning = rest.split("]: ", 1)
+        if "/" not in name:
+            found[name] = Quantity(name.replace("_", " "), "", unit, meaning)
+    return found
+
+
 def _read_file(path, directory):
     with h5py.File(path, "r") as file:
         if _plain(file.attrs.get("format", "")) != "rollfem results":
@@ -265,7 +292,7 @@ def _read_file(path, directory):
         return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
                       case, _attributes(file["provenance"]),
                       [_read_model(name, group, by_number) for name, group in groups],
-                      _read_profiles(file))
+                      _read_quantities(file), _read_profiles(file))
 
 
 def read_result(path):

@@ -151,7 +151,7 @@ def notes(result):
 def _details(result):
     return "".join(f"<details><summary>all numbers of {escape(style.label(m))}"
                    f"{', ' if m.place else ''}{escape(place_label(m.place))}</summary>"
-                   f"{tables.points_table(m)}</details>" for m in result.models if m.points)
+                   f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
 
 
 def _patch(result, images, heading):

@@ -8,14 +8,9 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from . import report, style, tables
-from .reader import ResultError
+from .reader import Quantity, ResultError
 
-PATCH = [("max_pressure", "largest pressure $p_0$", "p<sub>0</sub> [MPa]"),
-         ("semi_axis_x", "semi-axis along x", "semi-axis along x [mm]"),
-         ("semi_axis_y", "semi-axis along y", "semi-axis along y [mm]"),
-         ("contact_length", "length of the patch along x", "length along x [mm]"),
-         ("contact_width", "width of the patch along y", "width along y [mm]"),
-         ("approach", "approach", "approach [mm]")]
+PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
 SMALLEST = 1e-9  # relative; below it an error is nothing that a figure can show
 
 
@@ -32,15 +27,14 @@ def _xi(place, key):
 
 
 def _title(place, key):
-    for name, title, _ in PATCH:
-        if name == key:
-            return title
+    if quantity := place["quantities"].get(key):
+        return quantity.title + (f" ${quantity.symbol}$" if quantity.symbol else "")
     return rf"traction coefficient, $\xi$ = {_xi(place, key):.4g} %"
 
 
 def _keys(place):
     """Those of the references: patch first, then along the creep curve."""
-    patch = [name for name, _, _ in PATCH if name in place["references"]]
+    patch = [name for name in PATCH if name in place["references"]]
     rest = [k for k in place["references"] if _is_coefficient(k)]
     return patch + sorted(rest, key=lambda k: int(k.split(":")[1]))
 
@@ -157,9 +151,8 @@ def speed_error(place, friction):
 
 
 def _heading(place, key):
-    for name, _, heading in PATCH:
-        if name == key:
-            return heading
+    if quantity := place["quantities"].get(key):
+        return tables.heading(quantity)
     return f"−F<sub>x</sub>/F<sub>z</sub> at ξ = {tables.plain(_xi(place, key))} %"
 
 
@@ -305,7 +298,9 @@ def build_study(directory, png_folder=None):
     parts += [f"<p class=hint>{escape(note)}.</p>" for note in study["notes"]]
     if len(study["places"]) > 1:
         parts.append(_overview(study))
+    quantities = {name: Quantity(**quantity) for name, quantity in study["quantities"].items()}
     for place in study["places"]:
+        place["quantities"] = quantities
         parts += _place_parts(study, place, _figures(study, place, directory, folder, png_folder))
     parts += [f"<p class=hint>{HINTS}</p>",
               "<p class=hint>Beside this file: study.json and study.csv with every number, figures/.</p>"]

@@ -1,5 +1,6 @@
 """The tables of the report as HTML, from a result."""
 import math
+import re
 from html import escape
 
 from . import published, selection, style
@@ -68,11 +69,28 @@ def _difference(value, reference, scale=None):
     return 100 * (value - reference) / abs(scale) if scale else None
 
 
-PATCH = [("max_pressure", "largest pressure p<sub>0</sub> [MPa]"),
-         ("contact_length", "length along x [mm]"), ("contact_width", "width along y [mm]"),
-         ("semi_axis_x", "semi-axis along x [mm]"), ("semi_axis_y", "semi-axis along y [mm]"),
-         ("contact_area", "contact area [mm²]"), ("approach", "approach [mm]"),
-         ("normal_force", "normal force F<sub>z</sub> [N]")]
+# What the letters of the files look like on a page.
+GREEK = {"xi": "ξ", "eta": "η", "phi": "φ", "mu": "μ"}
+
+
+def symbol(text):
+    """A symbol of the files as HTML: F_x, xi, -F_x/F_z, mu p_0."""
+    text = re.sub(r"\b(" + "|".join(GREEK) + r")\b", lambda found: GREEK[found[1]], escape(text))
+    return re.sub(r"_(\w+)", r"<sub>\1</sub>", text).replace("-", "−")
+
+
+def unit(quantity):
+    """" [mm²]"; empty where it has none."""
+    return "" if quantity.unit == "-" else f" [{quantity.unit.replace('^2', '²')}]"
+
+
+def heading(quantity):
+    """Title, symbol and unit of a scalar as the file has them."""
+    return " ".join(filter(None, (escape(quantity.title), symbol(quantity.symbol)))) + unit(quantity)
+
+
+PATCH = ["max_pressure", "contact_length", "contact_width", "semi_axis_x", "semi_axis_y", "contact_area",
+         "approach", "normal_force"]
 
 
 def _beyond(value, bar, base, base_bar):
@@ -100,10 +118,10 @@ def patch_table(result):
     models = [m for m in result.models if m.points]
     reference = selection.reference_for_patch(result)
     rows = []
-    for quantity, heading in PATCH:
+    for quantity in PATCH:
         if not _tells(result, quantity):
             continue
-        row = [heading]
+        row = [heading(result.quantities[quantity])]
         for model in models:
             point = model.points[0]
             names = (quantity, SAME_ERROR.get(quantity, quantity))
@@ -124,12 +142,11 @@ def published_table(result):
     rows = published.patches(result)
     if not rows:
         return ""
-    names = [(name, heading) for name, heading in PATCH if any(name in row for row in rows)]
-    lines = [[heading] + [plain(row[name]) if name in row else "–" for row in rows]
-             for name, heading in names]
+    lines = [[heading(result.quantities[name])] + [plain(row[name]) if name in row else "–" for row in rows]
+             for name in PATCH if any(name in row for row in rows)]
     if any("max_traction_x" in row for row in rows):
-        lines.append(["largest |p<sub>x</sub>| [MPa]"] + [_at_creepage(row.get("max_traction_x"))
-                                                         for row in rows])
+        lines.append([heading(result.quantities["max_traction_x"])] + [_at_creepage(row.get("max_traction_x"))
+                                                            for row in rows])
     said = published.says(result)
     words = f"The thesis says: {escape(said)}. " if said else ""
     return (table(["published"] + [escape(row["name"]).replace(": ", ":<br>") for row in rows], lines)
@@ -211,20 +228,14 @@ def cost_table(result):
                  "left")
 
 
-ALL = [("longitudinal_creepage", "ξ"), ("lateral_creepage", "η"), ("spin", "φ [rad/mm]"),
-       ("longitudinal_force", "F<sub>x</sub> [N]"), ("lateral_force", "F<sub>y</sub> [N]"),
-       ("spin_moment", "M<sub>z</sub> [N mm]"), ("normal_force", "F<sub>z</sub> [N]"),
-       ("max_pressure", "p<sub>0</sub> [MPa]"), ("max_traction", "max |p<sub>t</sub>| [MPa]"),
-       ("approach", "approach [mm]"), ("contact_length", "length [mm]"),
-       ("contact_width", "width [mm]"), ("contact_area", "area [mm²]"),
-       ("adhesion_area", "adhesion [mm²]"), ("iterations", "iterations"),
-       ("residual", "residual"), ("seconds", "seconds")]
-
-
-def points_table(model):
-    """Every scalar of every load point."""
+def points_table(result, model):
+    """Every scalar of every load point, but those that are 0 in all."""
     columns = _creepage_head([model])
+    names = [n for n in result.quantities
+             if n != "converged" and any(p.scalars.get(n) for p in model.points)]
     rows = [[", ".join(plain(p.key[k] * f) for _, k, f in columns)]
-            + [number(p[name]) for name, _ in ALL] + ["yes" if p["converged"] else "<b>no</b>"]
+            + [number(p.scalars.get(n)) for n in names] + ["yes" if p["converged"] else "<b>no</b>"]
             for p in model.points]
-    return table([", ".join(c[0] for c in columns)] + [h for _, h in ALL] + ["converged"], rows)
+    quantities = [result.quantities[n] for n in names]
+    head = [(symbol(q.symbol) or escape(q.title)) + unit(q) for q in quantities]
+    return table([", ".join(c[0] for c in columns)] + head + ["converged"], rows)

@@ -127,6 +127,7 @@ std::string study_json(const StudyRecord& record) {
   json["case_text"] = record.case_text;
   json["friction_coefficient"] = record.friction;
   json["notes"] = record.notes;
+  json["quantities"] = headings_json(contact::quantities());
   json["verdict"] = study_verdict(record);
   json["places"] = ordered_json::array();
   for (const StudyPlace& place : record.places) json["places"].push_back(place_json(record, place));

@@ -1,4 +1,5 @@
 // A study for the terminal: a table for each series, and one line on all of them.
+#include "contact/result/quantities.hpp"
 #include "postprocess/study/study.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +17,7 @@ bool is_coefficient(const std::string& key) {
 }
 
 std::string name_of(const StudyPlace& place, const std::string& key) {
-  if (key == "max_pressure") return "largest pressure";
-  if (key == "semi_axis_x") return "semi-axis along x";
-  if (key == "semi_axis_y") return "semi-axis along y";
-  if (key == "contact_length") return "length of the patch along x";
-  if (key == "contact_width") return "width of the patch along y";
+  if (const contact::Quantity* quantity = contact::find_quantity(key)) return quantity->title;
   if (!is_coefficient(key)) return key;
   const auto point = static_cast<std::size_t>(std::atoi(key.c_str() + key.find(':') + 1));
   const double xi =
@@ -28,9 +25,9 @@ std::string name_of(const StudyPlace& place, const std::string& key) {
   return fmt::format("traction coefficient at xi = {:.4g} %", 100.0 * xi);
 }
 
-const char* unit_of(const std::string& key) {
-  if (key == "max_pressure") return " MPa";
-  return is_coefficient(key) ? "" : " mm";
+std::string unit_of(const std::string& key) {
+  const contact::Quantity* quantity = contact::find_quantity(key);
+  return quantity == nullptr ? "" : fmt::format(" {}", quantity->unit);
 }
 
 std::string percent(double error) {

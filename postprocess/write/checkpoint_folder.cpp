@@ -1,6 +1,7 @@
 #include "postprocess/write/checkpoint_folder.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "postprocess/write/result_folder.hpp"
 
@@ -24,7 +25,7 @@ namespace {
 using contact::InputError;
 
 /// Of the folder and of the records; to be raised when contact/result/record.cpp changes.
-constexpr int format = 2;
+constexpr int format = 3;
 
 /// Less work than this is not worth a disk access.
 constexpr auto grace = std::chrono::milliseconds(500);
@@ -69,6 +70,14 @@ unsigned long long checksum_of(const contact::Case& input) {
   return hash;
 }
 
+/// A record holds the quantities of a load point in their order.
+unsigned long long checksum_of_quantities() {
+  unsigned long long hash = contact::checksum({});
+  for (const contact::Quantity& quantity : contact::quantities())
+    hash = contact::checksum(quantity.name, hash);
+  return hash;
+}
+
 std::string sealed(const std::string& record) {
   return fmt::format("{:016x}", contact::checksum(record)) + record;
 }
@@ -100,8 +109,8 @@ CheckpointFolder::CheckpointFolder(const std::string& result_directory, const co
   about_ = fmt::format(
       "Load points of an unfinished run of rollfem. The same command with --resume takes them up; "
       "without it they are replaced. The folder may be deleted.\n"
-      "format: {}\nprogram: {}\ncase: {:016x}\n",
-      format, program, checksum_of(input));
+      "format: {} {:016x}\nprogram: {}\ncase: {:016x}\n",
+      format, checksum_of_quantities(), program, checksum_of(input));
   look_at(input);
 }
 

@@ -1,5 +1,6 @@
 #include "postprocess/write/csv.hpp"
 
+#include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/point_table.hpp"
 
@@ -16,9 +17,16 @@ using contact::ContactGrid;
 using contact::Field;
 using contact::ModelResult;
 using contact::PointResult;
+using contact::Quantity;
 
 std::string header(const std::string& name, const std::string& unit) {
   return fmt::format(",{} [{}]", name, unit);
+}
+
+/// Empty where the model does not give it.
+std::string cell(const Quantity& quantity, const PointResult& point) {
+  const std::optional<double> value = quantity.value(point);
+  return value ? fmt::format(",{}", *value) : ",";
 }
 
 /// With profiles every row says to which patch it belongs; else there are no such columns.
@@ -84,16 +92,15 @@ std::vector<int> middle_lines(double first, double step, int count) {
 
 std::string creep_curve_csv(const RunRecord& run) {
   std::string text = place_head(run) + "model,point";
-  for (const PointScalar& scalar : point_scalars()) text += header(scalar.name, scalar.unit);
-  text += ",iterations [-],residual [-],seconds [s],converged\n";
+  for (const Quantity& quantity : contact::quantities())
+    text += header(quantity.name, quantity.unit);
+  text += '\n';
   for (const ModelResult& model : run.models)
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       const PointResult& point = model.points[k];
       text += fmt::format("{}{},{}", place_cells(model), model.name, k);
-      for (const PointScalar& scalar : point_scalars())
-        text += fmt::format(",{}", scalar.value(point));
-      text += fmt::format(",{},{},{},{}\n", point.iterations, point.residual, point.seconds,
-                          point.converged ? 1 : 0);
+      for (const Quantity& quantity : contact::quantities()) text += cell(quantity, point);
+      text += '\n';
     }
   return text;
 }
@@ -148,23 +155,25 @@ std::string subsurface_csv(const RunRecord& run) {
 
 std::string contacts_csv(const RunRecord& run) {
   if (!has_places(run)) return {};
+  static const char* const main_results[] = {
+      "longitudinal_creepage", "lateral_creepage", "spin",          "normal_force",
+      "longitudinal_force",    "lateral_force",    "max_pressure",  "contact_length",
+      "contact_width",         "approach",         "vertical_force"};
   std::string text = "wheel";
   for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
-  text +=
-      ",model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm],normal_force "
-      "[N],longitudinal_force [N],lateral_force [N],max_pressure [MPa],contact_length "
-      "[mm],contact_width [mm],approach [mm],contact_elements [-]\n";
+  text += ",model,point";
+  for (const char* name : main_results) text += header(name, contact::quantity_named(name).unit);
+  text += ",contact_elements [-]\n";
   for (const ModelResult& model : run.models) {
     if (!model.place) continue;
     std::string place = model.place->left ? "left" : "right";
     for (const PlaceScalar& scalar : place_scalars())
       place += fmt::format(",{}", scalar.value(*model.place));
     for (std::size_t k = 0; k < model.points.size(); ++k) {
-      const PointResult& p = model.points[k];
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", place, model.name, k,
-                          p.creepage.longitudinal, p.creepage.lateral, p.creepage.spin,
-                          p.normal_force, p.longitudinal_force, p.lateral_force, p.max_pressure,
-                          p.contact_length, p.contact_width, p.approach, model.contact_elements);
+      text += fmt::format("{},{},{}", place, model.name, k);
+      for (const char* name : main_results)
+        text += cell(contact::quantity_named(name), model.points[k]);
+      text += fmt::format(",{}\n", model.contact_elements);
     }
   }
   return text;

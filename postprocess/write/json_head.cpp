@@ -18,6 +18,14 @@ ordered_json json_head(int format, const std::string& kind, const Provenance& pr
   return json;
 }
 
+ordered_json headings_json(const std::vector<contact::Quantity>& quantities) {
+  ordered_json json = ordered_json::object();
+  for (const contact::Quantity& quantity : quantities)
+    json[quantity.name] = {
+        {"title", quantity.title}, {"symbol", quantity.symbol}, {"unit", quantity.unit}};
+  return json;
+}
+
 std::string json_text(const ordered_json& json) {
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

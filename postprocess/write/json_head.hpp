@@ -1,16 +1,21 @@
 // What begins compare.json and study.json alike: which kind of file it is and who made it.
 #pragma once
 
+#include "contact/result/quantities.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace rollfem::postprocess {
 
 /// Keys format, kind, program, host, started, command, processes.
 nlohmann::ordered_json json_head(int format, const std::string& kind, const Provenance& provenance);
+
+/// Title, symbol and unit by name, for headings.
+nlohmann::ordered_json headings_json(const std::vector<contact::Quantity>& quantities);
 
 /// The file's text; what is not UTF-8 is shown with replacement characters.
 std::string json_text(const nlohmann::ordered_json& json);

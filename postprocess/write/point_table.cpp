@@ -4,48 +4,6 @@ namespace rollfem::postprocess {
 
 using contact::ContactFields;
 using contact::Field;
-using contact::PointResult;
-
-const std::vector<PointScalar>& point_scalars() {
-  using P = const PointResult&;
-  static const std::vector<PointScalar> scalars{
-      {"longitudinal_creepage", "-", "xi; positive brakes the wheel",
-       [](P p) { return p.creepage.longitudinal; }},
-      {"lateral_creepage", "-", "eta", [](P p) { return p.creepage.lateral; }},
-      {"spin", "rad/mm", "phi", [](P p) { return p.creepage.spin; }},
-      {"step", "-", "number of the step in a history, from 1; 0 where there is none",
-       [](P p) { return static_cast<double>(p.step); }},
-      {"longitudinal_shift", "mm", "rigid shift of the wheel over the rail since the beginning",
-       [](P p) { return p.longitudinal_shift; }},
-      {"lateral_shift", "mm", "the same along y", [](P p) { return p.lateral_shift; }},
-      {"spin_shift", "rad", "rotation about the normal since the beginning",
-       [](P p) { return p.spin_shift; }},
-      {"distance", "mm", "distance rolled since the beginning", [](P p) { return p.distance; }},
-      {"normal_force", "N", "F_z, positive in compression", [](P p) { return p.normal_force; }},
-      {"longitudinal_force", "N", "F_x on the wheel; negative for positive xi",
-       [](P p) { return p.longitudinal_force; }},
-      {"lateral_force", "N", "F_y on the wheel; negative for positive eta",
-       [](P p) { return p.lateral_force; }},
-      {"spin_moment", "N mm", "M_z on the wheel about the origin",
-       [](P p) { return p.spin_moment; }},
-      {"traction_coefficient", "-", "-F_x / F_z: rises with xi",
-       [](P p) { return p.traction_coefficient; }},
-      {"max_pressure", "MPa", "largest contact pressure", [](P p) { return p.max_pressure; }},
-      {"max_traction", "MPa", "largest tangential traction |p_t|",
-       [](P p) { return p.max_traction; }},
-      {"max_traction_x", "MPa", "largest |p_x|", [](P p) { return p.max_traction_x; }},
-      {"approach", "mm", "how far the bodies have come together since they touched",
-       [](P p) { return p.approach; }},
-      {"semi_axis_x", "mm", "semi-axis of the patch along rolling",
-       [](P p) { return p.semi_axis_x; }},
-      {"semi_axis_y", "mm", "semi-axis of the patch across", [](P p) { return p.semi_axis_y; }},
-      {"contact_length", "mm", "extent of the patch in x", [](P p) { return p.contact_length; }},
-      {"contact_width", "mm", "extent of the patch in y", [](P p) { return p.contact_width; }},
-      {"contact_area", "mm^2", "area of the patch", [](P p) { return p.contact_area; }},
-      {"adhesion_area", "mm^2", "area that does not slip", [](P p) { return p.adhesion_area; }},
-  };
-  return scalars;
-}
 
 const std::vector<PlaceScalar>& place_scalars() {
   using P = const contact::ContactPlace&;

@@ -1,5 +1,5 @@
-// The scalars of a load point with their units, meanings and signs, declared once for summary.json,
-// results.h5 and creep_curve.csv.
+// The fields of a load point and the numbers of its place with their units, meanings and signs,
+// declared once for all files. Its scalars: contact/result/quantities.hpp.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -7,16 +7,6 @@
 #include <vector>
 
 namespace rollfem::postprocess {
-
-struct PointScalar {
-  const char* name;
-  const char* unit;         ///< "-" when it has none
-  const char* description;  ///< one sentence with the sign
-  double (*value)(const contact::PointResult&);
-};
-
-/// All floating-point scalars of a load point, in the order of summary.json.
-const std::vector<PointScalar>& point_scalars();
 
 /// A field over the contact grid: which one, and what a reader must know about it.
 struct PointField {

@@ -1,5 +1,6 @@
 #include "postprocess/write/results_hdf5.hpp"
 
+#include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/hdf5_objects.hpp"
 #include "postprocess/write/point_table.hpp"
@@ -81,16 +82,30 @@ void write_provenance(hid_t file, const Provenance& provenance) {
 /// The attributes of a load point explained, for readers that show no comments.
 void write_documentation(hid_t file) {
   std::vector<std::string> lines;
-  for (const PointScalar& scalar : point_scalars())
-    lines.push_back(fmt::format("{} [{}]: {}", scalar.name, scalar.unit, scalar.description));
+  for (const contact::Quantity& quantity : contact::quantities())
+    lines.push_back(fmt::format("{} [{}]: {}", quantity.name, quantity.unit, quantity.meaning));
   for (const PlaceScalar& scalar : place_scalars())
     lines.push_back(fmt::format("place/{} [{}]: {}", scalar.name, scalar.unit, scalar.description));
-  lines.emplace_back("iterations [-]: outer iterations (FE solves) or Newton steps");
-  lines.emplace_back("residual [-]: relative residual at which the iteration stopped");
-  lines.emplace_back("seconds [s]: time of this load point");
-  lines.emplace_back("converged [-]: 1 or 0");
   const Handle dataset = write_dataset(file, "documentation", lines);
   write_comment(dataset, "Unit and meaning of the attributes of /models/NAME/points/NUMBER");
+}
+
+/// The same of the scalars alone, in columns for programs.
+void write_quantities(hid_t file) {
+  const Handle group = create_group(
+      file, "quantities", "Scalars of a load point: line k of every dataset belongs to one");
+  const auto column = [&](const char* name, const char* comment,
+                          const char* const contact::Quantity::*member) {
+    std::vector<std::string> lines;
+    for (const contact::Quantity& quantity : contact::quantities())
+      lines.emplace_back(quantity.*member);
+    write_comment(write_dataset(group, name, lines), comment);
+  };
+  column("name", "Attribute of /models/NAME/points/NUMBER", &contact::Quantity::name);
+  column("title", "For headings", &contact::Quantity::title);
+  column("symbol", "F_x, xi, ...; empty where there is none", &contact::Quantity::symbol);
+  column("unit", "- where it has none", &contact::Quantity::unit);
+  column("meaning", "What it is, with its sign", &contact::Quantity::meaning);
 }
 
 void write_grid(hid_t model, const ContactGrid& grid) {
@@ -174,12 +189,21 @@ void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>&
   write_rows(group, "place", place, "mm", "x, y, z in the global frame, z into the wheel");
 }
 
-/// A group of named numbers; nothing where there are none.
-void write_quantities(hid_t parent, const char* name, const char* comment,
-                      const std::map<std::string, double>& quantities) {
-  if (quantities.empty()) return;
+/// Counts and truths (1 or 0) as integers; none where the model does not give it.
+void write_quantity(hid_t group, const contact::Quantity& quantity, const PointResult& point) {
+  const std::optional<double> value = quantity.value(point);
+  if (!value) return;
+  if (quantity.member.kind == contact::QuantityKind::number)
+    write_attribute(group, quantity.name, *value);
+  else
+    write_attribute(group, quantity.name, static_cast<long>(*value));
+}
+
+/// A group of numbers by quantity.
+void write_by_quantity(hid_t parent, const char* name, const char* comment,
+                       const std::map<std::string, double>& numbers) {
   const Handle group = create_group(parent, name, comment);
-  for (const auto& [quantity, value] : quantities) write_attribute(group, quantity, value);
+  for (const auto& [quantity, value] : numbers) write_attribute(group, quantity, value);
 }
 
 void write_point(hid_t points, std::size_t number, const ModelResult& model) {
@@ -188,20 +212,13 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model) {
       points, fmt::format("{:04}", number),
       fmt::format("Creepage xi = {}, eta = {}, spin = {} rad/mm; attributes: see /documentation",
                   point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin));
-  for (const PointScalar& scalar : point_scalars())
-    write_attribute(group, scalar.name, scalar.value(point));
-  write_attribute(group, "iterations", static_cast<long>(point.iterations));
-  write_attribute(group, "residual", point.residual);
-  write_attribute(group, "seconds", point.seconds);
-  write_attribute(group, "converged", static_cast<long>(point.converged));
-  const Handle errors =
-      create_group(group, "error_estimate", "Attributes: estimated relative error by quantity");
-  for (const auto& [quantity, error] : point.error_estimate)
-    write_attribute(errors, quantity, error);
-  write_quantities(group, "richardson", "Attributes: values extrapolated to cells of size 0",
-                   point.richardson);
-  write_quantities(group, "derived",
-                   "Attributes: elastic energy in N mm, work in N mm per mm rolled", point.derived);
+  for (const contact::Quantity& quantity : contact::quantities())
+    write_quantity(group, quantity, point);
+  write_by_quantity(group, "error_estimate", "Attributes: estimated relative error by quantity",
+                    point.error_estimate);
+  if (!point.richardson.empty())
+    write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",
+                      point.richardson);
   write_point_fields(group, model.grid, point);
   write_subsurface(group, point.subsurface);
   write_stress_maxima(group, point.stress_maxima);
@@ -257,6 +274,7 @@ std::string results_hdf5(const RunRecord& run) {
   write_attribute(file, "format_minor", static_cast<long>(hdf5_format_minor));
   write_attribute(file, "conventions", std::string(conventions));
   write_documentation(file);
+  write_quantities(file);
   write_case(file, run.input);
   write_provenance(file, run.provenance);
   write_pairs(file, run.pairs);

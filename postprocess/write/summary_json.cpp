@@ -1,5 +1,6 @@
 #include "postprocess/write/summary_json.hpp"
 
+#include "contact/result/quantities.hpp"
 #include "postprocess/write/point_table.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,15 +12,25 @@ using nlohmann::ordered_json;
 
 ordered_json point_json(const contact::PointResult& point) {
   ordered_json json;
-  for (const PointScalar& scalar : point_scalars()) json[scalar.name] = scalar.value(point);
-  json["iterations"] = point.iterations;
-  json["seconds"] = point.seconds;
-  json["converged"] = point.converged;
+  for (const contact::Quantity& quantity : contact::quantities()) {
+    const std::optional<double> value = quantity.value(point);
+    if (!value) continue;
+    switch (quantity.member.kind) {
+      case contact::QuantityKind::number:
+        json[quantity.name] = *value;
+        break;
+      case contact::QuantityKind::count:
+        json[quantity.name] = static_cast<long>(*value);
+        break;
+      case contact::QuantityKind::truth:
+        json[quantity.name] = *value != 0.0;
+        break;
+    }
+  }
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, error] : point.error_estimate)
     json["error_estimate"][quantity] = error;
   if (!point.richardson.empty()) json["richardson"] = point.richardson;
-  if (!point.derived.empty()) json["derived"] = point.derived;
   for (const contact::StressMaximum& maximum : point.stress_maxima)
     json["stress_maxima"].push_back({{"body", maximum.body},
                                      {"measure", maximum.measure},

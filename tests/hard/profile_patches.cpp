@@ -95,7 +95,7 @@ TEST(ProfilePatches, TwoRegionsBecomeOne) {
   const auto hertz = halfspace::hertz_of_case(half);
   EXPECT_NEAR(light.points.front().max_pressure, hertz.max_pressure, 0.03 * hertz.max_pressure);
   EXPECT_NEAR(light.points.front().contact_width, 2.0 * (d + hertz.semi_axis_y), 0.05 * 2.0 * d);
-  EXPECT_NEAR(light.points.front().derived.at("patch_y_middle"), 0.0, 0.02);
+  EXPECT_NEAR(light.points.front().patch_y_middle.value(), 0.0, 0.02);
   const auto heavy = halfspace::run_model("halfspace", two_crests(200e3, d, radius), {});
   EXPECT_EQ(regions(heavy), 1);
   EXPECT_NEAR(heavy.points.front().normal_force, 200e3, 1.0);

@@ -170,14 +170,14 @@ TEST(Derived, FrictionalWorkIsWhatTheCreepForcesPutIn) {
   input.contact_grid.elements_across = 40;
   input.rolling.creepages = {{0.002, 0.001, 1e-4}};
   const PointResult point = halfspace::run_halfspace(input, {}).points[0];
-  const double friction = point.derived.at("frictional_work");
+  const double friction = point.frictional_work.value();
   EXPECT_GT(friction, 0.0);
-  EXPECT_NEAR(point.derived.at("creepage_work") / friction, 1.0, 0.02);
+  EXPECT_NEAR(point.creepage_work.value() / friction, 1.0, 0.02);
   // Hertz's pressure alone stores 2/5 F delta, the integral of the force over the approach. What
   // tractions add is at most mu^2 of it times the ratio of the compliances, which is below 2.
   const double pressure_alone = 0.4 * point.normal_force * point.approach;
-  EXPECT_GT(point.derived.at("elastic_energy"), 0.999 * pressure_alone);
-  EXPECT_LT(point.derived.at("elastic_energy"), (1.0 + 0.55 * 0.55 * 2.0) * pressure_alone);
+  EXPECT_GT(point.elastic_energy.value(), 0.999 * pressure_alone);
+  EXPECT_LT(point.elastic_energy.value(), (1.0 + 0.55 * 0.55 * 2.0) * pressure_alone);
 }
 
 TEST(Derived, RichardsonValueIsNearerThanTheFineOne) {

@@ -219,7 +219,7 @@ TEST(ProfilePatches, MirroredProfilesGiveMirroredForces) {
     EXPECT_NEAR(b.longitudinal_force, a.longitudinal_force, 10.0);
     EXPECT_NEAR(b.lateral_force, -a.lateral_force, 10.0);
     EXPECT_NEAR(b.spin_moment, -a.spin_moment, 1e-3 * std::abs(a.spin_moment));
-    EXPECT_NEAR(b.derived.at("patch_y_middle"), -a.derived.at("patch_y_middle"), 5e-3);
+    EXPECT_NEAR(b.patch_y_middle.value(), -a.patch_y_middle.value(), 5e-3);
   }
 }
 
@@ -243,7 +243,7 @@ TEST(ProfilePatches, WorksOfFrictionAndCreepageAgree) {
   Case input = s1002_left();
   input.rolling.creepages = {{2e-3, 1e-3, 1e-4}};
   const auto point = run("halfspace", input).points.front();
-  EXPECT_GT(point.derived.at("elastic_energy"), 0.0);
-  EXPECT_NEAR(point.derived.at("frictional_work"), point.derived.at("creepage_work"),
-              0.01 * point.derived.at("creepage_work"));
+  EXPECT_GT(point.elastic_energy.value(), 0.0);
+  EXPECT_NEAR(point.frictional_work.value(), point.creepage_work.value(),
+              0.01 * point.creepage_work.value());
 }

@@ -21,7 +21,8 @@ contact::PointResult full_point() {
   point.spin_shift = 0.3;
   point.distance = 0.4;
   point.richardson = {{"max_pressure", 580.0}};
-  point.derived = {{"elastic_energy", 957.0}, {"frictional_work", 3.0}};
+  point.elastic_energy = 957.0;
+  point.frictional_work = 3.0;
   contact::SubsurfaceField below;
   below.request.points = {2, 1};
   below.points = {{0, 0, 1}, {0, 0, 2}};

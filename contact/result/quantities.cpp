@@ -1,0 +1,244 @@
+#include "contact/result/quantities.hpp"
+
+#include "contact/base/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+namespace rollfem::contact {
+
+namespace {
+
+template <auto First, auto... Rest, class Object>
+auto& follow(Object& object) {
+  if constexpr (sizeof...(Rest) == 0)
+    return object.*First;
+  else
+    return follow<Rest...>(object.*First);
+}
+
+/// The member that a path of member pointers leads to: double, int, bool, or a double that may be
+/// absent.
+template <auto... Path>
+QuantityMember at() {
+  using Value = std::remove_reference_t<decltype(follow<Path...>(std::declval<PointResult&>()))>;
+  constexpr bool optional = std::is_same_v<Value, std::optional<double>>;
+  constexpr QuantityKind kind = std::is_same_v<Value, bool>  ? QuantityKind::truth
+                                : std::is_same_v<Value, int> ? QuantityKind::count
+                                                             : QuantityKind::number;
+  return {kind, optional,
+          [](const PointResult& point) -> std::optional<double> {
+            const auto& member = follow<Path...>(point);
+            if constexpr (optional)
+              return member;
+            else
+              return static_cast<double>(member);
+          },
+          [](PointResult& point, double value) {
+            if constexpr (kind == QuantityKind::truth)
+              follow<Path...>(point) = value != 0.0;
+            else if constexpr (kind == QuantityKind::count)
+              follow<Path...>(point) = static_cast<int>(value);
+            else
+              follow<Path...>(point) = value;
+          }};
+}
+
+using P = PointResult;
+using Scale = ErrorScale;
+using Use = QuantityUse;
+
+/// What is given: creepages (found for prescribed forces) and, in a history, the way so far.
+std::vector<Quantity> of_the_motion() {
+  return {
+      {"longitudinal_creepage", "longitudinal creepage", "xi", "-",
+       "longitudinal creepage, as prescribed or as found for a prescribed force; positive brakes "
+       "the wheel",
+       Scale::none, Use::stored, at<&P::creepage, &Creepage::longitudinal>()},
+      {"lateral_creepage", "lateral creepage", "eta", "-",
+       "lateral creepage; positive where the wheel slides towards +y", Scale::none, Use::stored,
+       at<&P::creepage, &Creepage::lateral>()},
+      {"spin", "spin", "phi", "rad/mm",
+       "rotation of the wheel against the rail about the normal, per mm rolled", Scale::none,
+       Use::stored, at<&P::creepage, &Creepage::spin>()},
+      {"step", "step", "", "-",
+       "number of the step in a history (problems `shift`, `transient`), from 1; else 0",
+       Scale::none, Use::stored, at<&P::step>()},
+      {"longitudinal_shift", "longitudinal shift", "", "mm",
+       "rigid shift of the wheel over the rail along x since the beginning", Scale::none,
+       Use::stored, at<&P::longitudinal_shift>()},
+      {"lateral_shift", "lateral shift", "", "mm",
+       "rigid shift of the wheel over the rail along y since the beginning", Scale::none,
+       Use::stored, at<&P::lateral_shift>()},
+      {"spin_shift", "rotation", "", "rad", "rotation about the normal since the beginning",
+       Scale::none, Use::stored, at<&P::spin_shift>()},
+      {"distance", "distance", "", "mm", "distance rolled since the beginning", Scale::none,
+       Use::stored, at<&P::distance>()},
+  };
+}
+
+std::vector<Quantity> of_the_forces() {
+  return {
+      {"normal_force", "normal force", "F_z", "N", "normal force, positive in compression",
+       Scale::value, Use::accuracy, at<&P::normal_force>()},
+      {"longitudinal_force", "longitudinal force", "F_x", "N",
+       "force along x on the wheel; negative for positive xi", Scale::force, Use::stored,
+       at<&P::longitudinal_force>()},
+      {"lateral_force", "lateral force", "F_y", "N",
+       "force along y on the wheel; negative for positive eta", Scale::force, Use::stored,
+       at<&P::lateral_force>()},
+      {"spin_moment", "spin moment", "M_z", "N mm", "moment on the wheel about the origin",
+       Scale::moment, Use::stored, at<&P::spin_moment>()},
+      {"traction_coefficient", "traction coefficient", "-F_x/F_z", "-",
+       "what to plot as creep curve: rises with xi", Scale::friction, Use::accuracy,
+       at<&P::traction_coefficient>()},
+      {"max_pressure", "largest pressure", "p_0", "MPa",
+       "largest pressure, positive in compression", Scale::value, Use::accuracy,
+       at<&P::max_pressure>()},
+      {"max_traction", "largest tangential traction", "|p_t|", "MPa",
+       "largest length of the tangential traction", Scale::traction, Use::stored,
+       at<&P::max_traction>()},
+      {"max_traction_x", "largest longitudinal traction", "|p_x|", "MPa",
+       "largest size of the traction along x", Scale::traction, Use::accuracy,
+       at<&P::max_traction_x>()},
+  };
+}
+
+std::vector<Quantity> of_the_patch() {
+  return {
+      {"approach", "approach", "", "mm", "how far the bodies have come together since they touched",
+       Scale::value, Use::accuracy, at<&P::approach>()},
+      {"semi_axis_x", "semi-axis along x", "a", "mm",
+       "half the extent of the patch in x, found below the element size", Scale::value,
+       Use::accuracy, at<&P::semi_axis_x>()},
+      {"semi_axis_y", "semi-axis along y", "b", "mm",
+       "half the extent of the patch in y, found below the element size", Scale::value,
+       Use::accuracy, at<&P::semi_axis_y>()},
+      {"contact_length", "length of the patch along x", "", "mm", "extent of the patch in x",
+       Scale::value, Use::stored, at<&P::contact_length>()},
+      {"contact_width", "width of the patch along y", "", "mm",
+       "extent of the patch in y; of a curved patch as the notes of the model say", Scale::value,
+       Use::stored, at<&P::contact_width>()},
+      {"contact_area", "contact area", "", "mm^2", "area of the patch", Scale::value, Use::compared,
+       at<&P::contact_area>()},
+      {"adhesion_area", "adhesion area", "", "mm^2", "area that does not slip", Scale::value,
+       Use::stored, at<&P::adhesion_area>()},
+  };
+}
+
+/// How it was solved, and what follows from the fields where a model gives it.
+std::vector<Quantity> of_the_solution() {
+  return {
+      {"iterations", "iterations", "", "-", "outer iterations (FE solves) or Newton steps",
+       Scale::none, Use::stored, at<&P::iterations>()},
+      {"residual", "residual", "", "-", "relative residual at which the iteration stopped",
+       Scale::none, Use::stored, at<&P::residual>()},
+      {"seconds", "seconds", "", "s", "time of this load point", Scale::none, Use::stored,
+       at<&P::seconds>()},
+      {"converged", "converged", "", "-", "a point that is not converged must not be used",
+       Scale::none, Use::stored, at<&P::converged>()},
+      {"elastic_energy", "elastic energy", "", "N mm",
+       "elastic energy of both bodies; half-space only", Scale::value, Use::stored,
+       at<&P::elastic_energy>()},
+      {"frictional_work", "frictional work", "", "N",
+       "N mm per mm rolled, from tractions and slip at the same points; half-space in steady "
+       "rolling only",
+       Scale::value, Use::stored, at<&P::frictional_work>()},
+      {"creepage_work", "work of the creepages", "", "N",
+       "N mm per mm rolled, from forces and creepages: that of friction but for the discretisation",
+       Scale::value, Use::stored, at<&P::creepage_work>()},
+      {"patch_x_middle", "middle of the patch along x", "", "mm",
+       "middle of the extent of the patch in x; with profiles, where the patch is off the origin",
+       Scale::none, Use::stored, at<&P::patch_x_middle>()},
+      {"patch_y_middle", "middle of the patch along y", "", "mm",
+       "middle of the extent of the patch in y; with profiles, where the patch is off the origin",
+       Scale::none, Use::stored, at<&P::patch_y_middle>()},
+      {"vertical_force", "vertical force", "", "N",
+       "force along the vertical of the track, friction included; with profiles", Scale::value,
+       Use::stored, at<&P::vertical_force>()},
+  };
+}
+
+/// A cell of a Markdown table, where a bar would end it.
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = [] {
+    std::vector<Quantity> list;
+    for (const auto& part : {of_the_motion(), of_the_forces(), of_the_patch(), of_the_solution()})
+      list.insert(list.end(), part.begin(), part.end());
+    return list;
+  }();
+  return all;
+}
+
+const Quantity* find_quantity(const std::string& name) {
+  const auto& all = quantities();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Quantity& q) { return q.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const Quantity& quantity_named(const std::string& name) {
+  const Quantity* found = find_quantity(name);
+  if (found == nullptr) throw std::logic_error("no quantity of that name: " + name);
+  return *found;
+}
+
+const char* text_of(ErrorScale scale) {
+  static const char* const texts[] = {"", "value", "mu", "mu F_z", "mu F_z sqrt(ab)", "mu p_0"};
+  return texts[static_cast<int>(scale)];
+}
+
+double quantity(const PointResult& point, const std::string& name) {
+  const std::optional<double> value = quantity_named(name).value(point);
+  if (!value) throw std::logic_error("the load point has no " + name);
+  return *value;
+}
+
+double full_sliding(const Quantity& quantity, const PointResult& point,
+                    double friction_coefficient) {
+  switch (quantity.scale) {
+    case ErrorScale::none:
+    case ErrorScale::value:
+      return 0.0;
+    case ErrorScale::friction:
+      return friction_coefficient;
+    case ErrorScale::force:
+      return friction_coefficient * point.normal_force;
+    case ErrorScale::moment:
+      return friction_coefficient * point.normal_force *
+             std::sqrt(point.semi_axis_x * point.semi_axis_y);
+    case ErrorScale::traction:
+      return friction_coefficient * point.max_pressure;
+  }
+  return 0.0;
+}
+
+std::vector<std::string> accuracy_words() {
+  std::vector<std::string> words;
+  for (const Quantity& quantity : quantities())
+    if (quantity.use == QuantityUse::accuracy) words.emplace_back(quantity.name);
+  return words;
+}
+
+std::string quantities_markdown() {
+  std::string text =
+      "| key of a point | symbol | unit | meaning | error relative to |\n|---|---|---|---|---|\n";
+  for (const Quantity& q : quantities())
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", q.name, cell(q.symbol), q.unit, q.meaning,
+                        text_of(q.scale));
+  return text;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,148 @@
+// Every row of the table of scalars is in every file, comes back from it, and stands in the book of
+// results. Nothing is named here: a new row is looked for as soon as it is there.
+#include "contact/result/quantities.hpp"
+#include "contact/result/record.hpp"
+#include "postprocess/read/results_reader.hpp"
+#include "postprocess/read/summary_reader.hpp"
+#include "postprocess/write/csv.hpp"
+#include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/summary_json.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/output_python.hpp"
+#include "support/output_synthetic_run.hpp"
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace rollfem::postprocess {
+namespace {
+
+using contact::PointResult;
+using contact::quantities;
+using contact::Quantity;
+
+/// Another number in every scalar of its first point; the second has none that may be absent.
+RunRecord numbered_run() {
+  RunRecord run = tests::synthetic_run();
+  run.models = {run.models[1]};
+  run.models[0].points.resize(2);
+  double number = 0.25;
+  for (const Quantity& quantity : quantities()) {
+    number += 1.0;
+    const bool whole = quantity.member.kind != contact::QuantityKind::number;
+    quantity.member.set(run.models[0].points[0], whole ? std::floor(number) : number);
+  }
+  return run;
+}
+
+void expect_same(const PointResult& found, const PointResult& written) {
+  for (const Quantity& quantity : quantities())
+    EXPECT_EQ(quantity.value(found), quantity.value(written)) << quantity.name;
+}
+
+TEST(EveryQuantity, IsInSummaryJsonAndComesBack) {
+  const RunRecord run = numbered_run();
+  const std::string text = summary_json(run);
+  const auto points = nlohmann::json::parse(text)["models"][0]["points"];
+  const auto read = models_of_summary(text);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const PointResult& point = run.models[0].points[k];
+    expect_same(read.at(0).points.at(k), point);
+    for (const Quantity& quantity : quantities()) {
+      EXPECT_EQ(points[k].contains(quantity.name), quantity.value(point).has_value())
+          << quantity.name;
+      EXPECT_EQ(points[k].value(quantity.name, nlohmann::json()).is_boolean(),
+                quantity.member.kind == contact::QuantityKind::truth)
+          << quantity.name;
+    }
+  }
+}
+
+TEST(EveryQuantity, IsInResultsHdf5WithUnitAndMeaningAndComesBack) {
+  const RunRecord run = numbered_run();
+  const std::string path = tests::write_temporary("quantities.h5", results_hdf5(run));
+  const ResultsFile file(path);
+  const contact::ModelResult read = file.read(file.models().at(0));
+  for (std::size_t k = 0; k < 2; ++k) expect_same(read.points.at(k), run.models[0].points[k]);
+
+  if (!tests::python_can_import("h5py"))
+    GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
+  const std::string printed = tests::python(R"(
+import sys, h5py
+f = h5py.File(sys.argv[1])
+point = f['models/halfspace/points/0000']
+columns = [f['quantities'][n].asstr()[()] for n in ('name', 'title', 'symbol', 'unit', 'meaning')]
+for row in zip(*columns):
+    print('%.17g' % point.attrs[row[0]], *row, sep='\t')
+)",
+                                            path);
+  std::string expected;
+  for (const Quantity& quantity : quantities())
+    expected += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", *quantity.value(run.models[0].points[0]),
+                            quantity.name, quantity.title, quantity.symbol, quantity.unit,
+                            quantity.meaning);
+  EXPECT_EQ(printed, expected);
+  std::filesystem::remove(path);
+}
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> parts;
+  std::istringstream stream(line);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+TEST(EveryQuantity, HasAColumnOfCreepCurveCsvWithItsUnit) {
+  const RunRecord run = numbered_run();
+  std::istringstream text(creep_curve_csv(run));
+  std::string head;
+  std::getline(text, head);
+  const std::vector<std::string> names = cells(head);
+  ASSERT_EQ(names.size(), 2 + quantities().size());  // model, point
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::string line;
+    std::getline(text, line);
+    std::vector<std::string> row = cells(line);
+    row.resize(names.size());
+    for (std::size_t c = 0; c < quantities().size(); ++c) {
+      const Quantity& quantity = quantities()[c];
+      EXPECT_EQ(names[c + 2], std::string(quantity.name) + " [" + quantity.unit + "]");
+      const std::optional<double> value = quantity.value(run.models[0].points[k]);
+      EXPECT_EQ(row[c + 2].empty(), !value.has_value()) << quantity.name;
+      if (value.has_value()) {
+        EXPECT_EQ(std::strtod(row[c + 2].c_str(), nullptr), *value) << quantity.name;
+      }
+    }
+  }
+}
+
+TEST(EveryQuantity, ComesBackFromACheckpoint) {
+  for (PointResult point : numbered_run().models[0].points) {
+    contact::Record written;
+    written.value(point);
+    contact::Record record(written.bytes());
+    PointResult read;
+    record.value(read);
+    EXPECT_TRUE(record.exhausted());
+    expect_same(read, point);
+  }
+}
+
+TEST(EveryQuantity, StandsInTheDocumentation) {
+  const std::filesystem::path page = std::filesystem::path(ROLLFEM_SOURCE_DIR) / "docs/results.md";
+  std::ifstream stream(page);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  EXPECT_NE(text.str().find("\n" + contact::quantities_markdown() + "\n"), std::string::npos)
+      << "docs/results.md does not hold the table; do: put there what `rollfem docs quantities` "
+         "prints";
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess
