@@ -8,7 +8,7 @@ namespace rollfem::contact {
 struct Material {
   double young_modulus = 210e3;  ///< MPa, inf: rigid (at most one of the two bodies)
   double poisson_ratio = 0.3;
-  double density = 7.85e-9;  ///< t/mm^3, felt at Rolling::speed > 0 only
+  double density = 7.85e-9;  ///< t/mm^3, felt with inertia only
 };
 
 /// Combined constants of two bodies, also of unlike ones (Kalker 1990, eq. 1.44).

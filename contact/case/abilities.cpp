@@ -87,10 +87,7 @@ const std::vector<Demand>& demands() {
       {"given_pressure", "a given pressure",
        [](const Case& c) { return c.given_pressure.has_value(); }, elliptic},
       {"young_modulus = inf", "a rigid body", any_rigid, elliptic},
-      {"rolling.speed > 0",
-       "the inertia of moving bodies",
-       [](const Case& c) { return c.rolling.speed > 0.0; },
-       {"fem"}},
+      {"fem.inertia", "the inertia of moving bodies", feels_inertia, {"fem"}},
       {"subsurface",
        "points of a concave body beyond z = 0, where the half-space ends ([[subsurface.surface]] "
        "follows the surface in both)",

@@ -95,7 +95,7 @@ struct GivenCreepages {
 
 struct Rolling {
   Problem problem = Problem::steady;
-  double speed = 0.0;  ///< mm/s; 0: quasi-static, no inertia
+  double speed = 0.0;  ///< mm/s; inertia is felt only with FemOptions::inertia
   /// Lists in the file are broadcast to one length: that of the load points (steps of a history).
   std::vector<Creepage> creepages{Creepage{}};
   GivenCreepages given;
@@ -198,6 +198,7 @@ struct FemOptions {
   std::optional<double> rim_thickness;      ///< mm, of the wheel's true section below the tread
   std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
   LinearSolver linear_solver = LinearSolver::automatic;
+  bool inertia = false;  ///< of wheel and rail at Rolling::speed
 };
 
 /// Of which load points displacement and stress of the whole bodies are kept.
@@ -250,5 +251,10 @@ struct Case {
   /// Wheel and rail are given by profiles: not to be solved as it is, but made into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
 };
+
+/// Whether wheel and rail resist being accelerated as they roll through the contact.
+inline bool feels_inertia(const Case& input) {
+  return input.fem.inertia && input.rolling.speed > 0.0;
+}
 
 }  // namespace rollfem::contact

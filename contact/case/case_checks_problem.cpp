@@ -192,10 +192,14 @@ void check_rigid(const GivenCase& given, const Case& input) {
           "inf for at most one of wheel and rail", "give one of them a finite modulus");
 }
 
-/// Moving loads have no steady answer at the Rayleigh speed: the stiffness with inertia becomes
-/// indefinite there.
-void check_speed(const GivenCase& given, const Case& input) {
-  if (input.rolling.speed == 0.0) return;
+/// Inertia needs a speed, but moving loads have no steady answer at the Rayleigh speed: the
+/// stiffness with inertia becomes indefinite there.
+void check_inertia(const GivenCase& given, const Case& input) {
+  if (!input.fem.inertia) return;
+  if (!feels_inertia(input))
+    fail_at(given, "fem.inertia", *given.find("fem", "inertia"),
+            "needs a rolling speed, and rolling.speed is 0", "true with rolling.speed > 0",
+            "give `speed` in mm/s under [rolling], or remove it");
   const GivenValue& speed = *given.find("rolling", "speed");
   for (const bool wheel : {true, false}) {
     const Material& material = wheel ? input.wheel.material : input.rail.material;
@@ -206,7 +210,8 @@ void check_speed(const GivenCase& given, const Case& input) {
         fmt::format("is at or above {} of the Rayleigh wave speed of the {}, {:.4g} mm/s",
                     largest_rayleigh_fraction, wheel ? "wheel" : "rail", rayleigh_speed(material)),
         fmt::format("below {:.4g} mm/s", limit),
-        "lower the speed (mm/s), or check young_modulus (MPa) and density (t/mm^3)");
+        "lower the speed (mm/s), check young_modulus (MPa) and density (t/mm^3), or leave out "
+        "fem.inertia");
   }
 }
 
@@ -319,7 +324,7 @@ void complete(const GivenCase& given, Case& input) {
 void check_values(const GivenCase& given, const Case& input) {
   check_rigid(given, input);
   check_friction_limit(given, input);
-  check_speed(given, input);
+  check_inertia(given, input);
   check_places(given, input);
 }
 

@@ -43,6 +43,11 @@ void add_elements(FemKeys& keys) {
                                          {"factorisation", LinearSolver::factorisation},
                                          {"multigrid", LinearSolver::multigrid},
                                          {"algebraic", LinearSolver::algebraic}});
+  keys.toggle("inertia")
+      .says(
+          "Inertia of wheel and rail and the wheel's centrifugal load at rolling.speed, which is "
+          "then below 0.9 of the slower body's Rayleigh wave speed.")
+      .into(&FemOptions::inertia);
 }
 
 void add_meshes(FemKeys& keys) {

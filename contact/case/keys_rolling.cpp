@@ -31,8 +31,9 @@ void add_motion(RollingKeys& keys) {
       .unit("mm/s")
       .between(0.0, 1e8)
       .says(
-          "Rolling speed, for the inertia of wheel and rail and the wheel's centrifugal load; 0 is "
-          "quasi-static. Below 0.9 of the slower body's Rayleigh wave speed.")
+          "Rolling speed, felt with fem.inertia only: without it rolling is quasi-static and the "
+          "same "
+          "at any speed.")
       .into(&Rolling::speed);
 }
 

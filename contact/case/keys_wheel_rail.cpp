@@ -37,7 +37,7 @@ void add_material(Keys<Body>& keys) {
       .unit("t/mm^3")
       .between(0.0, 1e-7)
       .says(
-          "Mass density, which matters at rolling.speed > 0 only; the default is steel (1 t/mm^3 = "
+          "Mass density, which matters with fem.inertia only; the default is steel (1 t/mm^3 = "
           "1e12 kg/m^3).")
       .into(&Body::material, &Material::density);
 }

@@ -279,7 +279,7 @@ void LevelRun::solve(contact::ModelResult& result) {
   start_.solver = solvers.wheel->description();
   event.note = start_.solver;
   tell(event, "linear solvers", true);
-  if (input_.rolling.speed > 0.0) {
+  if (contact::feels_inertia(input_)) {
     expansion_ =
         wheel_expansion(wheel, *solvers.wheel, surface_, grid_, input_.rolling.upwind_order);
     result.notes.push_back(fmt::format(

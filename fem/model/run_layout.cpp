@@ -75,7 +75,7 @@ BodyOptions body_options(const Case& input, const PatchBox& patch, const Contact
   options.extent = input.fem.extent.value_or(8.0 * patch.larger());
   options.half = symmetric_about_rolling(input);
   options.degree = input.fem.degree;
-  options.speed = input.rolling.speed;
+  if (contact::feels_inertia(input)) options.speed = input.rolling.speed;
   set_segment_sizes(input, options);
   if (input.patch) fit_to_profiles(input, options);
   return options;

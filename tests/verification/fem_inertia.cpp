@@ -261,6 +261,7 @@ std::vector<contact::PointResult> case_a(double speed, const std::vector<double>
   input.rolling.creepages.clear();
   for (const double creepage : creepages) input.rolling.creepages.push_back({creepage, 0.0, 0.0});
   input.rolling.speed = speed;
+  input.fem.inertia = true;
   input.fem.extent = 60;
   return fem::run_level(input, {1.88, "", false}, {}).points;
 }

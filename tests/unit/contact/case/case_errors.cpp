@@ -98,13 +98,18 @@ const std::vector<Wrong> wrong_values{
      with("[rail]", "[rail]\ndensity = 7850.0"),
      {"rail.density = 7850.0: is out of bounds", "from 0 to 1e-07 t/mm^3"}},
     {"FasterThanSurfaceWaves",
-     plus("[rolling]\nspeed = 2.7e6\n"),
+     plus("[rolling]\nspeed = 2.7e6\n[fem]\ninertia = true\n"),
      {"case.toml:11:9: rolling.speed = 2.7e6: is at or above 0.9 of the Rayleigh wave speed of the "
       "wheel, 2.9",
       "allowed: below 2.6", "density (t/mm^3)"}},
     {"SpeedThatOnlyTheSofterRailRefuses",
-     with("[rail]", "[rolling]\nspeed = 5e4\n[rail]\nyoung_modulus = 10.0"),
+     with("[rail]", "[fem]\ninertia = true\n[rolling]\nspeed = 5e4\n[rail]\nyoung_modulus = 10.0"),
      {"rolling.speed = 5e4", "of the rail"}},
+    {"InertiaAtRest",
+     plus("[fem]\ninertia = true\n"),
+     {"case.toml:11:11: fem.inertia = true: needs a rolling speed, and rolling.speed is 0; "
+      "allowed: "
+      "true with rolling.speed > 0; do: give `speed`"}},
     {"NegativeModulus",
      with("[rail]", "[rail]\nyoung_modulus = -1"),
      {"rail.young_modulus = -1: is out of bounds", "MPa"}},

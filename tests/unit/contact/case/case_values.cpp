@@ -74,6 +74,7 @@ degree = 1
 extent = 60.0
 fine_extent = 1.5
 linear_solver = "multigrid"
+inertia = true
 [output]
 paths = ["y"]
 fields = false
@@ -91,6 +92,7 @@ fields = false
   EXPECT_EQ(input.wheel.material.density, 7.2e-9);
   EXPECT_EQ(input.rail.material.density, 7.85e-9);
   EXPECT_EQ(input.rolling.speed, 4e4);
+  EXPECT_TRUE(contact::feels_inertia(input));
   EXPECT_EQ(input.rail.transverse_radius, 250.0);
   EXPECT_EQ(input.rail.material.young_modulus, 100e3);
   EXPECT_EQ(input.rail.material.poisson_ratio, 0.0);
