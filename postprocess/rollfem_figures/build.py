@@ -76,11 +76,7 @@ def build(directory, png_folder=None, reference=""):
     the result and the figures, (file name, caption)."""
     result = read_result(directory)
     result.reference = reference
-    style.use()
-    folder = os.path.join(result.directory, "figures")
-    os.makedirs(folder, exist_ok=True)
-    if png_folder:
-        os.makedirs(png_folder, exist_ok=True)
+    folder = style.figures_folder(result.directory, png_folder)
     figures = []
     for name, caption, draw in all_captions(result):
         figure = draw()

@@ -212,12 +212,10 @@ def build_comparison(directory, png_folder=None):
         raise ResultError(f"{directory}/compare.json is not a comparison that this program reads")
     cases = [c for c in comparison["cases"] if c["complete"]]
     sections = [_case_section(comparison, c, directory, png_folder) for c in comparison["cases"]]
-    style.use()
+    folder = style.figures_folder(directory, png_folder)
     figure = cost_figure(cases)
     picture = ""
     if figure is not None:
-        folder = os.path.join(directory, "figures")
-        os.makedirs(folder, exist_ok=True)
         style.save(figure, os.path.join(folder, "difference_cost.svg"), png_folder)
         picture = report.image(directory, "difference_cost.svg",
                                "What a model differs from the reference by, and what it costs: one marker "
@@ -226,10 +224,8 @@ def build_comparison(directory, png_folder=None):
                                  for name, quantity in comparison["quantities"].items()})
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
-    made = comparison["program"]
-    meta = f"rollfem {made['version']} ({made['commit']}), {comparison['started']}, {comparison['host']}"
     report.write_page(os.path.join(directory, "compare.html"), report.page(title, [
-        f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(comparison['command'])}</code></p>",
+        report.heading(title, comparison["program"], comparison),
         report.verdict(comparison["verdict"]), _asked(comparison), picture, found,
         "<p class=hint>Largest difference over the load points of the case, with its sign. Bold: at least one "
         "load point is beyond the error bars of both models together, at how many stands below; “bars”: "

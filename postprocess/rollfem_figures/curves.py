@@ -142,17 +142,16 @@ def _traction_panel(panel, models, creepages, axis):
                 panel.plot(curve[0], sign * curve[1], **ink)
 
 
-def _traction_limits(models, key, axis):
-    """Lowest and highest value of the curves of a panel but those that nothing bounds."""
+def _limits(models, keys, values_of):
+    """Lowest and highest of `values_of(model, point, name)` at all creepages, but of models that nothing
+    bounds: one scale for all panels."""
     values = [0.0]
-    for model in models:
-        point = model.at(key)
-        if point is None or not model.has_friction or not model.has_bound:
-            continue
-        for name, sign in (("traction_bound", 1), ("traction_x", -1)):
-            curve = line_of(model, point, name, axis)
-            if curve is not None and curve[1].size:
-                values += [sign * np.nanmin(curve[1]), sign * np.nanmax(curve[1])]
+    for model in (m for m in models if m.has_friction and m.has_bound):
+        for point in filter(None, map(model.at, keys)):
+            for name, sign in (("traction_bound", 1), ("traction_x", -1)):
+                found = values_of(model, point, name)
+                if found is not None and len(found):
+                    values += [sign * np.nanmin(found), sign * np.nanmax(found)]
     room = 0.05 * (max(values) - min(values)) or 1.0
     return min(values) - room, max(values) + room
 
@@ -179,16 +178,12 @@ def _label_lowest(panels, columns, half, label):
 def _legend_above(figure, panel, bound, shared):
     """The curves of `panel`, the thin lines of the traction `bound` and what all panels share; either
     may be empty."""
-    handles, labels = panel.get_legend_handles_labels()
+    handles = panel.get_legend_handles_labels()[0]
     if bound:
-        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
-        labels.append(bound)
+        handles.append(style.entry(bound, color=style.GREY, linewidth=0.7))
     if shared:
-        handles.append(plt.Line2D([], [], linestyle="none"))
-        labels.append(shared)
-    rows = math.ceil(len(labels) / 5)
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * rows) / figure.get_figheight()))
-    figure.legend(handles, labels, loc="upper center", ncol=math.ceil(len(labels) / rows))
+        handles.append(style.entry(shared))
+    style.legend_above(figure, handles, 5, 0.08)
 
 
 def path(result, axis):
@@ -201,11 +196,11 @@ def path(result, axis):
     texts, shared = style.key_texts(chosen)
     figure, panels, columns = _panels(1 + len(chosen))
     _pressure_panel(panels[0], models, axis)
-    limits = [_traction_limits(models, key, axis) for key in chosen]
+    limits = _limits(models, chosen, lambda *of: (line_of(*of, axis) or [None, []])[1])
     for panel, key in zip(panels[1:], chosen):
         _traction_panel(panel, models, key, axis)
         panel.set_title(texts[key])
-        panel.set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
+        panel.set_ylim(limits)
         panel.set_ylabel(r"$-p_x$ [MPa]")
     half = extent(models)[0 if axis == "x" else 1]
     _label_lowest(panels, columns, half,
@@ -236,6 +231,8 @@ def strip_forces(result):
                        label=style.label(model), **style.line(model))
     panels[0].set_title("normal force per strip")
     panels[0].set_ylabel(r"$\int p_n\,dx$ [N/mm]")
+    limits = _limits(models, chosen, lambda model, point, name: _strip_force(model, point.fields[name])
+                     if name in point.fields else None)
     for panel, key in zip(panels[1:], chosen):
         for model in models:
             point = model.at(key)
@@ -246,25 +243,8 @@ def strip_forces(result):
                            alpha=0.7, color=style.colour(model))
             panel.plot(model.y, -_strip_force(model, point.fields["traction_x"]), **style.line(model))
         panel.set_title(texts[key])
+        panel.set_ylim(limits)
         panel.set_ylabel(r"$-\int p_x\,dx$ [N/mm]")
-    _same_limits(panels[1:], models, chosen)
     _label_lowest(panels, columns, extent(models)[1], r"$y$ [mm], lateral")
     _legend_above(figure, panels[0], "full sliding of the strip" if chosen else "", shared)
     return figure
-
-
-def _same_limits(panels, models, chosen):
-    """One scale for all creepages, that of the models that friction bounds."""
-    values = [0.0]
-    for key in chosen:
-        for model in models:
-            point = model.at(key)
-            if point is None or not model.has_friction or not model.has_bound:
-                continue
-            for name, sign in (("traction_bound", 1), ("traction_x", -1)):
-                if name in point.fields:
-                    strip = sign * _strip_force(model, point.fields[name])
-                    values += [strip.min(), strip.max()]
-    room = 0.05 * (max(values) - min(values)) or 1.0
-    for panel in panels:
-        panel.set_ylim(min(values) - room, max(values) + room)

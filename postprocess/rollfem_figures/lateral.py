@@ -61,13 +61,9 @@ def paths(result):
     least = LEAST * max(bounds)
     low, high = min(*values, -least), max(*values, least)
     axes[0, 0].set_ylim(low - 0.08 * (high - low), high + 0.08 * (high - low))
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    handles.append(plt.Line2D([], [], color=style.GREY, linewidth=0.7))
-    labels.append("traction bound, both signs")
+    handles = axes[0, 0].get_legend_handles_labels()[0]
+    handles.append(style.entry("traction bound, both signs", color=style.GREY, linewidth=0.7))
     if shared:
-        handles.append(plt.Line2D([], [], linestyle="none"))
-        labels.append(shared)
-    lines = -(-len(labels) // max(2, int(figure.get_figwidth() / 1.6)))
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.08 + 0.22 * lines) / figure.get_figheight()))
-    figure.legend(handles, labels, loc="upper center", ncol=-(-len(labels) // lines))
+        handles.append(style.entry(shared))
+    style.legend_above(figure, handles, max(2, int(figure.get_figwidth() / 1.6)), 0.08)
     return figure

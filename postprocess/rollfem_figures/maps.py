@@ -93,11 +93,8 @@ def contact_area(result):
     handles = [patches.Patch(color=style.ADHESION_COLOUR, label="adhesion"),
                patches.Patch(color=style.SLIP_COLOUR, label="slip")]
     if shared:
-        handles.append(plt.Line2D([], [], linestyle="none", label=shared))
-    across = max(1, int(figure.get_figwidth() / 1.45))
-    legend_rows = -(-len(handles) // across)
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.13 + 0.22 * legend_rows) / figure.get_figheight()))
-    figure.legend(handles=handles, loc="upper center", ncol=-(-len(handles) // legend_rows))
+        handles.append(style.entry(shared))
+    style.legend_above(figure, handles, max(1, int(figure.get_figwidth() / 1.45)), 0.13)
     return figure
 
 
@@ -221,8 +218,7 @@ def oblique(result, model):
     view = _Oblique(half_x, half_y, traction)
     _frame(axes[1], view, f"tangential traction, {text}", r"$-p_x$ [MPa]")
     _strips(axes[1], view, model, traction, state)
-    handles = [plt.Line2D([], [], color=style.ADHESION_COLOUR, label="adhesion"),
-               plt.Line2D([], [], color=style.SLIP_COLOUR, label="slip")]
+    handles = [style.entry("adhesion", color=style.ADHESION_COLOUR), style.entry("slip", color=style.SLIP_COLOUR)]
     figure.legend(handles=handles, loc="lower center", ncol=2)
     figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
     figure.tight_layout(rect=(0, 0.03, 1, 1))

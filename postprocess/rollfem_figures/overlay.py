@@ -57,16 +57,14 @@ def _draw(panel, model, point):
 
 
 def _legend(figure, models, shaded, shared):
-    handles = [plt.Line2D([], [], label=style.label(m), **style.line(m)) for m in models]
+    handles = [style.entry(style.label(m), **style.line(m)) for m in models]
     if shaded is not None:
         name = style.label(shaded)
         handles += [patches.Patch(color=style.ADHESION_COLOUR, alpha=0.28, label=f"adhesion ({name})"),
                     patches.Patch(color=style.SLIP_COLOUR, alpha=0.28, label=f"slip ({name})")]
     if shared:
-        handles.append(plt.Line2D([], [], linestyle="none", label=shared))
-    rows = -(-len(handles) // max(2, int(figure.get_figwidth() / 1.45)))
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.13 + 0.22 * rows) / figure.get_figheight()))
-    figure.legend(handles=handles, loc="upper center", ncol=-(-len(handles) // rows))
+        handles.append(style.entry(shared))
+    style.legend_above(figure, handles, max(2, int(figure.get_figwidth() / 1.45)), 0.13)
 
 
 def outlines(result):

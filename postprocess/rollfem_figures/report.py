@@ -199,12 +199,9 @@ def touching(result, figures):
 def report_html(result, figures):
     """The page as text; `figures` are (file name in figures/, caption)."""
     made = result.provenance
-    meta = f"rollfem {made['version']} ({made['commit']}), {made['started']}, {made['host']}"
-    if made["processes"] > 1:
-        meta += f", {made['processes']} processes"
     title = escape(result.title or result.case_file or "rollfem result")
     return page(title, [
-        f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(made['command'])}</code></p>",
+        heading(title, made, made),
         asked(result), touching(result, figures), patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
         notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result),
@@ -226,6 +223,14 @@ def verdict(text):
     return f"<p class=say>{text}</p>" if text else ""
 
 
+def heading(title, program, run):
+    """What the page is about, as HTML, and which call of which program has made it."""
+    made = f"rollfem {program['version']} ({program['commit']}), {run['started']}, {run['host']}"
+    if run["processes"] > 1:
+        made += f", {run['processes']} processes"
+    return f"<h1>{title}</h1><p class=meta>{escape(made)}<br><code>{escape(run['command'])}</code></p>"
+
+
 def page(title, parts):
     """A whole page from its parts; the title is HTML."""
     return "".join([
@@ -236,14 +241,8 @@ def page(title, parts):
 
 def write_page(path, text):
     """Writes a page whole or not at all."""
-    part = f"{path}.part-{os.getpid()}"
-    try:
-        with open(part, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.replace(part, path)
-    finally:
-        if os.path.exists(part):
-            os.remove(part)
+    with style.whole(path) as part, open(part, "w", encoding="utf-8") as file:
+        file.write(text)
 
 
 def write_report(result, figures):

@@ -45,15 +45,13 @@ def _legend(figure, result, with_measures):
     Returns the number of rows."""
     handles = []
     if with_measures:
-        handles += [plt.Line2D([], [], color=ink, linewidth=1.6, label=label)
-                    for _, label, ink in MEASURES]
+        handles += [style.entry(label, color=ink, linewidth=1.6) for _, label, ink in MEASURES]
         if len(result.models) > 1:
-            handles += [plt.Line2D([], [], color="black", linewidth=1.3, linestyle=dash,
-                                   label=style.label(m)) for m, dash in zip(result.models, DASHES)]
+            handles += [style.entry(style.label(m), color="black", linewidth=1.3, linestyle=dash)
+                        for m, dash in zip(result.models, DASHES)]
     else:
-        handles += [plt.Line2D([], [], label=style.label(m), **style.line(m)) for m in result.models]
-    shared = sorted({_load_point(m) for m in result.models})
-    handles.append(plt.Line2D([], [], linestyle="none", label="; ".join(shared)))
+        handles += [style.entry(style.label(m), **style.line(m)) for m in result.models]
+    handles.append(style.entry("; ".join(sorted({_load_point(m) for m in result.models}))))
     figure.legend(handles=handles, loc="upper center", ncol=min(len(handles), 4),
                   bbox_to_anchor=(0.5, 1.0))
     return 1 + (len(handles) - 1) // 4
@@ -250,11 +248,7 @@ def figures(result):
 def build(directory, png_folder=None):
     """Draws what the folder has to its figures/."""
     result = read_stress(directory)
-    style.use()
-    folder = os.path.join(directory, "figures")
-    os.makedirs(folder, exist_ok=True)
-    if png_folder:
-        os.makedirs(png_folder, exist_ok=True)
+    folder = style.figures_folder(directory, png_folder)
     for name, draw in figures(result):
         figure = draw()
         if figure is not None:

@@ -137,10 +137,9 @@ def errors_figure(place, across, keys, friction):
     drawn |= guides
     for axis in axes.flat[len(keys):]:
         axis.set_visible(False)
-    across_legend = max(2, int(figure.get_figwidth() / 2.2))
-    legend_rows = -(-len(drawn) // across_legend)
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.1 + 0.22 * legend_rows) / figure.get_figheight()))
-    figure.legend(drawn.values(), drawn, loc="upper center", ncol=-(-len(drawn) // legend_rows))
+    for name, handle in drawn.items():
+        handle.set_label(name)
+    style.legend_above(figure, list(drawn.values()), max(2, int(figure.get_figwidth() / 2.2)), 0.1)
     return figure
 
 
@@ -283,16 +282,9 @@ def build_study(directory, png_folder=None):
         study = json.load(file)
     if study.get("kind") != "study" or study.get("format") != 3:
         raise ResultError(f"{directory}/study.json is not a study that this program reads")
-    style.use()
-    folder = os.path.join(directory, "figures")
-    os.makedirs(folder, exist_ok=True)
-    if png_folder:
-        os.makedirs(png_folder, exist_ok=True)
-    made = study["program"]
+    folder = style.figures_folder(directory, png_folder)
     title = "Refinement study: " + escape(study["title"] or study["case_file"])
-    meta = f"rollfem {made['version']} ({made['commit']}), {study['started']}, {study['host']}"
-    parts = [f"<h1>{title}</h1><p class=meta>{escape(meta)}<br><code>{escape(study['command'])}</code></p>",
-             report.verdict(study["verdict"]),
+    parts = [report.heading(title, study["program"], study), report.verdict(study["verdict"]),
              f"<details><summary>case file {escape(study['case_file'])}</summary>"
              f"<pre>{escape(study['case_text'])}</pre></details>"]
     parts += [f"<p class=hint>{escape(note)}.</p>" for note in study["notes"]]

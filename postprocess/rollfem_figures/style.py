@@ -1,6 +1,7 @@
 """One look for all figures: colours that colour-blind readers can tell apart (Okabe and Ito), a
 marker and a dash for each model, vector output with text as outlines so that it looks the same
 everywhere."""
+import contextlib
 import os
 import re
 
@@ -64,21 +65,50 @@ def _shorten(path):
         file.write(text)
 
 
-def save(figure, path, png_folder=None):
-    """Writes the SVG whole or not at all; `png_folder` gets a bitmap too, for a quick look."""
+@contextlib.contextmanager
+def whole(path):
+    """The name to write a file under, which then stands at `path` whole or not at all."""
     part = f"{path}.part-{os.getpid()}"
     try:
-        figure.savefig(part, format="svg", metadata={"Date": None, "Creator": None},
-                       bbox_inches="tight", pad_inches=0.05)
-        _shorten(part)
+        yield part
         os.replace(part, path)
     finally:
         if os.path.exists(part):
             os.remove(part)
+
+
+def figures_folder(directory, png_folder):
+    """Sets matplotlib up and makes the folders for figures; returns that of `directory`."""
+    use()
+    folder = os.path.join(directory, "figures")
+    for wanted in filter(None, (folder, png_folder)):
+        os.makedirs(wanted, exist_ok=True)
+    return folder
+
+
+def save(figure, path, png_folder=None):
+    """Writes the SVG whole or not at all; `png_folder` gets a bitmap too, for a quick look."""
+    with whole(path) as part:
+        figure.savefig(part, format="svg", metadata={"Date": None, "Creator": None},
+                       bbox_inches="tight", pad_inches=0.05)
+        _shorten(part)
     if png_folder:
         name = os.path.splitext(os.path.basename(path))[0] + ".png"
         figure.savefig(os.path.join(png_folder, name), dpi=110, bbox_inches="tight")
     plt.close(figure)
+
+
+def entry(text, **look):
+    """An entry of a legend: a line that looks so, or the text alone."""
+    return plt.Line2D([], [], label=text, **(look or {"linestyle": "none"}))
+
+
+def legend_above(figure, handles, across, room):
+    """The panels laid out below a legend of at most `across` entries in a row, `room` inches and its
+    rows high."""
+    rows = -(-len(handles) // across)
+    figure.tight_layout(rect=(0, 0, 1, 1 - (room + 0.22 * rows) / figure.get_figheight()))
+    figure.legend(handles=handles, loc="upper center", ncol=-(-len(handles) // rows))
 
 
 def creepage_axis(points):
