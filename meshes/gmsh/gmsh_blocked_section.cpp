@@ -159,7 +159,7 @@ BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock&
     add({outline.around[k], outline.around[k + 1]});
     if (k == outline.held) held_end = polygon.size();
   }
-  const PolygonMesh rest = mesh_polygon(polygon);
+  const PlaneMesh rest = mesh_polygon(polygon);
 
   // Nodes on the sides of the block become those of the block.
   std::vector<int> number(rest.points.size(), -1);

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_map>
+#include <utility>
 
 namespace rollfem::meshes {
 
@@ -222,40 +222,20 @@ class SectionGeometry {
 
 /// Nodes and quadrilaterals of the finished mesh.
 Section collect(const SectionOptions& options, const SectionGeometry& geometry) {
-  Section section;
-  std::unordered_map<std::size_t, int> number;
-  std::vector<std::size_t> tags;
-  std::vector<double> places, unused;
-  gmsh::model::mesh::getNodes(tags, places, unused, -1, -1, false, false);
-  const auto node = [&](std::size_t tag) { return number.at(tag); };
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> elements, corners;
-  gmsh::model::mesh::getElements(types, elements, corners, 2, -1);
-  constexpr int quadrilateral = 3;
-  if (types != std::vector<int>{quadrilateral})
-    throw contact::InputError(
-        "gmsh left cells in the cross-section that are no quadrilaterals: use [fem] mesh = "
-        "\"structured\"");
-  std::unordered_map<std::size_t, std::array<double, 2>> place_of;
-  for (std::size_t k = 0; k < tags.size(); ++k)
-    place_of[tags[k]] = {places[3 * k], places[3 * k + 1]};
-  for (const std::size_t tag : corners.front())
-    if (number.try_emplace(tag, static_cast<int>(section.points.size())).second)
-      section.points.push_back(place_of.at(tag));
-  for (std::size_t k = 0; k < corners.front().size(); k += 4)
-    section.quads.push_back({node(corners.front()[k]), node(corners.front()[k + 1]),
-                             node(corners.front()[k + 2]), node(corners.front()[k + 3])});
+  std::vector<int> lines;
+  std::vector<Side> sides;
   for (const auto& [line, side] : geometry.sides()) {
-    std::vector<std::vector<std::size_t>> line_elements, ends;
-    gmsh::model::mesh::getElements(types, line_elements, ends, 1, line);
-    for (const auto& of_type : ends)
-      for (std::size_t k = 0; k < of_type.size(); k += 2) {
-        section.edges.push_back({{node(of_type[k]), node(of_type[k + 1])}, side});
-        // Splitting puts nodes on the chord.
-        if (side == Side::contact)
-          for (const int end : section.edges.back().ends)
-            section.points[end][1] = options.drop(section.points[end][0]);
-      }
+    lines.push_back(line);
+    sides.push_back(side);
+  }
+  PlaneMesh mesh = collect_plane(lines);
+  Section section{std::move(mesh.points), std::move(mesh.quads), {}};
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+    section.edges.push_back({mesh.edges[k], sides[mesh.line[k]]});
+    // Splitting puts nodes on the chord.
+    if (section.edges.back().side == Side::contact)
+      for (const int end : mesh.edges[k])
+        section.points[end][1] = options.drop(section.points[end][0]);
   }
   geometry.straighten_block(section);
   return section;

@@ -1,7 +1,10 @@
 // gmsh's library for as long as an object lives. Internal to meshes/.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace rollfem::meshes {
 
@@ -24,5 +27,15 @@ void set_quadrilaterals();
 /// Meshes the plane surfaces of the model. Throws contact::InputError, which advises to change
 /// `what`.
 void mesh_plane(const std::string& what);
+
+/// What mesh_plane has made: nodes and quadrilaterals, and the edges on some lines of the boundary.
+struct PlaneMesh {
+  std::vector<std::array<double, 2>> points;
+  std::vector<std::array<int, 4>> quads;
+  std::vector<std::array<int, 2>> edges;
+  std::vector<std::size_t> line;  ///< index in `lines` of each edge
+};
+/// Throws contact::InputError when gmsh has left other cells.
+PlaneMesh collect_plane(const std::vector<int>& lines);
 
 }  // namespace rollfem::meshes

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/scene/patch_geometry.hpp"
+#include "meshes/gmsh/gmsh_session.hpp"
 #include "meshes/gmsh/segment_mesh.hpp"
 
 #include <array>
@@ -57,12 +58,6 @@ BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock&
 
 /// A closed polygon in quadrilaterals by gmsh: each of its lines becomes two edges. Edge k of the
 /// result belongs to line `line[k]`.
-struct PolygonMesh {
-  std::vector<SectionPoint> points;
-  std::vector<std::array<int, 4>> quads;
-  std::vector<std::array<int, 2>> edges;
-  std::vector<std::size_t> line;
-};
-PolygonMesh mesh_polygon(const std::vector<SectionPoint>& corners);
+PlaneMesh mesh_polygon(const std::vector<SectionPoint>& corners);
 
 }  // namespace rollfem::meshes
