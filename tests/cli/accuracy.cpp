@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 std::string with_accuracy(const std::string& accuracy) {
   return "models = [\"halfspace\"]\naccuracy = " + accuracy + "\n" + small_case +

@@ -6,10 +6,10 @@
 
 namespace {
 
-using rollfem::test::contents;
-using rollfem::test::execute;
-using rollfem::test::Folder;
-using rollfem::test::Outcome;
+using rollfem::testing::contents;
+using rollfem::testing::execute;
+using rollfem::testing::Folder;
+using rollfem::testing::Outcome;
 
 const std::string source = ROLLFEM_SOURCE_DIR;
 const std::string build =

@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 TEST(Check, AcceptsEveryCommittedCase) {

@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 std::string case_a(const std::string& cell_size, const std::string& solver) {
   return "models = [\"fem\"]\n[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"

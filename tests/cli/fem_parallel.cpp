@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 using Json = nlohmann::json;
 
 /// Case a on a coarse mesh with lateral creepage, so that whole bodies are modelled.

@@ -9,7 +9,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 

@@ -4,7 +4,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// Small bodies; `solver` decides whether two processes can take the case.

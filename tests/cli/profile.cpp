@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 bool tells(const Outcome& outcome, const std::string& part) {

@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 const std::string quick = "models = [\"hertz\", \"halfspace\"]\n" + small_case +

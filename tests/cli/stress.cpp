@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 namespace fs = std::filesystem;
 using nlohmann::json;
 
@@ -194,7 +194,7 @@ TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
 
 /// A file of a finite-element run whose stresses are linear functions of the place.
 std::string synthetic_file(bool placed) {
-  rollfem::postprocess::RunRecord run = rollfem::tests::synthetic_run();
+  rollfem::postprocess::RunRecord run = rollfem::testing::synthetic_run();
   rollfem::contact::ModelResult& fem = run.models[2];
   for (std::size_t b = 0; b < fem.bodies.size(); ++b) {
     rollfem::contact::BodyField& body = fem.bodies[b];

@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 const std::string quick = small_case +
                           "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"

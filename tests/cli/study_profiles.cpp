@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 std::string wheel_case(const std::string& side, const std::string& shifts,

@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace rollfem::test;
+using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// Levels of 10, 20, 40 and 80 across; the last takes a second or so.

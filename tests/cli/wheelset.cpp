@@ -6,10 +6,10 @@
 #include "support/program.hpp"
 
 namespace fs = std::filesystem;
-using rollfem::test::call;
-using rollfem::test::contents;
-using rollfem::test::Folder;
-using rollfem::test::Outcome;
+using rollfem::testing::call;
+using rollfem::testing::contents;
+using rollfem::testing::Folder;
+using rollfem::testing::Outcome;
 
 namespace {
 

@@ -50,15 +50,16 @@ void expect_touching(const contact::Case& input, const meshes::SearchScene& scen
   EXPECT_NEAR(meshes::VerticalGap(scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head)
                   .smallest(),
               0.0, 1e-8);
-  const double brute = test::brute_force_distance(scene, input.wheel.rolling_radius, axle);
+  const double brute =
+      rollfem::testing::brute_force_distance(scene, input.wheel.rolling_radius, axle);
   EXPECT_GT(brute, -1e-7) << "shift " << input.wheelset.lateral_shift[0];
   EXPECT_LT(brute, 6e-5) << "shift " << input.wheelset.lateral_shift[0];
 }
 
 TEST(FlangeContact, OutlineOfAYawedWheelIsTheWheelItself) {
   for (const double shift : {-10.0, -7.0, -6.0, 3.0}) {
-    const contact::Case input = test::manchester_case(shift, shift * 2.4e-3);
-    const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+    const contact::Case input = rollfem::testing::manchester_case(shift, shift * 2.4e-3);
+    const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
     expect_touching(input, scene, true);
   }
 }
@@ -68,8 +69,8 @@ TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
   // degrees. Nothing is lost on the way: every position has its contacts.
   double last = 0.0, largest = 0.0;
   for (double shift = -5.0; shift >= -10.0; shift -= 0.25) {
-    const contact::Case input = test::manchester_case(shift, 0.0);
-    const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+    const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);
+    const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
     const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
     ASSERT_GE(found.size(), 1u) << shift;
     const double angle = found[0].place.contact_angle;
@@ -84,8 +85,8 @@ TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
 TEST(FlangeContact, TwoPatchesWithDifferentNormalsStayApart) {
   // Tread and flange root touch together near 5 mm; their normals differ by 0.16 rad, and they are
   // 9 mm apart.
-  contact::Case input = test::manchester_case(-5.0, -0.012);
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   ASSERT_GE(found.size(), 2u);
   EXPECT_EQ(found[0].place.patches, 2);
@@ -104,9 +105,9 @@ TEST(FlangeContact, TwoPatchesWithDifferentNormalsStayApart) {
 
 TEST(GaugeCorner, ConformalContactIsOnePatchOverManyAngles) {
   // Rail radius 13 under the wheel's 13 to 15: at 6 mm the patch is wide for its load.
-  contact::Case input = test::manchester_case(-6.0, -0.0144);
+  contact::Case input = rollfem::testing::manchester_case(-6.0, -0.0144);
   input.load.vertical_force = 50e3;
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   ASSERT_EQ(found[0].place.patches, 1);
   const auto& geometry = found[0].geometry;
@@ -123,9 +124,9 @@ TEST(GaugeCorner, ConformalContactIsOnePatchOverManyAngles) {
 
 TEST(WornWheel, TouchesAtTheRimsOfItsHollow) {
   for (const double shift : {-3.0, 0.0, 2.0, 4.0}) {
-    const contact::Case input = test::manchester_case(shift, 0.0);
+    const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);
     const auto scene =
-        meshes::make_search_scene(input, {worn_wheel(), test::manchester_pair().rail});
+        meshes::make_search_scene(input, {worn_wheel(), rollfem::testing::manchester_pair().rail});
     expect_touching(input, scene, true);
     expect_touching(input, scene, false);
   }
@@ -147,31 +148,31 @@ void expect_refused(const contact::Case& input, const meshes::ProfilePair& pair,
 }
 
 TEST(Refusal, WheelBesideItsRail) {
-  contact::Case input = test::manchester_case(120.0, 0.0);
+  contact::Case input = rollfem::testing::manchester_case(120.0, 0.0);
   input.wheelset.roll = {0.0};
   expect_refused<contact::SolveError>(
-      input, test::manchester_pair(), true,
+      input, rollfem::testing::manchester_pair(), true,
       {"lateral_shift = 120 (position 1), left wheel", "not above the rail", "do: check gauge"});
 }
 
 TEST(Refusal, WheelOnTheTipOfItsFlange) {
-  contact::Case input = test::manchester_case(40.0, 0.0);
+  contact::Case input = rollfem::testing::manchester_case(40.0, 0.0);
   input.wheelset.roll = {0.0};
-  expect_refused<contact::SolveError>(input, test::manchester_pair(), false,
+  expect_refused<contact::SolveError>(input, rollfem::testing::manchester_pair(), false,
                                       {"right wheel", "tip of its flange", "do: check gauge"});
 }
 
 TEST(Refusal, WheelsetThatFallsBetweenTheRails) {
-  contact::Case input = test::manchester_case(0.0, 0.0);
+  contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
   input.wheelset.roll = {0.0};
   input.wheelset.flange_back_distance = 1190.0;
-  expect_refused<contact::InputError>(input, test::manchester_pair(), true,
+  expect_refused<contact::InputError>(input, rollfem::testing::manchester_pair(), true,
                                       {"field-side end of the wheel profile", "do: "});
 }
 
 TEST(Refusal, RailProfileThatEndsBeforeTheContact) {
-  const auto pair = test::manchester_pair();
-  contact::Case input = test::manchester_case(2.0, 0.0);
+  const auto pair = rollfem::testing::manchester_pair();
+  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0);
   input.wheelset.roll = {0.0};
   expect_refused<contact::InputError>(
       input, {pair.wheel, cut(pair.rail, -100.0, 1.0)}, true,
@@ -179,8 +180,8 @@ TEST(Refusal, RailProfileThatEndsBeforeTheContact) {
 }
 
 TEST(Refusal, ProfileThatEndsWithinThePatch) {
-  const auto pair = test::manchester_pair();
-  contact::Case input = test::manchester_case(2.0, 0.0);
+  const auto pair = rollfem::testing::manchester_pair();
+  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0);
   input.wheelset.roll = {0.0};
   input.load.vertical_force = 100e3;
   expect_refused<contact::InputError>(
@@ -189,9 +190,9 @@ TEST(Refusal, ProfileThatEndsWithinThePatch) {
 }
 
 TEST(Refusal, BothWheelsMustFindTheirRails) {
-  contact::Case input = test::manchester_case(90.0, 0.0);
+  contact::Case input = rollfem::testing::manchester_case(90.0, 0.0);
   try {
-    const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+    const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
     find_contacts(input, scene, 1);
     FAIL() << "accepted";
   } catch (const std::exception& error) {
@@ -200,9 +201,9 @@ TEST(Refusal, BothWheelsMustFindTheirRails) {
 }
 
 TEST(Speed, PositionOfTwoWheelsTakesMilliseconds) {
-  contact::Case input = test::manchester_case(-7.0, -0.0168);
+  contact::Case input = rollfem::testing::manchester_case(-7.0, -0.0168);
   input.wheelset.side = contact::WheelSide::both;
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   double least = 1e9;
   for (int run = 0; run < 5; ++run) {
     const std::clock_t begin = std::clock();

@@ -35,7 +35,7 @@ NormalSolution solve_hertz(double A, double B, const contact::CombinedMaterial& 
 
 TEST(HardNormal, ExtremeAspectRatiosGiveHertz) {
   for (const auto& [A, B] : {std::pair{1e-2, 1e-5}, {1e-5, 1e-2}}) {
-    const contact::CombinedMaterial material = tests::steel();
+    const contact::CombinedMaterial material = testing::steel();
     const HertzContact hertz = halfspace::hertz_from_force(A, B, material.contact_modulus, 1e4);
     const double aspect = hertz.semi_axis_x / hertz.semi_axis_y;
     EXPECT_TRUE(aspect < 0.02 || aspect > 50.0) << aspect;
@@ -46,10 +46,10 @@ TEST(HardNormal, ExtremeAspectRatiosGiveHertz) {
 }
 
 TEST(HardNormal, OneNewtonToTenMeganewtonIsTheSameContact) {
-  const contact::Curvatures c = contact::relative_curvatures(tests::thesis_case('a'));
-  const NormalSolution reference = solve_hertz(c.A, c.B, tests::steel(), 1.0, 20, 20);
+  const contact::Curvatures c = contact::relative_curvatures(testing::thesis_case('a'));
+  const NormalSolution reference = solve_hertz(c.A, c.B, testing::steel(), 1.0, 20, 20);
   for (const double force : {1e-6, 50e3, 1e7, 1e12}) {
-    const NormalSolution s = solve_hertz(c.A, c.B, tests::steel(), force, 20, 20);
+    const NormalSolution s = solve_hertz(c.A, c.B, testing::steel(), force, 20, 20);
     EXPECT_NEAR(s.pressure.maxCoeff() / std::cbrt(force) / reference.pressure.maxCoeff(), 1.0,
                 1e-6);
     EXPECT_EQ(s.contact_elements, reference.contact_elements);
@@ -70,16 +70,16 @@ TEST(HardNormal, PoissonRatiosAtBothEnds) {
 
 TEST(HardNormal, CellsOfEightToOneAndFewElements) {
   const double p0 =
-      halfspace::hertz_from_force(1e-3, 1e-3, tests::steel().contact_modulus, 1e4).max_pressure;
-  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, tests::steel(), 1e4, 10, 80).pressure.maxCoeff() / p0, 1.0,
+      halfspace::hertz_from_force(1e-3, 1e-3, testing::steel().contact_modulus, 1e4).max_pressure;
+  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, testing::steel(), 1e4, 10, 80).pressure.maxCoeff() / p0, 1.0,
               0.01);
-  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, tests::steel(), 1e4, 80, 10).pressure.maxCoeff() / p0, 1.0,
+  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, testing::steel(), 1e4, 80, 10).pressure.maxCoeff() / p0, 1.0,
               0.01);
-  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, tests::steel(), 1e4, 4, 4).pressure.maxCoeff() / p0, 1.0,
+  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, testing::steel(), 1e4, 4, 4).pressure.maxCoeff() / p0, 1.0,
               0.07);
   // One element carries everything.
   const ContactGrid grid = ContactGrid::centred(5, 5, 1.0, 1.0);
-  const HalfspaceCompliance compliance(grid, tests::steel());
+  const HalfspaceCompliance compliance(grid, testing::steel());
   NormalProblem problem;
   problem.undeformed_distance = grid.sample([](double x, double y) { return x * x + y * y; });
   problem.normal_force = 1.0;
@@ -91,13 +91,13 @@ TEST(HardNormal, CellsOfEightToOneAndFewElements) {
 TEST(HardNormal, TwoPatchesShareTheForce) {
   const double radius_term = 1e-3;
   const double force = 1e4;
-  const double modulus = tests::steel().contact_modulus;
+  const double modulus = testing::steel().contact_modulus;
   const HertzContact half =
       halfspace::hertz_from_force(radius_term, radius_term, modulus, 0.5 * force);
   const double a = half.semi_axis_x;
   const double distance = 12.0 * a;
   const ContactGrid grid = ContactGrid::centred(180, 32, a / 12, a / 12);
-  const HalfspaceCompliance compliance(grid, tests::steel());
+  const HalfspaceCompliance compliance(grid, testing::steel());
   NormalProblem problem;
   problem.undeformed_distance = grid.sample([&](double x, double y) {
     const double from_nearer = std::abs(x) - 0.5 * distance;
@@ -122,7 +122,7 @@ TEST(HardNormal, TwoPatchesShareTheForce) {
 
 TEST(HardNormal, AnyStartGivesTheSamePressure) {
   const ContactGrid grid = ContactGrid::centred(30, 30, 0.5, 0.5);
-  const HalfspaceCompliance compliance(grid, tests::steel());
+  const HalfspaceCompliance compliance(grid, testing::steel());
   NormalProblem problem;
   problem.undeformed_distance =
       grid.sample([](double x, double y) { return 1e-3 * x * x + 2e-3 * y * y; });
@@ -145,7 +145,7 @@ TEST(HardNormal, AnyStartGivesTheSamePressure) {
 
 TEST(HardNormal, OffsetOfTheDistanceOnlyShiftsTheApproach) {
   const ContactGrid grid = ContactGrid::centred(30, 30, 0.5, 0.5);
-  const HalfspaceCompliance compliance(grid, tests::steel());
+  const HalfspaceCompliance compliance(grid, testing::steel());
   NormalProblem problem;
   problem.undeformed_distance =
       grid.sample([](double x, double y) { return 1e-3 * (x * x + y * y); });
@@ -172,7 +172,7 @@ std::string solve_error(Function&& run) {
 
 TEST(HardNormal, NoContactIsAClearError) {
   const ContactGrid grid = ContactGrid::centred(8, 8, 0.5, 0.5);
-  const HalfspaceCompliance compliance(grid, tests::steel());
+  const HalfspaceCompliance compliance(grid, testing::steel());
   NormalProblem problem;
   problem.undeformed_distance = grid.sample([](double x, double y) { return 0.1 + x * x + y * y; });
   const auto run = [&] { contact::solve_normal(compliance.normal(), problem); };
@@ -190,7 +190,7 @@ TEST(HardNormal, NoContactIsAClearError) {
   EXPECT_NE(solve_error(run).find("exactly one"), std::string::npos);
   problem.approach.reset();
   const ContactGrid fine = ContactGrid::centred(30, 30, 0.2, 0.3);
-  const HalfspaceCompliance fine_compliance(fine, tests::steel());
+  const HalfspaceCompliance fine_compliance(fine, testing::steel());
   contact::NormalOptions options;
   options.max_iterations = 2;
   problem.undeformed_distance =

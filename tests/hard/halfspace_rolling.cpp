@@ -25,7 +25,7 @@ using contact::TangentialSolution;
 using contact::UpwindOrder;
 using halfspace::HalfspaceCompliance;
 using halfspace::HertzContact;
-using tests::Benchmark9;
+using testing::Benchmark9;
 
 /// Forces under Hertz's pressure with semi-axes a, b and n elements across both.
 struct Patch {
@@ -63,8 +63,8 @@ struct Patch {
     const HalfspaceCompliance compliance(grid(), material());
     return contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem(creepage));
   }
-  tests::Forces forces(const contact::Creepage& creepage) const {
-    return tests::forces(grid(), solve(creepage).traction);
+  testing::Forces forces(const contact::Creepage& creepage) const {
+    return testing::forces(grid(), solve(creepage).traction);
   }
   /// mu F_z as the elements have it.
   double sliding_force() const { return problem({}).traction_bound.sum() * grid().element_area(); }
@@ -93,7 +93,7 @@ TEST(HardRolling, TinyCreepageIsLinearAndHugeCreepageSlides) {
   EXPECT_NEAR(-tiny / (patch.G * patch.a * patch.b) / 4.20, 1.0, 0.03);
   for (const contact::Creepage& c :
        {contact::Creepage{0.5, 0, 0}, {-0.5, 0, 0}, {0.3, 0.4, 0}, {0.0, 0.5, 0.0}}) {
-    const tests::Forces f = patch.forces(c);
+    const testing::Forces f = patch.forces(c);
     const double size = std::hypot(c.longitudinal, c.lateral);
     EXPECT_NEAR(f.x, -patch.sliding_force() * c.longitudinal / size, 1e-3 * patch.sliding_force());
     EXPECT_NEAR(f.y, -patch.sliding_force() * c.lateral / size, 1e-3 * patch.sliding_force());
@@ -104,11 +104,11 @@ TEST(HardRolling, PureSpinFromLinearToFullSlip) {
   const Patch patch;
   const double c = patch.a;
   // Kalker, circle, nu = 0.28 between the tabulated 1.47 (0.25) and 1.63 (0.5).
-  const tests::Forces small = patch.forces({0, 0, 1e-6});
+  const testing::Forces small = patch.forces({0, 0, 1e-6});
   EXPECT_NEAR(-small.y / (patch.G * c * c * c * 1e-6) / 1.49, 1.0, 0.05);
   double moment = 0.0;
   for (double spin = 1e-6; spin < 20.0; spin *= 10.0) {
-    const tests::Forces f = patch.forces({0, 0, spin});
+    const testing::Forces f = patch.forces({0, 0, spin});
     EXPECT_LE(f.y, 0.0) << spin;
     EXPECT_NEAR(f.x, 0.0, 1e-3 * patch.sliding_force()) << spin;
     EXPECT_GT(-f.moment, moment) << spin;
@@ -175,7 +175,7 @@ TEST(HardRolling, PoissonRatiosAtBothEndsGiveKalkersTable) {
 TEST(HardRolling, FewElementsAndStretchedCells) {
   const Patch fine{6.0, 6.0, 48, 48};
   const contact::Creepage creepage{1e-3, -5e-4, 1e-5};
-  const tests::Forces right = fine.forces(creepage);
+  const testing::Forces right = fine.forces(creepage);
   Patch coarse;
   coarse.nx = coarse.ny = 4;
   EXPECT_NEAR(coarse.forces(creepage).x / right.x, 1.0, 0.1);
@@ -234,7 +234,7 @@ TEST(HardRolling, ShiftOfCattaneoAndMindlin) {
   TangentialProblem problem = patch.problem({});
   problem.rigid_slip.x.setConstant(shift);
   const TangentialSolution s = contact::solve_tangential(compliance.shift(), problem);
-  const tests::Forces f = tests::forces(patch.grid(), s.traction);
+  const testing::Forces f = testing::forces(patch.grid(), s.traction);
   EXPECT_NEAR(-f.x / sliding, 1.0 - theta * theta * theta, 0.004);
   const double adhesion =
       static_cast<double>(std::count(s.state.begin(), s.state.end(), ElementState::adhesion)) *
@@ -245,7 +245,7 @@ TEST(HardRolling, ShiftOfCattaneoAndMindlin) {
 TEST(HardRolling, ForcesOfOneNewtonAndTenMeganewtonAreSimilar) {
   // Lengths go as F^(1/3): the same traction coefficient at creepages in that proportion.
   const auto coefficient = [](double force) {
-    Case input = tests::thesis_case('b');
+    Case input = testing::thesis_case('b');
     input.contact_grid.elements_across = 16;
     input.load.normal_force = force;
     input.rolling.creepages = {{1e-3 * std::cbrt(force / 50e3), 0.0, 0.0}};
@@ -257,7 +257,7 @@ TEST(HardRolling, ForcesOfOneNewtonAndTenMeganewtonAreSimilar) {
 }
 
 TEST(HardRolling, TheModelTakesAnyNumberOfElements) {
-  Case input = tests::thesis_case('a');
+  Case input = testing::thesis_case('a');
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
   for (const int across : {1, 2, 3, 4, 5, 7, 19}) {
     input.contact_grid.elements_across = across;

@@ -7,15 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -32,22 +31,15 @@ const std::array<const char*, 4> names{"pressure", "length", "width", "approach"
 
 enum class Noise { none, normal, uniform };
 
-class NoisyProfiles : public testing::Test {
+class NoisyProfiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("rollfem_noisy_" + std::to_string(static_cast<long>(getpid())));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// A file of points of a built-in profile at equal distances, moved across it by noise.
   void measure(const std::string& name, const std::string& file, double spacing, Noise noise,
                std::mt19937& generator) const {
     const meshes::ProfileCurve curve = meshes::find_built_in_profile(name)->make();
     std::normal_distribution<double> normal(0.0, scatter);
     std::uniform_real_distribution<double> uniform(-scatter, scatter);
-    std::ofstream out(folder_ / file);
+    std::ofstream out(folder_.path(file));
     out.precision(12);
     for (double p = curve.first(); p <= curve.last(); p += spacing) {
       const meshes::ProfilePoint place = curve.at(p);
@@ -59,7 +51,7 @@ class NoisyProfiles : public testing::Test {
   /// The contacts at all shifts of a left wheel of 100 kN.
   std::vector<Contact> contacts(const std::string& wheel, const std::string& rail) const {
     contact::Case input;
-    input.file = (folder_ / "case.toml").string();
+    input.file = folder_.path("case.toml");
     input.load.vertical_force = 100e3;
     input.friction_coefficient = 0.0;
     input.wheel.rolling_radius = 450.0;
@@ -114,7 +106,7 @@ class NoisyProfiles : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_;
+  const rollfem::testing::TemporaryFolder folder_;
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ using contact::Case;
 namespace {
 
 Case plain(double force) {
-  Case input = tests::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.load.normal_force = force;
   input.rolling.creepages = {{1e-3, 0.0, 1e-3}};
   input.contact_grid.elements_across = 24;
@@ -27,9 +27,10 @@ Case plain(double force) {
 /// h(0, y) = (y^2 - d^2)^2 / (8 R d^2).
 Case two_crests(double force, double d, double radius) {
   Case input = plain(force);
-  const auto rail = tests::sampled_curve(-25.0, 25.0, 0.05, [&](double y) {
+  const auto rail = rollfem::testing::sampled_curve(-25.0, 25.0, 0.05, [&](double y) {
     const double q = y * y - d * d;
-    return tests::HeightAndSlope{-q * q / (8.0 * radius * d * d), -q * y / (2.0 * radius * d * d)};
+    return rollfem::testing::HeightAndSlope{-q * q / (8.0 * radius * d * d),
+                                            -q * y / (2.0 * radius * d * d)};
   });
   input.patch = std::make_shared<contact::PatchGeometry>(
       rail, contact::HeightCurve({-30.0, 30.0}, {405.0, 405.0}, {0.0, 0.0}),
@@ -62,7 +63,7 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
     input.wheel.transverse_radius = -hollow;
     input.rail.transverse_radius = 13.0;
     const auto hertz = halfspace::hertz_of_case(input);
-    input.patch = tests::circles(405.0, -hollow, 13.0, 11.0);
+    input.patch = rollfem::testing::circles(405.0, -hollow, 13.0, 11.0);
     const auto point = halfspace::run_model("halfspace", input, {}).points.front();
     EXPECT_NEAR(point.normal_force, 20e3, 1.0);
     // Concentric arcs part faster than their parabolas: narrower and higher than Hertz.
@@ -78,7 +79,7 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
 
 TEST(ProfilePatches, FullyConformingCornerReachesTheEndOfItsProfiles) {
   Case input = plain(20e3);
-  input.patch = tests::circles(405.0, -13.0, 13.0, 6.0);
+  input.patch = rollfem::testing::circles(405.0, -13.0, 13.0, 6.0);
   for (const char* model : {"halfspace", "strip", "fastsim"})
     EXPECT_THROW(halfspace::run_model(model, input, {}), contact::InputError) << model;
   EXPECT_THROW(halfspace::run_model("hertz", input, {}), contact::InputError);
@@ -104,7 +105,8 @@ TEST(ProfilePatches, TwoRegionsBecomeOne) {
 TEST(ProfilePatches, PatchAtTheEndOfAProfileIsRefused) {
   const auto hertz = halfspace::hertz_of_case(plain(50e3));
   Case input = plain(50e3);
-  input.patch = tests::circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
+  input.patch =
+      rollfem::testing::circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
   for (const char* model : {"linear", "vermeulen-johnson", "fastsim", "strip", "halfspace"}) {
     SCOPED_TRACE(model);
     try {
@@ -119,7 +121,7 @@ TEST(ProfilePatches, PatchAtTheEndOfAProfileIsRefused) {
 
 TEST(ProfilePatches, ModelsWithoutProfilesSaySo) {
   Case input = plain(50e3);
-  input.patch = tests::circles(405.0, contact::infinity, 500.0);
+  input.patch = rollfem::testing::circles(405.0, contact::infinity, 500.0);
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
   EXPECT_THROW(halfspace::run_model("carter", input, {}), contact::InputError);
   input.rolling.extra_slip = contact::ExtraSlip::rolling_radius;

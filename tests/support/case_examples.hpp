@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 inline const std::string small_case = R"([load]
 normal_force = 50e3
@@ -30,4 +30,4 @@ inline std::string plus(const std::string& lines) {
   return small_case + lines;
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Circular contact with friction. Tangential force Q, |Q| <= mu P, shift and traction q have the
 /// same sign and direction here: those on the body that is pushed along.
@@ -76,4 +76,4 @@ class CattaneoMindlin {
   double compliance_;  ///< (2 - nu1)/G1 + (2 - nu2)/G2, 1/MPa
 };
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Uniform tractions (MPa) or forces (N) on the surface along +x, +y, +z of the local frame.
 struct LocalLoad {
@@ -43,4 +43,4 @@ inline halfspace::LocalState point_state(double x, double y, double z, const Loc
                          z);
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 inline dealii::Tensor<1, 3> uneven_load(const dealii::Point<3>& p) {
   dealii::Tensor<1, 3> f;
@@ -41,4 +41,4 @@ double difference_from_factorisation(const BlockOptions& options, const MakeSolv
   return dealii::Utilities::MPI::max(difference / v.linfty_norm(), MPI_COMM_WORLD);
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -8,7 +8,7 @@
 #include "support/fem_test_support.hpp"
 #include <memory>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 inline constexpr contact::Material steel{210e3, 0.3};
 inline constexpr contact::Material soft{70e3, 0.4};
@@ -56,4 +56,4 @@ class PairEnvironment : public ::testing::Environment {
   std::unique_ptr<Pair> full_, half_;
 };
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -19,7 +19,7 @@
 #include <functional>
 #include <map>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 struct BlockOptions {
   std::array<unsigned int, 3> cells{3, 2, 2};  ///< coarse ones
@@ -167,4 +167,4 @@ inline fem::BoundaryConditions clamped_below() {
   return {{4}, {{2, 1}}};
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 inline constexpr double manufactured_extent = 12.0;  // mm
 inline constexpr contact::Material manufactured_material{1000.0, 0.3};
@@ -85,4 +85,4 @@ inline fem::Vector manufactured_load(const fem::Body& body, const Manufactured& 
   return b;
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <functional>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 struct RingOptions {
   double inner_radius = 10;  ///< mm
@@ -147,4 +147,4 @@ class QuarterRing {
   dealii::AffineConstraints<double> constraints_;
 };
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

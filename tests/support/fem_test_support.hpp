@@ -9,7 +9,7 @@
 #include "support/mpi_environment.hpp"
 #include <random>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 inline fem::SurfaceShape wheel_shape(double rolling_radius, double transverse_radius) {
   return {true, rolling_radius, transverse_radius};
@@ -63,4 +63,4 @@ inline double dot(const contact::SurfaceField& a, const contact::SurfaceField& b
   return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Line contact h = x^2 / (2 R), force per unit length in N/mm.
 struct HertzLine {
@@ -59,4 +59,4 @@ inline AxisStress hertz_axis_stress(const halfspace::HertzContact& contact, doub
   return stress;
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -13,7 +13,7 @@
 #include <memory>
 #include <utility>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Half-planes under tractions that do not change with y. The grid has one row (ny = 1); its dy is
 /// the length of roller that forces are for: dy = 1 gives N/mm. u_y is that of antiplane shear.
@@ -144,4 +144,4 @@ class LineCompliance : public contact::SolvableCompliance {
   std::unique_ptr<Tangential> rolling_[2];
 };
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -1,17 +1,15 @@
-// Small hexahedral meshes for the tests, and temporary files to keep them in.
+// Small hexahedral meshes for the tests.
 #pragma once
 
 #include "meshes/gmsh/msh_file.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include "support/temporary_folder.hpp"
+#include <array>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 using Point = std::array<double, 3>;
 
@@ -56,39 +54,4 @@ inline meshes::HexMesh block(const std::vector<double>& x, const std::vector<dou
   return mesh;
 }
 
-/// A folder that is removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "rollfem_mesh_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return (path_ / name).string();
-  }
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-/// What a call is refused with, "" when it is not.
-template <class Error, class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

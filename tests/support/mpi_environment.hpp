@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 /// What the processes after the first say: only what fails.
 class FailurePrinter : public ::testing::EmptyTestEventListener {
@@ -46,4 +46,4 @@ class MpiEnvironment : public ::testing::Environment {
 [[maybe_unused]] inline ::testing::Environment* const mpi_environment =
     ::testing::AddGlobalTestEnvironment(new MpiEnvironment);
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

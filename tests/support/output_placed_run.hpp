@@ -5,7 +5,7 @@
 
 #include "support/output_synthetic_run.hpp"
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 using postprocess::PlacedPair;
 using postprocess::RunRecord;
@@ -49,4 +49,4 @@ inline RunRecord placed_run(int positions) {
   return run;
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -1,28 +1,22 @@
 // Runs a Python script on a file: the independent reader of the output tests.
 #pragma once
 
-#include <gtest/gtest.h>
-
+#include "support/temporary_folder.hpp"
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <string>
-#include <unistd.h>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// What the script printed, errors included. /usr/bin/python3 is Debian's, which has h5py and VTK.
 inline std::string python(const std::string& script, const std::string& argument = "") {
-  const auto file = std::filesystem::path(::testing::TempDir()) /
-                    ("rollfem_script_" + std::to_string(::getpid()) + ".py");
-  std::ofstream(file) << script;
-  const std::string call = "/usr/bin/python3 " + file.string() + " '" + argument + "' 2>&1";
+  const TemporaryFolder folder;
+  const std::string call =
+      "/usr/bin/python3 " + folder.file("script.py", script) + " '" + argument + "' 2>&1";
   FILE* pipe = ::popen(call.c_str(), "r");
   if (!pipe) return "cannot run python";
   std::string text;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
   ::pclose(pipe);
-  std::filesystem::remove(file);
   return text;
 }
 
@@ -30,12 +24,11 @@ inline bool python_can_import(const std::string& modules) {
   return python("import " + modules).empty();
 }
 
-/// Writes a file for this process only; returns its path.
-inline std::string write_temporary(const std::string& name, const std::string& content) {
-  const auto path = std::filesystem::path(::testing::TempDir()) /
-                    ("rollfem_" + std::to_string(::getpid()) + "_" + name);
-  std::ofstream(path, std::ios::binary) << content;
-  return path.string();
+/// The same on a file with this content.
+inline std::string python_on(const std::string& script, const std::string& name,
+                             const std::string& content) {
+  const TemporaryFolder folder;
+  return python(script, folder.file(name, content));
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 using contact::ContactGrid;
 using contact::Field;
@@ -173,4 +173,4 @@ inline postprocess::RunRecord synthetic_run() {
   return run;
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 /// Knots of a function value(y) with slope(y), `step` apart.
 template <class Value, class Slope>
@@ -61,4 +61,4 @@ inline contact::PatchGeometry sphere_on_circle(double radius, double rail_radius
   return {rail, wheel, {{0.0, 0.0, radius}, axle}, -half_width, half_width};
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

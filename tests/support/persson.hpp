@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Persson 1964, "On the stress distribution of cylindrical elastic bodies in contact", as checked
 /// against a Fourier solution of disc and plate in reference/benchmarks.md, section 10. The disc of
@@ -31,4 +31,4 @@ struct PerssonContact {
   }
 };
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

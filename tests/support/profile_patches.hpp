@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Height, slope of a curve.
 struct HeightAndSlope {
@@ -136,4 +136,4 @@ inline std::shared_ptr<const contact::PatchGeometry> s1002_on_uic60(double rail_
                   wheel_place, 450.0);
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 /// All patches of the left wheel (R = 450 mm, mu 0.55, 100 kN) at this shift to the right (mm).
 inline std::vector<contact::Case> left_wheel_scenes(double lateral_shift,
@@ -47,4 +47,4 @@ inline contact::Case flange_scene() {
   return steepest;
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <sys/wait.h>
@@ -19,7 +17,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 struct Outcome {
   int status = -1;  ///< exit status, 128 + signal when a signal ended it
@@ -27,39 +25,15 @@ struct Outcome {
   std::string err;
 };
 
-inline std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 /// Working folder of a test, empty at first and removed at the end.
-class Folder {
+class Folder : public TemporaryFolder {
  public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "rollfem_cli_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-    std::filesystem::create_directory(work());
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+  Folder() { std::filesystem::create_directory(work()); }
 
   /// Where the program is started; what it writes lands here.
-  std::filesystem::path work() const { return path_ / "work"; }
+  std::filesystem::path work() const { return path() / "work"; }
   /// Where its output is kept.
-  std::filesystem::path output(const std::string& name) const { return path_ / name; }
-
-  /// Writes an input file beside the working folder and returns its path.
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return (path_ / name).string();
-  }
+  std::filesystem::path output(const std::string& name) const { return path() / name; }
 
   /// Everything the program left, sorted, relative to the working folder.
   std::vector<std::string> made() const {
@@ -69,9 +43,6 @@ class Folder {
     std::sort(names.begin(), names.end());
     return names;
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// Runs a command in the folder, stdin empty, with NAME=value added to the environment.
@@ -126,4 +97,4 @@ inline void expect_refused(const Outcome& outcome, const std::string& part) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

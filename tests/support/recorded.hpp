@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Keeps `value` with all its digits in what the running test reports (GoogleTest's
 /// RecordProperty).
@@ -14,4 +14,4 @@ inline void record(const std::string& name, double value) {
   ::testing::Test::RecordProperty(name, fmt::format("{:.10g}", value));
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

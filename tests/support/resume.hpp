@@ -8,7 +8,7 @@
 #include "support/program.hpp"
 #include <functional>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 /// Runs a command in the folder and ends it by SIGKILL as soon as `moment` has come. `killed`
 /// false: it ended before.
@@ -100,4 +100,4 @@ inline void expect_same_results(const Folder& folder, const std::filesystem::pat
   EXPECT_EQ(different_fields(folder, one, other), "");
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 
 /// Wheel of 405 mm on a rail of 2000, 500 or 100 mm, 50 kN, mu 0.55, like materials.
 inline contact::Case thesis_case(char name) {
@@ -80,4 +80,4 @@ inline Forces forces(const contact::ContactGrid& grid, const contact::Tangential
   return sum;
 }
 
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

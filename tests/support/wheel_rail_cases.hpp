@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace rollfem::test {
+namespace rollfem::testing {
 
 /// z(y) with its slope at every step, exact between knots up to the fourth power of the step.
 inline meshes::ProfileCurve profile_of(const std::function<double(double)>& z,
@@ -91,4 +91,4 @@ inline double brute_force_distance(const meshes::SearchScene& scene, double roll
   return least;
 }
 
-}  // namespace rollfem::test
+}  // namespace rollfem::testing

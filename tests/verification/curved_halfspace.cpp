@@ -24,7 +24,7 @@ PointResult run(const Case& input) {
 
 /// Cases e and f: a convex rail in a hollow wheel.
 Case conformal(char name) {
-  Case input = tests::thesis_case('a');
+  Case input = rollfem::testing::thesis_case('a');
   input.rail.transverse_radius = name == 'e' ? 100.0 : 50.0;
   input.wheel.transverse_radius = name == 'e' ? -105.263 : -51.282;
   return input;
@@ -37,9 +37,9 @@ Case curved(Case input) {
 
 /// Tilted axle, lopsided profiles: S1002 on UIC60.
 Case s1002() {
-  Case input = tests::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.wheel.rolling_radius = 450.0;
-  input.patch = tests::s1002_on_uic60(-3.95, 8.58);
+  input.patch = rollfem::testing::s1002_on_uic60(-3.95, 8.58);
   return curved(input);
 }
 
@@ -47,7 +47,7 @@ Case s1002() {
 
 TEST(CurvedHalfspace, IsThePlanarOneOnFlatBodies) {
   // Rail of 2000 mm under a cylinder: slopes of 0.003 at the edges, one rolling radius.
-  Case input = tests::thesis_case('a');
+  Case input = rollfem::testing::thesis_case('a');
   input.rolling.creepages = {{1e-3, 5e-4, 1e-4}};
   const PointResult plane = run(input);
   const PointResult bent = run(curved(input));
@@ -88,7 +88,7 @@ TEST(CurvedHalfspace, SlipIsThatOfTheTurningWheel) {
 TEST(CurvedHalfspace, ArcAndDistanceOfConcentricCircles) {
   // R13 in a hollow of 14 mm: the common surface is close to a circle of 13.5 mm, the distance
   // along its normal 1 - cos of the angle times the distance of the centres.
-  Case input = tests::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.rail.transverse_radius = 13.0;
   input.wheel.transverse_radius = -14.0;
   const halfspace::CurvedPatch surface(curved(input));

@@ -47,10 +47,10 @@ struct Rolling {
     return point;
   }
 
-  tests::Forces forces(const contact::Creepage& creepage, double friction) const {
+  rollfem::testing::Forces forces(const contact::Creepage& creepage, double friction) const {
     const contact::SurfaceField p =
         solve(creepage, friction, contact::UpwindOrder::second).fields.traction;
-    return tests::forces(grid, {p.x, p.y});
+    return rollfem::testing::forces(grid, {p.x, p.y});
   }
 };
 

@@ -11,12 +11,12 @@
 namespace rollfem {
 namespace {
 
-using test::Block;
-using test::BlockOptions;
-using test::uneven_load;
+using testing::Block;
+using testing::BlockOptions;
+using testing::uneven_load;
 
 double difference_from_factorisation(const BlockOptions& options, int& iterations) {
-  return test::difference_from_factorisation(
+  return testing::difference_from_factorisation(
       options,
       [](const fem::ElasticProblem& problem) {
         return fem::make_algebraic_multigrid(problem, {1e-11, 200});
@@ -47,7 +47,7 @@ TEST(AlgebraicMultigrid, CoarsensAMeshThatNobodyRefined) {
 }
 
 TEST(AlgebraicMultigrid, SaysSoWhenItDoesNotConverge) {
-  const Block block({}, test::clamped_below());
+  const Block block({}, testing::clamped_below());
   auto u = fem::make_vector(block.dofs());
   const auto solver = fem::make_algebraic_multigrid(block.problem(), {1e-12, 2});
   EXPECT_THROW(solver->solve(u, block.body_load(uneven_load)), contact::SolveError);

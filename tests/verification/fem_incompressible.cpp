@@ -14,7 +14,7 @@
 #include <cmath>
 
 using namespace rollfem;
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 namespace {
 
@@ -171,8 +171,8 @@ TEST(NearlyIncompressible, ThickCylinderHasLamesDisplacementAndStress) {
     EXPECT_LT(projected.displacement, displacement) << "degree " << degree;
     EXPECT_LT(projected.stress, stress) << "degree " << degree;
     EXPECT_GT(plain.displacement, displacement) << "degree " << degree;
-    tests::record(fmt::format("projected_degree_{}", degree), projected.displacement);
-    tests::record(fmt::format("plain_degree_{}", degree), plain.displacement);
+    rollfem::testing::record(fmt::format("projected_degree_{}", degree), projected.displacement);
+    rollfem::testing::record(fmt::format("plain_degree_{}", degree), plain.displacement);
     EXPECT_GT(plain.stress, stress) << "degree " << degree;
     // At the one Gauss point of degree 1 the dilatation is its mean already.
     if (degree == 2) {

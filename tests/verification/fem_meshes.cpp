@@ -26,17 +26,19 @@ contact::Case study_case(const std::string& name, double creepage) {
 meshes::HexMesh distorted_rail() {
   constexpr double reach = 75, shift = 2.3;
   const std::vector<double> along{-reach, -45, -25, -11.6, 0, 11.6, 25, 45, reach};
-  return test::block(along, along, {-reach, -46, -26, -11, 0}, true, [=](test::Point p) {
-    const double phase = 1.3 * p[0] + 2.1 * p[1] + 3.7 * p[2];
-    if (std::abs(p[0]) < reach && std::abs(p[1]) < reach && p[2] > -reach) {
-      p[0] += shift * std::sin(phase);
-      p[1] += shift * std::cos(2 * phase);
-      if (p[2] < 0) p[2] += shift * std::sin(3 * phase);
-    }
-    const double c = std::cos(20.0 * M_PI / 180.0), s = std::sin(20.0 * M_PI / 180.0);
-    const double y = s * p[0] + c * p[1];
-    return test::Point{c * p[0] - s * p[1], y, p[2] - (2000.0 - std::sqrt(4e6 - y * y))};
-  });
+  return rollfem::testing::block(
+      along, along, {-reach, -46, -26, -11, 0}, true, [=](rollfem::testing::Point p) {
+        const double phase = 1.3 * p[0] + 2.1 * p[1] + 3.7 * p[2];
+        if (std::abs(p[0]) < reach && std::abs(p[1]) < reach && p[2] > -reach) {
+          p[0] += shift * std::sin(phase);
+          p[1] += shift * std::cos(2 * phase);
+          if (p[2] < 0) p[2] += shift * std::sin(3 * phase);
+        }
+        const double c = std::cos(20.0 * M_PI / 180.0), s = std::sin(20.0 * M_PI / 180.0);
+        const double y = s * p[0] + c * p[1];
+        return rollfem::testing::Point{c * p[0] - s * p[1], y,
+                                       p[2] - (2000.0 - std::sqrt(4e6 - y * y))};
+      });
 }
 
 }  // namespace
@@ -55,7 +57,7 @@ TEST(FemUserMeshes, GiveHertzOnTurnedAndDistortedHexahedra) {
   // The whole rail on the user's mesh under half a wheel of the program's. Cells of half of the
   // smaller semi-axis: p0 is off by what the grid of the contact brings, and the distorted mesh
   // must not add to it.
-  const test::TemporaryFolder folder;
+  const rollfem::testing::TemporaryFolder folder;
   contact::Case input = study_case("a", 0.002);
   const auto own = fem::run_level(input, {1.88, "", false}, {}).points.front();
   input.file = folder.path("case.toml");

@@ -14,16 +14,16 @@ namespace {
 
 using dealii::Point;
 using dealii::Tensor;
-using test::Block;
-using test::BlockOptions;
-using test::uneven_load;
+using testing::Block;
+using testing::BlockOptions;
+using testing::uneven_load;
 
 double all_processes_max(double value) {
   return dealii::Utilities::MPI::max(value, MPI_COMM_WORLD);
 }
 
 double difference_from_factorisation(const BlockOptions& options, int* iterations = nullptr) {
-  return test::difference_from_factorisation(
+  return testing::difference_from_factorisation(
       options,
       [](const fem::ElasticProblem& problem) {
         return fem::make_multigrid(problem, {1e-11, 100});
@@ -67,7 +67,7 @@ TEST(Multigrid, RefusesNearlyIncompressibleBodies) {
   BlockOptions options;
   options.local_refinements = 0;
   options.material.poisson_ratio = 0.4999;
-  const Block block(options, test::clamped_below());
+  const Block block(options, testing::clamped_below());
   EXPECT_THROW(fem::make_multigrid(block.problem()), contact::InputError);
 }
 
@@ -118,7 +118,7 @@ TEST(Multigrid, NeedsNoMoreIterationsOnFinerMeshes) {
   for (const int refinements : {1, 2, 3}) {
     BlockOptions options;
     options.global_refinements = refinements;
-    const Block block(options, test::clamped_below());
+    const Block block(options, testing::clamped_below());
     const auto solver = fem::make_multigrid(block.problem());
     auto u = fem::make_vector(block.dofs());
     solver->solve(u, block.body_load(uneven_load));
@@ -131,7 +131,7 @@ TEST(Multigrid, NeedsNoMoreIterationsOnFinerMeshes) {
 
 // Betti: the work of one load on the displacement of another.
 TEST(Multigrid, IsSymmetricToTheTolerance) {
-  const Block block({}, test::clamped_below());
+  const Block block({}, testing::clamped_below());
   const auto solver = fem::make_multigrid(block.problem(), {1e-12, 100});
   const auto a = block.body_load(uneven_load);
   Tensor<1, 3> pressure;
@@ -144,7 +144,7 @@ TEST(Multigrid, IsSymmetricToTheTolerance) {
 }
 
 TEST(Multigrid, IsDeterministicAndGivesZeroForNoLoad) {
-  const Block block({}, test::clamped_below());
+  const Block block({}, testing::clamped_below());
   const auto solver = fem::make_multigrid(block.problem());
   auto u = fem::make_vector(block.dofs()), v = u, zero = u;
   const auto load = block.body_load(uneven_load);
@@ -159,7 +159,7 @@ TEST(Multigrid, IsDeterministicAndGivesZeroForNoLoad) {
 }
 
 TEST(Multigrid, SaysWhenItDoesNotConverge) {
-  const Block block({}, test::clamped_below());
+  const Block block({}, testing::clamped_below());
   auto u = fem::make_vector(block.dofs());
   const auto load = block.body_load(uneven_load);
   EXPECT_THROW(fem::make_multigrid(block.problem(), {1e-8, 2})->solve(u, load),
@@ -175,7 +175,7 @@ TEST(Multigrid, RejectsABodyThatNothingHoldsAndOtherElements) {
   const Block loose(options, {});
   EXPECT_THROW(fem::make_multigrid(loose.problem()), contact::SolveError);
   options.degree = 3;
-  const Block cubic(options, test::clamped_below());
+  const Block cubic(options, testing::clamped_below());
   EXPECT_THROW(fem::make_multigrid(cubic.problem()), contact::InputError);
 }
 

@@ -46,7 +46,7 @@ TEST(FemOnProfiles, OfCirclesIsThatOfTheRadii) {
   radii.wheel.rolling_radius = 405.0;
   radii.rail.transverse_radius = 500.0;
   contact::Case curves = radii;
-  set_patch(curves, test::circle_pair(405.0, 1e9, 500.0, 60.0));
+  set_patch(curves, rollfem::testing::circle_pair(405.0, 1e9, 500.0, 60.0));
   const contact::PointResult one = solve(radii, 1.5).points.front();
   const contact::PointResult other = solve(curves, 1.5).points.front();
   // The fine regions differ by an element at most, and a full body replaces two halves.
@@ -63,8 +63,8 @@ TEST(FemOnProfiles, OfASphereIsTheSameAboutAnyAxle) {
   for (const double tilt : {0.0, 0.6}) {
     contact::Case input = plain_case(0.0);
     input.rolling.problem = contact::Problem::frictionless;
-    set_patch(input,
-              test::sphere_on_circle(405.0, 500.0, {0.0, std::cos(tilt), std::sin(tilt)}, 60.0));
+    set_patch(input, rollfem::testing::sphere_on_circle(
+                         405.0, 500.0, {0.0, std::cos(tilt), std::sin(tilt)}, 60.0));
     results.push_back(solve(input, 1.5).points.front());
   }
   // The chart's lines are other circles on the same sphere.
@@ -79,7 +79,7 @@ namespace {
 constexpr double coarse_cell = 1.6;
 
 contact::Case left_wheel(contact::MeshFamily family) {
-  contact::Case scene = test::left_wheel_scene({0.002});
+  contact::Case scene = rollfem::testing::left_wheel_scene({0.002});
   scene.fem.mesh = family;
   scene.fem.linear_solver = contact::LinearSolver::factorisation;
   scene.fem.extent = 30.0;
@@ -88,7 +88,7 @@ contact::Case left_wheel(contact::MeshFamily family) {
 }
 
 contact::PointResult half_space() {
-  contact::Case scene = test::left_wheel_scene({0.002});
+  contact::Case scene = rollfem::testing::left_wheel_scene({0.002});
   scene.contact_grid.cell_size = {{coarse_cell, coarse_cell}};
   return halfspace::run_halfspace(scene, {}).points.front();
 }

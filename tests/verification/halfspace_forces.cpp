@@ -27,7 +27,7 @@ using halfspace::HalfspaceCompliance;
 constexpr double sliding = 0.55 * 50e3;
 
 TEST(PrescribedForces, GiveBackTheCreepagesOfTheirForces) {
-  Case input = tests::thesis_case('b');
+  Case input = testing::thesis_case('b');
   input.contact_grid.elements_across = 20;
   input.rolling.creepages = {{1e-3, 0.0, 0.0}, {2e-3, 1e-3, 2e-4}, {-1e-3, 4e-3, 0.0}};
   const ModelResult forward = halfspace::run_halfspace(input, {});
@@ -49,7 +49,7 @@ TEST(PrescribedForces, GiveBackTheCreepagesOfTheirForces) {
 }
 
 TEST(PrescribedForces, WithAnApproachInsteadOfANormalForce) {
-  Case input = tests::thesis_case('a');
+  Case input = testing::thesis_case('a');
   input.contact_grid.elements_across = 20;
   input.load.normal_force.reset();
   input.load.approach = 0.04731083;
@@ -83,14 +83,14 @@ Coefficients from_solver(double a, double b, double nu, int n) {
         grid.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
     contact::TangentialOptions options;
     options.tolerance = 1e-8;
-    return tests::forces(
+    return testing::forces(
         grid, contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem, options)
                   .traction);
   };
   const double unit = material.shear_modulus * e;  // c = sqrt(a b) = 1
-  const tests::Forces along = run({e, 0.0, 0.0});
-  const tests::Forces aside = run({0.0, e, 0.0});
-  const tests::Forces spin = run({0.0, 0.0, e});
+  const testing::Forces along = run({e, 0.0, 0.0});
+  const testing::Forces aside = run({0.0, e, 0.0});
+  const testing::Forces spin = run({0.0, 0.0, e});
   return {-along.x / unit, -aside.y / unit, -spin.y / unit, -aside.moment / unit,
           -spin.moment / unit};
 }
@@ -106,11 +106,11 @@ TEST(KalkersCoefficients, FromTheSolverAt40ElementsForEveryAspectAndPoissonsRati
       EXPECT_NEAR(c.c23 / table.c23, 1.0, 0.02) << ratio << ", " << nu;
       EXPECT_NEAR(-c.c32 / c.c23, 1.0, 0.005) << ratio << ", " << nu;
       const std::string at = fmt::format("_{}_{}", ratio, nu);
-      tests::record("c11" + at, c.c11);
-      tests::record("c22" + at, c.c22);
-      tests::record("c23" + at, c.c23);
-      tests::record("c32" + at, c.c32);
-      tests::record("c33" + at, c.c33);
+      testing::record("c11" + at, c.c11);
+      testing::record("c22" + at, c.c22);
+      testing::record("c23" + at, c.c23);
+      testing::record("c32" + at, c.c32);
+      testing::record("c33" + at, c.c33);
       // The table's C33 is checked to 2 to 3 % only, and small beside the rest at a/b = 10.
       if (ratio < 10.0) {
         EXPECT_NEAR(c.c33 / table.c33, 1.0, 0.03) << ratio << ", " << nu;
@@ -124,7 +124,7 @@ constexpr double case_e[][2] = {{-0.002, -0.40511670}, {-0.001, -0.26957764}, {0
                                 {0.004, 0.52678160}};
 
 ModelResult rolled_case_e(UpwindOrder order, int across) {
-  Case input = tests::thesis_case('c');  // rail of 100 mm
+  Case input = testing::thesis_case('c');  // rail of 100 mm
   input.wheel.transverse_radius = -105.263;
   input.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
   input.rolling.upwind_order = order;
@@ -166,7 +166,7 @@ TEST(GivenPressure, GivesBenchmark9ThroughTheModel) {
 }
 
 TEST(Derived, FrictionalWorkIsWhatTheCreepForcesPutIn) {
-  Case input = tests::thesis_case('b');
+  Case input = testing::thesis_case('b');
   input.contact_grid.elements_across = 40;
   input.rolling.creepages = {{0.002, 0.001, 1e-4}};
   const PointResult point = halfspace::run_halfspace(input, {}).points[0];
@@ -181,7 +181,7 @@ TEST(Derived, FrictionalWorkIsWhatTheCreepForcesPutIn) {
 }
 
 TEST(Derived, RichardsonValueIsNearerThanTheFineOne) {
-  Case input = tests::thesis_case('a');
+  Case input = testing::thesis_case('a');
   input.contact_grid.elements_across = 40;
   input.rolling.creepages = {{0.0, 0.0, 0.0}};
   const PointResult point = halfspace::run_halfspace(input, {}).points[0];

@@ -27,7 +27,7 @@ using Eigen::Vector2d;
 using halfspace::ContactProblem;
 using halfspace::ContactScene;
 using halfspace::ContactState;
-using tests::LineCompliance;
+using testing::LineCompliance;
 
 /// A roller whose Hertz contact has half width a, n elements across it, forces in N/mm.
 class Roller {
@@ -114,7 +114,7 @@ TEST(Carter, ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder) {
   EXPECT_GT(std::log2(at_40 / carter_error(80)), 1.7);
   EXPECT_GT(std::log2(carter_error(10) / at_40) / 2.0, 1.4);
   for (const int n : {10, 20, 40, 80, 160})
-    tests::record("error_at_" + std::to_string(n), carter_error(n));
+    testing::record("error_at_" + std::to_string(n), carter_error(n));
 }
 
 TEST(Carter, TractionsAndSlipOfTheUsersGuide) {
@@ -158,7 +158,7 @@ TEST(BentallJohnson, CreepageOfFreeRollingWithHardlyAnyFriction) {
   EXPECT_NEAR(xi / 5.2586e-4, 1.0, 0.002);
   EXPECT_NEAR(xi / 5.2631e-4, 1.0, 0.001);
   EXPECT_NEAR(xi / 5.260e-4, 1.0, 0.002);  // CONTACT, 200 elements
-  tests::record("creepage", xi);
+  testing::record("creepage", xi);
 }
 
 TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
@@ -175,9 +175,9 @@ TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
   const double first_200 = -rough.creepage_of(0.0);
   const double second = -bentall_johnson(10.0, 200).creepage_of(0.0);
   EXPECT_NEAR(second / (2.0 * first_200 - first_100), 1.0, 0.003);
-  tests::record("creepage_at_0.05", some);
-  tests::record("creepage_at_10", first_200);
-  tests::record("pressure_at_10", state.normal.pressure.maxCoeff());
+  testing::record("creepage_at_0.05", some);
+  testing::record("creepage_at_10", first_200);
+  testing::record("pressure_at_10", state.normal.pressure.maxCoeff());
 }
 
 TEST(BentallJohnson, TractiveAndBrakedRolling) {
@@ -188,8 +188,8 @@ TEST(BentallJohnson, TractiveAndBrakedRolling) {
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.3, 0.05);
   const double braked = -roller.creepage_of(-0.75, &state);
   EXPECT_NEAR(braked / 2.108e-4, 1.0, 0.002);
-  tests::record("creepage_driven", driven);
-  tests::record("creepage_braked", braked);
+  testing::record("creepage_driven", driven);
+  testing::record("creepage_braked", braked);
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.2, 0.05);
 }
 

@@ -21,7 +21,7 @@ using contact::TangentialProblem;
 using contact::TangentialSolution;
 using contact::UpwindOrder;
 using halfspace::HalfspaceCompliance;
-using tests::Benchmark9;
+using testing::Benchmark9;
 
 TangentialSolution solve_benchmark_9(int across, UpwindOrder order) {
   const Benchmark9 benchmark;
@@ -30,13 +30,13 @@ TangentialSolution solve_benchmark_9(int across, UpwindOrder order) {
   return contact::solve_tangential(compliance.rolling(order), benchmark.problem(grid));
 }
 
-tests::Forces forces_of_benchmark_9(int across, UpwindOrder order) {
-  return tests::forces(Benchmark9().grid(across), solve_benchmark_9(across, order).traction);
+testing::Forces forces_of_benchmark_9(int across, UpwindOrder order) {
+  return testing::forces(Benchmark9().grid(across), solve_benchmark_9(across, order).traction);
 }
 
 TEST(SteadyRolling, SecondOrderReachesTheConvergedForcesAt20Across) {
   // Converged values of benchmark 9, reference/benchmarks.md: 10 240 +- 5 N, 1150 +- 10 N mm.
-  const tests::Forces f = forces_of_benchmark_9(20, UpwindOrder::second);
+  const testing::Forces f = forces_of_benchmark_9(20, UpwindOrder::second);
   EXPECT_NEAR(f.x, 10240.0, 0.005 * 10240.0);  // negative creepage drives: F_x on the wheel > 0
   EXPECT_NEAR(f.y, -7057.0, 0.01 * 7057.0);
   EXPECT_NEAR(f.moment, -1150.0, 0.06 * 1150.0);
@@ -46,21 +46,21 @@ TEST(SteadyRolling, FirstOrderGivesTheValuesOfTheDesignAndOfContact) {
   const double fx[] = {10867.0, 10554.0, 10409.0};
   const double moment[] = {-3078.0, -2120.0, -1687.0};
   for (int level = 0; level < 3; ++level) {
-    const tests::Forces f = forces_of_benchmark_9(10 << level, UpwindOrder::first);
+    const testing::Forces f = forces_of_benchmark_9(10 << level, UpwindOrder::first);
     EXPECT_NEAR(f.x / fx[level], 1.0, 0.005);
     EXPECT_NEAR(f.moment / moment[level], 1.0, 0.005);
   }
   // CONTACT itself at 80 across, its own first-order operator: 10 320, -7126, -1364.
-  const tests::Forces f = forces_of_benchmark_9(80, UpwindOrder::first);
+  const testing::Forces f = forces_of_benchmark_9(80, UpwindOrder::first);
   EXPECT_NEAR(f.x / 10320.0, 1.0, 0.005);
   EXPECT_NEAR(f.y / -7126.0, 1.0, 0.005);
   EXPECT_NEAR(f.moment / -1364.0, 1.0, 0.025);
 }
 
 TEST(SteadyRolling, BothOrdersConvergeToTheSameForces) {
-  const tests::Forces first_40 = forces_of_benchmark_9(40, UpwindOrder::first);
-  const tests::Forces first_80 = forces_of_benchmark_9(80, UpwindOrder::first);
-  const tests::Forces second = forces_of_benchmark_9(80, UpwindOrder::second);
+  const testing::Forces first_40 = forces_of_benchmark_9(40, UpwindOrder::first);
+  const testing::Forces first_80 = forces_of_benchmark_9(80, UpwindOrder::first);
+  const testing::Forces second = forces_of_benchmark_9(80, UpwindOrder::second);
   // First order by Richardson with order 1.
   EXPECT_NEAR((2.0 * first_80.x - first_40.x) / second.x, 1.0, 0.003);
   EXPECT_LT(std::abs(first_80.x - second.x), 0.6 * std::abs(first_40.x - second.x));
@@ -127,9 +127,9 @@ TangentialSolution with_creepage(const contact::Creepage& creepage, int across) 
 
 TEST(SteadyRolling, BrakingGivesANegativeForceOnTheWheel) {
   const ContactGrid grid = Benchmark9().grid(16);
-  EXPECT_LT(tests::forces(grid, with_creepage({1e-3, 0.0, 0.0}, 16).traction).x, 0.0);
-  EXPECT_LT(tests::forces(grid, with_creepage({0.0, 1e-3, 0.0}, 16).traction).y, 0.0);
-  const tests::Forces spin = tests::forces(grid, with_creepage({0.0, 0.0, 1e-4}, 16).traction);
+  EXPECT_LT(testing::forces(grid, with_creepage({1e-3, 0.0, 0.0}, 16).traction).x, 0.0);
+  EXPECT_LT(testing::forces(grid, with_creepage({0.0, 1e-3, 0.0}, 16).traction).y, 0.0);
+  const testing::Forces spin = testing::forces(grid, with_creepage({0.0, 0.0, 1e-4}, 16).traction);
   // Kalker: F_y = -G c^3 C23 phi, M_z = -G c^4 C33 phi.
   EXPECT_LT(spin.y, 0.0);
   EXPECT_LT(spin.moment, 0.0);
@@ -174,13 +174,13 @@ TEST(SteadyRolling, SmallCreepageGivesKalkersCoefficients) {
         grid.sample([&](double x, double y) { return x * x + y * y < c * c ? 1e9 : 0.0; });
     problem.rigid_slip.x = grid.sample([&](double, double y) { return xi - phi * y; });
     problem.rigid_slip.y = grid.sample([&](double x, double) { return eta + phi * x; });
-    return tests::forces(
+    return testing::forces(
         grid, contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem).traction);
   };
   const double e = 1e-5;
   const double c11 = -run(e, 0, 0).x / (G * c * c * e);
-  const tests::Forces lateral = run(0, e, 0);
-  const tests::Forces spin = run(0, 0, e / c);
+  const testing::Forces lateral = run(0, e, 0);
+  const testing::Forces spin = run(0, 0, e / c);
   const double c22 = -lateral.y / (G * c * c * e);
   const double c32 = -lateral.moment / (G * c * c * c * e);
   const double c23 = -spin.y / (G * c * c * c * e / c);
@@ -196,13 +196,13 @@ TEST(SteadyRolling, FullSlipIsElementary) {
   const TangentialSolution s = with_creepage({0.05, 0.0, 0.0}, 20);
   const ContactGrid grid = Benchmark9().grid(20);
   const Field bound = Benchmark9().problem(grid).traction_bound;
-  EXPECT_NEAR(tests::forces(grid, s.traction).x, -bound.sum() * grid.element_area(), 1.0);
+  EXPECT_NEAR(testing::forces(grid, s.traction).x, -bound.sum() * grid.element_area(), 1.0);
   EXPECT_EQ(std::count(s.state.begin(), s.state.end(), ElementState::adhesion), 0);
 }
 
 /// Creep curve of a thesis case by the model; {xi, Fx/Fz}.
 ModelResult creep_curve(char name, int across, const std::vector<double>& xi) {
-  Case input = tests::thesis_case(name);
+  Case input = testing::thesis_case(name);
   input.contact_grid.elements_across = across;
   input.rolling.creepages.clear();
   for (const double value : xi) input.rolling.creepages.push_back({value, 0.0, 0.0});
@@ -261,7 +261,7 @@ TEST(CreepCurve, ErrorEstimatesCoverTheErrorsWithSpin) {
                       {'c', {1e-3, 1e-3, 3e-4}, -6272.0, -10969.0, 6781.0}};
   for (const Row& row : rows)
     for (const int across : {20, 40}) {
-      Case input = tests::thesis_case(row.name);
+      Case input = testing::thesis_case(row.name);
       input.contact_grid.elements_across = across;
       input.rolling.creepages = {row.creepage};
       const contact::PointResult point = halfspace::run_halfspace(input, {}).points[0];
@@ -284,7 +284,7 @@ constexpr ContactRow case_c[] = {{0.001, 0.13514831, 0.13354435, 0.13300248, 500
                                  {0.004, 0.41046727, 0.40748153, 0.40612354, 832.21751}};
 
 TEST(CreepCurve, OfCaseCWithFirstOrderIsContactsOnTheSameGrid) {
-  Case input = tests::thesis_case('c');
+  Case input = testing::thesis_case('c');
   input.rolling.upwind_order = UpwindOrder::first;
   input.rolling.creepages.clear();
   for (const ContactRow& row : case_c) input.rolling.creepages.push_back({row.xi, 0.0, 0.0});
@@ -309,7 +309,7 @@ TEST(CreepCurve, OfCaseCReachesAt80AcrossWhatContactExtrapolatesTo) {
 }
 
 TEST(CreepCurve, FrictionlessOrZeroCreepageGivesNoTractionAtOnce) {
-  Case input = tests::thesis_case('b');
+  Case input = testing::thesis_case('b');
   input.contact_grid.elements_across = 12;
   input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
   const ModelResult still = halfspace::run_halfspace(input, {});

@@ -30,12 +30,12 @@ const Row rows[] = {
     {10.0, 24.0e-3, -757.0975, 0.0115, 22.5401, -8.2662, 2.511e-2, 2.371e-2, -4.883e-5},
 };
 
-class Manchester : public testing::TestWithParam<Row> {};
+class Manchester : public ::testing::TestWithParam<Row> {};
 
 TEST_P(Manchester, ContactIsWhereContactFindsIt) {
   const Row& row = GetParam();
-  const contact::Case input = test::manchester_case(row.shift, row.yaw);
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   const auto& place = found.at(0).place;
   EXPECT_EQ(place.patches, 1);
@@ -48,10 +48,10 @@ TEST_P(Manchester, ContactIsWhereContactFindsIt) {
 TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
   // The estimate of the approach taken away, only the definition of the reference point is left.
   const Row& row = GetParam();
-  contact::Case input = test::manchester_case(row.shift, row.yaw);
+  contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
   input.load = {};
   input.load.approach = row.approach;
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   EXPECT_NEAR(found.at(0).place.y_track, row.y_track, 0.007);
   // Theirs is the mean angle of the patch, with four digits, not the tangent at its mean place.
@@ -60,8 +60,8 @@ TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
 
 TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
   const Row& row = GetParam();
-  const contact::Case input = test::manchester_case(row.shift, row.yaw);
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   const auto creepage = meshes::creepage_of(found.at(0), meshes::motion_of(input, 0.0));
   // Their rotation is that of free rolling, up to 2.5 % from ours where the flange runs.
@@ -69,18 +69,18 @@ TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
   EXPECT_NEAR(creepage.spin, row.spin, 0.02 * std::abs(row.spin) + 5e-7);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, Manchester, testing::ValuesIn(rows));
+INSTANTIATE_TEST_SUITE_P(Rows, Manchester, ::testing::ValuesIn(rows));
 
 TEST(ManchesterHeight, IsTheirsLessTheApproach) {
   // Height of the wheelset while the right wheel, which yields a little more, stands on its tread.
-  const contact::Case input = test::manchester_case(0.0, 0.0);
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   EXPECT_NEAR(found.at(0).place.height, 0.1981 - 1.596e-2, 1e-4);
 }
 
 contact::Case shifted_wheel() {
-  contact::Case input = test::manchester_case(2.0, 0.0);
+  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0);
   input.wheel.rolling_radius = 450.0;
   input.wheel.material = input.rail.material = contact::Material{};
   input.load.vertical_force = 100e3;
@@ -90,7 +90,7 @@ contact::Case shifted_wheel() {
 
 TEST(LeftWheelAt100kN, ContactIsWhereContactFindsIt) {
   const contact::Case input = shifted_wheel();
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   ASSERT_EQ(found.at(0).place.patches, 1);
   EXPECT_NEAR(found[0].place.y_track, -755.6210, 0.06);
@@ -111,7 +111,7 @@ TEST(LeftWheelAt100kN, CreepagesFollowTheRotation) {
   contact::Case input = shifted_wheel();
   input.load = {};
   input.load.approach = 9.331e-2;
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   for (const auto& row : table) {
     const auto creepage = meshes::creepage_of(found.at(0), meshes::motion_of(input, row[0]));

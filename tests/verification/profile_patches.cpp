@@ -22,9 +22,9 @@ ModelResult run(const std::string& model, const Case& input) {
 }
 
 Case with_circles(char name) {
-  Case input = tests::thesis_case(name);
-  input.patch = tests::circles(input.wheel.rolling_radius, contact::infinity,
-                               input.rail.transverse_radius, 40.0);
+  Case input = rollfem::testing::thesis_case(name);
+  input.patch = rollfem::testing::circles(input.wheel.rolling_radius, contact::infinity,
+                                          input.rail.transverse_radius, 40.0);
   return input;
 }
 
@@ -36,10 +36,10 @@ Case with_circles(char name) {
 constexpr double rail_place = -3.95, wheel_place = 8.58, from_reference = 0.96;
 
 Case s1002_left() {
-  Case input = tests::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.load.normal_force = 100e3;
   input.wheel.rolling_radius = 450.0;
-  input.patch = tests::s1002_on_uic60(rail_place, wheel_place);
+  input.patch = rollfem::testing::s1002_on_uic60(rail_place, wheel_place);
   input.contact_grid.cell_size = {0.2, 0.2};
   return input;
 }
@@ -67,10 +67,10 @@ void add_creep_curve(Case& input) {
 TEST(ProfilePatches, CirclesRollLikeTheirRadii) {
   for (const char name : {'a', 'c'}) {
     SCOPED_TRACE(name);
-    Case radii = tests::thesis_case(name);
+    Case radii = rollfem::testing::thesis_case(name);
     Case circles = with_circles(name);
     for (Case* input : {&radii, &circles}) {
-      const auto hertz = halfspace::hertz_of_case(tests::thesis_case(name));
+      const auto hertz = halfspace::hertz_of_case(rollfem::testing::thesis_case(name));
       input->rolling.creepages = {{1e-3, 5e-4, 1e-4}};
       input->contact_grid.cell_size = {hertz.semi_axis_x / 16.0, hertz.semi_axis_y / 16.0};
       input->contact_grid.extent = {2.4 * hertz.semi_axis_x, 2.4 * hertz.semi_axis_y};
@@ -90,7 +90,7 @@ TEST(ProfilePatches, CirclesRollLikeTheirRadii) {
 TEST(ProfilePatches, TheoriesOfAnEllipseFindItAgain) {
   for (const char* model : {"hertz", "linear", "fastsim", "strip"}) {
     SCOPED_TRACE(model);
-    Case radii = tests::thesis_case('a');
+    Case radii = rollfem::testing::thesis_case('a');
     Case circles = with_circles('a');
     radii.rolling.creepages = circles.rolling.creepages = {{1e-3, 5e-4, 1e-4}};
     const PointResult a = run(model, radii).points.front();
@@ -105,11 +105,11 @@ TEST(ProfilePatches, TheoriesOfAnEllipseFindItAgain) {
 
 TEST(ProfilePatches, YawTurnsTheEllipseAndKeepsItsPressure) {
   // A torus on a plane makes Hertz's contact of its two radii, whichever way it is turned.
-  Case upright = tests::thesis_case('b');
+  Case upright = rollfem::testing::thesis_case('b');
   upright.wheel.transverse_radius = 150.0;
   upright.rail.transverse_radius = contact::infinity;
   const auto hertz = halfspace::hertz_of_case(upright);
-  const auto plain = tests::circles(405.0, 150.0, contact::infinity, 30.0);
+  const auto plain = rollfem::testing::circles(405.0, 150.0, contact::infinity, 30.0);
   for (const double yaw : {0.1, -0.5}) {
     SCOPED_TRACE(yaw);
     Case turned = upright;

@@ -75,7 +75,7 @@ TEST(ManchesterBenchmark, LeftWheelAgreesWithContact) {
   const auto balanced = rollfem::wheelset::balance(benchmark());
   ASSERT_EQ(balanced.scenes.size(), rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    SCOPED_TRACE(testing::Message() << "shift " << rows[k].shift);
+    SCOPED_TRACE(::testing::Message() << "shift " << rows[k].shift);
     const Row& row = rows[k];
     Case scene = balanced.scenes[k];
     scene.contact_grid.cell_size = {0.2, 0.2};

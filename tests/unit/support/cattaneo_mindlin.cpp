@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rollfem::tests {
+namespace rollfem::testing {
 namespace {
 
 const double pi = std::acos(-1.0);
@@ -78,4 +78,4 @@ TEST(CattaneoMindlin, LossIsTheAreaOfTheLoop) {
 }
 
 }  // namespace
-}  // namespace rollfem::tests
+}  // namespace rollfem::testing

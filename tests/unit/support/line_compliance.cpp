@@ -18,7 +18,7 @@ using contact::ContactGrid;
 using contact::Field;
 using contact::SurfaceField;
 using contact::UpwindOrder;
-using tests::LineCompliance;
+using testing::LineCompliance;
 
 contact::CombinedMaterial unlike() {
   return contact::combine({70e3, 0.33}, {210e3, 0.28});

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-using rollfem::tests::PerssonContact;
+using rollfem::testing::PerssonContact;
 
 namespace {
 

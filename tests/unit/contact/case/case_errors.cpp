@@ -7,15 +7,15 @@
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include "support/temporary_folder.hpp"
 #include <filesystem>
-#include <fstream>
 
 namespace {
 
 using namespace rollfem;
-using test::plus;
-using test::small_case;
-using test::with;
+using rollfem::testing::plus;
+using rollfem::testing::small_case;
+using rollfem::testing::with;
 
 std::string error_of(const std::string& text) {
   try {
@@ -263,12 +263,10 @@ TEST(CaseFile, MissingFileFolderAndDeviceAreRefused) {
 }
 
 TEST(CaseFile, HugeFileIsRefusedWithoutReadingIt) {
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("rollfem_huge_" + std::to_string(::getpid()) + ".toml");
-  std::ofstream(path) << "#";
+  const rollfem::testing::TemporaryFolder folder;
+  const std::string path = folder.file("huge.toml", "#");
   std::filesystem::resize_file(path, std::uintmax_t{1} << 40);  // sparse: takes no space
-  const std::string message = file_error(path.string());
-  std::filesystem::remove(path);
+  const std::string message = file_error(path);
   EXPECT_NE(message.find("larger than 1 MB"), std::string::npos) << message;
 }
 

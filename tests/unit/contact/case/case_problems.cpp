@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include "support/temporary_folder.hpp"
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace {
@@ -19,8 +19,8 @@ using namespace rollfem;
 using contact::Case;
 using contact::parse_case;
 using contact::Problem;
-using test::plus;
-using test::with;
+using rollfem::testing::plus;
+using rollfem::testing::with;
 
 std::string error_of(const std::string& text) {
   try {
@@ -191,20 +191,16 @@ TEST(UndeformedDistance, QuadraticTakesThePlaceOfTheRadii) {
 class PointFiles : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("rollfem_files_" + std::to_string(::getpid()));
-    std::filesystem::create_directory(folder_);
-    std::ofstream distance(folder_ / "h.csv");
-    std::ofstream slip(folder_ / "slip.csv");
+    std::ofstream distance(folder_.path("h.csv"));
+    std::ofstream slip(folder_.path("slip.csv"));
     for (int j = -4; j <= 4; ++j)
       for (int i = -4; i <= 4; ++i) {
         distance << i << "," << j << "," << 0.01 * i * i + 0.02 * j * j << "\n";
         slip << i << "," << j << "," << 1e-4 * j << "," << -1e-4 * i << "\n";
       }
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string name() const { return (folder_ / "case.toml").string(); }
-  std::filesystem::path folder_;
+  std::string name() const { return folder_.path("case.toml"); }
+  const rollfem::testing::TemporaryFolder folder_;
 };
 
 TEST_F(PointFiles, AreFoundBesideTheCaseFileAndEvaluated) {
@@ -321,7 +317,7 @@ TEST(Abilities, ModelsRefuseWhatTheyLeaveOutAndNameThoseThatCan) {
     EXPECT_NE(refusal(shift, model).find("allowed: hertz, halfspace"), std::string::npos) << model;
     EXPECT_NE(refusal(force, model).find("prescribed tangential force"), std::string::npos)
         << model;
-    EXPECT_EQ(refusal(test::small_case, model), "able") << model;
+    EXPECT_EQ(refusal(rollfem::testing::small_case, model), "able") << model;
   }
   // A speed alone is no more than that, however high; inertia is felt by the finite elements only.
   const std::string speed = "[rolling]\nspeed = 5e6\n";

@@ -14,8 +14,8 @@ namespace {
 using namespace rollfem;
 using contact::Case;
 using contact::parse_case;
-using test::plus;
-using test::small_case;
+using rollfem::testing::plus;
+using rollfem::testing::small_case;
 
 TEST(CaseValues, SmallCaseHasItsValuesAndDefaults) {
   const Case input = parse_case(small_case, "folder/small.toml");
@@ -42,8 +42,7 @@ TEST(CaseValues, SmallCaseHasItsValuesAndDefaults) {
   EXPECT_TRUE(input.output.fields);
 }
 
-TEST(CaseValues, EveryKeyArrives) {
-  const Case input = parse_case(R"(title = "all keys: \"quoted\""
+const char* const every_key = R"(title = "all keys: \"quoted\""
 models = ["fem", "hertz"]
 [load]
 approach = 0.05
@@ -78,8 +77,10 @@ inertia = true
 [output]
 paths = ["y"]
 fields = false
-)",
-                                "all.toml");
+)";
+
+TEST(CaseValues, EveryKeyArrives) {
+  const Case input = parse_case(every_key, "all.toml");
   EXPECT_EQ(input.title, "all keys: \"quoted\"");
   EXPECT_EQ(input.models, (std::vector<std::string>{"fem", "hertz"}));
   EXPECT_FALSE(input.load.normal_force);

@@ -5,28 +5,20 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <sstream>
 
 namespace {
 
 using namespace rollfem::contact;
-namespace fs = std::filesystem;
 
 class LatticeFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    path_ = fs::temp_directory_path() / ("rollfem_lattice_" + std::to_string(::getpid()) + ".csv");
-  }
-  void TearDown() override { fs::remove(path_); }
-
   Lattice read(const std::string& text, int columns = 1) const {
-    std::ofstream(path_, std::ios::binary) << text;
-    return read_lattice(path_.string(), "points.csv", columns);
+    return read_lattice(folder_.file("points.csv", text), "points.csv", columns);
   }
 
   std::string error_of(const std::string& text, int columns = 1) const {
@@ -51,7 +43,7 @@ class LatticeFile : public ::testing::Test {
     return text.str();
   }
 
-  fs::path path_;
+  const rollfem::testing::TemporaryFolder folder_;
 };
 
 double cubic(double x, double y) {

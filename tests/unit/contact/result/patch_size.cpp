@@ -2,6 +2,7 @@
 #include "contact/result/patch_size.hpp"
 
 #include "contact/result/result.hpp"
+#include "contact/solve/compliance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -92,7 +92,7 @@ TEST(UndeformedDistanceOfCircles, AlongRollingIsTheWheelsCircleOfTheLocalRadius)
 }
 
 TEST(UndeformedDistanceOfCircles, TendsToTheParabolaOfFlatBodies) {
-  const Case input = parse_case(rollfem::test::small_case, "s");
+  const Case input = parse_case(rollfem::testing::small_case, "s");
   const Curvatures curvatures = relative_curvatures(input);
   for (const double y : {0.0, 5.0, 11.0})
     EXPECT_NEAR(undeformed_distance(contact_surface(input), 3.0, y),
@@ -120,7 +120,7 @@ TEST(RigidSlipOfRotatingWheel, IsTheDifferenceOfVelocities) {
 }
 
 TEST(RigidSlipOfRotatingWheel, OfAFlatProfileIsThatOfThePlane) {
-  const Case input = parse_case(rollfem::test::small_case, "s");
+  const Case input = parse_case(rollfem::testing::small_case, "s");
   const ContactGrid grid = ContactGrid::centred(4, 6, 1.0, 2.0);
   const Creepage creepage{0.002, 0.001, 3e-4};
   const TangentialField curved = rigid_slip(contact_surface(input), creepage, grid);

@@ -11,8 +11,8 @@
 namespace {
 
 using namespace rollfem::contact;
-using rollfem::test::circle_pair;
-using rollfem::test::sphere_on_circle;
+using rollfem::testing::circle_pair;
+using rollfem::testing::sphere_on_circle;
 
 ContactSurface surface_of(PatchGeometry geometry) {
   Case input;

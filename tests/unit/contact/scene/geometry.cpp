@@ -10,8 +10,8 @@
 namespace {
 
 using namespace rollfem::contact;
-using rollfem::test::small_case;
-using rollfem::test::with;
+using rollfem::testing::small_case;
+using rollfem::testing::with;
 
 TEST(CombinedConstants, OfLikeMaterialsAreThoseOfTheMaterial) {
   const Material steel{210e3, 0.3};

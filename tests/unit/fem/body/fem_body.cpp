@@ -10,7 +10,7 @@
 #include <vector>
 
 using namespace rollfem;
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 namespace {
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 using namespace rollfem;
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 namespace {
 

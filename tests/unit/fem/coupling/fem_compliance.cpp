@@ -7,7 +7,7 @@
 #include <cmath>
 
 using namespace rollfem;
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 namespace {
 

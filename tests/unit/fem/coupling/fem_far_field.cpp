@@ -13,7 +13,7 @@
 #include <string>
 
 using namespace rollfem;
-using namespace rollfem::test;
+using namespace rollfem::testing;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
+#include "support/temporary_folder.hpp"
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -16,28 +17,12 @@
 namespace {
 
 using namespace rollfem;
-namespace fs = std::filesystem;
 
 /// Folders that stand for /proc and /sys/fs/cgroup.
-class Machine {
+class Machine : public rollfem::testing::TemporaryFolder {
  public:
-  Machine() {
-    std::string name = (fs::temp_directory_path() / "rollfem_memory_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    root_ = name;
-    file("proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable: 4000000 kB\n");
-  }
-  ~Machine() { fs::remove_all(root_); }
-  void file(const std::string& name, const std::string& text) const {
-    fs::create_directories((root_ / name).parent_path());
-    std::ofstream(root_ / name) << text;
-  }
-  double available() const {
-    return fem::available_bytes((root_ / "proc").string(), (root_ / "cgroup").string());
-  }
-
- private:
-  fs::path root_;
+  Machine() { file("proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable: 4000000 kB\n"); }
+  double available() const { return fem::available_bytes(path("proc"), path("cgroup")); }
 };
 
 fem::BodyOptions options_of(double cell_size, bool half) {

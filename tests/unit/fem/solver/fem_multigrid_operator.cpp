@@ -14,8 +14,8 @@ namespace {
 using dealii::Point;
 using dealii::Tensor;
 using fem::Vector;
-using test::Block;
-using test::BlockOptions;
+using testing::Block;
+using testing::BlockOptions;
 
 /// Every variant of the kernel: degree, projected dilatation, inertia.
 struct Variant {

@@ -113,10 +113,10 @@ TEST(Hertz, LongEllipseTendsToTheLine) {
   const double modulus = 1e5;
   const HertzContact ellipse = hertz_from_force(1e-2, 1e-9, modulus, 1e4);
   const double force_per_length = 0.5 * M_PI * ellipse.semi_axis_x * ellipse.max_pressure;
-  const tests::HertzLine line = tests::hertz_line(0.5 / 1e-2, modulus, force_per_length);
+  const testing::HertzLine line = testing::hertz_line(0.5 / 1e-2, modulus, force_per_length);
   EXPECT_NEAR(line.half_width / ellipse.semi_axis_x, 1.0, 1e-4);
   EXPECT_NEAR(line.max_pressure / ellipse.max_pressure, 1.0, 1e-4);
-  const tests::HertzLine benchmark = tests::hertz_line(500.0, 82000.0 / 0.72, 178.896);
+  const testing::HertzLine benchmark = testing::hertz_line(500.0, 82000.0 / 0.72, 178.896);
   EXPECT_NEAR(benchmark.half_width, 1.0, 1e-5);
   EXPECT_NEAR(benchmark.max_pressure, 113.889, 1e-3);
 }
@@ -137,7 +137,7 @@ TEST(HertzAxisStress, OfACircleHasThePublishedMaxima) {
                          Row{0.30, 0.31002, 0.4809}, Row{0.50, 0.26635, 0.5479}}) {
     const HertzContact unit{1.0, 1.0, 1.0};
     const auto tau = [&](double z) {
-      const tests::AxisStress s = tests::hertz_axis_stress(unit, row.nu, z);
+      const testing::AxisStress s = testing::hertz_axis_stress(unit, row.nu, z);
       EXPECT_NEAR(s.xx, s.yy, 1e-14);
       return 0.5 * std::abs(s.xx - s.zz);
     };
@@ -145,7 +145,7 @@ TEST(HertzAxisStress, OfACircleHasThePublishedMaxima) {
     EXPECT_LT(tau(row.depth - 0.01), tau(row.depth));
     EXPECT_LT(tau(row.depth + 0.01), tau(row.depth));
     const double z = 0.7;  // the elementary form of the circle
-    const tests::AxisStress s = tests::hertz_axis_stress(unit, row.nu, z);
+    const testing::AxisStress s = testing::hertz_axis_stress(unit, row.nu, z);
     EXPECT_NEAR(s.zz, -1.0 / (1.0 + z * z), 1e-14);
     EXPECT_NEAR(s.xx, -(1 + row.nu) * (1 - z * std::atan(1 / z)) + 0.5 / (1 + z * z), 1e-14);
   }
@@ -159,7 +159,7 @@ TEST(HertzAxisStress, AgreesWithContactBelowCaseA) {
                             {8, 5.22582, -20.2541, -199.750},    {12, 5.77334, -3.95558, -117.141}};
   const HertzContact hertz = hertz_of_case(thesis_case_a());
   for (const auto& row : rows) {
-    const tests::AxisStress s = tests::hertz_axis_stress(hertz, 0.3, row[0]);
+    const testing::AxisStress s = testing::hertz_axis_stress(hertz, 0.3, row[0]);
     EXPECT_NEAR(s.xx, row[1], 0.002 * hertz.max_pressure) << row[0];
     EXPECT_NEAR(s.yy, row[2], 0.002 * hertz.max_pressure) << row[0];
     EXPECT_NEAR(s.zz, row[3], 0.002 * hertz.max_pressure) << row[0];
@@ -169,7 +169,7 @@ TEST(HertzAxisStress, AgreesWithContactBelowCaseA) {
 TEST(HertzAxisStress, OfALongEllipseIsThatOfTheLine) {
   const double z = 0.78615;
   const HertzContact ellipse{1.0, 1e6, 1.0};  // differs from the line by O(a/b)
-  const tests::AxisStress s = tests::hertz_axis_stress(ellipse, 0.3, z);
+  const testing::AxisStress s = testing::hertz_axis_stress(ellipse, 0.3, z);
   EXPECT_NEAR(s.xx, -((1 + 2 * z * z) / std::sqrt(1 + z * z) - 2 * z), 1e-6);
   EXPECT_NEAR(s.zz, -1.0 / std::sqrt(1 + z * z), 1e-6);
   EXPECT_NEAR(s.yy, 0.3 * (s.xx + s.zz), 1e-6);

@@ -66,7 +66,7 @@ TEST(Fft, RoundTripGivesTheFieldBack) {
   EXPECT_LT((back - field).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-class ComplianceOfGrid : public testing::TestWithParam<std::pair<int, int>> {
+class ComplianceOfGrid : public ::testing::TestWithParam<std::pair<int, int>> {
  protected:
   ContactGrid grid = ContactGrid::centred(GetParam().first, GetParam().second, 0.3, 0.5);
   HalfspaceCompliance compliance{grid, unlike};
@@ -158,8 +158,8 @@ TEST_P(ComplianceOfGrid, DiagonalIsTheMeanOfTheMatrixDiagonal) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ComplianceOfGrid,
-                         testing::Values(std::pair{12, 9}, std::pair{7, 14}, std::pair{1, 5},
-                                         std::pair{6, 1}, std::pair{3, 3}));
+                         ::testing::Values(std::pair{12, 9}, std::pair{7, 14}, std::pair{1, 5},
+                                           std::pair{6, 1}, std::pair{3, 3}));
 
 TEST(HalfspaceCompliance, OfASmallGridHasPositiveEigenvalues) {
   const ContactGrid grid = ContactGrid::centred(8, 6, 0.4, 0.1);

@@ -22,9 +22,9 @@ constexpr double of_area = 0.02;
 constexpr double of_pressure = 0.005;
 
 contact::Case with_circles(char name, double reach = 30.0) {
-  contact::Case input = tests::thesis_case(name);
-  input.patch = tests::circles(input.wheel.rolling_radius, contact::infinity,
-                               input.rail.transverse_radius, reach);
+  contact::Case input = rollfem::testing::thesis_case(name);
+  input.patch = rollfem::testing::circles(input.wheel.rolling_radius, contact::infinity,
+                                          input.rail.transverse_radius, reach);
   return input;
 }
 
@@ -40,7 +40,7 @@ void expect_like(const ExpectedPatch& found, const ExpectedPatch& exact) {
 }  // namespace
 
 TEST(ExpectedPatch, OfRadiiIsHertzs) {
-  const contact::Case input = tests::thesis_case('a');
+  const contact::Case input = rollfem::testing::thesis_case('a');
   const auto hertz = halfspace::hertz_of_case(input);
   const ExpectedPatch patch = expected_patch(input);
   EXPECT_DOUBLE_EQ(patch.x_upper, hertz.semi_axis_x);
@@ -52,13 +52,14 @@ TEST(ExpectedPatch, OfRadiiIsHertzs) {
 TEST(ExpectedPatch, OfCirclesIsThatOfTheirRadii) {
   for (const char name : {'a', 'b', 'c'}) {
     SCOPED_TRACE(name);
-    expect_like(expected_patch(with_circles(name)), expected_patch(tests::thesis_case(name)));
+    expect_like(expected_patch(with_circles(name)),
+                expected_patch(rollfem::testing::thesis_case(name)));
   }
 }
 
 TEST(ExpectedPatch, TakesAnApproach) {
   contact::Case circles = with_circles('b');
-  contact::Case radii = tests::thesis_case('b');
+  contact::Case radii = rollfem::testing::thesis_case('b');
   circles.load = radii.load = {};
   circles.load.approach = radii.load.approach = 0.05;
   expect_like(expected_patch(circles), expected_patch(radii));
@@ -68,7 +69,7 @@ TEST(ExpectedPatch, HoldsOverManyOrdersOfTheLoad) {
   for (const double force : {1.0, 1e3, 1e6}) {
     SCOPED_TRACE(force);
     contact::Case circles = with_circles('c', 60.0);
-    contact::Case radii = tests::thesis_case('c');
+    contact::Case radii = rollfem::testing::thesis_case('c');
     circles.load.normal_force = radii.load.normal_force = force;
     // At 1 MN the patch is 35 mm long and 14 mm wide: circle and parabola differ by 2e-3.
     expect_like(expected_patch(circles), expected_patch(radii));
@@ -85,10 +86,10 @@ TEST(ExpectedPatch, TakesTheLargestOfTheLoads) {
 
 TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
   // S1002 on UIC60: stiffer on the side of R80, so that the patch lies on the other.
-  contact::Case input = tests::thesis_case('b');
+  contact::Case input = rollfem::testing::thesis_case('b');
   input.load.normal_force = 100e3;
   input.wheel.rolling_radius = 450.0;
-  input.patch = tests::s1002_on_uic60(-3.95, 8.58);
+  input.patch = rollfem::testing::s1002_on_uic60(-3.95, 8.58);
   const ExpectedPatch patch = expected_patch(input);
   EXPECT_LT(patch.y_middle(), -1.0);
   EXPECT_NEAR(patch.x_middle(), 0.0, 1e-9);
@@ -96,7 +97,7 @@ TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
 }
 
 TEST(ExpectedPatch, SharperSolutionComesNearer) {
-  const ExpectedPatch exact = expected_patch(tests::thesis_case('a'));
+  const ExpectedPatch exact = expected_patch(rollfem::testing::thesis_case('a'));
   const ExpectedPatch sharp = expected_patch(with_circles('a'), 90);
   EXPECT_NEAR(sharp.width(), exact.width(), 0.002 * exact.width());
   EXPECT_NEAR(sharp.max_pressure, exact.max_pressure, 0.002 * exact.max_pressure);
@@ -104,7 +105,7 @@ TEST(ExpectedPatch, SharperSolutionComesNearer) {
 
 TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
   // Hertz's patch of case b is 6.1 mm wide to each side.
-  const double half = halfspace::hertz_of_case(tests::thesis_case('b')).semi_axis_y;
+  const double half = halfspace::hertz_of_case(rollfem::testing::thesis_case('b')).semi_axis_y;
   EXPECT_NO_THROW(expected_patch(with_circles('b', 1.1 * half)));
   try {
     expected_patch(with_circles('b', 0.9 * half));

@@ -18,10 +18,10 @@ namespace {
 constexpr double coarse = 3e-3;
 
 contact::Case scene(double rail_radius, double separation, double angle) {
-  contact::Case input = tests::thesis_case('b');
+  contact::Case input = rollfem::testing::thesis_case('b');
   input.load = {};
   input.rail.transverse_radius = rail_radius;
-  input.patch = tests::circles(405.0, contact::infinity, rail_radius);
+  input.patch = rollfem::testing::circles(405.0, contact::infinity, rail_radius);
   input.place.emplace();
   input.place->separation = separation;
   input.place->contact_angle = angle;
@@ -30,7 +30,7 @@ contact::Case scene(double rail_radius, double separation, double angle) {
 
 /// N at an approach by Hertz.
 double hertz_force(double rail_radius, double approach) {
-  contact::Case input = tests::thesis_case('b');
+  contact::Case input = rollfem::testing::thesis_case('b');
   input.rail.transverse_radius = rail_radius;
   input.load = {};
   input.load.approach = approach;
@@ -53,7 +53,7 @@ TEST(LoadSharing, TwoEqualPatchesShareEqually) {
 
 TEST(LoadSharing, NearMissIsLoadedOnlyBeyondItsSeparation) {
   // Sinking of the first patch alone at 50 kN, by Hertz: 0.0666 mm.
-  contact::Case alone = tests::thesis_case('b');
+  contact::Case alone = rollfem::testing::thesis_case('b');
   alone.rail.transverse_radius = 300.0;
   const double approach = halfspace::hertz_of_case(alone).approach;
   const auto beyond =
@@ -80,7 +80,8 @@ TEST(LoadSharing, UnequalTiltedPatchesFollowHertzsLaw) {
 }
 
 TEST(LoadSharing, RefusesWhatIsNoScene) {
-  EXPECT_THROW(halfspace::share_load({tests::thesis_case('b')}, 50e3), contact::InputError);
+  EXPECT_THROW(halfspace::share_load({rollfem::testing::thesis_case('b')}, 50e3),
+               contact::InputError);
   EXPECT_THROW(halfspace::share_load({}, 50e3), contact::InputError);
   EXPECT_THROW(halfspace::share_load({scene(300.0, 0.0, 0.0)}, 0.0), contact::InputError);
 }

@@ -18,7 +18,7 @@ namespace {
 using namespace rollfem;
 using contact::Case;
 using contact::parse_case;
-using test::plus;
+using rollfem::testing::plus;
 
 const std::string curve =
     "[rolling]\nlongitudinal_creepage = [0.001, 0.002]\n[contact_grid]\nelements_across = 20\n";
@@ -71,7 +71,7 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
 }
 
 TEST(GivenPressure, OfHertzsEllipseGivesHertzsContactBack) {
-  const Case bodies = parse_case(test::small_case, "a.toml");
+  const Case bodies = parse_case(rollfem::testing::small_case, "a.toml");
   const halfspace::HertzContact hertz = halfspace::hertz_of_case(bodies);
   Case given = bodies;
   given.given_pressure =
@@ -153,7 +153,8 @@ TEST(SubsurfaceFields, BelowTheMiddleAreHertzsAxisStress) {
   EXPECT_GT(result.seconds.at("subsurface"), 0.0);
   for (const auto& field : fields)
     for (std::size_t k = 0; k < field.points.size(); ++k) {
-      const auto exact = tests::hertz_axis_stress(hertz, 0.3, std::abs(field.points[k][2]));
+      const auto exact =
+          rollfem::testing::hertz_axis_stress(hertz, 0.3, std::abs(field.points[k][2]));
       EXPECT_NEAR(field.stress[k][0], exact.xx, 2e-3 * hertz.max_pressure);
       EXPECT_NEAR(field.stress[k][1], exact.yy, 2e-3 * hertz.max_pressure);
       EXPECT_NEAR(field.stress[k][2], exact.zz, 2e-3 * hertz.max_pressure);

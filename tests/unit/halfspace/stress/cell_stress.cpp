@@ -13,7 +13,7 @@
 #include <vector>
 
 using namespace rollfem::halfspace;
-using namespace rollfem::tests;
+using namespace rollfem::testing;
 using rollfem::contact::InputError;
 
 namespace {

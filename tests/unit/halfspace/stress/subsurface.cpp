@@ -61,7 +61,7 @@ TEST(Subsurface, SumIsThatOfItsElements) {
     for (int j = 0; j < body.grid.ny; ++j)
       for (int i = 0; i < body.grid.nx; ++i) {
         const int k = body.grid.index(i, j);
-        const halfspace::LocalState one = tests::rectangle_state(
+        const halfspace::LocalState one = rollfem::testing::rectangle_state(
             point.x - body.grid.x(i), point.y - body.grid.y(j), point.depth, body.grid.dx,
             body.grid.dy, {body.traction.x[k], body.traction.y[k], body.traction.n[k]}, G, 0.3);
         for (std::size_t c = 0; c < halfspace::component_count; ++c) sum[c] += one[c];

@@ -20,7 +20,7 @@ const double pi = std::acos(-1.0);
 /// Benchmark 2: a = 1, R = 500, G = 82000, nu = 0.28, mu = 0.3.
 CarterContact benchmark() {
   const double modulus = 82000.0 / (1.0 - 0.28);
-  const tests::HertzLine line = tests::hertz_line(500.0, modulus, pi * modulus / (4.0 * 500.0));
+  const testing::HertzLine line = testing::hertz_line(500.0, modulus, pi * modulus / (4.0 * 500.0));
   return {line.half_width, line.max_pressure, 0.3, modulus};
 }
 

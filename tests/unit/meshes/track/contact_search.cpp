@@ -18,7 +18,7 @@ constexpr double radius = 460.0, rail_radius = 80.0;
 
 /// A load so small that the patch is a point.
 contact::Case light_case(double shift, double yaw) {
-  contact::Case input = test::manchester_case(shift, yaw);
+  contact::Case input = rollfem::testing::manchester_case(shift, yaw);
   input.load = {};
   input.load.approach = 1e-7;
   input.track.inclination = 0.0;
@@ -29,14 +29,14 @@ contact::Case light_case(double shift, double yaw) {
 const double rail_middle =
     717.5 + std::sqrt(rail_radius * rail_radius - std::pow(rail_radius - 14.0, 2));
 
-class SphereOnCylinder : public testing::TestWithParam<std::array<double, 3>> {};
+class SphereOnCylinder : public ::testing::TestWithParam<std::array<double, 3>> {};
 
 TEST_P(SphereOnCylinder, TouchesOnTheLineBetweenTheCentres) {
   const auto [shift, yaw, roll] = GetParam();
   contact::Case input = light_case(shift, yaw);
   input.wheelset.roll = {roll};
   const auto scene =
-      meshes::make_search_scene(input, test::sphere_on_cylinder(radius, rail_radius));
+      meshes::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
   for (const bool left : {true, false}) {
     const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
     ASSERT_EQ(found.size(), 1u);
@@ -63,7 +63,7 @@ TEST_P(SphereOnCylinder, DistanceInThePatchFrameIsThatOfSphereAndCylinder) {
   contact::Case input = light_case(shift, yaw);
   input.wheelset.roll = {roll};
   const auto scene =
-      meshes::make_search_scene(input, test::sphere_on_cylinder(radius, rail_radius));
+      meshes::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
   for (const bool left : {true, false}) {
     const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
     ASSERT_EQ(found.size(), 1u);
@@ -77,15 +77,15 @@ TEST_P(SphereOnCylinder, DistanceInThePatchFrameIsThatOfSphereAndCylinder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Poses, SphereOnCylinder,
-                         testing::Values(std::array{0.0, 0.0, 0.0}, std::array{3.0, 0.0, 0.0},
-                                         std::array{-5.0, 0.02, 0.0},
-                                         std::array{4.0, -0.05, 0.01}));
+                         ::testing::Values(std::array{0.0, 0.0, 0.0}, std::array{3.0, 0.0, 0.0},
+                                           std::array{-5.0, 0.02, 0.0},
+                                           std::array{4.0, -0.05, 0.01}));
 
 TEST(Roll, IsFoundSuchThatBothSpheresTouch) {
   // Spheres about the ends of the axle: the centres stand on circles about the rails' middles.
   const contact::Case input = light_case(6.0, 0.0);
   const auto scene =
-      meshes::make_search_scene(input, test::sphere_on_cylinder(radius, rail_radius));
+      meshes::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
   const meshes::WheelsetPose pose = find_pose(input, scene, 1);
   const double reach = radius + rail_radius;
   const auto height = [&](double sign) {
@@ -97,9 +97,9 @@ TEST(Roll, IsFoundSuchThatBothSpheresTouch) {
 }
 
 TEST(Mirror, RightWheelIsTheMirrorImageOfTheLeftOne) {
-  const contact::Case input = test::manchester_case(3.3, 0.008);
-  const contact::Case mirrored = test::manchester_case(-3.3, -0.008);
-  const auto scene = meshes::make_search_scene(input, test::manchester_pair());
+  const contact::Case input = rollfem::testing::manchester_case(3.3, 0.008);
+  const contact::Case mirrored = rollfem::testing::manchester_case(-3.3, -0.008);
+  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto left = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   const auto right = find_contacts(mirrored, scene, find_pose(mirrored, scene, 1), 1, false);
   ASSERT_EQ(left.size(), right.size());
@@ -122,8 +122,9 @@ TEST(Mirror, RightWheelIsTheMirrorImageOfTheLeftOne) {
 meshes::ProfilePair two_humps(double depth) {
   const auto z = [=](double y) { return depth * std::pow(y * y / 25.0 - 1.0, 2); };
   const auto slope = [=](double y) { return depth * 4.0 * y / 25.0 * (y * y / 25.0 - 1.0); };
-  return {test::profile_of([](double) { return 0.0; }, [](double) { return 0.0; }, -70.0, 80.0),
-          test::profile_of(z, slope, -40.0, 40.0)};
+  return {rollfem::testing::profile_of([](double) { return 0.0; }, [](double) { return 0.0; },
+                                       -70.0, 80.0),
+          rollfem::testing::profile_of(z, slope, -40.0, 40.0)};
 }
 
 TEST(Patches, TwoHumpsMergeAsTheApproachGrows) {
@@ -177,10 +178,11 @@ TEST(Patches, HumpThatDoesNotTouchIsANearMissWithItsSeparation) {
 TEST(Load, EstimateIsCloseToHertzForASphereOnACylinder) {
   // Equal radii 460: a sphere of radius 460 on a plane has R = 460 both ways.
   contact::Case input = light_case(0.0, 0.0);
-  const auto flat = meshes::ProfilePair{
-      test::sphere_on_cylinder(radius, rail_radius).wheel,
-      test::profile_of([](double y) { return 2e-7 * std::pow(y, 5) * y / 40.0; },
-                       [](double y) { return 12e-7 * std::pow(y, 5) / 40.0; }, -45.0, 45.0)};
+  const auto flat =
+      meshes::ProfilePair{rollfem::testing::sphere_on_cylinder(radius, rail_radius).wheel,
+                          rollfem::testing::profile_of(
+                              [](double y) { return 2e-7 * std::pow(y, 5) * y / 40.0; },
+                              [](double y) { return 12e-7 * std::pow(y, 5) / 40.0; }, -45.0, 45.0)};
   const auto scene = meshes::make_search_scene(input, flat);
   input.load = {};
   input.load.vertical_force = 10e3;

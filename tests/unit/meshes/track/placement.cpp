@@ -30,14 +30,15 @@ TEST(RailPlace, FaceOfAnUprightRailIsHalfTheGaugeFromTheMiddle) {
 TEST(RailPlace, ManchesterRailStandsWhereTheBenchmarkPutsIt) {
   // Crown of the upright rail at (-7.49170, 0.09371) of the benchmark's frame, which CONTACT puts
   // 760.5326 from the middle (profiles.md, manchester_left.csv: y_track + y_rail).
-  const RailPlace place = meshes::rail_place(test::manchester_pair().rail, track_of(1.0 / 40.0));
+  const RailPlace place =
+      meshes::rail_place(rollfem::testing::manchester_pair().rail, track_of(1.0 / 40.0));
   EXPECT_NEAR(place.shift_y + 7.49170, 760.5326, 2e-4);
   EXPECT_NEAR(place.shift_z, 0.09371, 1e-5);
   EXPECT_NEAR(place.angle, -std::atan(0.025), 1e-15);
 }
 
 TEST(RailPlace, TopOfTheInclinedRailIsLevelAndItsFootLeansOut) {
-  const auto rail = test::manchester_pair().rail;
+  const auto rail = rollfem::testing::manchester_pair().rail;
   for (const double inclination : {0.0, 1.0 / 40.0, 1.0 / 20.0}) {
     const RailPlace place = meshes::rail_place(rail, track_of(inclination));
     const auto placed = meshes::place_rail(rail, place);
@@ -58,7 +59,7 @@ TEST(RailPlace, TopOfTheInclinedRailIsLevelAndItsFootLeansOut) {
 }
 
 TEST(RailPlace, ProfileCoordinatesComeBack) {
-  const auto rail = test::manchester_pair().rail;
+  const auto rail = rollfem::testing::manchester_pair().rail;
   const RailPlace place = meshes::rail_place(rail, track_of(1.0 / 20.0));
   const auto placed = meshes::place_rail(rail, place);
   for (const double part : {0.1, 0.5, 0.83}) {
@@ -70,8 +71,8 @@ TEST(RailPlace, ProfileCoordinatesComeBack) {
 }
 
 TEST(RailPlace, RefusesAProfileThatEndsAboveTheGaugeHeight) {
-  const auto flat = test::profile_of([](double y) { return y * y / 600.0; },
-                                     [](double y) { return y / 300.0; }, -30.0, 30.0);
+  const auto flat = rollfem::testing::profile_of([](double y) { return y * y / 600.0; },
+                                                 [](double y) { return y / 300.0; }, -30.0, 30.0);
   try {
     meshes::rail_place(flat, track_of(0.0));
     FAIL() << "accepted";

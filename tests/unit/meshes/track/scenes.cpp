@@ -14,11 +14,11 @@ using namespace rollfem;
 using meshes::Scene;
 
 std::vector<Scene> scenes_of(const contact::Case& input) {
-  return make_scenes(input, meshes::make_search_scene(input, test::manchester_pair()));
+  return make_scenes(input, meshes::make_search_scene(input, rollfem::testing::manchester_pair()));
 }
 
 TEST(Scenes, ComeByPositionWheelAndPatch) {
-  contact::Case input = test::manchester_case(0.0, 0.0);
+  contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
   input.wheelset.side = contact::WheelSide::both;
   input.wheelset.lateral_shift = {0.0, 5.0};
   input.wheelset.yaw = {0.0, 0.012};
@@ -35,14 +35,14 @@ TEST(Scenes, ComeByPositionWheelAndPatch) {
 }
 
 TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
-  const auto scenes = scenes_of(test::manchester_case(0.0, 0.0));
+  const auto scenes = scenes_of(rollfem::testing::manchester_case(0.0, 0.0));
   ASSERT_EQ(scenes.size(), 1u);
   const double angle = scenes[0].input.place->contact_angle;
   EXPECT_NEAR(*scenes[0].input.load.normal_force * std::cos(angle), 10e3, 1e-8);
 }
 
 TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
-  contact::Case input = test::manchester_case(-5.0, -0.012);
+  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
   const auto scenes = scenes_of(input);
   ASSERT_EQ(scenes.size(), 2u);
   double sum = 0.0;
@@ -57,7 +57,7 @@ TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
 }
 
 TEST(Scenes, NormalForceCannotBeSharedByTwoPatches) {
-  contact::Case input = test::manchester_case(-5.0, -0.012);
+  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
   input.load = {};
   input.load.normal_force = 10e3;
   try {
@@ -71,7 +71,7 @@ TEST(Scenes, NormalForceCannotBeSharedByTwoPatches) {
 }
 
 TEST(Scenes, ApproachIsThatOfTheFirstPatchAndOneSinking) {
-  contact::Case input = test::manchester_case(-5.0, -0.012);
+  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
   input.load = {};
   input.load.approach = 0.03;
   const auto scenes = scenes_of(input);
@@ -89,7 +89,7 @@ TEST(Scenes, ApproachIsThatOfTheFirstPatchAndOneSinking) {
 }
 
 TEST(Scenes, RotationChangesMakeACreepCurve) {
-  contact::Case input = test::manchester_case(2.0, 0.0048);
+  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
   input.rolling.creepages.resize(3);
   input.wheelset.rotation_change = {-0.002, 0.0, 0.002};
   const auto scenes = scenes_of(input);
@@ -110,7 +110,7 @@ TEST(Scenes, RotationChangesMakeACreepCurve) {
 }
 
 TEST(Scenes, GivenCreepagesStayAndTheOthersFollowFromTheMotion) {
-  contact::Case input = test::manchester_case(2.0, 0.0048);
+  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
   input.rolling.creepages = {{0.001, 0.0, 0.0}, {0.002, 0.0, 0.0}};
   input.rolling.given.longitudinal = true;
   const auto curve = scenes_of(input).at(0).input.rolling.creepages;
@@ -122,7 +122,7 @@ TEST(Scenes, GivenCreepagesStayAndTheOthersFollowFromTheMotion) {
 }
 
 TEST(Scenes, PrescribedForceStandsInPlaceOfItsCreepage) {
-  contact::Case input = test::manchester_case(2.0, 0.0048);
+  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
   input.rolling.forces.resize(1);
   input.rolling.forces[0].longitudinal = -100.0;
   const auto creepage = scenes_of(input).at(0).input.rolling.creepages.at(0);

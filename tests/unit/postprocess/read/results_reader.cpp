@@ -20,16 +20,11 @@ namespace {
 
 using contact::InputError;
 using contact::PointResult;
-using tests::write_temporary;
 
 class ResultsReaderTest : public ::testing::Test {
  protected:
-  void TearDown() override {
-    for (const std::string& path : made_) fs::remove_all(path);
-  }
   std::string file(const std::string& content) {
-    made_.push_back(write_temporary("reader_" + std::to_string(made_.size()) + ".h5", content));
-    return made_.back();
+    return folder_.file("reader_" + std::to_string(made_++) + ".h5", content);
   }
   /// A model with all that is stored of it.
   static contact::ModelResult whole(const ResultsFile& read, const StoredModel& model) {
@@ -47,11 +42,14 @@ class ResultsReaderTest : public ::testing::Test {
     }
     return "it was read";
   }
-  std::vector<std::string> made_;
+
+ private:
+  const testing::TemporaryFolder folder_;
+  int made_ = 0;
 };
 
 RunRecord full_run() {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.input.wheel.material = {207e3, 0.28};
   run.input.rail.material = {211e3, 0.29};
   PointResult& point = run.models[1].points[3];
@@ -167,12 +165,12 @@ TEST_F(ResultsReaderTest, RefusesWhatIsNoWholeResult) {
 }
 
 TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
-  if (!tests::python_can_import("h5py"))
+  if (!testing::python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
   const std::string whole = results_hdf5(full_run());
   const auto changed = [&](const std::string& change) {
     const std::string path = file(whole);
-    EXPECT_EQ(tests::python("import sys, h5py\nf = h5py.File(sys.argv[1], 'a')\n" + change, path),
+    EXPECT_EQ(testing::python("import sys, h5py\nf = h5py.File(sys.argv[1], 'a')\n" + change, path),
               "");
     return refusal(path);
   };
@@ -208,13 +206,13 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
 }
 
 TEST_F(ResultsReaderTest, ReadsFilesOfEarlierVersions) {
-  if (!tests::python_can_import("h5py"))
+  if (!testing::python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
   // As format_minor 2 was: no list of quantities, energy and work in a group of their own. A scalar
   // that the version did not know is not missed.
   const RunRecord run = full_run();
   const std::string path = file(results_hdf5(run));
-  EXPECT_EQ(tests::python(R"(
+  EXPECT_EQ(testing::python(R"(
 import sys, h5py
 with h5py.File(sys.argv[1], 'a') as f:
     f.attrs['format_minor'] = 2
@@ -229,7 +227,7 @@ with h5py.File(sys.argv[1], 'a') as f:
                 point.create_group('derived').attrs['elastic_energy'] = point.attrs['elastic_energy']
                 del point.attrs['elastic_energy']
 )",
-                          path),
+                            path),
             "");
   const ResultsFile read(path);
   const contact::ModelResult model = read.read(read.models()[1]);
@@ -237,24 +235,24 @@ with h5py.File(sys.argv[1], 'a') as f:
   EXPECT_EQ(model.points[3].spin_moment, 123.25);
   EXPECT_EQ(model.points[3].distance, 0.0);
   EXPECT_FALSE(model.points[2].elastic_energy.has_value());
-  EXPECT_EQ(tests::python(R"(
+  EXPECT_EQ(testing::python(R"(
 import sys
 sys.path.insert(0, ')" + std::string(ROLLFEM_SOURCE_DIR) +
-                              R"(/postprocess')
+                                R"(/postprocess')
 from rollfem_figures import read_result
 r = read_result(sys.argv[1])
 print(r.models[1].points[3]['elastic_energy'], r.quantities['max_pressure'].unit, 'distance' in r.quantities)
 )",
-                          path),
+                            path),
             "946.0 MPa False\n");
 }
 
 TEST_F(ResultsReaderTest, RefusesDamagedFields) {
-  if (!tests::python_can_import("h5py"))
+  if (!testing::python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
   // Bytes of a compressed field overwritten. (HDF5 does not guard its own structures like that.)
   const std::string path = file(results_hdf5(full_run()));
-  EXPECT_EQ(tests::python(R"(
+  EXPECT_EQ(testing::python(R"(
 import sys, h5py
 with h5py.File(sys.argv[1]) as f:
     chunk = f['models/fem/points/0002/pressure'].id.get_chunk_info(0)
@@ -262,7 +260,7 @@ with open(sys.argv[1], 'r+b') as f:
     f.seek(chunk.byte_offset + chunk.size // 2)
     f.write(b'\xff' * 64)
 )",
-                          path),
+                            path),
             "");
   const std::string said = refusal(path);
   EXPECT_NE(said.find("damaged or cut short: dataset pressure"), std::string::npos) << said;
@@ -287,12 +285,12 @@ TEST_F(ResultsReaderTest, ReadsBodiesOfOneLoadPointAlone) {
 }
 
 TEST_F(ResultsReaderTest, ReadsTheBodiesOfFormatMinorOne) {
-  if (!tests::python_can_import("h5py"))
+  if (!testing::python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
   // There the values stood beside the nodes, in double precision, of the last load point alone.
   const RunRecord run = full_run();
   const std::string path = file(results_hdf5(run));
-  EXPECT_EQ(tests::python(R"(
+  EXPECT_EQ(testing::python(R"(
 import sys, h5py
 f = h5py.File(sys.argv[1], 'a')
 f.attrs['format_minor'] = 1
@@ -302,7 +300,7 @@ for b in m['bodies'].values():
     for n in ('displacement', 'stress'):
         x = b[n][()].astype('f8'); del b[n]; b[n] = x
 )",
-                          path),
+                            path),
             "");
   const ResultsFile read(path);
   ASSERT_EQ(read.models()[2].points_with_bodies, (std::vector<std::size_t>{6}));

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-using tests::read;
-using tests::scripts;
+using testing::contents;
+using testing::scripts;
 
 std::size_t count(const std::string& text, const std::string& piece) {
   std::size_t found = 0;
@@ -39,12 +39,11 @@ void expect_self_contained(const std::string& page) {
   EXPECT_NE(page.find("@media print"), std::string::npos);
 }
 
-class PagesTest : public tests::InFolder {
+class PagesTest : public testing::InFolder {
  protected:
   void SetUp() override {
-    if (!tests::python_can_import("matplotlib, h5py, numpy"))
+    if (!testing::python_can_import("matplotlib, h5py, numpy"))
       GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
-    InFolder::SetUp();
   }
 
   ComparedCase written(const std::string& name, const RunRecord& run) {
@@ -54,13 +53,13 @@ class PagesTest : public tests::InFolder {
     compared.title = run.input.title;
     compared.case_file = name + ".toml";
     compared.friction = run.input.friction_coefficient;
-    compared.summary = read(base_ / name / "summary.json");
+    compared.summary = contents(base_ / name / "summary.json");
     return compared;
   }
 };
 
 TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   ComparisonRecord record;
   record.models = {"hertz", "halfspace", "fem", "strip"};
   record.cases.push_back(written("one", run));
@@ -75,7 +74,7 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   record.cases.push_back(failed);
   replace_file(base_ / "compare.json", comparison_json(record));
   ASSERT_EQ(make_report(base_.string(), scripts), "");
-  const std::string page = read(base_ / "compare.html");
+  const std::string page = contents(base_ / "compare.html");
   expect_self_contained(page);
   for (const char* text :
        {"Comparison of models on 3 cases", "second &lt;case&gt;", "it cannot take this &amp; that",
@@ -92,7 +91,7 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
 }
 
 TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByPlace) {
-  RunRecord run = tests::placed_run(1);  // two patches
+  RunRecord run = testing::placed_run(1);  // two patches
   for (contact::ModelResult& model : run.models) {
     model.points.resize(2);
     if (model.name == "fem" && model.place->patch == 2)
@@ -103,7 +102,7 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
   record.cases.push_back(written("wheels", run));
   replace_file(base_ / "compare.json", comparison_json(record));
   ASSERT_EQ(make_report(base_.string(), scripts), "");
-  const std::string page = read(base_ / "compare.html");
+  const std::string page = contents(base_ / "compare.html");
   expect_self_contained(page);
   for (const char* text :
        {"Where wheel and rail touch", "y track [mm]", "with the contact points",
@@ -138,7 +137,7 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   study.places = {place};
   replace_file(base_ / "study.json", study_json(study));
   ASSERT_EQ(make_report(base_.string(), scripts), "");
-  const std::string page = read(base_ / "study.html");
+  const std::string page = contents(base_ / "study.html");
   expect_self_contained(page);
   for (const char* text :
        {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
@@ -147,22 +146,22 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
     EXPECT_NE(page.find(text), std::string::npos) << text;
   EXPECT_EQ(count(page, "<img"), 2U);
   for (const char* name : {"speed_error.svg", "error_unknowns.svg"})
-    EXPECT_NE(read(base_ / "figures" / name).find("</svg>"), std::string::npos) << name;
+    EXPECT_NE(contents(base_ / "figures" / name).find("</svg>"), std::string::npos) << name;
 }
 
 /// What rollfem_figures/published.py gives for a result, name by name.
 std::string published(const fs::path& folder) {
-  return tests::python("import sys; sys.path.insert(0, '" + scripts +
-                           "'); sys.dont_write_bytecode = True\n"
-                           "from rollfem_figures import published, read_result\n"
-                           "r = read_result(sys.argv[1])\n"
-                           "print(*[row['name'] for _, s in r.scenes() for row in "
-                           "published.patches(s) + published.creep_curves(s)], sep='; ')",
-                       folder.string());
+  return testing::python("import sys; sys.path.insert(0, '" + scripts +
+                             "'); sys.dont_write_bytecode = True\n"
+                             "from rollfem_figures import published, read_result\n"
+                             "r = read_result(sys.argv[1])\n"
+                             "print(*[row['name'] for _, s in r.scenes() for row in "
+                             "published.patches(s) + published.creep_curves(s)], sep='; ')",
+                         folder.string());
 }
 
 TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.input.load.normal_force = 50e3;
   run.input.friction_coefficient = 0.55;
   run.input.wheel.rolling_radius = 405.0;
@@ -184,7 +183,7 @@ TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
 }
 
 TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
-  RunRecord run = tests::placed_run(1);
+  RunRecord run = testing::placed_run(1);
   run.models.resize(2);
   run.input.load.vertical_force = 100e3;
   run.input.friction_coefficient = 0.55;

@@ -17,15 +17,14 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-using tests::read;
-using tests::scripts;
+using testing::contents;
+using testing::scripts;
 
-class FiguresTest : public tests::InFolder {
+class FiguresTest : public testing::InFolder {
  protected:
   void SetUp() override {
-    if (!tests::python_can_import("matplotlib, h5py, numpy"))
+    if (!testing::python_can_import("matplotlib, h5py, numpy"))
       GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
-    InFolder::SetUp();
   }
 
   /// Writes the run and draws it; returns the folder.
@@ -38,20 +37,20 @@ class FiguresTest : public tests::InFolder {
 };
 
 TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
-  const fs::path folder = draw(tests::synthetic_run());
+  const fs::path folder = draw(testing::synthetic_run());
   for (const char* name :
        {"creep_curve", "path_x", "path_y", "path_lateral", "outlines", "contact_area",
         "strip_force", "oblique_px_halfspace", "oblique_px_fem"}) {
     const fs::path figure = folder / "figures" / (std::string(name) + ".svg");
     ASSERT_TRUE(fs::exists(figure)) << name;
-    EXPECT_NE(read(figure).find("</svg>"), std::string::npos) << name;
+    EXPECT_NE(contents(figure).find("</svg>"), std::string::npos) << name;
     EXPECT_LT(fs::file_size(figure), 1500000U) << name;
   }
   // A frictionless model has no tangential tractions to draw, but a pressure.
   EXPECT_TRUE(fs::exists(folder / "figures/oblique_pn_hertz.svg"));
   EXPECT_FALSE(fs::exists(folder / "figures/oblique_px_hertz.svg"));
 
-  const std::string report = read(folder / "report.html");
+  const std::string report = contents(folder / "report.html");
   for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url("})
     EXPECT_EQ(report.find(link), std::string::npos) << link;
   std::size_t images = 0;
@@ -66,18 +65,18 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
 }
 
 TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.models.resize(1);
   const fs::path folder = draw(run);
   for (const char* drawn : {"path_x", "outlines"})
     EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(drawn) + ".svg"))) << drawn;
   for (const char* not_drawn : {"creep_curve", "path_lateral", "contact_area"})
     EXPECT_FALSE(fs::exists(folder / "figures" / (std::string(not_drawn) + ".svg"))) << not_drawn;
-  EXPECT_EQ(read(folder / "report.html").find("Traction coefficient"), std::string::npos);
+  EXPECT_EQ(contents(folder / "report.html").find("Traction coefficient"), std::string::npos);
 }
 
 TEST_F(FiguresTest, OnePointWithoutFieldsBreaksNothing) {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.models = {run.models[1]};
   run.models[0].points.resize(2);
   for (contact::PointResult& point : run.models[0].points) point.fields = {};
@@ -106,7 +105,7 @@ contact::SubsurfaceField tension_along(contact::SubsurfaceRequest::Kind kind, bo
 
 TEST_F(FiguresTest, StressAlongLinesIsDrawnAndTheLargestIsTabulated) {
   using Kind = contact::SubsurfaceRequest::Kind;
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   for (contact::ModelResult& model : run.models)
     for (contact::PointResult& point : model.points) {
       if (model.name == "hertz") continue;
@@ -121,35 +120,36 @@ TEST_F(FiguresTest, StressAlongLinesIsDrawnAndTheLargestIsTabulated) {
   EXPECT_TRUE(fs::exists(folder / "figures/stress_1.svg"));
   EXPECT_FALSE(fs::exists(folder / "figures/stress_2.svg"));  // a plane is no line
   EXPECT_TRUE(fs::exists(folder / "figures/stress_3.svg"));
-  const std::string report = read(folder / "report.html");
+  const std::string report = contents(folder / "report.html");
   for (const char* text :
        {"Stress in the bodies", "wheel: von Mises", "345.6", "456.7</b>&nbsp;<span class=e>±",
         "at (0, 0, 1.25) mm, ξ = 0.3 %", "rail: Tresca", "On the surface of the rail"})
     EXPECT_NE(report.find(text), std::string::npos) << text;
   // The measures of the figures are those of the result, the others by hand: uniaxial 400 MPa with
   // a shear of 50 MPa beside it.
-  EXPECT_EQ(tests::python("import sys\nsys.path.insert(0, '" + scripts +
-                              "')\n"
-                              "import numpy as np\n"
-                              "from rollfem_figures import read_result\n"
-                              "from rollfem_figures.stresses import measures\n"
-                              "point = read_result(sys.argv[1]).model('fem').points[4]\n"
-                              "part = point.subsurface[0]\n"
-                              "got = measures(part['stress'])\n"
-                              "assert np.allclose(got['von_mises'], part['von_mises'])\n"
-                              "assert np.allclose(got['orthogonal_shear'], 50)\n"
-                              "assert np.allclose(got['hydrostatic'][4], 400 / 3)\n"
-                              "roots = np.roots([1, -400, -2500, 900 * 400])\n"
-                              "assert np.isclose(got['tresca'][4], max(roots) - min(roots))\n"
-                              "first = point.stress_maxima[0]\n"
-                              "assert (first['body'], first['measure']) == ('wheel', 'von_mises')\n"
-                              "assert first['value'] == 456.7 and first['place'][2] == 1.25\n",
-                          folder.string()),
-            "");
+  EXPECT_EQ(
+      testing::python("import sys\nsys.path.insert(0, '" + scripts +
+                          "')\n"
+                          "import numpy as np\n"
+                          "from rollfem_figures import read_result\n"
+                          "from rollfem_figures.stresses import measures\n"
+                          "point = read_result(sys.argv[1]).model('fem').points[4]\n"
+                          "part = point.subsurface[0]\n"
+                          "got = measures(part['stress'])\n"
+                          "assert np.allclose(got['von_mises'], part['von_mises'])\n"
+                          "assert np.allclose(got['orthogonal_shear'], 50)\n"
+                          "assert np.allclose(got['hydrostatic'][4], 400 / 3)\n"
+                          "roots = np.roots([1, -400, -2500, 900 * 400])\n"
+                          "assert np.isclose(got['tresca'][4], max(roots) - min(roots))\n"
+                          "first = point.stress_maxima[0]\n"
+                          "assert (first['body'], first['measure']) == ('wheel', 'von_mises')\n"
+                          "assert first['value'] == 456.7 and first['place'][2] == 1.25\n",
+                      folder.string()),
+      "");
 }
 
 TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.models = {run.models[1]};
   run.models[0].name = "some-new-model";
   run.input.title = "<b>markup</b> & \"quotes\"";
@@ -162,19 +162,19 @@ TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
   }
   const fs::path folder = draw(run);
   EXPECT_TRUE(fs::exists(folder / "figures/creep_curve.svg"));
-  const std::string report = read(folder / "report.html");
+  const std::string report = contents(folder / "report.html");
   EXPECT_NE(report.find("Lateral force"), std::string::npos);
   EXPECT_EQ(report.find("<b>markup"), std::string::npos);
 }
 
 TEST_F(FiguresTest, AModelThatDidNotConvergeIsNamed) {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.models[1].points[3].converged = false;
-  EXPECT_NE(read(draw(run) / "report.html").find("half-space at ξ = 0.2 %"), std::string::npos);
+  EXPECT_NE(contents(draw(run) / "report.html").find("half-space at ξ = 0.2 %"), std::string::npos);
 }
 
 TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
-  const fs::path folder = draw(tests::synthetic_run());
+  const fs::path folder = draw(testing::synthetic_run());
   fs::resize_file(folder / "results.h5", fs::file_size(folder / "results.h5") / 2);
   const std::string message = make_report(folder.string(), scripts);
   EXPECT_NE(message.find("is cut short or damaged"), std::string::npos) << message;
@@ -185,7 +185,7 @@ TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
 }
 
 TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
-  const fs::path folder = draw(tests::synthetic_run());
+  const fs::path folder = draw(testing::synthetic_run());
   const fs::path scripts_here = base_ / "rollfem_figures";
   fs::create_directory(scripts_here);
   std::ofstream(scripts_here / "__init__.py") << "";
@@ -193,7 +193,7 @@ TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
   const std::string message = make_report(folder.string(), base_.string());
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   EXPECT_EQ(message.rfind("ValueError: odd (the whole text is in ", 0), 0U) << message;
-  EXPECT_NE(read(folder / "report.log").find("Traceback"), std::string::npos);
+  EXPECT_NE(contents(folder / "report.log").find("Traceback"), std::string::npos);
 }
 
 TEST(MakeReport, SaysWhatIsMissing) {

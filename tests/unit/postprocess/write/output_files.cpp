@@ -18,7 +18,7 @@
 namespace rollfem::postprocess {
 namespace {
 
-using tests::synthetic_run;
+using testing::synthetic_run;
 
 std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> parts;
@@ -96,7 +96,7 @@ TEST(PathCsv, SumsAlongTheMiddleLinesGiveTheForcePerLength) {
   const RunRecord run = synthetic_run();
   for (const Path path : {Path::x, Path::y}) {
     const auto rows = parse_csv(path_csv(run, path));
-    const tests::SyntheticPatch patch;
+    const testing::SyntheticPatch patch;
     double sum = 0.0;
     for (const auto& row : rows)
       if (row.at("model") == "halfspace" && row.at("point") == "3")

@@ -20,10 +20,10 @@ namespace rollfem::postprocess {
 namespace {
 
 using contact::InputError;
-using tests::read;
-using tests::synthetic_run;
+using testing::contents;
+using testing::synthetic_run;
 
-class ResultFolderTest : public tests::InFolder {
+class ResultFolderTest : public testing::InFolder {
  protected:
   std::string target() const { return (base_ / "result").string(); }
   std::size_t entries() const {
@@ -50,7 +50,7 @@ TEST_F(ResultFolderTest, HoldsAllFilesAndNothingIsLeftBeside) {
         "fields/fem_contact_0000.vtu", "fields/halfspace_contact_0006.vtu"})
     EXPECT_GT(fs::file_size(fs::path(target()) / name), 0U) << name;
   EXPECT_EQ(entries(), 1U);
-  EXPECT_EQ(read(fs::path(target()) / "case.toml"), synthetic_run().input.text);
+  EXPECT_EQ(contents(fs::path(target()) / "case.toml"), synthetic_run().input.text);
 }
 
 TEST_F(ResultFolderTest, HoldsOnlyWhatTheCaseAsksFor) {
@@ -80,11 +80,11 @@ TEST_F(ResultFolderTest, ReplacesAnEarlierResultButKeepsFilesOfOthers) {
   second.input.title = "second";
   second.input.output.paths = {"x"};
   write_results(target(), second);
-  EXPECT_NE(read(fs::path(target()) / "summary.json").find("second"), std::string::npos);
+  EXPECT_NE(contents(fs::path(target()) / "summary.json").find("second"), std::string::npos);
   EXPECT_FALSE(fs::exists(fs::path(target()) / "path_y.csv"));
   EXPECT_FALSE(fs::exists(fs::path(target()) / "figures/old.svg"));
   for (const char* name : {"notes.txt", "figures/mine.png", "fields/my.txt"})
-    EXPECT_EQ(read(fs::path(target()) / name), name);
+    EXPECT_EQ(contents(fs::path(target()) / name), name);
   EXPECT_EQ(entries(), 1U);
 }
 
@@ -92,14 +92,14 @@ TEST_F(ResultFolderTest, RefusesAFolderWithOtherFilesAndAFileAndTheCurrentFolder
   fs::create_directory(target());
   std::ofstream(fs::path(target()) / "thesis.doc") << "precious";
   EXPECT_NE(refusal(target()).find("not an earlier result"), std::string::npos);
-  EXPECT_EQ(read(fs::path(target()) / "thesis.doc"), "precious");
+  EXPECT_EQ(contents(fs::path(target()) / "thesis.doc"), "precious");
   std::ofstream(fs::path(target()) / "summary.json") << "{\"other\": 1}";
   EXPECT_NE(refusal(target()).find("not an earlier result"), std::string::npos);
 
   std::ofstream(base_ / "file") << "precious";
   EXPECT_NE(refusal((base_ / "file").string()).find("is a file"), std::string::npos);
   EXPECT_NE(refusal((base_ / "file/below").string()), "");
-  EXPECT_EQ(read(base_ / "file"), "precious");
+  EXPECT_EQ(contents(base_ / "file"), "precious");
   EXPECT_EQ(entries(), 2U);
   EXPECT_NE(refusal("."), "");
   EXPECT_NE(refusal(""), "");
@@ -138,7 +138,7 @@ class FileSizeLimit {
 
 TEST_F(ResultFolderTest, AFileThatCannotBeWrittenWholeLeavesTheEarlierResultIntact) {
   write_results(target(), synthetic_run());
-  const std::string before = read(fs::path(target()) / "results.h5");
+  const std::string before = contents(fs::path(target()) / "results.h5");
   ASSERT_GT(before.size(), 100000U);
   std::string message;
   {
@@ -147,7 +147,7 @@ TEST_F(ResultFolderTest, AFileThatCannotBeWrittenWholeLeavesTheEarlierResultInta
     EXPECT_NE(refusal((base_ / "new/folder").string()), "");
   }
   EXPECT_NE(message.find("File too large"), std::string::npos) << message;
-  EXPECT_EQ(read(fs::path(target()) / "results.h5"), before);
+  EXPECT_EQ(contents(fs::path(target()) / "results.h5"), before);
   EXPECT_EQ(entries(), 1U);
 }
 

@@ -12,9 +12,8 @@
 namespace rollfem::postprocess {
 namespace {
 
-using tests::python;
-using tests::python_can_import;
-using tests::write_temporary;
+using testing::python;
+using testing::python_can_import;
 
 const char* const reading = R"(
 import sys, h5py, numpy
@@ -49,8 +48,9 @@ f.visititems(comment)
 TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   if (!python_can_import("h5py, numpy"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
-  const RunRecord run = tests::synthetic_run();
-  const std::string path = write_temporary("results.h5", results_hdf5(run));
+  const RunRecord run = testing::synthetic_run();
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.file("results.h5", results_hdf5(run));
   const contact::ModelResult& model = run.models[1];
   const contact::PointResult& point = model.points[3];
   const int k = model.grid.index(20, 60);
@@ -75,11 +75,10 @@ TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   EXPECT_EQ(pressure, point.fields.traction.n[k]);
   EXPECT_EQ(slip, point.fields.slip.x[model.grid.index(3, 60)]);
   EXPECT_EQ(state, static_cast<int>(point.fields.state[static_cast<std::size_t>(k)]));
-  std::filesystem::remove(path);
 }
 
 TEST(ResultsHdf5, TheSameRunGivesTheSameBytes) {
-  EXPECT_EQ(results_hdf5(tests::synthetic_run()), results_hdf5(tests::synthetic_run()));
+  EXPECT_EQ(results_hdf5(testing::synthetic_run()), results_hdf5(testing::synthetic_run()));
 }
 
 TEST(ResultsHdf5, TakesARunWithoutModelsPointsOrFields) {

@@ -17,17 +17,17 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-using tests::read;
-using tests::scripts;
+using testing::contents;
+using testing::scripts;
 
-class PlacesTest : public tests::InFolder {
+class PlacesTest : public testing::InFolder {
  protected:
 };
 
 TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
   const fs::path folder = base_ / "result";
-  write_results(folder.string(), tests::placed_run(3));
-  const auto summary = nlohmann::json::parse(read(folder / "summary.json"));
+  write_results(folder.string(), testing::placed_run(3));
+  const auto summary = nlohmann::json::parse(contents(folder / "summary.json"));
   ASSERT_EQ(summary["models"].size(), 8U);
   const auto& last = summary["models"][7];
   EXPECT_EQ(last["name"], "fem");
@@ -37,7 +37,7 @@ TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
   EXPECT_DOUBLE_EQ(last["place"]["contact_angle"], 1.1);
   EXPECT_TRUE(fs::exists(folder / "fields/fem_left_3_2_contact.vtu"));
 
-  std::istringstream contacts(read(folder / "contacts.csv"));
+  std::istringstream contacts(contents(folder / "contacts.csv"));
   std::string head, line;
   std::getline(contacts, head);
   EXPECT_EQ(head.rfind("wheel,position [-],patch [-],patches [-],lateral_shift [mm],", 0), 0U);
@@ -47,36 +47,36 @@ TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(head.begin(), head.end(), ','));
   }
   EXPECT_EQ(rows, 8 * 7);
-  EXPECT_EQ(read(folder / "creep_curve.csv").rfind("wheel,position,patch,model,point,", 0), 0U);
-  EXPECT_EQ(read(folder / "path_x.csv").rfind("wheel,position,patch,model,point,", 0), 0U);
+  EXPECT_EQ(contents(folder / "creep_curve.csv").rfind("wheel,position,patch,model,point,", 0), 0U);
+  EXPECT_EQ(contents(folder / "path_x.csv").rfind("wheel,position,patch,model,point,", 0), 0U);
 }
 
 TEST_F(PlacesTest, TwoResultsOfOnePatchAndModelAreRefused) {
-  RunRecord run = tests::placed_run(2);
+  RunRecord run = testing::placed_run(2);
   run.models.push_back(run.models.front());
   EXPECT_THROW(write_results((base_ / "result").string(), run), std::logic_error);
 }
 
 TEST_F(PlacesTest, ReportHasAFigureOfEveryPatchAndOneOfTheRow) {
-  if (!tests::python_can_import("matplotlib, h5py, numpy"))
+  if (!testing::python_can_import("matplotlib, h5py, numpy"))
     GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
   const fs::path folder = base_ / "result";
-  write_results(folder.string(), tests::placed_run(3));
+  write_results(folder.string(), testing::placed_run(3));
   ASSERT_EQ(make_report(folder.string(), scripts), "");
   for (const char* name : {"pair_left_1", "pair_left_3", "positions", "s1_creep_curve",
                            "s4_contact_area", "s4_oblique_px_fem"})
     EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(name) + ".svg"))) << name;
   EXPECT_FALSE(fs::exists(folder / "figures/pair_left_2.svg"));
-  const std::string report = read(folder / "report.html");
+  const std::string report = contents(folder / "report.html");
   for (const char* text : {"Wheel profile S1002", "50000 N vertically on each wheel",
                            "Left wheel, position 3, patch 2 of 2"})
     EXPECT_NE(report.find(text), std::string::npos) << text;
 }
 
 TEST_F(PlacesTest, OnePatchIsReportedAsACaseWithRadii) {
-  if (!tests::python_can_import("matplotlib, h5py, numpy"))
+  if (!testing::python_can_import("matplotlib, h5py, numpy"))
     GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
-  RunRecord run = tests::placed_run(1);
+  RunRecord run = testing::placed_run(1);
   run.models.resize(2);
   const fs::path folder = base_ / "result";
   write_results(folder.string(), run);

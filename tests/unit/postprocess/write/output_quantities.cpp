@@ -29,7 +29,7 @@ using contact::Quantity;
 
 /// Another number in every scalar of its first point; the second has none that may be absent.
 RunRecord numbered_run() {
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.models = {run.models[1]};
   run.models[0].points.resize(2);
   double number = 0.25;
@@ -66,14 +66,15 @@ TEST(EveryQuantity, IsInSummaryJsonAndComesBack) {
 
 TEST(EveryQuantity, IsInResultsHdf5WithUnitAndMeaningAndComesBack) {
   const RunRecord run = numbered_run();
-  const std::string path = tests::write_temporary("quantities.h5", results_hdf5(run));
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.file("quantities.h5", results_hdf5(run));
   const ResultsFile file(path);
   const contact::ModelResult read = file.read(file.models().at(0));
   for (std::size_t k = 0; k < 2; ++k) expect_same(read.points.at(k), run.models[0].points[k]);
 
-  if (!tests::python_can_import("h5py"))
+  if (!testing::python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
-  const std::string printed = tests::python(R"(
+  const std::string printed = testing::python(R"(
 import sys, h5py
 f = h5py.File(sys.argv[1])
 point = f['models/halfspace/points/0000']
@@ -81,14 +82,13 @@ columns = [f['quantities'][n].asstr()[()] for n in ('name', 'title', 'symbol', '
 for row in zip(*columns):
     print('%.17g' % point.attrs[row[0]], *row, sep='\t')
 )",
-                                            path);
+                                              path);
   std::string expected;
   for (const Quantity& quantity : quantities())
     expected += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", *quantity.value(run.models[0].points[0]),
                             quantity.name, quantity.title, quantity.symbol, quantity.unit,
                             quantity.meaning);
   EXPECT_EQ(printed, expected);
-  std::filesystem::remove(path);
 }
 
 std::vector<std::string> cells(const std::string& line) {

@@ -15,9 +15,9 @@
 namespace rollfem::postprocess {
 namespace {
 
-using tests::python;
-using tests::python_can_import;
-using tests::write_temporary;
+using testing::python;
+using testing::python_can_import;
+using testing::python_on;
 
 /// Prints every array as "name components count sum", decoded with Python's standard library.
 const char* const decode = R"(
@@ -54,13 +54,13 @@ if g.GetCell(0).GetClassName() == 'vtkHexahedron':
 )";
 
 std::string rail_vtu() {
-  const contact::BodyValues values = tests::synthetic_values();
-  return BodyVtu(tests::synthetic_body("rail")).text(&values);
+  const contact::BodyValues values = testing::synthetic_values();
+  return BodyVtu(testing::synthetic_body("rail")).text(&values);
 }
 
 TEST(BodyVtu, DecodesToTheSameNumbers) {
   if (!python_can_import("zlib")) GTEST_SKIP() << "needs /usr/bin/python3";
-  const std::string printed = python(decode, write_temporary("body.vtu", rail_vtu()));
+  const std::string printed = python_on(decode, "body.vtu", rail_vtu());
   EXPECT_NE(printed.find("'NumberOfPoints': '12', 'NumberOfCells': '2'"), std::string::npos);
   EXPECT_NE(printed.find("Points 3 36 0.0\n"), std::string::npos) << printed;
   EXPECT_NE(printed.find("displacement [mm] 3 36 0.09375"), std::string::npos) << printed;
@@ -71,10 +71,9 @@ TEST(BodyVtu, DecodesToTheSameNumbers) {
 
 TEST(ContactVtu, DecodesToTheSameNumbersOverManyBlocks) {
   if (!python_can_import("zlib")) GTEST_SKIP() << "needs /usr/bin/python3";
-  const contact::ModelResult model = tests::synthetic_model("halfspace", {}, 201, 301, {0.002});
+  const contact::ModelResult model = testing::synthetic_model("halfspace", {}, 201, 301, {0.002});
   const contact::PointResult& point = model.points[0];
-  const std::string printed =
-      python(decode, write_temporary("contact.vtu", contact_vtu(model.grid, point)));
+  const std::string printed = python_on(decode, "contact.vtu", contact_vtu(model.grid, point));
   double sum = 0.0;
   const std::size_t at = printed.find("pressure [MPa] 1 60501 ");
   ASSERT_NE(at, std::string::npos) << printed;
@@ -85,13 +84,12 @@ TEST(ContactVtu, DecodesToTheSameNumbersOverManyBlocks) {
 TEST(Vtu, IsReadByVtk) {
   if (!python_can_import("vtkmodules.vtkIOXML, vtkmodules.vtkFiltersVerdict"))
     GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
-  std::string printed = python(vtk_reading, write_temporary("body.vtu", rail_vtu()));
+  std::string printed = python_on(vtk_reading, "body.vtu", rail_vtu());
   EXPECT_NE(printed.find("12 2 vtkHexahedron"), std::string::npos) << printed;
   EXPECT_NE(printed.find("stress [MPa] 6"), std::string::npos) << printed;
   EXPECT_NE(printed.find("volumes (1.0, 1.0)"), std::string::npos) << printed;
-  const contact::ModelResult model = tests::synthetic_model("halfspace", {}, 21, 31, {0.002});
-  printed =
-      python(vtk_reading, write_temporary("contact.vtu", contact_vtu(model.grid, model.points[0])));
+  const contact::ModelResult model = testing::synthetic_model("halfspace", {}, 21, 31, {0.002});
+  printed = python_on(vtk_reading, "contact.vtu", contact_vtu(model.grid, model.points[0]));
   EXPECT_NE(printed.find("704 651 vtkQuad"), std::string::npos) << printed;
   EXPECT_NE(printed.find("state (0 exterior, 1 adhesion, 2 slip) 1 (0.0, 2.0)"), std::string::npos)
       << printed;
@@ -115,12 +113,11 @@ for d in root.iter('DataSet'):
 TEST(Series, OfAllLoadPointsIsReadByVtk) {
   if (!python_can_import("vtkmodules.vtkIOXML"))
     GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
-  const RunRecord run = tests::synthetic_run();
-  std::string folder = (std::filesystem::path(::testing::TempDir()) / "rollfem_series_XXXXXX");
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  write_results(folder + "/result", run);
+  const RunRecord run = testing::synthetic_run();
+  const testing::TemporaryFolder folder;
+  write_results(folder.path("result"), run);
   const std::string printed =
-      python(series_reading, folder + "/result/fields/halfspace_contact.pvd");
+      python(series_reading, folder.path("result") + "/fields/halfspace_contact.pvd");
   std::istringstream lines(printed);
   const contact::ModelResult& model = run.models[1];
   for (const contact::PointResult& point : model.points) {
@@ -132,7 +129,6 @@ TEST(Series, OfAllLoadPointsIsReadByVtk) {
   }
   std::string rest;
   EXPECT_FALSE(lines >> rest) << printed;
-  std::filesystem::remove_all(folder);
 }
 
 const char* const bodies_reading = R"(
@@ -156,12 +152,11 @@ for d in root.iter('DataSet'):
 TEST(Series, OfTheBodiesIsReadByVtk) {
   if (!python_can_import("vtkmodules.vtkIOXML"))
     GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
-  RunRecord run = tests::synthetic_run();
+  RunRecord run = testing::synthetic_run();
   run.models[2].points[1].bodies.clear();  // what keeps none is not in the series
-  std::string folder = (std::filesystem::path(::testing::TempDir()) / "rollfem_bodies_XXXXXX");
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  write_results(folder + "/result", run);
-  const std::filesystem::path fields = folder + "/result/fields";
+  const testing::TemporaryFolder folder;
+  write_results(folder.path("result"), run);
+  const std::filesystem::path fields = folder.path("result") + "/fields";
   std::istringstream lines(python(bodies_reading, fields / "fem_bodies.pvd"));
   for (const int k : {0, 2, 3, 4, 5, 6})
     for (const int part : {0, 1}) {
@@ -178,7 +173,6 @@ TEST(Series, OfTheBodiesIsReadByVtk) {
   EXPECT_FALSE(std::filesystem::exists(fields / "fem_wheel_0001.vtu"));
   EXPECT_TRUE(std::filesystem::exists(fields / "fem_rail.vtu"));
   EXPECT_FALSE(std::filesystem::exists(fields / "halfspace_bodies.pvd"));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Series, IsOrderedByNumberWhereCreepagesRepeat) {

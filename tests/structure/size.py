@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Checks that no source file has more than 400 lines and no function more than 70, signature and braces
+included; lambdas count with what they stand in. What is longer today is listed with its size: it may shrink, and then its number with it, but not
+grow. Call: size.py SOURCE_DIR"""
+
+import ast
+import pathlib
+import re
+import sys
+
+MODULES = ("contact", "halfspace", "meshes", "wheelset", "fem", "postprocess", "app", "benchmarks", "tests")
+MOST_LINES = 400
+MOST_IN_FUNCTION = 70
+
+# Path, or path:function, and its lines.
+KNOWN = {
+    "app/main.cpp": 405,
+    "fem/model/contact_run.cpp:LevelRun::solve": 71,
+    "halfspace/model/level.cpp": 508,
+}
+
+TEXT_OR_COMMENT = re.compile(r'R"\((.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*.*?\*/', re.S)
+DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.M)
+SCOPE = re.compile(r"^(?:(?:inline|export|typedef|static)\s+)*(?:namespace|class|struct|union|extern)\b(?!.*\)\s*\w*$)", re.S)
+FUNCTION = re.compile(r"\)(?:\s*(?:const|noexcept|override|final|mutable|&&?|try|->[^{}()]*|\(\)))*$")
+
+
+def blank(match):
+    """As many lines, and a word in place of the text."""
+    return ("_" if match[0][0] in "R\"'" else "") + "\n" * match[0].count("\n")
+
+
+def cpp_functions(text):
+    """(name, first line, last line) of the functions at the level of namespaces and classes."""
+    text = DIRECTIVE.sub(blank, TEXT_OR_COMMENT.sub(blank, text))
+    stack, head, first, line = [], "", 1, 1
+    for character in text:
+        inside = "other" in stack or "function" in stack
+        if character == "{":
+            kind = "other"
+            if not inside:
+                sense = re.sub(r"\btemplate\s*<[^{}]*?>\s*(?=[\w:])", "", head.strip())
+                kind = "scope" if SCOPE.match(sense) else "function" if FUNCTION.search(sense) else "other"
+                if kind == "function":
+                    name = re.search(r"([\w:~]+|operator\S+)\s*\(", sense)
+                    begun = (name[1] if name else "?", first)
+            stack.append(kind)
+            if kind == "scope":
+                head = ""
+        elif character == "}":
+            kind = stack.pop()
+            if kind == "function":
+                yield (*begun, line)
+            if "other" not in stack and "function" not in stack:
+                head = head + "()" if kind == "other" else ""
+        elif character == ";" and not inside:
+            head = ""
+        elif not inside:
+            if not head and not character.isspace():
+                first = line
+            if head or not character.isspace():
+                head += character
+        if character == "\n":
+            line += 1
+
+
+def python_functions(text):
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            yield node.name, node.lineno, node.end_lineno
+
+
+def too_large(root):
+    """What is beyond the limits, with its lines."""
+    found = {}
+    for module in MODULES:
+        for path in sorted((root / module).rglob("*")):
+            if path.suffix not in (".cpp", ".hpp", ".py"):
+                continue
+            text = path.read_text(encoding="utf-8")
+            name = path.relative_to(root).as_posix()
+            lines = len(text.splitlines())
+            if lines > MOST_LINES:
+                found[name] = lines
+            for function, first, last in (python_functions if path.suffix == ".py" else cpp_functions)(text):
+                if last - first + 1 > MOST_IN_FUNCTION:
+                    found[f"{name}:{function}"] = last - first + 1
+    return found
+
+
+def problems(found):
+    for name, lines in found.items():
+        most = KNOWN.get(name, MOST_IN_FUNCTION if ":" in name else MOST_LINES)
+        if lines > most:
+            yield f"{name} has {lines} lines; allowed: {most}; do: divide it by what it does"
+    for name, lines in KNOWN.items():
+        if found.get(name, 0) < lines:
+            yield (f"{name} has {found[name]} lines, not {lines} any more: do: write that in {pathlib.Path(__file__).name}"
+                   if name in found else f"{name} is within the limits: do: take it off {pathlib.Path(__file__).name}")
+
+
+def self_test():
+    """A checker that cannot fail would be worse than none."""
+    text = """namespace a {
+template <class T>
+struct B : C<T> {  // not a function {
+  B(int x)
+      : x_{x}, y_(x) {
+    if (x) { const auto f = [] { return "}"; }; f(); }
+  }
+  auto f() const -> int { return 1; }
+  int x_ = 0, y_[2] = {1, 2};
+};
+enum class E { one, two };
+const std::vector<int> list{1, 2};
+TEST(Suite, Name) {
+
+}
+template <class T, class = std::enable_if_t<true>>
+struct G g(
+    int x) noexcept {
+}
+}"""
+    assert [(name, first, last) for name, first, last in cpp_functions(text)] == [
+        ("B", 4, 7), ("f", 8, 8), ("TEST", 13, 15), ("g", 16, 19)], list(cpp_functions(text))
+    assert list(python_functions("def f():\n    pass\n")) == [("f", 1, 2)]
+
+
+def main():
+    self_test()
+    wrong = list(problems(too_large(pathlib.Path(sys.argv[1]))))
+    print("\n".join(wrong) or f"no file over {MOST_LINES} lines, no function over {MOST_IN_FUNCTION}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
