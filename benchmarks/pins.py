@@ -9,8 +9,8 @@ record runs the cases of pin_cases.py with the program, one model at a time and 
 every scalar of summary.json but times and iteration counts under case/model/place/point/quantity. compare
 lists the numbers that differ by more than 1e-9 (1e-7 where a finite-element solver of finite accuracy stands
 behind them), relative to the value or, where that vanishes, to the scale of the quantity (scale_of). Every
-difference is looked up in a table, pattern -> reason (pin_reasons.txt beside this file); a reason that nobody
-has written down ends compare with status 1.
+difference is looked up in a table, pattern < largest difference: reason (pin_reasons.txt beside this file); one
+without a reason ends compare with status 1.
 """
 import argparse
 import fnmatch
@@ -18,6 +18,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -35,29 +36,31 @@ VANISHES = 1e-6  # in parts of the scale
 
 # --- what a number is compared to where it vanishes ---------------------------------------------------
 
-def scale_of(quantity, point):
-    """A size that the quantity has in this load point when it does not vanish."""
-    force = abs(point.get("normal_force", 0.0))
-    length = math.sqrt(abs(point.get("semi_axis_x", 0.0) * point.get("semi_axis_y", 0.0)))
+def scale_of(name, numbers):
+    """A size that the quantity has in this load point when it does not vanish, from the others of the point."""
+    point, quantity = name.rsplit("/", 1)
+
+    def of(key):
+        return abs(numbers.get(f"{point}/{key}", 0.0))
+
+    if point.count("/") < 3:  # of a place: mm, rad
+        return 1.0
     if quantity.startswith("error_estimate."):
         return 1.0
     quantity = quantity.removeprefix("richardson.")
-    scales = {
-        "longitudinal_force": force, "lateral_force": force, "normal_force": force,
-        "spin_moment": force * length, "traction_coefficient": 1.0,
-        "longitudinal_creepage": 1e-3, "lateral_creepage": 1e-3, "spin": 1e-4,
-        "longitudinal_shift": abs(point.get("approach", 0.0)), "lateral_shift": abs(point.get("approach", 0.0)),
-        "max_pressure": point.get("max_pressure", 0.0), "max_traction": point.get("max_pressure", 0.0),
-        "max_traction_x": point.get("max_pressure", 0.0),
-        "contact_area": point.get("contact_area", 0.0), "adhesion_area": point.get("contact_area", 0.0),
-        # per length rolled: a force times a creepage
-        "frictional_work": 1e-3 * force, "creepage_work": 1e-3 * force,
-    }
-    if quantity in scales:
-        return scales[quantity]
+    length = math.sqrt(of("semi_axis_x") * of("semi_axis_y"))
     if quantity.startswith("stress_maxima."):
-        return length if "place" in quantity else point.get("max_pressure", 0.0)
-    return 1.0 if quantity.startswith("place.") else 0.0
+        return length if ".place." in quantity else of("max_pressure")
+    return {
+        "longitudinal_force": of("normal_force"), "lateral_force": of("normal_force"),
+        "spin_moment": of("normal_force") * length, "traction_coefficient": 1.0,
+        "longitudinal_creepage": 1e-3, "lateral_creepage": 1e-3, "spin": 1e-4,
+        "longitudinal_shift": of("approach"), "lateral_shift": of("approach"),
+        "max_traction": of("max_pressure"), "max_traction_x": of("max_pressure"),
+        "adhesion_area": of("contact_area"), "patch_x_middle": length, "patch_y_middle": length,
+        # per length rolled: a force times a creepage
+        "frictional_work": 1e-3 * of("normal_force"), "creepage_work": 1e-3 * of("normal_force"),
+    }.get(quantity, 0.0)
 
 
 # --- record -------------------------------------------------------------------------------------------
@@ -78,19 +81,19 @@ def scalars(value, name=""):
 
 
 def numbers_of(summary, case):
-    """name -> (value, scale) of a summary.json."""
+    """name -> value of a summary.json."""
     found = {}
     for model in summary["models"]:
         place = model.get("place", {})
         where = "-".join(str(place.get(key, 0)) for key in ("wheel", "position", "patch")) if place else "plane"
         head = f"{case}/{model['name']}/{where}"
         for key in ("unknowns", "contact_elements"):
-            found[f"{head}/{key}"] = (float(model[key]), 0.0)
+            found[f"{head}/{key}"] = float(model[key])
         for name, value in scalars({key: v for key, v in place.items() if key not in ("position", "patch")}):
-            found[f"{head}/{name}"] = (value, 1.0)
+            found[f"{head}/{name}"] = value
         for i, point in enumerate(model["points"]):
             for name, value in scalars(point):
-                found[f"{head}/{i}/{name}"] = (value, scale_of(name, point))
+                found[f"{head}/{i}/{name}"] = value
     return found
 
 
@@ -115,7 +118,7 @@ def run_one(program, case, model, folder, cases):
 
 
 def record(arguments):
-    numbers, scales, failed = {}, {}, {}
+    numbers, failed = {}, {}
     version = subprocess.run([arguments.program, "--version"], text=True, capture_output=True, check=True).stdout
     for case in pin_cases.ALL:
         for model in case.models:
@@ -127,11 +130,10 @@ def record(arguments):
                 found, said = run_one(arguments.program, case, model, folder, arguments.cases)
             if said:
                 failed[f"{case.name}/{model}"] = said
-            for name, (value, scale) in found.items():
-                numbers[name], scales[name] = value, scale
+            numbers.update(found)
             print(f"{case.name}/{model}: {said or f'{len(found)} numbers'}, {time.monotonic() - start:.1f} s",
                   flush=True)
-    result = {"program": version.strip(), "numbers": numbers, "scales": scales, "failed": failed}
+    result = {"program": version.strip(), "numbers": numbers, "failed": failed}
     pathlib.Path(arguments.output).write_text(json.dumps(result, indent=0) + "\n", encoding="utf-8")
     print(f"{len(numbers)} numbers in {arguments.output}; {len(failed)} cases refused or failed")
     return 0
@@ -148,21 +150,22 @@ def difference(before, after, scale):
 
 
 def read_reasons(path):
-    """[(pattern, reason)] of lines `pattern: reason`; # begins a comment."""
+    """[(pattern, largest difference, reason)] of lines `pattern < 1e-6: reason`; # begins a comment."""
     rules = []
     for number, line in enumerate(path.read_text("utf-8").splitlines(), 1):
         line = line.strip()
         if not line or line.startswith("#"):
             continue
-        pattern, colon, reason = line.partition(": ")
-        if not colon or not reason.strip():
-            sys.exit(f"{path}:{number}: no reason behind the pattern; do: pattern: reason")
-        rules.append((pattern.strip(), reason.strip()))
+        found = re.fullmatch(r"(\S+)(?:\s+<\s+([\d.e+-]+))?: +(\S.*)", line)
+        if not found:
+            sys.exit(f"{path}:{number}: not a pattern and a reason; do: pattern: reason, or pattern < 1e-6: reason")
+        rules.append((found[1], float(found[2] or "inf"), found[3]))
     return rules
 
 
-def reason_for(name, rules):
-    return next((reason for pattern, reason in rules if fnmatch.fnmatchcase(name, pattern)), None)
+def reason_for(name, relative, rules):
+    return next((reason for pattern, largest, reason in rules
+                 if fnmatch.fnmatchcase(name, pattern) and relative <= largest), None)
 
 
 def differences(before, after):
@@ -173,7 +176,7 @@ def differences(before, after):
             yield name, old, None, math.inf
             continue
         model = name.split("/")[1]
-        relative = difference(old, new, before["scales"][name])
+        relative = difference(old, new, scale_of(name, before["numbers"]))
         if not relative <= TOLERANCE.get(model, TOLERANCE_OF_OTHERS):
             yield name, old, new, relative
 
@@ -199,7 +202,7 @@ def compare(arguments):
     groups = {}
     for row in differences(before, after):
         head = "/".join(row[0].split("/")[:2])
-        groups.setdefault((head, reason_for(row[0], rules)), []).append(row)
+        groups.setdefault((head, reason_for(row[0], row[3], rules)), []).append(row)
     for (head, reason), rows in groups.items():
         print_group(head, reason, rows, after["failed"].get(head), arguments.brief)
     changed = sum(len(rows) for rows in groups.values())
@@ -227,7 +230,7 @@ def main():
     two = commands.add_parser("compare", help="list the numbers that changed, with the reasons")
     two.add_argument("before")
     two.add_argument("after")
-    two.add_argument("--reasons", default=HERE / "pin_reasons.txt", help="lines `pattern: reason`")
+    two.add_argument("--reasons", default=HERE / "pin_reasons.txt", help="lines `pattern < 1e-6: reason`")
     two.add_argument("--only", default="*", help="case/model to compare, a pattern")
     two.add_argument("--brief", action="store_true", help="one line for a case and model")
     two.set_defaults(do=compare)

@@ -36,9 +36,9 @@ CHANGES = [
 ]
 
 
-def written(folder, name, numbers, scales):
+def written(folder, name, numbers):
     path = folder / name
-    path.write_text(json.dumps({"numbers": numbers, "scales": scales, "failed": {}}), "utf-8")
+    path.write_text(json.dumps({"numbers": numbers, "failed": {}}), "utf-8")
     return str(path)
 
 
@@ -63,12 +63,12 @@ def check_names(found):
     check("case/fem/left-1-0/contact_angle" in found, "the place of a patch is not kept")
 
 
-def check_comparison(folder, numbers, scales):
-    before = written(folder, "before.json", numbers, scales)
+def check_comparison(folder, numbers):
+    before = written(folder, "before.json", numbers)
     status, text = compared(before, before)
     check(status == 0 and " 0 changed" in text, f"a file differs from itself: {text}")
     for name, factor, changed in CHANGES:
-        after = written(folder, "after.json", {**numbers, name: numbers[name] * factor}, scales)
+        after = written(folder, "after.json", {**numbers, name: numbers[name] * factor})
         status, text = compared(before, after)
         check(status == (1 if changed else 0), f"{name} times {factor}: {text}")
         if changed:
@@ -77,8 +77,11 @@ def check_comparison(folder, numbers, scales):
             reasons.write_text(f"# why\n*/{name.split('/')[-1]}: it was wrong\n", "utf-8")
             status, text = compared(before, after, "--reasons", str(reasons))
             check(status == 0 and "it was wrong" in text, f"the reason is not found: {text}")
+            reasons.write_text("* < 1e-9: it was wrong\n", "utf-8")
+            status, text = compared(before, after, "--reasons", str(reasons))
+            check(status == 1 and "NO REASON" in text, f"the reason holds too far: {text}")
     fewer = {name: value for name, value in numbers.items() if not name.endswith("approach")}
-    after = written(folder, "after.json", fewer, scales)
+    after = written(folder, "after.json", fewer)
     status, text = compared(before, after)
     check(status == 1 and "1 are gone" in text, f"a number that is gone: {text}")
     status, text = compared(before, after, "--only", "*/halfspace")
@@ -99,7 +102,6 @@ def check_cases():
 with tempfile.TemporaryDirectory() as temporary:
     found = pins.numbers_of(SUMMARY, "case")
     check_names(found)
-    check_comparison(pathlib.Path(temporary), {name: pair[0] for name, pair in found.items()},
-                     {name: pair[1] for name, pair in found.items()})
+    check_comparison(pathlib.Path(temporary), found)
 check_cases()
 print("pins: a change is seen, and its reason")
