@@ -79,7 +79,8 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   for (const char* text :
        {"Comparison of models on 3 cases", "second &lt;case&gt;", "it cannot take this &amp; that",
         "is left out", "no contact", "failed", "Within the error bars of half-space: ", "Cost",
-        "Force per strip", "Lateral traction", "id=\"one\""})
+        "Force per strip", "Lateral traction", "id=\"one\"",
+        "largest longitudinal traction |p<sub>x</sub>|<br><span class=d>% of μ p<sub>0</sub>"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   // Ten figures in the first case, one less in the second without Hertz, and differences against
   // cost.
@@ -142,7 +143,7 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   for (const char* text :
        {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
         "ran out of memory", "Finest levels against their references: half-space (grid) ",
-        "order 2", "no order", "exact", "extrapolated"})
+        "order 2", "no order", "exact", "extrapolated", "<th>largest pressure p<sub>0</sub> [MPa]"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   EXPECT_EQ(count(page, "<img"), 2U);
   for (const char* name : {"speed_error.svg", "error_unknowns.svg"})
