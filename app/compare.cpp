@@ -1,8 +1,6 @@
 #include "app/compare.hpp"
 
-#include "app/processes.hpp"
-#include "app/progress_display.hpp"
-#include "app/run.hpp"
+#include "app/models.hpp"
 #include "app/solving.hpp"
 #include "app/version.hpp"
 #include "contact/base/errors.hpp"
@@ -27,9 +25,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using postprocess::ComparedCase;
-
-/// What the theories cost is nothing beside what they tell; the case's own list is for `run`.
-const std::vector<std::string> default_models{"hertz", "fastsim", "strip", "halfspace", "fem"};
 
 std::string contents(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -87,14 +82,15 @@ std::vector<postprocess::MissingModel> left_out_before(const nlohmann::json& bef
   return all;
 }
 
-std::vector<Task> tasks_of(const CompareRequest& request, const std::vector<std::string>& models) {
+std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRegistry& known,
+                           const std::vector<std::string>& models) {
   std::vector<Task> tasks;
   std::map<std::string, std::string> names;
   const auto before =
       nlohmann::json::parse(contents(directory_of(request) / "compare.json"), nullptr, false);
   for (const std::string& file : request.case_files) {
     Task task;
-    task.input = contact::read_case(file);
+    task.input = contact::read_case(file, model_words(known));
     task.input.models = models;
     task.name = fs::path(file).stem().string();
     task.folder = directory_of(request) / task.name;
@@ -128,7 +124,7 @@ std::string reason_alone(const std::string& message) {
 }
 
 /// Computes one case and writes its folder; what it has found, or why there is nothing.
-ComparedCase compare_case(const CompareRequest& request, const Task& task, Solving how) {
+ComparedCase compare_case(CommandFrame& frame, const Task& task, Solving how) {
   ComparedCase compared;
   compared.name = task.name;
   compared.title = task.input.title;
@@ -139,15 +135,11 @@ ComparedCase compare_case(const CompareRequest& request, const Task& task, Solvi
     compared.missing = task.missing;
     return compared;
   }
-  std::unique_ptr<postprocess::CheckpointFolder> checkpoint;
   try {
-    if (how.first)
-      checkpoint = open_checkpoint(task.folder.string(), task.input, request.resume, request.quiet);
-    how.checkpoint = checkpoint.get();
+    how.checkpoint = frame.keep_in(task.folder, task.input);
     postprocess::RunRecord record;
     record.input = task.input;
-    record.provenance = provenance_of(
-        request.command, how.session != nullptr && !how.together ? processes().count : 1);
+    record.provenance = frame.provenance();
     Solved solved = solve(task.input, how);
     bool failed = false;
     for (Missing& missing : solved.missing) {
@@ -162,7 +154,7 @@ ComparedCase compare_case(const CompareRequest& request, const Task& task, Solvi
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);
     write_whole(task.folder.string(), record);
-    if (!failed) checkpoint->remove();
+    if (!failed) frame.forget_kept();
     compared.summary = contents(task.folder / "summary.json");
   } catch (const contact::SolveError& error) {
     if (!how.together && how.session != nullptr) throw;
@@ -240,64 +232,52 @@ void refuse_failures(const postprocess::ComparisonRecord& record) {
     throw contact::SolveError("the comparison is written without what failed: " + text);
 }
 
-}  // namespace
-
-void compare(const CompareRequest& request) {
-  const Processes here = processes();
-  const bool named = !request.models.empty();
-  std::vector<std::string> models = named ? request.models : default_models;
-#if !ROLLFEM_WITH_FEM
-  if (!named) models.pop_back();
-#endif
+/// The models of the call, or those that the registry has for `compare` and this build has. The
+/// case's own list is for `run`.
+std::vector<std::string> models_of(const CompareRequest& request,
+                                   const contact::ModelRegistry& known) {
+  const std::vector<std::string> models =
+      request.models.empty() ? built_of(known, known.names(&contact::ModelInfo::in_compare))
+                             : request.models;
   if (!request.reference.empty() &&
       std::find(models.begin(), models.end(), request.reference) == models.end())
     throw contact::InputError(
         fmt::format("--reference {}: it is not one of the models compared; do: name it with "
                     "--model too, or take one of them",
                     request.reference));
-  const std::vector<Task> tasks = tasks_of(request, models);
+  return models;
+}
+
+}  // namespace
+
+void compare(const CompareRequest& request, const contact::ModelRegistry& known) {
+  const std::vector<std::string> models = models_of(request, known);
+  const std::vector<Task> tasks = tasks_of(request, known, models);
   const bool anything =
       std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.done; });
-  const bool parallel = anything && std::find(models.begin(), models.end(), "fem") != models.end();
-  if (!here.first() && !parallel) return;
-  if (here.first()) check_folders(request, tasks);
-
-  std::unique_ptr<FemSession> session;
-  if (parallel) session = std::make_unique<FemSession>("--model fem", request.argc, request.argv);
-  ProgressDisplay display(request.quiet || !here.first() ? ProgressDisplay::Mode::silent
-                                                         : ProgressDisplay::mode_of_stderr());
-  Solving how;
-  how.session = session.get();
-  how.progress = [&](const contact::ProgressEvent& event) { display.show(event); };
-  how.first = here.first();
-  how.together = here.count == 1;
-  how.go_on = true;
+  CommandFrame frame(request, known, anything ? models : std::vector<std::string>());
+  if (frame.idle()) return;
+  if (frame.first()) check_folders(request, tasks);
   postprocess::ComparisonRecord record;
-  record.provenance = provenance_of(request.command, parallel ? here.count : 1);
+  record.provenance = frame.provenance();
   record.models = models;
   record.reference = request.reference;
-  try {
+  frame.compute("--model", "load points", [&](Solving how) {
+    how.go_on = true;
     for (const Task& task : tasks) {
-      record.cases.push_back(compare_case(request, task, how));
-      display.clear();
-      if (here.first()) write_data(request, record);
-      if (here.first() && !request.quiet)
-        std::cerr << fmt::format("compare: {} {}\n", task.name,
-                                 task.done                             ? "was done before"
-                                 : record.cases.back().summary.empty() ? "has no result"
-                                                                       : "done");
+      record.cases.push_back(compare_case(frame, task, how));
+      if (!how.first) continue;
+      write_data(request, record);
+      frame.say(fmt::format("compare: {} {}", task.name,
+                            task.done                             ? "was done before"
+                            : record.cases.back().summary.empty() ? "has no result"
+                                                                  : "done"));
     }
-    if (here.first()) {
-      report_and_tell(request, record);
-      refuse_failures(record);
-      refuse_untaken(record);
-    }
-  } catch (...) {
-    display.clear();
-    // As in run: finalising MPI would wait for processes that may not have failed.
-    static_cast<void>(session.release());
-    throw;
-  }
+    if (!how.first) return;
+    report_and_tell(request, record);
+    refuse_failures(record);
+    refuse_untaken(record);
+  });
 }
 
 }  // namespace rollfem::app

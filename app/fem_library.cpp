@@ -55,10 +55,10 @@ const fem::Entry& open_fem_library(const std::string&) {
 #else
 
 const fem::Entry& open_fem_library(const std::string& asked_by) {
-  throw contact::InputError(fmt::format(
-      "{}: model fem is not in this build, which was made without deal.II; allowed: hertz, "
-      "halfspace; do: run with --model hertz --model halfspace, or build with ROLLFEM_FEM=ON",
-      asked_by));
+  throw contact::InputError(
+      fmt::format("{}: finite elements are not in this build, which was made without deal.II; "
+                  "allowed: what needs none; do: build with ROLLFEM_FEM=ON",
+                  asked_by));
 }
 
 #endif

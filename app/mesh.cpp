@@ -1,11 +1,12 @@
 #include "app/mesh.hpp"
 
 #include "app/fem_library.hpp"
+#include "app/fem_model.hpp"
 #include "app/files_together.hpp"
+#include "app/models.hpp"
 #include "app/processes.hpp"
 #include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/case/abilities.hpp"
 #include "contact/case/case_reader.hpp"
 #include "fem/body/mesh_report.hpp"
 #include "postprocess/write/vtu.hpp"
@@ -40,7 +41,7 @@ void spare_input(const contact::Case& input, const fs::path& folder) {
 }
 
 /// With profiles every patch has bodies of its own: "left_1_1_wheel".
-std::string name_of(const contact::Case& scene, const std::string& body) {
+std::string name_of(const contact::Scene& scene, const std::string& body) {
   if (!scene.place) return body;
   return fmt::format("{}_{}_{}_{}", scene.place->left ? "left" : "right", scene.place->position,
                      scene.place->patch, body);
@@ -75,10 +76,10 @@ std::string table(const std::vector<MeshedBody>& bodies) {
 
 }  // namespace
 
-void mesh(const MeshRequest& request) {
-  const contact::Case input = contact::read_case(request.case_file);
-  const std::vector<contact::Case> scenes = scenes_of(input, {}).cases;
-  for (const contact::Case& scene : scenes) contact::check_able(scene, "fem");
+void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
+  const contact::Case input = contact::read_case(request.case_file, model_words(models));
+  const std::vector<contact::Scene> scenes = scenes_of(input, {}).list;
+  for (const contact::Scene& scene : scenes) models.check(scene, fem_model().name);
   const fs::path folder =
       !request.directory.empty()
           ? fs::path(request.directory)
@@ -90,7 +91,7 @@ void mesh(const MeshRequest& request) {
   char** argv = request.argv;
   entry.start(argc, argv);
   std::vector<MeshedBody> bodies;
-  for (const contact::Case& scene : scenes)
+  for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {
       body.name = name_of(scene, body.name);
       bodies.push_back(std::move(body));

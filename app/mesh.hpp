@@ -2,6 +2,8 @@
 // is solved.
 #pragma once
 
+#include "contact/solve/models.hpp"
+
 #include <string>
 
 namespace rollfem::app {
@@ -15,6 +17,6 @@ struct MeshRequest {
 
 /// Writes wheel.msh, rail.msh (coarse), wheel.vtu, rail.vtu (refined) and prints the table. Throws
 /// contact::InputError; nothing is written then.
-void mesh(const MeshRequest& request);
+void mesh(const MeshRequest& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

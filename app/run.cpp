@@ -1,14 +1,10 @@
 #include "app/run.hpp"
 
-#include "app/processes.hpp"
-#include "app/progress_display.hpp"
+#include "app/models.hpp"
 #include "app/run_table.hpp"
 #include "app/solving.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/case/abilities.hpp"
 #include "contact/case/case_reader.hpp"
-#include "halfspace/model/registry.hpp"
-#include "postprocess/write/checkpoint_folder.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +12,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <set>
 
 namespace rollfem::app {
@@ -25,36 +20,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string output_directory(const RunRequest& request) {
-  return result_directory(request.case_file, request.directory);
+fs::path output_directory(const RunRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / fs::path(request.case_file).stem();
 }
 
 /// What would only come out after the hours of computing: a folder that cannot be made, a model
 /// that cannot take the case.
-void check_before(const RunRequest& request, const contact::Case& input) {
-  postprocess::check_directory(output_directory(request));
-  if (!input.has_profiles())
-    for (const std::string& name : input.models) contact::check_able(input, name);
-  const auto runs = [&](const char* model) {
-    return std::find(input.models.begin(), input.models.end(), model) != input.models.end();
-  };
-  if (runs("halfspace") || runs("fem") || request.quiet) return;
+void check_before(const RunRequest& request, const contact::Case& input,
+                  const contact::ModelRegistry& models) {
+  postprocess::check_directory(output_directory(request).string());
+  if (!input.has_profiles()) {
+    const contact::Scene scene(input);
+    for (const std::string& name : input.models) models.check(scene, name);
+  }
+  const bool any_stress =
+      std::any_of(input.models.begin(), input.models.end(),
+                  [&](const std::string& name) { return models.at(name).has_stress; });
+  if (any_stress || request.quiet) return;
   const auto warn = [&](const char* key) {
-    std::cerr << fmt::format(
-        "warning: {}: {} is computed by the models halfspace and fem, neither of which is run\n",
-        input.file, key);
+    std::cerr << fmt::format("warning: {}: {} is computed by the models {}, none of which is run\n",
+                             input.file, key,
+                             contact::listed(models.names(&contact::ModelInfo::has_stress)));
   };
   if (!input.subsurface.empty()) warn("[[subsurface]]");
   if (input.output.stress_maxima.value_or(false)) warn("[output] stress_maxima");
-}
-
-/// After a failure: finished work is not lost.
-void tell_about(const RunRequest& request, const postprocess::CheckpointFolder* checkpoint) {
-  if (checkpoint == nullptr || request.quiet || !checkpoint->holds_records()) return;
-  std::cerr << fmt::format(
-      "finished load points are kept; the same command with --resume takes "
-      "them up: {}\n",
-      checkpoint->folder().string());
 }
 
 void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {
@@ -84,60 +74,27 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
 
 }  // namespace
 
-std::vector<std::string> known_models() {
-  std::vector<std::string> names = halfspace::model_names();
-  names.emplace_back("fem");
-  return names;
-}
-
-void run(const RunRequest& request) {
-  const Processes here = processes();
+void run(const RunRequest& request, const contact::ModelRegistry& models) {
   postprocess::RunRecord record;
-  record.input = contact::read_case(request.case_file);
+  record.input = contact::read_case(request.case_file, model_words(models));
   const bool named = !request.models.empty();
   if (named) record.input.models = request.models;
-  const auto& names = record.input.models;
-  const bool parallel = std::find(names.begin(), names.end(), "fem") != names.end();
-  if (!here.first() && !parallel) return;
-  if (here.first()) check_before(request, record.input);
-
-  record.provenance = provenance_of(request.command, parallel ? here.count : 1);
-
-  std::unique_ptr<FemSession> session;
-  if (parallel)
-    session = std::make_unique<FemSession>(named ? "--model fem" : request.case_file + ": models",
-                                           request.argc, request.argv);
-  ProgressDisplay display(request.quiet || !here.first() ? ProgressDisplay::Mode::silent
-                                                         : ProgressDisplay::mode_of_stderr());
-  const contact::Progress progress = [&](const contact::ProgressEvent& event) {
-    display.show(event);
-  };
-  std::unique_ptr<postprocess::CheckpointFolder> checkpoint;
-  try {
-    if (here.first())
-      checkpoint =
-          open_checkpoint(output_directory(request), record.input, request.resume, request.quiet);
-    Solving how;
-    how.session = session.get();
-    how.progress = progress;
-    how.checkpoint = checkpoint.get();
-    how.first = here.first();
-    Solved solved = solve(record.input, how);
-    record.models = std::move(solved.results);
-    record.pairs = std::move(solved.pairs);
-    display.clear();
-    if (here.first()) {
-      write_and_tell(request, record);
-      checkpoint->remove();
-      refuse_shortfall(record);
-    }
-  } catch (...) {
-    display.clear();
-    tell_about(request, checkpoint.get());
-    // Finalising MPI would wait for processes that may not have failed: main leaves without it.
-    static_cast<void>(session.release());
-    throw;
-  }
+  CommandFrame frame(request, models, record.input.models);
+  if (frame.idle()) return;
+  if (frame.first()) check_before(request, record.input, models);
+  record.provenance = frame.provenance();
+  frame.compute(named ? "--model" : request.case_file + ": models", "load points",
+                [&](Solving how) {
+                  how.checkpoint = frame.keep_in(output_directory(request), record.input);
+                  Solved solved = solve(record.input, how);
+                  if (!how.first) return;
+                  record.models = std::move(solved.results);
+                  record.pairs = std::move(solved.pairs);
+                  frame.clear_line();
+                  write_and_tell(request, record);
+                  frame.forget_kept();
+                  refuse_shortfall(record);
+                });
 }
 
 }  // namespace rollfem::app

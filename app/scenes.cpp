@@ -51,9 +51,9 @@ std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
 
 std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
                                                  const meshes::SearchScene& search,
-                                                 const std::vector<meshes::Scene>& scenes) {
+                                                 const std::vector<meshes::PlacedScene>& scenes) {
   std::vector<postprocess::PlacedPair> pairs;
-  for (const meshes::Scene& scene : scenes) {
+  for (const meshes::PlacedScene& scene : scenes) {
     const contact::ContactPlace& place = scene.contact.place;
     if (place.patch == 1)
       pairs.push_back({place.left, place.position, on_track(search.rail, place.left),
@@ -65,7 +65,7 @@ std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
 }  // namespace
 
 Scenes scenes_of(const Case& input, const contact::Progress& progress) {
-  if (!input.has_profiles()) return {{input}, {}, {}};
+  if (!input.has_profiles()) return {{contact::Scene(input)}, {}, {}};
   wheelset::BalancedCase balanced = wheelset::balance(input, progress);
   return {std::move(balanced.scenes), drawn_pairs(input, balanced.search, balanced.placed),
           std::move(balanced.notes)};
@@ -77,7 +77,7 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
   first.wheelset.lateral_shift.resize(1);
   first.wheelset.yaw.resize(1);
   if (!first.wheelset.roll.empty()) first.wheelset.roll.resize(1);
-  const std::vector<meshes::Scene> scenes = meshes::make_scenes(first, search);
+  const std::vector<meshes::PlacedScene> scenes = meshes::make_scenes(first, search);
   std::vector<std::pair<std::string, std::string>> tables;
   for (const postprocess::PlacedPair& pair : drawn_pairs(first, search, scenes)) {
     const char* side = pair.left ? "left" : "right";
@@ -87,7 +87,7 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
     for (const auto& [part, points] : {std::pair{"rail", &pair.rail}, {"wheel", &pair.wheel}})
       for (const auto& point : *points)
         text += fmt::format("{},{:.6f},{:.6f},,\n", part, point[0], point[1]);
-    for (const meshes::Scene& scene : scenes) {
+    for (const meshes::PlacedScene& scene : scenes) {
       const contact::ContactPlace& place = scene.contact.place;
       if (place.left == pair.left)
         text += fmt::format("patch {},{:.6f},{:.6f},{:.8f},{:.6f}\n", place.patch, place.y_track,

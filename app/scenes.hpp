@@ -14,7 +14,7 @@
 namespace rollfem::app {
 
 struct Scenes {
-  std::vector<contact::Case> cases;
+  std::vector<contact::Scene> list;
   std::vector<postprocess::PlacedPair> pairs;
   std::vector<std::string> notes;
 };

@@ -74,7 +74,8 @@ void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
 }
 
 StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size_t number,
-                        const std::vector<NamedRequest>& asked, const StressRequest& request) {
+                        const std::vector<NamedRequest>& asked, const StressRequest& request,
+                        bool bodies) {
   const PointResult& point = model.points[number];
   std::vector<NamedRequest> requests = asked;
   if (request.depth_profile || asked.empty()) {
@@ -83,15 +84,14 @@ StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size
   }
   StressOfModel found;
   found.point = number;
-  const bool fem = model.name == "fem";
   found.sets =
-      fem ? body_sets(model, number, requests) : halfspace_sets(input, model, number, requests);
+      bodies ? body_sets(model, number, requests) : halfspace_sets(input, model, number, requests);
   found.maxima = point.stress_maxima;
   if (found.maxima.empty())
-    found.maxima =
-        fem ? largest_at_nodes(model, number) : halfspace::stress_maxima(input, model.grid, point);
+    found.maxima = bodies ? largest_at_nodes(model, number)
+                          : halfspace::stress_maxima(input, model.grid, point);
   const double element = std::max(model.grid.dx, model.grid.dy);
-  add_largest_of_sets(found.sets, fem ? 0.0 : 0.5 * element, found.maxima);
+  add_largest_of_sets(found.sets, bodies ? 0.0 : 0.5 * element, found.maxima);
   found.result = std::move(model);
   return found;
 }
@@ -118,7 +118,7 @@ void remove_figures(const fs::path& folder) {
 
 }  // namespace
 
-void stress(const StressRequest& request) {
+void stress(const StressRequest& request, const contact::ModelRegistry& models) {
   const std::vector<NamedRequest> asked = named_requests(request);
   postprocess::StressReport report;
   report.yield_shear_stress = yield_shear_stress(request);
@@ -128,19 +128,21 @@ void stress(const StressRequest& request) {
   report.title = file.input().title;
   report.point_named = request.point || request.creepage;
   std::string left_out;
-  for (const StoredModel& stored : chosen_models(file, request)) {
+  for (const StoredModel& stored : chosen_models(file, request, models)) {
     ModelResult model = file.read(stored);
     const std::size_t point = chosen_point(model, request);
     try {
-      check_stored(stored, model.points[point], point, request);
+      check_stored(stored, model.points[point], point, request, models);
     } catch (const InputError& error) {
       // Only what the user names must be there.
       if (!request.models.empty()) throw;
       left_out = error.what();
       continue;
     }
-    if (stored.name == "fem") file.read_bodies(stored, point, model);
-    report.models.push_back(stress_of(file.input(), std::move(model), point, asked, request));
+    const bool bodies = in_bodies(stored.name, models);
+    if (bodies) file.read_bodies(stored, point, model);
+    report.models.push_back(
+        stress_of(file.input(), std::move(model), point, asked, request, bodies));
   }
   if (report.models.empty()) throw InputError(left_out);
 

@@ -5,11 +5,12 @@
 #pragma once
 
 #include "app/stress_request.hpp"
+#include "contact/solve/models.hpp"
 
 namespace rollfem::app {
 
 /// Writes stress.csv, stress.json and figures, prints a table. Throws contact::InputError; nothing
 /// is written then.
-void stress(const StressRequest& request);
+void stress(const StressRequest& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

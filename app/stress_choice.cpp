@@ -55,9 +55,10 @@ std::vector<StoredModel> models_of_patch(const ResultsFile& file, const std::str
   return found;
 }
 
-/// The models that are asked for, else half-space and finite elements, else the first there is.
+/// The models that are asked for, else those with stress, else the first there is.
 std::vector<StoredModel> models_by_name(const std::vector<StoredModel>& there,
-                                        const StressRequest& request) {
+                                        const StressRequest& request,
+                                        const contact::ModelRegistry& models) {
   std::vector<StoredModel> chosen;
   const auto take = [&](const std::string& name) {
     for (const StoredModel& model : there)
@@ -72,16 +73,16 @@ std::vector<StoredModel> models_by_name(const std::vector<StoredModel>& there,
           listed(there, [](const StoredModel& model) { return model.name; })));
   }
   if (!request.models.empty()) return chosen;
-  take("halfspace");
-  take("fem");
+  for (const std::string& name : models.names(&contact::ModelInfo::has_stress)) take(name);
   if (chosen.empty()) chosen.push_back(there.front());
   return chosen;
 }
 
 }  // namespace
 
-std::vector<StoredModel> chosen_models(const ResultsFile& file, const StressRequest& request) {
-  return models_by_name(models_of_patch(file, request.patch), request);
+std::vector<StoredModel> chosen_models(const ResultsFile& file, const StressRequest& request,
+                                       const contact::ModelRegistry& models) {
+  return models_by_name(models_of_patch(file, request.patch), request, models);
 }
 
 std::size_t chosen_point(const ModelResult& model, const StressRequest& request) {
@@ -112,9 +113,14 @@ std::size_t chosen_point(const ModelResult& model, const StressRequest& request)
       })));
 }
 
+bool in_bodies(const std::string& model, const contact::ModelRegistry& models) {
+  const contact::ModelInfo* info = models.find(model);
+  return info != nullptr && info->keeps_bodies;
+}
+
 void check_stored(const StoredModel& stored, const PointResult& point, std::size_t number,
-                  const StressRequest& request) {
-  if (stored.name != "fem") {
+                  const StressRequest& request, const contact::ModelRegistry& models) {
+  if (!in_bodies(stored.name, models)) {
     if (point.fields.traction.n.size() == 0)
       throw InputError(
           fmt::format("{}: model {} stores no tractions; do: name another with --model",
@@ -130,9 +136,9 @@ void check_stored(const StoredModel& stored, const PointResult& point, std::size
   if (std::find(kept.begin(), kept.end(), number) != kept.end()) return;
   throw InputError(fmt::format(
       "load point {}: of model {} the bodies are stored for these load points only: {}; do: ask "
-      "for one, "
-      "or for --model halfspace, or run the case again with [output] body_fields = \"all\"",
-      number, stored.key, listed(kept, [](std::size_t k) { return fmt::format("{}", k); })));
+      "for one, or for --model {}, or run the case again with [output] body_fields = \"all\"",
+      number, stored.key, listed(kept, [](std::size_t k) { return fmt::format("{}", k); }),
+      models.reference().name));
 }
 
 }  // namespace rollfem::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/stress_request.hpp"
+#include "contact/solve/models.hpp"
 #include "postprocess/read/results_reader.hpp"
 
 #include <cstddef>
@@ -9,17 +10,22 @@
 
 namespace rollfem::app {
 
-/// The models that are asked for, of the patch that is asked for; else half-space and finite
-/// elements of the first patch, whichever are there. Throws contact::InputError.
+/// The models that are asked for, of the patch that is asked for; else those with stress, of the
+/// first patch, whichever are there. Throws contact::InputError.
 std::vector<postprocess::StoredModel> chosen_models(const postprocess::ResultsFile& file,
-                                                    const StressRequest& request);
+                                                    const StressRequest& request,
+                                                    const contact::ModelRegistry& models);
 
 /// Number of the load point that is asked for, else of the last. Throws contact::InputError.
 std::size_t chosen_point(const contact::ModelResult& model, const StressRequest& request);
 
+/// Whether stresses are those of wheel and rail as stored, not the sum over the contact elements.
+bool in_bodies(const std::string& model, const contact::ModelRegistry& models);
+
 /// Throws contact::InputError where stresses at load point `number` cannot be had from what is
 /// stored.
 void check_stored(const postprocess::StoredModel& stored, const contact::PointResult& point,
-                  std::size_t number, const StressRequest& request);
+                  std::size_t number, const StressRequest& request,
+                  const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

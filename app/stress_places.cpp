@@ -186,19 +186,19 @@ std::vector<NamedRequest> depth_profiles(const ModelResult& model, std::size_t n
   return profiles;
 }
 
-std::vector<StressSet> halfspace_sets(contact::Case input, const ModelResult& model,
+std::vector<StressSet> halfspace_sets(contact::Scene scene, const ModelResult& model,
                                       std::size_t point,
                                       const std::vector<NamedRequest>& requests) {
   const contact::SurfaceField& traction = model.points.at(point).fields.traction;
   for (const NamedRequest& named : requests) {
     refuse_beyond_surface(named, model.key());
-    input.subsurface.push_back(named.request);
+    scene.subsurface.push_back(named.request);
   }
   std::vector<StressSet> sets;
-  for (SubsurfaceField& field : halfspace::subsurface_fields(input, model.grid, traction)) {
+  for (SubsurfaceField& field : halfspace::subsurface_fields(scene, model.grid, traction)) {
     const bool wheel = field.request.wheel;
     smooth_surface({wheel ? halfspace::Body::wheel : halfspace::Body::rail,
-                    wheel ? input.wheel.material : input.rail.material, model.grid, traction},
+                    wheel ? scene.wheel.material : scene.rail.material, model.grid, traction},
                    field);
     sets.push_back({requests[sets.size()].name, std::move(field), 0.0});
   }

@@ -17,7 +17,7 @@ std::vector<NamedRequest> depth_profiles(const contact::ModelResult& model, std:
 
 /// By the integrals over the tractions. `input`: materials of the case. Throws contact::InputError
 /// for a place that is in no half-space.
-std::vector<postprocess::StressSet> halfspace_sets(contact::Case input,
+std::vector<postprocess::StressSet> halfspace_sets(contact::Scene scene,
                                                    const contact::ModelResult& model,
                                                    std::size_t point,
                                                    const std::vector<NamedRequest>& requests);

@@ -12,7 +12,7 @@ namespace rollfem::app {
 
 struct StressRequest {
   std::string result;               ///< results.h5, or the folder that holds it
-  std::vector<std::string> models;  ///< empty: halfspace and fem, whichever are there
+  std::vector<std::string> models;  ///< empty: those with stress, whichever are there
   std::string patch;                ///< with profiles: SIDE,POSITION,PATCH; empty: the first
   std::optional<int> point;         ///< load point, from 0; neither: the last one
   std::optional<double> creepage;   ///< load point of this longitudinal creepage

@@ -1,8 +1,7 @@
 #include "app/study.hpp"
 
 #include "app/files_together.hpp"
-#include "app/processes.hpp"
-#include "app/progress_display.hpp"
+#include "app/models.hpp"
 #include "app/scenes.hpp"
 #include "app/solving.hpp"
 #include "app/study_checkpoint.hpp"
@@ -51,8 +50,8 @@ StudyValues values_of(const contact::ModelResult& result, bool patch) {
 }
 
 /// Hertz's values where the case is one that they are exact for.
-StudyValues exact_values(const contact::Case& scene) {
-  if (scene.patch) return {};
+StudyValues exact_values(const contact::Scene& scene) {
+  if (scene.has_profiles()) return {};
   try {
     return values_of(halfspace::run_model("hertz", scene, {}), false);
   } catch (const InputError&) {
@@ -68,14 +67,18 @@ struct Work {
   std::function<void(const std::string&)> say;
 };
 
-/// The level as an earlier call left it, or solved. With the model fem collective.
-StudyLevel level_of(const LevelPlan& plan, const LevelPlan::Level& wanted,
+bool parallel(const LevelPlan& plan, const Work& work) {
+  return work.how.models->at(plan.model).parallel;
+}
+
+/// The level as an earlier call left it, or solved. Of a parallel model collective.
+StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
                     const StudySeries& series, const std::string& place, const Work& work) {
   StudyLevel level;
   level.label = wanted.label;
   level.parameter = wanted.parameter;
   const std::string name = level_record_name(place, series, level);
-  const bool several = plan.model == "fem" && !work.how.together;
+  const bool several = parallel(plan, work) && !work.how.together;
   if (const auto kept = find_level(work.kept, name, several ? work.how.session : nullptr)) {
     work.say(fmt::format("{} {}: taken up", plan.model, level.label));
     return *kept;
@@ -92,7 +95,7 @@ StudyLevel level_of(const LevelPlan& plan, const LevelPlan::Level& wanted,
   level.unknowns = result.unknowns;
   level.contact_elements = result.contact_elements;
   level.seconds = points.seconds_before() + (total == result.seconds.end() ? 0.0 : total->second);
-  level.values = values_of(result, wanted.input.patch != nullptr);
+  level.values = values_of(result, wanted.input.has_profiles());
   keep_level(work.kept, name, level);
   points.drop();
   work.say(fmt::format("{} {}: {:.2g} s", plan.model, level.label, level.seconds));
@@ -107,8 +110,8 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
   series.vary = plan.vary;
   series.parameter = plan.parameter;
   series.ratio = plan.ratio;
-  if (plan.model != "fem" && !work.how.first) return series;
-  for (const LevelPlan::Level& wanted : plan.levels) {
+  if (!parallel(plan, work) && !work.how.first) return series;
+  for (const contact::RefinedInput& wanted : plan.levels) {
     const auto failed = [&](const std::exception& error, std::string& list) {
       if (!work.how.together) throw;  // the others may be inside a collective call
       work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
@@ -135,10 +138,10 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
 /// The places of the case with what is known of them before any level is solved.
 std::vector<StudyPlace> places_of(const Scenes& scenes) {
   std::vector<StudyPlace> places;
-  for (const contact::Case& scene : scenes.cases) {
+  for (const contact::Scene& scene : scenes.list) {
     StudyPlace place;
     place.place = scene.place;
-    place.creepages = scene.rolling.creepages;
+    for (const contact::LoadPoint& point : scene.points) place.creepages.push_back(point.creepage);
     place.exact = exact_values(scene);
     places.push_back(std::move(place));
   }
@@ -148,14 +151,14 @@ std::vector<StudyPlace> places_of(const Scenes& scenes) {
 /// All series of a place. A theory that cannot take it says so when it runs: of "all" it is left
 /// out.
 void run_place(const StudyRequest& request, const std::vector<std::string>& models,
-               const contact::Case& scene, StudyPlace& place, Work work) {
+               const contact::Scene& scene, StudyPlace& place, Work work) {
   const std::string name = place_name(place);
   const auto say = work.say;
   work.say = [&](const std::string& text) { say(name.empty() ? text : name + ": " + text); };
   const bool all = !request.models.empty() && request.models.front() == "all";
   for (const std::string& model : models)
-    for (const LevelPlan& plan :
-         level_plans(scene, model, request.vary, request.together, request.levels)) {
+    for (const LevelPlan& plan : level_plans(scene, work.how.models->at(model), request.vary,
+                                             request.together, request.levels)) {
       StudySeries series = run_series(plan, place_key(place), work);
       if (series.levels.empty() && all)
         work.say(fmt::format("{} is left out: {}", model, series.failure));
@@ -191,22 +194,14 @@ void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord&
   if (drawn) std::cout << "report:  " << directory << "/study.html\n";
 }
 
-/// After a failure: finished work is not lost.
-void tell_about(const StudyRequest& request, const postprocess::CheckpointFolder* kept) {
-  if (kept == nullptr || request.quiet || !kept->holds_records()) return;
-  std::cerr << fmt::format(
-      "finished levels are kept; the same command with --resume takes them up: {}\n",
-      kept->folder().string());
-}
-
 postprocess::StudyRecord record_of(const StudyRequest& request, const contact::Case& input,
-                                   const Scenes& scenes, int process_count) {
+                                   const Scenes& scenes, const CommandFrame& frame) {
   postprocess::StudyRecord record;
   record.title = input.title;
   record.case_file = input.file;
   record.case_text = input.text;
   record.friction = input.friction_coefficient;
-  record.provenance = provenance_of(request.command, process_count);
+  record.provenance = frame.provenance();
   record.places = places_of(scenes);
   if (input.has_profiles()) {
     record.notes = scenes.notes;
@@ -227,53 +222,31 @@ void forget_empty(std::vector<StudyPlace>& places) {
 
 }  // namespace
 
-void study(const StudyRequest& request) {
-  const Processes here = processes();
-  const contact::Case input = contact::read_case(request.case_file);
-  const std::vector<std::string> named = named_models(request);
-  const bool parallel = std::find(named.begin(), named.end(), "fem") != named.end();
-  if (!here.first() && !parallel) return;
-  check_call(request, input);
-  ProgressDisplay display(request.quiet || !here.first() ? ProgressDisplay::Mode::silent
-                                                         : ProgressDisplay::mode_of_stderr());
-  Work work;
-  work.how.progress = [&](const contact::ProgressEvent& event) { display.show(event); };
-  work.how.first = here.first();
-  work.how.together = here.count == 1;
-  work.say = [&](const std::string& text) {
-    display.clear();
-    if (here.first() && !request.quiet) std::cerr << "study: " << text << '\n';
-  };
-  const Scenes scenes = scenes_of(input, work.how.progress);
-  const std::vector<std::string> models = models_of(request, scenes);
-  postprocess::StudyRecord record = record_of(request, input, scenes, parallel ? here.count : 1);
-  work.notes = scenes.notes;
-
-  std::unique_ptr<FemSession> session;
-  if (parallel) session = std::make_unique<FemSession>("--model fem", request.argc, request.argv);
-  work.how.session = session.get();
-  std::unique_ptr<postprocess::CheckpointFolder> kept;
-  try {
-    if (here.first())
-      kept = open_checkpoint(directory_of(request).string(), input, request.resume, request.quiet);
-    work.kept = kept.get();
-    for (std::size_t k = 0; k < scenes.cases.size(); ++k)
-      run_place(request, models, scenes.cases[k], record.places[k], work);
-    display.clear();
-    if (!here.first()) return;
+void study(const StudyRequest& request, const contact::ModelRegistry& known) {
+  const contact::Case input = contact::read_case(request.case_file, model_words(known));
+  CommandFrame frame(request, known, named_models(request, known));
+  if (frame.idle()) return;
+  check_call(request, input, known);
+  const Scenes scenes = scenes_of(input, frame.progress());
+  const std::vector<std::string> models = models_of(request, scenes, known);
+  postprocess::StudyRecord record = record_of(request, input, scenes, frame);
+  frame.compute("--model", "levels", [&](const Solving& how) {
+    Work work;
+    work.how = how;
+    work.notes = scenes.notes;
+    work.say = [&](const std::string& text) { frame.say("study: " + text); };
+    work.kept = frame.keep_in(directory_of(request), input);
+    for (std::size_t k = 0; k < scenes.list.size(); ++k)
+      run_place(request, models, scenes.list[k], record.places[k], work);
+    frame.clear_line();
+    if (!how.first) return;
     forget_empty(record.places);
     const std::string failures = failures_of(record);
     write_and_tell(request, record);
     if (!failures.empty())
       throw contact::SolveError("the study is written without what failed: " + failures);
-    kept->remove();
-  } catch (...) {
-    display.clear();
-    tell_about(request, kept.get());
-    // As in run: finalising MPI would wait for processes that may not have failed.
-    static_cast<void>(session.release());
-    throw;
-  }
+    frame.forget_kept();
+  });
 }
 
 }  // namespace rollfem::app

@@ -2,7 +2,7 @@
 // level that it is at, each with the seconds that it has taken until then.
 #pragma once
 
-#include "app/solving.hpp"
+#include "app/session.hpp"
 #include "contact/base/checkpoint.hpp"
 #include "postprocess/study/study.hpp"
 #include "postprocess/write/checkpoint_folder.hpp"
@@ -43,7 +43,7 @@ std::string level_record_name(const std::string& place_key, const postprocess::S
 /// folder of process 0 counts; null: each process by itself.
 std::optional<postprocess::StudyLevel> find_level(postprocess::CheckpointFolder* folder,
                                                   const std::string& name,
-                                                  const FemSession* everywhere);
+                                                  const ParallelSession* everywhere);
 void keep_level(postprocess::CheckpointFolder* folder, const std::string& name,
                 const postprocess::StudyLevel& level);
 

@@ -1,10 +1,9 @@
 #include "app/study_checks.hpp"
 
-#include "app/run.hpp"
+#include "app/models.hpp"
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
-#include "contact/case/abilities.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +48,27 @@ void check_domain(const contact::Case& input) {
                     "vary one of these, or compare runs with other [fem] length, depth and "
                     "rim_thickness, or other meshes",
                     input.file, why));
+}
+
+bool asks_for_all(const StudyRequest& request) {
+  return request.models == std::vector<std::string>{"all"};
+}
+
+/// One of the models of the study must have it.
+void check_varied(const StudyRequest& request, const std::string& word,
+                  const contact::ModelRegistry& known) {
+  const std::vector<std::string> names = named_models(request, known);
+  if (std::any_of(names.begin(), names.end(),
+                  [&](const std::string& name) { return can_vary(known.at(name), word); }))
+    return;
+  std::string allowed;
+  for (const std::string& other : varied_words(known))
+    allowed += fmt::format("{}{} of {}", allowed.empty() ? "" : "; ", other,
+                           contact::listed(models_that_vary(known, other)));
+  throw InputError(fmt::format(
+      "--vary {}: none of the models of this study has it; allowed: {}; do: add --model {}, or "
+      "vary something else",
+      word, allowed, models_that_vary(known, word).back()));
 }
 
 /// "left_3_1." of a place among several.
@@ -110,22 +130,15 @@ fs::path directory_of(const StudyRequest& request) {
   return fs::path("results") / (fs::path(request.case_file).stem().string() + "_study");
 }
 
-void check_call(const StudyRequest& request, const contact::Case& input) {
-  const auto& known = varied_words();
+void check_call(const StudyRequest& request, const contact::Case& input,
+                const contact::ModelRegistry& known) {
+  const std::vector<std::string> words = varied_words(known);
   for (const std::string& word : request.vary) {
-    if (std::find(known.begin(), known.end(), word) == known.end())
-      throw InputError(fmt::format(
-          "--vary {}: not something to refine; allowed: grid, cell, degree, domain; do: name one "
-          "of them",
-          word));
-    const auto names = named_models(request);
-    if (std::none_of(names.begin(), names.end(),
-                     [&](const std::string& model) { return can_vary(model, word); }))
-      throw InputError(fmt::format(
-          "--vary {}: none of the models of this study has it; allowed: grid of halfspace, "
-          "fastsim, strip and carter, cell, degree and domain of fem; do: add --model fem, or vary "
-          "grid",
-          word));
+    if (std::find(words.begin(), words.end(), word) == words.end())
+      throw InputError(
+          fmt::format("--vary {}: not something to refine; allowed: {}; do: name one of them", word,
+                      contact::listed(words)));
+    check_varied(request, word, known);
     if (word == "domain") check_domain(input);
   }
   if (request.levels != 0 && (request.levels < 2 || request.levels > 8))
@@ -133,23 +146,20 @@ void check_call(const StudyRequest& request, const contact::Case& input) {
   check_directory(request);
 }
 
-std::vector<std::string> named_models(const StudyRequest& request) {
-  if (request.models.empty()) return {"halfspace"};
-  if (request.models.front() != "all") return request.models;
-  std::vector<std::string> all = known_models();
-#if !ROLLFEM_WITH_FEM
-  all.erase(std::find(all.begin(), all.end(), "fem"));
-#endif
-  return all;
+std::vector<std::string> named_models(const StudyRequest& request,
+                                      const contact::ModelRegistry& known) {
+  if (request.models.empty()) return {known.reference().name};
+  return asks_for_all(request) ? known.names(&contact::ModelInfo::built) : request.models;
 }
 
-std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes) {
+std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes,
+                                   const contact::ModelRegistry& known) {
   std::vector<std::string> able;
-  for (const std::string& name : named_models(request)) try {
-      for (const contact::Case& scene : scenes.cases) contact::check_able(scene, name);
+  for (const std::string& name : named_models(request, known)) try {
+      for (const contact::Scene& scene : scenes.list) known.check(scene, name);
       able.push_back(name);
     } catch (const InputError&) {  // "all" means all that can
-      if (request.models.empty() || request.models.front() != "all") throw;
+      if (!asks_for_all(request)) throw;
     }
   return able;
 }

@@ -18,14 +18,17 @@ std::filesystem::path directory_of(const StudyRequest& request);
 
 /// What the case need not be known for, and what its bodies cannot vary. Throws
 /// contact::InputError.
-void check_call(const StudyRequest& request, const contact::Case& input);
+void check_call(const StudyRequest& request, const contact::Case& input,
+                const contact::ModelRegistry& known);
 
 /// The models that the call names, before any is looked at: "all" are all there are.
-std::vector<std::string> named_models(const StudyRequest& request);
+std::vector<std::string> named_models(const StudyRequest& request,
+                                      const contact::ModelRegistry& known);
 
 /// Of these those that can take every scene. Throws contact::InputError for one that was named and
 /// cannot, and when none has something of --vary.
-std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes);
+std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes,
+                                   const contact::ModelRegistry& known);
 
 /// Sets rule and given values from --reference. The places are there, with their creepages and
 /// exact values. Throws contact::InputError.

@@ -1,11 +1,11 @@
 // Speed of the half-space: the products, the normal problem (case a) and one steady-rolling
 // solution with combined creepage and spin (benchmark 9) from coarse to fine.
+#include "contact/solve/interpolation.hpp"
 #include "contact/solve/leading_edge.hpp"
 #include "contact/solve/normal.hpp"
 #include "contact/solve/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/interpolation.hpp"
 #include "halfspace/theories/fastsim.hpp"
 #include "halfspace/theories/strip.hpp"
 
@@ -24,20 +24,20 @@ using contact::UpwindOrder;
 using halfspace::HalfspaceCompliance;
 
 ContactGrid grid_of(int across) {
-  return tests::Benchmark9().grid(across);
+  return testing::Benchmark9().grid(across);
 }
 
 void setup(benchmark::State& state) {
   const ContactGrid grid = grid_of(static_cast<int>(state.range(0)));
   for (auto _ : state) {
-    const HalfspaceCompliance compliance(grid, tests::steel());
+    const HalfspaceCompliance compliance(grid, testing::steel());
     benchmark::DoNotOptimize(&compliance.rolling(UpwindOrder::second));
   }
 }
 
 void rolling_product(benchmark::State& state) {
   const ContactGrid grid = grid_of(static_cast<int>(state.range(0)));
-  const HalfspaceCompliance compliance(grid, tests::steel());
+  const HalfspaceCompliance compliance(grid, testing::steel());
   const contact::TangentialOperator& rolling = compliance.rolling(UpwindOrder::second);
   const TangentialField p{Field::Ones(grid.size()), Field::Ones(grid.size())};
   for (auto _ : state) benchmark::DoNotOptimize(rolling.apply(p));
@@ -45,7 +45,7 @@ void rolling_product(benchmark::State& state) {
 
 void rolling_preconditioner(benchmark::State& state) {
   const ContactGrid grid = grid_of(static_cast<int>(state.range(0)));
-  const HalfspaceCompliance compliance(grid, tests::steel());
+  const HalfspaceCompliance compliance(grid, testing::steel());
   const contact::TangentialOperator& rolling = compliance.rolling(UpwindOrder::second);
   const TangentialField p{Field::Ones(grid.size()), Field::Ones(grid.size())};
   for (auto _ : state) benchmark::DoNotOptimize(rolling.precondition(p, 1e5, 0.1));
@@ -53,8 +53,8 @@ void rolling_preconditioner(benchmark::State& state) {
 
 void normal_problem(benchmark::State& state) {
   const int across = static_cast<int>(state.range(0));
-  const contact::Case input = tests::thesis_case('a');
-  const halfspace::HertzContact hertz = halfspace::hertz_of_case(input);
+  const contact::Case input = testing::thesis_case('a');
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(input);
   const contact::Curvatures curvatures = contact::relative_curvatures(input);
   const ContactGrid grid = ContactGrid::centred(
       across + 6, across + 6, 2 * hertz.semi_axis_x / across, 2 * hertz.semi_axis_y / across);
@@ -63,7 +63,7 @@ void normal_problem(benchmark::State& state) {
       [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
   problem.normal_force = input.load.normal_force;
   for (auto _ : state) {
-    const HalfspaceCompliance compliance(grid, tests::steel());
+    const HalfspaceCompliance compliance(grid, testing::steel());
     const contact::NormalSolution s = contact::solve_normal(compliance.normal(), problem);
     state.counters["elements"] = s.contact_elements;
     state.counters["iterations"] = s.iterations;
@@ -89,7 +89,7 @@ contact::TangentialSolution solve(const HalfspaceCompliance& compliance,
 /// before; the time is that of all of them.
 void steady_rolling(benchmark::State& state, Scheme scheme) {
   const int across = static_cast<int>(state.range(0));
-  const tests::Benchmark9 benchmark9;
+  const testing::Benchmark9 benchmark9;
   for (auto _ : state) {
     int first = across;
     while (first >= 20) first /= 2;
@@ -99,20 +99,20 @@ void steady_rolling(benchmark::State& state, Scheme scheme) {
     int krylov = 0;
     for (int n = first; n <= across; n *= 2) {
       const ContactGrid grid = benchmark9.grid(n);
-      const HalfspaceCompliance compliance(grid, tests::Benchmark9::material());
+      const HalfspaceCompliance compliance(grid, testing::Benchmark9::material());
       const contact::TangentialProblem problem = benchmark9.problem(grid);
       const Field& g = problem.traction_bound;
       TangentialField start;
       if (n > first)
-        start = {halfspace::interpolated(coarse, relative.x, grid, inside).cwiseProduct(g),
-                 halfspace::interpolated(coarse, relative.y, grid, inside).cwiseProduct(g)};
+        start = {contact::interpolated(coarse, relative.x, grid, inside).cwiseProduct(g),
+                 contact::interpolated(coarse, relative.y, grid, inside).cwiseProduct(g)};
       const contact::TangentialSolution s = solve(compliance, problem, scheme, start);
       inside = (g.array() > 0.0).cast<double>();
       const Field inverse = g.unaryExpr([](double v) { return v > 0.0 ? 1.0 / v : 0.0; });
       relative = {s.traction.x.cwiseProduct(inverse), s.traction.y.cwiseProduct(inverse)};
       coarse = grid;
       krylov += s.krylov_iterations;
-      const tests::Forces forces = tests::forces(grid, s.traction);
+      const testing::Forces forces = testing::forces(grid, s.traction);
       state.counters["elements"] = inside.sum();
       state.counters["newton"] = s.newton_steps;
       state.counters["Fx"] = forces.x;
@@ -124,7 +124,7 @@ void steady_rolling(benchmark::State& state, Scheme scheme) {
 
 /// Bodies whose Hertz contact is benchmark 9's pressure: both of radius 400 mm across each other.
 contact::Case benchmark_9_case() {
-  const tests::Benchmark9 benchmark9;
+  const testing::Benchmark9 benchmark9;
   contact::Case input;
   input.title = "benchmark 9";
   input.file = "benchmark";
@@ -134,7 +134,7 @@ contact::Case benchmark_9_case() {
   const double young_modulus = 2.0 * 82000.0 * (1.0 + poisson_ratio);
   input.wheel.material = input.rail.material = {young_modulus, poisson_ratio};
   input.wheel.rolling_radius = input.rail.transverse_radius =
-      4.0 / 3.0 * tests::Benchmark9::material().contact_modulus * std::pow(benchmark9.radius, 3) /
+      4.0 / 3.0 * testing::Benchmark9::material().contact_modulus * std::pow(benchmark9.radius, 3) /
       benchmark9.force;
   input.rolling.creepages = {benchmark9.creepage};
   input.contact_grid.elements_across = 10;  // of the fields only; the forces have their own strips

@@ -69,20 +69,20 @@ BalancedCase balance(const Case& input, const contact::Progress& progress) {
   Case all_sides = input;
   if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
   result.search = meshes::search_scene_of(input);
-  const std::vector<meshes::Scene> placed = meshes::make_scenes(all_sides, result.search);
+  const std::vector<meshes::PlacedScene> placed = meshes::make_scenes(all_sides, result.search);
   for (int position = 1; position <= count; ++position) {
     contact::ProgressEvent event;
     event.model = "wheelset";
     event.stage = "balance";
     event.note = fmt::format("position {} of {}", position, count);
     contact::report(progress, event);
-    std::vector<meshes::Scene> here;
-    for (const meshes::Scene& scene : placed)
+    std::vector<meshes::PlacedScene> here;
+    for (const meshes::PlacedScene& scene : placed)
       if (scene.contact.place.position == position) here.push_back(scene);
     auto scenes = at_position(input, position, [&] { return balanced_position(input, here); });
-    for (Case& patch : scenes)
+    for (contact::Scene& patch : scenes)
       if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));
-    for (const meshes::Scene& scene : here)
+    for (const meshes::PlacedScene& scene : here)
       if (asked_for(input, scene.contact.place.left)) result.placed.push_back(scene);
     event.finished = position == count;
     if (event.finished) contact::report(progress, event);

@@ -16,10 +16,10 @@ namespace rollfem::wheelset {
 struct BalancedCase {
   /// One for each patch that carries load, in the order of positions, left before right, the most
   /// loaded patch first.
-  std::vector<contact::Case> scenes;
-  meshes::SearchScene search;         ///< the profiles, and the rail in its place
-  std::vector<meshes::Scene> placed;  ///< as they were placed, for drawings
-  std::vector<std::string> notes;     ///< what a reader must know
+  std::vector<contact::Scene> scenes;
+  meshes::SearchScene search;               ///< the profiles, and the rail in its place
+  std::vector<meshes::PlacedScene> placed;  ///< as they were placed, for drawings
+  std::vector<std::string> notes;           ///< what a reader must know
 };
 
 /// Patches and near misses of the wheels at all positions; nothing is solved. Throws

@@ -12,9 +12,9 @@ constexpr int elements_across = 24;
 
 }  // namespace
 
-std::vector<meshes::PatchForce> patch_forces(const contact::Case& scene) {
-  contact::Case coarse = scene;
-  coarse.accuracy.reset();
+std::vector<meshes::PatchForce> patch_forces(const contact::Scene& scene) {
+  contact::Scene coarse = scene;
+  coarse.accuracy.relative.reset();
   coarse.contact_grid = {};
   coarse.contact_grid.elements_across = elements_across;
   const contact::ModelResult result = halfspace::run_halfspace(coarse, {});

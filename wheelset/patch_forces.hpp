@@ -2,6 +2,7 @@
 // balanced with.
 #pragma once
 
+#include "contact/scene/scene.hpp"
 #include "meshes/track/wheelset_motion.hpp"
 
 #include <vector>
@@ -9,6 +10,6 @@
 namespace rollfem::wheelset {
 
 /// One for each load point of the scene. Throws contact::SolveError.
-std::vector<meshes::PatchForce> patch_forces(const contact::Case& scene);
+std::vector<meshes::PatchForce> patch_forces(const contact::Scene& scene);
 
 }  // namespace rollfem::wheelset

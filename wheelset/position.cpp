@@ -27,7 +27,7 @@ constexpr double load_tolerance = 1e-4;
 constexpr double torque_tolerance = 1e-5;
 
 struct Patch {
-  meshes::Scene scene;
+  meshes::PlacedScene placed;
   std::vector<meshes::PatchForce> force;  ///< per load point, at the scene as it is
 };
 
@@ -36,78 +36,119 @@ struct Wheel {
   std::vector<Patch> patches;
 };
 
+/// Force that the scene asks for at load point k, 0 where it asks for an approach.
+double asked_force(const Patch& patch, std::size_t k) {
+  return patch.placed.scene.points[k].load.force.value_or(0.0);
+}
+
+double largest_force(const Patch& patch) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < patch.placed.scene.points.size(); ++k)
+    largest = std::max(largest, asked_force(patch, k));
+  return largest;
+}
+
 class Position {
  public:
-  Position(const Case& input, const std::vector<meshes::Scene>& scenes)
+  Position(const Case& input, const std::vector<meshes::PlacedScene>& scenes)
       : input_(input),
         rotation_(meshes::rotation_changes(input)),
         free_(input.wheelset.free_rolling) {
-    for (const meshes::Scene& scene : scenes) {
+    for (const meshes::PlacedScene& scene : scenes) {
       const bool left = scene.contact.place.left;
       if (wheels_.empty() || wheels_.back().left != left) wheels_.push_back({left, {}});
       wheels_.back().patches.push_back({scene, {}});
     }
   }
 
-  std::vector<Case> balanced() {
+  std::vector<contact::Scene> balanced() {
     for (Wheel& wheel : wheels_) share(wheel, false);
     turn(rotation_, wheels_);
-    if (!needs_forces()) return scenes();
+    if (needs_forces()) settle();
+    for (Wheel& wheel : wheels_) ask_for_vertical_forces(wheel);
+    return scenes();
+  }
+
+ private:
+  /// A single patch carries its vertical force with friction by itself, as any model solves it.
+  bool shares(const Wheel& wheel) const {
+    return input_.load.vertical_force && wheel.patches.size() > 1;
+  }
+
+  bool needs_forces() const {
+    const bool friction =
+        input_.friction_coefficient > 0.0 && input_.rolling.problem == contact::Problem::steady;
+    return friction && (free_ != FreeRolling::none ||
+                        std::any_of(wheels_.begin(), wheels_.end(),
+                                    [this](const Wheel& wheel) { return shares(wheel); }));
+  }
+
+  /// Rotation without torque and shares of the load with friction, in turn.
+  void settle() {
     constexpr int most_rounds = 30;
     for (int round = 0; round < most_rounds; ++round) {
       if (free_ == FreeRolling::torque) find_rotation(wheels_);
       if (free_ == FreeRolling::force)
         for (Wheel& wheel : wheels_) find_rotation(wheel);
       if (free_ == FreeRolling::none) solve(wheels_);
-      if (!input_.load.vertical_force) return scenes();
       double change = 0.0;
-      for (Wheel& wheel : wheels_) change = std::max(change, share(wheel, true));
-      if (change < load_tolerance) return scenes();
+      for (Wheel& wheel : wheels_)
+        if (shares(wheel)) change = std::max(change, share(wheel, true));
+      if (change < load_tolerance) return;
     }
     throw contact::SolveError(
         fmt::format("the normal forces under {:g} N and friction do not settle in {} rounds",
                     *input_.load.vertical_force, most_rounds));
   }
 
- private:
-  bool needs_forces() const {
-    const bool friction =
-        input_.friction_coefficient > 0.0 && input_.rolling.problem == contact::Problem::steady;
-    return friction && (input_.load.vertical_force || free_ != FreeRolling::none);
-  }
-
   /// Normal forces of all patches of a wheel under its load; returns the largest change relative to
   /// the load. With friction, the lateral force keeps its ratio to the normal force.
   double share(Wheel& wheel, bool friction) {
-    if (!input_.load.vertical_force) {
-      if (input_.load.approach) drop_untouched(wheel);
-      return 0.0;
-    }
+    if (input_.load.approach) drop_untouched(wheel);
+    if (!shares(wheel)) return 0.0;
     const double load = *input_.load.vertical_force;
     double change = 0.0;
     std::vector<double> forces;
     for (std::size_t k = 0; k < rotation_.size(); ++k) {
-      if (k == 0 || friction) forces = shares(wheel, load, friction ? &k : nullptr);
+      if (k == 0 || friction) forces = shared_forces(wheel, load, friction ? &k : nullptr);
       for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
-        auto& of_patch = wheel.patches[i].scene.input.load.normal_forces;
-        of_patch.resize(rotation_.size(), 0.0);
-        change = std::max(change, std::abs(of_patch[k] - forces[i]) / load);
-        of_patch[k] = forces[i];
+        change = std::max(change, std::abs(asked_force(wheel.patches[i], k) - forces[i]) / load);
+        wheel.patches[i].placed.scene.points[k].load = {forces[i], {}};
       }
     }
     drop_unloaded(wheel, load);
-    for (Patch& patch : wheel.patches) {
-      const auto& all = patch.scene.input.load.normal_forces;
-      patch.scene.input.load.normal_force = *std::max_element(all.begin(), all.end());
-    }
     return change;
+  }
+
+  /// The share of each patch becomes a vertical force, of which every model finds the normal force
+  /// with its own friction; together they are the load of the wheel.
+  void ask_for_vertical_forces(Wheel& wheel) {
+    if (!input_.load.vertical_force) return;
+    for (std::size_t k = 0; k < rotation_.size(); ++k) {
+      std::vector<double> vertical;
+      double sum = 0.0;
+      for (const Patch& patch : wheel.patches) {
+        vertical.push_back(wheel.patches.size() == 1 ? *input_.load.vertical_force
+                                                     : lift(patch, asked_force(patch, k), &k));
+        sum += vertical.back();
+      }
+      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+        Patch& patch = wheel.patches[i];
+        patch.placed.scene.points[k].load = {vertical[i] * *input_.load.vertical_force / sum,
+                                             {},
+                                             meshes::upwards(patch.placed.contact.place)};
+      }
+    }
   }
 
   /// A sinking that is given reaches some patches only.
   static void drop_untouched(Wheel& wheel) {
     auto& all = wheel.patches;
     all.erase(std::remove_if(all.begin(), all.end(),
-                             [](const Patch& p) { return !(*p.scene.input.load.approach > 0.0); }),
+                             [](const Patch& p) {
+                               const auto& load = p.placed.scene.points.front().load;
+                               return load.approach && !(*load.approach > 0.0);
+                             }),
               all.end());
   }
 
@@ -116,24 +157,19 @@ class Position {
     double lateral = 0.0;
     if (k != nullptr && *k < patch.force.size() && patch.force[*k].normal > 0.0)
       lateral = patch.force[*k].lateral / patch.force[*k].normal * normal_force;
-    return meshes::vertical_force(normal_force, lateral, patch.scene.contact.place);
+    return meshes::vertical_force(normal_force, lateral, patch.placed.contact.place);
   }
 
   /// Normal forces of the patches that add up to `load` vertically.
-  std::vector<double> shares(const Wheel& wheel, double load, const std::size_t* k) const {
+  std::vector<double> shared_forces(const Wheel& wheel, double load, const std::size_t* k) const {
     const auto carried = [&](const std::vector<double>& normal) {
       double sum = 0.0;
       for (std::size_t i = 0; i < normal.size(); ++i) sum += lift(wheel.patches[i], normal[i], k);
       return sum;
     };
-    if (wheel.patches.size() == 1) {
-      const double unit = carried({1.0});
-      if (!(unit > 0.0)) refuse_lift(wheel);
-      return {load / unit};
-    }
     // The sharing is a matter of geometry and elasticity; friction changes what has to be shared.
-    std::vector<Case> scenes;
-    for (const Patch& patch : wheel.patches) scenes.push_back(patch.scene.input);
+    std::vector<contact::Scene> scenes;
+    for (const Patch& patch : wheel.patches) scenes.push_back(patch.placed.scene);
     double to_share = load;
     constexpr int most_steps = 50;
     for (int step = 0; step < most_steps; ++step) {
@@ -156,18 +192,19 @@ class Position {
 
   static void drop_unloaded(Wheel& wheel, double load) {
     auto& all = wheel.patches;
+    const auto count_of = [](const Patch& patch) { return patch.placed.scene.points.size(); };
     const auto loaded = [&](const Patch& patch) {
-      const auto& forces = patch.scene.input.load.normal_forces;
-      return std::count_if(forces.begin(), forces.end(),
-                           [&](double force) { return force > load_tolerance * load; });
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < count_of(patch); ++k)
+        if (asked_force(patch, k) > load_tolerance * load) ++count;
+      return count;
     };
     for (const Patch& patch : all)
-      if (const auto count = loaded(patch);
-          count > 0 && count < static_cast<long>(patch.scene.input.load.normal_forces.size()))
+      if (const auto count = loaded(patch); count > 0 && count < count_of(patch))
         throw contact::SolveError(fmt::format(
             "the {} wheel: a second patch carries load at {} of {} load points only; do: compute "
             "these load points in cases of their own",
-            wheel.left ? "left" : "right", count, patch.scene.input.load.normal_forces.size()));
+            wheel.left ? "left" : "right", count, count_of(patch)));
     all.erase(std::remove_if(all.begin(), all.end(),
                              [&](const Patch& patch) { return loaded(patch) == 0; }),
               all.end());
@@ -178,20 +215,20 @@ class Position {
     for (Wheel& wheel : wheels) turn(rotation, wheel);
   }
   void turn(const std::vector<double>& rotation, Wheel& wheel) {
-    for (Patch& patch : wheel.patches) meshes::set_rotation_changes(patch.scene, rotation);
+    for (Patch& patch : wheel.patches) meshes::set_rotation_changes(patch.placed, input_, rotation);
   }
 
   static void solve(std::vector<Wheel>& wheels) {
     for (Wheel& wheel : wheels) solve(wheel);
   }
   static void solve(Wheel& wheel) {
-    for (Patch& patch : wheel.patches) patch.force = patch_forces(patch.scene.input);
+    for (Patch& patch : wheel.patches) patch.force = patch_forces(patch.placed.scene);
   }
 
   double torque(const Wheel& wheel, std::size_t k) const {
     double sum = 0.0;
     for (const Patch& patch : wheel.patches)
-      sum += meshes::driving_moment(patch.scene.contact, patch.force[k]);
+      sum += meshes::driving_moment(patch.placed.contact, patch.force[k]);
     return sum;
   }
   double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
@@ -221,30 +258,25 @@ class Position {
   double load_scale() const {
     double sum = 0.0;
     for (const Wheel& wheel : wheels_)
-      for (const Patch& patch : wheel.patches)
-        sum += patch.scene.input.load.normal_force.value_or(patch.scene.contact.normal_force);
+      for (const Patch& patch : wheel.patches) {
+        const double asked = largest_force(patch);
+        sum += asked > 0.0 ? asked : patch.placed.contact.normal_force;
+      }
     return sum;
   }
 
-  std::vector<Case> scenes() const {
-    std::vector<Case> all;
+  std::vector<contact::Scene> scenes() const {
+    std::vector<contact::Scene> all;
     for (const Wheel& wheel : wheels_) {
       std::vector<const Patch*> order;
       for (const Patch& patch : wheel.patches) order.push_back(&patch);
       std::stable_sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
-        return a->scene.input.load.normal_force.value_or(0.0) >
-               b->scene.input.load.normal_force.value_or(0.0);
+        return largest_force(*a) > largest_force(*b);
       });
       for (std::size_t i = 0; i < order.size(); ++i) {
-        Case scene = order[i]->scene.input;
-        scene.place->patch = static_cast<int>(i) + 1;
-        scene.place->patches = static_cast<int>(order.size());
-        auto& forces = scene.load.normal_forces;
-        // What the balance cannot tell apart is one force.
-        const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
-        const bool alike = forces.empty() || *most - *least < load_tolerance * *most;
-        if (alike) forces.clear();
-        all.push_back(std::move(scene));
+        all.push_back(order[i]->placed.scene);
+        all.back().place->patch = static_cast<int>(i) + 1;
+        all.back().place->patches = static_cast<int>(order.size());
       }
     }
     return all;
@@ -258,7 +290,8 @@ class Position {
 
 }  // namespace
 
-std::vector<Case> balanced_position(const Case& input, const std::vector<meshes::Scene>& scenes) {
+std::vector<contact::Scene> balanced_position(const Case& input,
+                                              const std::vector<meshes::PlacedScene>& scenes) {
   return Position(input, scenes).balanced();
 }
 

@@ -7,9 +7,9 @@
 
 namespace rollfem::wheelset {
 
-/// Cases of the scenes of all wheels at one position, those that carry no load left out; throws as
+/// The scenes of all wheels at one position, those that carry no load left out; throws as
 /// balance().
-std::vector<contact::Case> balanced_position(const contact::Case& input,
-                                             const std::vector<meshes::Scene>& scenes);
+std::vector<contact::Scene> balanced_position(const contact::Case& input,
+                                              const std::vector<meshes::PlacedScene>& scenes);
 
 }  // namespace rollfem::wheelset

@@ -17,6 +17,13 @@ struct CombinedMaterial {
   double poisson_ratio = 0.0;    ///< nu/G = (nu1/G1 + nu2/G2)/2
   double difference = 0.0;       ///< K, K/G = ((1-2nu1)/G1 - (1-2nu2)/G2)/4; 0 for like materials
   double contact_modulus = 0.0;  ///< E* in MPa, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
+
+  /// Normal and tangential contact feel each other: K is more than rounding.
+  bool couples() const { return difference > 1e-12 || difference < -1e-12; }
+  /// The same without that coupling.
+  CombinedMaterial uncoupled() const {
+    return {shear_modulus, poisson_ratio, 0.0, contact_modulus};
+  }
 };
 
 double shear_modulus(const Material& material);

@@ -5,7 +5,6 @@
 #include "contact/base/choices.hpp"
 #include "contact/base/material.hpp"
 #include "contact/case/track.hpp"
-#include "contact/scene/patch_geometry.hpp"
 
 #include <array>
 #include <limits>
@@ -42,20 +41,13 @@ struct Load {
   std::optional<double> normal_force;    ///< N
   std::optional<double> approach;        ///< mm
   std::optional<double> vertical_force;  ///< N, on each wheel, friction included
-  /// N, of each load point where they differ: a patch that is tilted, whose friction carries a part
-  /// of the vertical force. Empty: normal_force for all. Not read from a file.
-  std::vector<double> normal_forces;
-  /// Load of load point k: normal_forces, else normal_force.
-  std::optional<double> normal_force_of(std::size_t k) const {
-    return k < normal_forces.size() ? std::optional<double>(normal_forces[k]) : normal_force;
-  }
 };
 
 /// Rigid slip that comes from the shape of the contact surface rather than from the creepages.
 enum class ExtraSlip {
-  none,
-  rolling_radius,  ///< s_x = -z(y)/R: the wheel's radius differs across a curved patch
-  file,            ///< s_x, s_y on a lattice of points, Rolling::extra_slip_values
+  automatic,  ///< that of the true rolling radii of the wheel's surface
+  none,       ///< creepages alone, as if the surface were flat
+  file,       ///< s_x, s_y on a lattice of points, Rolling::extra_slip_values
 };
 
 /// Values on a regular lattice of points, as read from a file of lines `x, y, value ...`; evaluated
@@ -102,7 +94,7 @@ struct Rolling {
   std::vector<PrescribedForce> forces;  ///< as long as `creepages`, or empty: none prescribed
   UpwindOrder upwind_order = UpwindOrder::second;
   LeadingEdge leading_edge = LeadingEdge::fitted;
-  ExtraSlip extra_slip = ExtraSlip::none;
+  ExtraSlip extra_slip = ExtraSlip::automatic;
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
 };
 
@@ -243,11 +235,6 @@ struct Case {
   std::vector<SubsurfaceRequest> subsurface;
   FemOptions fem;
   OutputOptions output;
-  /// Set in the scenes that are made of a case with profiles, one for each patch: the models take
-  /// undeformed distance and slip from it instead of from radii, `load.normal_force` and
-  /// `rolling.creepages` are those of the patch.
-  std::shared_ptr<const PatchGeometry> patch;
-  std::optional<ContactPlace> place;  ///< of `patch`
   /// Wheel and rail are given by profiles: not to be solved as it is, but made into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
 };

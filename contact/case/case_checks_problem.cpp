@@ -100,7 +100,7 @@ void check_creepages(const GivenCase& given, const std::string& problem) {
 }
 
 void check_extra_slip(const GivenCase& given, const std::string& problem) {
-  const std::string extra = word(given, "rolling", "extra_slip", "none");
+  const std::string extra = word(given, "rolling", "extra_slip", "auto");
   const GivenValue* file = given.find("rolling", "extra_slip_file");
   if (file != nullptr && extra != "file")
     fail_at(given, "rolling.extra_slip_file", *file,
@@ -108,22 +108,14 @@ void check_extra_slip(const GivenCase& given, const std::string& problem) {
             "a file with extra_slip = \"file\"",
             "write `extra_slip = \"file\"`, or remove the file");
   const GivenValue* asked = given.find("rolling", "extra_slip");
-  if (asked == nullptr || extra == "none") return;
+  if (asked == nullptr || extra != "file") return;
   if (problem == "shift" || problem == "frictionless")
     fail_at(given, "rolling.extra_slip", *asked,
             fmt::format("has no meaning with the problem {}", problem),
             "\"none\", or the problems steady and transient", "remove it");
-  if (extra == "file" && file == nullptr)
+  if (file == nullptr)
     fail_at(given, "rolling.extra_slip", *asked, "names no file", "`file` with extra_slip_file",
             "add `extra_slip_file = \"slip.csv\"` under [rolling]");
-  if (extra != "rolling-radius") return;
-  for (const auto& [section, name] :
-       {std::pair{"wheel", "rolling_radius"}, std::pair{"rail", "transverse_radius"}})
-    if (given.find(section, name) == nullptr)
-      fail_at(given, "rolling.extra_slip", *asked,
-              fmt::format("needs {}.{}, which is missing", section, name),
-              "rolling-radius with the radii of wheel and rail",
-              fmt::format("add {} under [{}]", name, section));
 }
 
 void check_surface(const GivenCase& given) {

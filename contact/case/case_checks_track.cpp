@@ -84,13 +84,8 @@ void check_rotation(const GivenCase& given) {
             "write `side = \"both\"` under [wheelset]");
 }
 
-/// Slip and problems that are for radii only.
+/// Problems that free rolling does not go with.
 void check_rivals(const GivenCase& given) {
-  const GivenValue* extra = given.find("rolling", "extra_slip");
-  if (is_word(extra, "rolling-radius"))
-    fail_at(given, "rolling.extra_slip", *extra,
-            "is for radii: with profiles the rolling radii are in the creepages and the spin",
-            "\"none\" or \"file\" with profiles", "remove it");
   for (const char* problem : {"shift", "transient"})
     if (is_word(given.find("rolling", "problem"), problem) &&
         given.find("wheelset", "free_rolling"))

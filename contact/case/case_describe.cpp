@@ -8,20 +8,22 @@ namespace rollfem::contact {
 
 namespace {
 
-const Case& defaults() {
-  static const Case input = default_case();
+Case defaults(const ModelWords& models) {
+  Case input = default_case();
+  input.models = models.by_default;
   return input;
 }
 
 /// A section without its head. Of keys that are alternatives only the given ones are worth a line.
-std::string describe_keys(const Section& section, const Case& input) {
+std::string describe_keys(const Section& section, const Case& input, const Case& by_default) {
   std::string text;
   for (const Key& key : section) {
     const KeyValue value = key.get(input);
     const bool given = !std::holds_alternative<std::monostate>(value);
-    if (key.path() == "title" || (!given && section.alternatives)) continue;
+    if (key.path() == "title") continue;
+    if (!given && (section.alternatives || key.when_absent.empty())) continue;
     const bool is_default =
-        given && !key.required && key.when_absent.empty() && value == key.get(defaults());
+        given && !key.required && key.when_absent.empty() && value == key.get(by_default);
     text += fmt::format("  {:<22} {}{}{}\n", key.name, given ? toml_text(value) : key.when_absent,
                         given && !key.unit.empty() ? " " + key.unit : "",
                         is_default ? "  (default)" : "");
@@ -29,17 +31,19 @@ std::string describe_keys(const Section& section, const Case& input) {
   return text;
 }
 
-std::string default_text(const Key& key) {
+std::string default_text(const Key& key, const Case& by_default) {
   if (key.required) return "required";
-  const std::string value = toml_text(key.get(defaults()));
+  const std::string value = toml_text(key.get(by_default));
   return value.empty() || !key.when_absent.empty() ? key.when_absent : value;
 }
 
 /// One key of the template: its sentence, what is allowed, and the line itself.
-std::string template_key(const Key& key, bool commented_out) {
-  const std::string value = key.example.empty() ? toml_text(key.get(defaults())) : key.example;
-  std::string text = fmt::format("# {}\n# {}", key.sentence, allowed_values(key));
-  text += key.required ? "; required.\n" : fmt::format("; default: {}.\n", default_text(key));
+std::string template_key(const Key& key, const ModelWords& models, bool commented_out) {
+  const Case by_default = defaults(models);
+  const std::string value = key.example.empty() ? toml_text(key.get(by_default)) : key.example;
+  std::string text = fmt::format("# {}\n# {}", key.sentence, allowed_values(key, models.known));
+  text += key.required ? "; required.\n"
+                       : fmt::format("; default: {}.\n", default_text(key, by_default));
   if (value.empty())
     text += fmt::format("# {} = {}\n", key.name, key.kind == KeyKind::pair ? "[0.2, 0.2]" : "...");
   else
@@ -49,7 +53,8 @@ std::string template_key(const Key& key, bool commented_out) {
 
 }  // namespace
 
-std::string describe(const Case& input) {
+std::string describe(const Case& input, const ModelWords& models) {
+  const Case by_default = defaults(models);
   std::string text = fmt::format("{}\n", input.title);
   if (!input.file.empty()) text += fmt::format("  {:<22} {}\n", "file", input.file);
   const auto add = [&](const std::string& head, const std::string& keys) {
@@ -59,19 +64,19 @@ std::string describe(const Case& input) {
     if (section.of_profiles && !input.has_profiles()) continue;
     if (!section.repeated) {
       const std::string head = section.name.empty() ? "" : "[" + section.name + "]\n";
-      add(head, describe_keys(section, input));
+      add(head, describe_keys(section, input, by_default));
       continue;
     }
     Case one = input;
     for (const SubsurfaceRequest& request : input.subsurface) {
       one.subsurface = {request};
-      add("[[" + section.name + "]]\n", describe_keys(section, one));
+      add("[[" + section.name + "]]\n", describe_keys(section, one, by_default));
     }
   }
   return text;
 }
 
-std::string case_template() {
+std::string case_template(const ModelWords& models) {
   std::string text =
       "# A case of rolling contact for rollfem. Units: mm, N, MPa, rad. x is the rolling\n"
       "# direction, y lateral, z normal. `rollfem check FILE` says what was understood,\n"
@@ -83,12 +88,13 @@ std::string case_template() {
       text += section.name.empty() ? "\n"
                                    : fmt::format("\n# {}\n[{}]\n", section.sentence, section.name);
     for (const Key& key : section)
-      text += template_key(key, section.repeated || section.of_profiles);
+      text += template_key(key, models, section.repeated || section.of_profiles);
   }
   return text;
 }
 
-std::string case_reference_markdown() {
+std::string case_reference_markdown(const ModelWords& models) {
+  const Case by_default = defaults(models);
   std::string text =
       "# Case file reference\n\n"
       "<!-- Made by `rollfem docs case-file` from the declarations in contact/case/keys_*.cpp; "
@@ -107,7 +113,8 @@ std::string case_reference_markdown() {
     text += "|---|---|---|---|---|---|\n";
     for (const Key& key : section)
       text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
-                          allowed_values(key), default_text(key), key.sentence);
+                          allowed_values(key, models.known), default_text(key, by_default),
+                          key.sentence);
   }
   return text;
 }

@@ -15,7 +15,7 @@ namespace rollfem::contact {
 enum class KeyKind {
   text,     ///< any string
   word,     ///< one of `words`
-  words,    ///< a list of different `words`
+  words,    ///< a list of different `words`; of names that the reader is told where it has none
   number,   ///< a float or integer within `bounds`
   integer,  ///< a whole number within `bounds`
   boolean,
@@ -82,7 +82,7 @@ const std::vector<Key>& case_keys();
 /// The key of that section and name, nullptr when there is none.
 const Key* find_key(const std::string& section, const std::string& name);
 
-/// A case in which every optional key has its default.
+/// A case in which every optional key has its default; it names no models.
 Case default_case();
 
 }  // namespace rollfem::contact

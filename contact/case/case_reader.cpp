@@ -46,15 +46,16 @@ void read_files(const GivenCase& given, Case& input) {
 
 }  // namespace
 
-Case parse_case(const std::string& text, const std::string& name) {
+Case parse_case(const std::string& text, const std::string& name, const ModelWords& models) {
   if (text.size() > largest_file)
     fail_whole(name, "is larger than 1 MB, so it is no case file", "give a case file in TOML");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     fail_whole(name, "is empty", "fill it in; `rollfem new-case` prints a template");
-  const GivenCase given = read_toml(text, name);
+  const GivenCase given = read_toml(text, name, models.known);
   check_together(given);
   check_problem(given);
   Case input = default_case();
+  input.models = models.by_default;
   set_values(input, given.values);
   for (const GivenEntry& entry : given.entries) {
     begin_entry(input, entry.section);
@@ -71,7 +72,7 @@ Case parse_case(const std::string& text, const std::string& name) {
   return input;
 }
 
-Case read_case(const std::string& path) {
+Case read_case(const std::string& path, const ModelWords& models) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -88,7 +89,7 @@ Case read_case(const std::string& path) {
   std::ostringstream text;
   if (file && size > 0) text << file.rdbuf();
   if (!file || !text) fail_whole(path, "cannot be read", "check the permissions of the file");
-  return parse_case(text.str(), path);
+  return parse_case(text.str(), path, models);
 }
 
 }  // namespace rollfem::contact

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/case/case.hpp"
+#include "contact/case/model_words.hpp"
 
 #include <string>
 
@@ -10,18 +11,18 @@ namespace rollfem::contact {
 
 /// Reads and checks a case file. Throws InputError with one message:
 /// FILE:LINE:COLUMN, key, value, what is allowed, what to do.
-Case read_case(const std::string& path);
+Case read_case(const std::string& path, const ModelWords& models = {});
 
 /// The same from text; `name` stands in messages for the file.
-Case parse_case(const std::string& text, const std::string& name);
+Case parse_case(const std::string& text, const std::string& name, const ModelWords& models = {});
 
 /// What was understood: every key with value, unit and whether it is the default. Multi-line text.
-std::string describe(const Case& input);
+std::string describe(const Case& input, const ModelWords& models = {});
 
 /// A commented case file with defaults, which parse_case accepts.
-std::string case_template();
+std::string case_template(const ModelWords& models = {});
 
 /// docs/case-file.md: every key with type, unit, bounds, default and one sentence.
-std::string case_reference_markdown();
+std::string case_reference_markdown(const ModelWords& models = {});
 
 }  // namespace rollfem::contact

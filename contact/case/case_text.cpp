@@ -84,14 +84,15 @@ std::string toml_text(const KeyValue& value) {
   return std::visit(ValueText{}, value);
 }
 
-std::string allowed_values(const Key& key) {
+std::string allowed_values(const Key& key, const std::vector<std::string>& models) {
   switch (key.kind) {
     case KeyKind::text:
       return "a text in quotes";
     case KeyKind::word:
       return "one of " + joined(key.words);
     case KeyKind::words:
-      return "a list of some of " + joined(key.words);
+      if (key.words.empty() && models.empty()) return "a list of names";
+      return "a list of some of " + joined(key.words.empty() ? models : key.words);
     case KeyKind::number:
       return "a number " + range(key);
     case KeyKind::integer:

@@ -14,8 +14,9 @@ std::string toml_text(const KeyValue& value);
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& texts);
 
-/// What a key accepts, in words: "a number from 0 to 1000", "one of first, second".
-std::string allowed_values(const Key& key);
+/// What a key accepts, in words: "a number from 0 to 1000", "one of first, second". `models`: the
+/// words of `models`, which its declaration does not know.
+std::string allowed_values(const Key& key, const std::vector<std::string>& models = {});
 
 /// The candidate that is nearest to a misspelt name; empty when none is near.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);

@@ -12,12 +12,11 @@ SectionWithKeys general_section() {
       .says("What the report is headed with.")
       .into(&Case::title);
   keys.choices("models")
-      .among({"hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip", "halfspace",
-              "fem"})
       .says(
           "The models that `run` computes, in this order; `--model` on the command line overrides "
           "it.")
-      .into(&Case::models);
+      .by([](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
+          [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); });
   keys.real("accuracy")
       .between(1e-5, 0.5)
       .otherwise("the cells that the case gives, whatever their error")

@@ -56,12 +56,11 @@ void add_difference(RollingKeys& keys) {
 void add_extra_slip(RollingKeys& keys) {
   keys.choice("extra_slip")
       .says(
-          "Rigid slip from the shape of the surface (the model fem has it from its bodies): "
-          "`rolling-radius` adds s_x = -z(y)/R, because across a curved patch the wheel rolls on "
-          "different radii (z: drop of the rail surface); `file` takes it from extra_slip_file.")
-      .into(&Rolling::extra_slip, {{"none", ExtraSlip::none},
-                                   {"rolling-radius", ExtraSlip::rolling_radius},
-                                   {"file", ExtraSlip::file}});
+          "Rigid slip from the shape of the surface: `auto` is that of the wheel's true rolling "
+          "radii and, on a curved surface, of its local tangents; `none` leaves creepages and spin "
+          "alone; `file` adds extra_slip_file to these.")
+      .into(&Rolling::extra_slip,
+            {{"auto", ExtraSlip::automatic}, {"none", ExtraSlip::none}, {"file", ExtraSlip::file}});
   keys.text("extra_slip_file")
       .otherwise("none, unless extra_slip is `file`")
       .says(

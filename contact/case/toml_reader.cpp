@@ -53,7 +53,8 @@ std::string section_that_has(const std::string& name) {
 /// Turns TOML into checked key values; everything it refuses becomes one InputError.
 class Reader {
  public:
-  Reader(const std::string& text, const std::string& file) : source_(text, file) {
+  Reader(const std::string& text, const std::string& file, const std::vector<std::string>& models)
+      : source_(text, file), models_(models) {
     given_.file = file;
   }
 
@@ -164,7 +165,7 @@ class Reader {
                 const toml::source_region& name_source, const toml::node& node) {
     const Key* key = find_key(section, name);
     if (key == nullptr) fail_unknown(section, name, name_source);
-    given_.values[key] = read_value(source_, *key, node);
+    given_.values[key] = read_value(source_, *key, models_, node);
   }
 
   [[noreturn]] void fail_unknown(const std::string& section, const std::string& name,
@@ -190,6 +191,7 @@ class Reader {
   }
 
   const TomlSource source_;
+  const std::vector<std::string>& models_;
   GivenCase given_;
 };
 
@@ -202,8 +204,9 @@ void fail_whole(const std::string& file, const std::string& wrong, const std::st
   fail(file, problem);
 }
 
-GivenCase read_toml(const std::string& text, const std::string& file) {
-  return Reader(text, file).read();
+GivenCase read_toml(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& models) {
+  return Reader(text, file, models).read();
 }
 
 }  // namespace rollfem::contact

@@ -4,12 +4,15 @@
 #include "contact/case/case_checks.hpp"
 
 #include <string>
+#include <vector>
 
 namespace rollfem::contact {
 
 /// Every key is known and its value allowed; whether they fit each other is not looked at. `file`
-/// stands in messages. Throws InputError.
-GivenCase read_toml(const std::string& text, const std::string& file);
+/// stands in messages; `models` are those that may be named, any where it is empty. Throws
+/// InputError.
+GivenCase read_toml(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& models = {});
 
 /// Throws InputError: the file as a whole is wrong.
 [[noreturn]] void fail_whole(const std::string& file, const std::string& wrong,

@@ -42,8 +42,9 @@ std::string kind_is(const toml::node& node) {
 /// One value of one key, an item of a list the same with its own place in the file.
 class ValueReader {
  public:
-  ValueReader(const TomlSource& source, const Key& key, const toml::node& node)
-      : source_(source), key_(key), node_(node) {
+  ValueReader(const TomlSource& source, const Key& key, const std::vector<std::string>& names,
+              const toml::node& node)
+      : source_(source), key_(key), names_(names), node_(node) {
     given_.line = node.source().begin.line;
     given_.column = node.source().begin.column;
     given_.text = source.value(node.source());
@@ -59,7 +60,7 @@ class ValueReader {
     const bool words = key_.kind == KeyKind::word || key_.kind == KeyKind::words;
     CaseProblem problem = problem_at(key_.path(), given_);
     problem.wrong = wrong;
-    problem.allowed = allowed_values(key_);
+    problem.allowed = allowed_values(key_, names_);
     problem.action = words ? "write one of these names in quotes"
                            : fmt::format("correct it, for instance {}", instance_of(key_));
     fail(source_.file(), problem);
@@ -105,8 +106,9 @@ class ValueReader {
   std::string word_of(const toml::node& node) const {
     if (!node.is_string()) fail_value(kind_is(node) + " is no text");
     const std::string word = node.value_or(std::string());
-    if (std::find(key_.words.begin(), key_.words.end(), word) != key_.words.end()) return word;
-    const std::string near = nearest_name(word, key_.words);
+    const std::vector<std::string>& words = key_.words.empty() ? names_ : key_.words;
+    if (words.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
+    const std::string near = nearest_name(word, words);
     fail_value(near.empty() ? "is not known" : fmt::format("is not known (near: {})", near));
   }
 
@@ -149,20 +151,22 @@ class ValueReader {
       fail_value(fmt::format("has more than {} entries", longest_list));
     std::vector<double> numbers;
     for (const toml::node& item : array)
-      numbers.push_back(ValueReader(source_, key_, item).number());
+      numbers.push_back(ValueReader(source_, key_, names_, item).number());
     return numbers;
   }
 
   const TomlSource& source_;
   const Key& key_;
+  const std::vector<std::string>& names_;
   const toml::node& node_;
   GivenValue given_;
 };
 
 }  // namespace
 
-GivenValue read_value(const TomlSource& source, const Key& key, const toml::node& node) {
-  return ValueReader(source, key, node).read();
+GivenValue read_value(const TomlSource& source, const Key& key,
+                      const std::vector<std::string>& names, const toml::node& node) {
+  return ValueReader(source, key, names, node).read();
 }
 
 }  // namespace rollfem::contact

@@ -9,7 +9,9 @@ namespace rollfem::contact {
 
 inline constexpr std::size_t longest_list = 1000;
 
-/// Throws InputError when the value is not what the key allows.
-GivenValue read_value(const TomlSource& source, const Key& key, const toml::node& node);
+/// `names`: words of a key that declares none. Throws InputError when the value is not what the key
+/// allows.
+GivenValue read_value(const TomlSource& source, const Key& key,
+                      const std::vector<std::string>& names, const toml::node& node);
 
 }  // namespace rollfem::contact

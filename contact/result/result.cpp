@@ -16,6 +16,28 @@ Field filled(const Field& field, Eigen::Index size) {
   return field.size() == size ? field : Field(Field::Zero(size));
 }
 
+/// Tractions along x, y, z times the true area of the elements, per unit of area of the grid.
+struct ProjectedTractions {
+  Field along, across, upwards;
+};
+
+ProjectedTractions project(const SurfaceField& traction, const PatchShape& shape) {
+  const Field& pressure = traction.n;
+  const Field px = filled(traction.x, pressure.size());
+  const Field py = filled(traction.y, pressure.size());
+  const Field climb = filled(shape.climb, pressure.size());
+  ProjectedTractions projected{
+      shape.stretch.size() == 0 ? px : Field(px.cwiseProduct(shape.stretch)),
+      py - climb.cwiseProduct(pressure), pressure + climb.cwiseProduct(py)};
+  if (shape.y.size() != 0) {
+    // An element along the surface covers less of the projection.
+    const Field cosine = (1.0 + climb.array().square()).rsqrt();
+    projected.across = projected.across.cwiseProduct(cosine);
+    projected.upwards = projected.upwards.cwiseProduct(cosine);
+  }
+  return projected;
+}
+
 /// True area over projected area of the elements in contact.
 double mean_stretch(const PatchShape& shape, const Field& pressure) {
   if (shape.stretch.size() == 0) return 1.0;
@@ -46,6 +68,14 @@ std::vector<std::size_t> ModelResult::points_with_bodies() const {
   return found;
 }
 
+std::array<double, 3> transmitted_force(const ContactGrid& grid, const SurfaceField& traction,
+                                        const PatchShape& shape) {
+  const ProjectedTractions projected = project(traction, shape);
+  const double area = grid.element_area();
+  return {area * projected.along.sum(), area * projected.across.sum(),
+          area * projected.upwards.sum()};
+}
+
 void integrate_tractions(const ContactGrid& grid, PointResult& point, const PatchShape& shape) {
   const Field& pressure = point.fields.traction.n;
   const Field px = filled(point.fields.traction.x, pressure.size());
@@ -54,21 +84,11 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point, const Patc
   const Field x = grid.sample([](double at, double) { return at; });
   const bool unrolled = shape.y.size() != 0;
   const Field y = unrolled ? shape.y : grid.sample([](double, double at) { return at; });
-  // Tractions times the true area, projected, per unit of projected area.
-  const Field climb = filled(shape.climb, pressure.size());
-  const Field along = shape.stretch.size() == 0 ? px : Field(px.cwiseProduct(shape.stretch));
-  Field across = py - climb.cwiseProduct(pressure);
-  Field upwards = pressure + climb.cwiseProduct(py);
-  if (unrolled) {
-    // An element along the surface covers less of the projection.
-    const Field cosine = (1.0 + climb.array().square()).rsqrt();
-    across = across.cwiseProduct(cosine);
-    upwards = upwards.cwiseProduct(cosine);
-  }
-  point.normal_force = area * upwards.sum();
-  point.longitudinal_force = area * along.sum();
-  point.lateral_force = area * across.sum();
-  point.spin_moment = area * (x.dot(across) - y.dot(along));
+  const ProjectedTractions projected = project(point.fields.traction, shape);
+  point.normal_force = area * projected.upwards.sum();
+  point.longitudinal_force = area * projected.along.sum();
+  point.lateral_force = area * projected.across.sum();
+  point.spin_moment = area * (x.dot(projected.across) - y.dot(projected.along));
   // 0.0 - keeps a force of zero from giving a coefficient of minus zero.
   point.traction_coefficient =
       point.normal_force > 0.0 ? 0.0 - point.longitudinal_force / point.normal_force : 0.0;

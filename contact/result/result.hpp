@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <array>
 #include <map>
@@ -125,6 +125,11 @@ struct ModelResult {
   /// Load points that keep the values of all bodies, from 0.
   std::vector<std::size_t> points_with_bodies() const;
 };
+
+/// Force of tractions on the wheel along x, y, z of the patch frame, N. On a curved patch (`shape`)
+/// tractions are along the local tangents and normal. Empty tangential components count as 0.
+std::array<double, 3> transmitted_force(const ContactGrid& grid, const SurfaceField& traction,
+                                        const PatchShape& shape = {});
 
 /// Fills forces, maxima, patch size and areas of `point` from its fields. On a curved patch
 /// (`shape`) tractions are along the local tangents and normal, forces along x, y, z: extents are

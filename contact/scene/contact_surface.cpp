@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -95,12 +96,6 @@ double way_to_profile(const ContactSurface& surface, double x, double y) {
   return infinity;
 }
 
-/// dR/dy of the wheel's surface at the origin, R its distance from the axle.
-double radius_slope(const PatchGeometry& profiles) {
-  const CurveValue wheel = profiles.wheel().at(0.0);
-  return ray_place(profiles.axle(), {0.0, 0.0, wheel.value}, {0.0, 1.0, wheel.slope}).radius_by_way;
-}
-
 }  // namespace
 
 double ContactSurface::climb(double y) const {
@@ -128,9 +123,9 @@ bool ContactSurface::known(double y) const {
   return !profiles || profiles->known(y);
 }
 
-ContactSurface contact_surface(const Case& input) {
-  if (input.patch) return {input.patch->local_rolling_radius(0.0), infinity, infinity, input.patch};
-  return {input.wheel.rolling_radius, input.wheel.transverse_radius, input.rail.transverse_radius};
+ContactSurface ContactSurface::of(std::shared_ptr<const PatchGeometry> patch) {
+  const double radius = patch->local_rolling_radius(0.0);
+  return {radius, infinity, infinity, std::move(patch)};
 }
 
 double surface_drop(const ContactSurface& surface, bool wheel, double x, double y) {
@@ -173,43 +168,6 @@ double undeformed_distance(const ContactSurface& surface, double x, double y) {
   const double rail =
       way_along_normal(surface, y, [&](double at) { return rail_height(surface, at); });
   return wheel - rail;
-}
-
-namespace {
-
-TangentialField profile_slip(const ContactSurface& surface, const Creepage& creepage,
-                             const ContactGrid& grid) {
-  const double omega = (1.0 - creepage.longitudinal) / surface.rolling_radius;
-  const double spin_by_hand = creepage.spin - omega * radius_slope(*surface.profiles);
-  const double descent = omega * std::cos(surface.axle_tilt());
-  TangentialField slip;
-  slip.x = grid.sample([&](double, double y) {
-    const double drop = surface.rolling_radius - surface.local_rolling_radius(y);
-    return creepage.longitudinal + omega * drop - spin_by_hand * y;
-  });
-  slip.y = grid.sample([&](double x, double y) {
-    const double climb = surface.climb(y);
-    return (creepage.lateral + (creepage.spin - descent * climb) * x) / stretch_of(climb);
-  });
-  return slip;
-}
-
-}  // namespace
-
-TangentialField rigid_slip(const ContactSurface& surface, const Creepage& creepage,
-                           const ContactGrid& grid) {
-  if (surface.profiles) return profile_slip(surface, creepage, grid);
-  // omega R(y) = (1 - xi) (1 - drop / R0); 1 less it without cancellation.
-  const double turning = 1.0 - creepage.longitudinal;
-  TangentialField slip;
-  slip.x = grid.sample([&](double, double y) {
-    const double drop = profile_drop(surface.wheel_transverse_radius, y).value;
-    return creepage.longitudinal + turning * drop / surface.rolling_radius - creepage.spin * y;
-  });
-  slip.y = grid.sample([&](double x, double y) {
-    return (creepage.lateral + creepage.spin * x) / stretch_of(surface.climb(y));
-  });
-  return slip;
 }
 
 }  // namespace rollfem::contact

@@ -3,6 +3,8 @@
 #include "contact/case/lattice.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -10,6 +12,16 @@ namespace {
 
 /// Distance where the wheel has no surface, mm: as good as infinite, which the solvers refuse.
 constexpr double beyond_the_wheel = 1e3;
+/// Step of the arc length, mm.
+constexpr double knot_distance = 0.05;
+/// A surface is laid out as far as this, mm, where no profile ends, or until it is steeper than
+/// this.
+constexpr double farthest = 100.0;
+constexpr double steepest = 2.0;
+
+double stretch_of(double climb) {
+  return std::sqrt(1.0 + climb * climb);
+}
 
 /// Second derivative by y at the contact point. Where the curvature jumps there, the mean of both
 /// sides.
@@ -33,75 +45,157 @@ Curvatures curvatures_at_contact_point(const PatchGeometry& patch) {
   return {0.5 * z_xx, 0.5 * (mean_second(patch.wheel()) - mean_second(patch.rail()))};
 }
 
-/// s_x of the rolling radius rho(y) beyond its tangent at the contact point, which is the geometric
-/// spin: 1 - (rho - rho' y) / rho(0).
-Field slip_of_rolling_radius(const PatchGeometry& patch, const ContactGrid& grid) {
-  constexpr double beside = 0.01;  // mm
-  const double radius = patch.local_rolling_radius(0.0);
-  const double slope =
-      (patch.local_rolling_radius(beside) - patch.local_rolling_radius(-beside)) / (2.0 * beside);
-  return grid.sample([&](double, double y) {
-    return (radius + slope * y - patch.local_rolling_radius(y)) / radius;
-  });
+/// y over the arc length of the common surface from y = 0.
+HeightCurve unrolled(const ContactSurface& surface) {
+  std::vector<double> y, s, slope;
+  const auto walk = [&](double direction) {
+    double at = 0.0, way = 0.0;
+    double stretch = stretch_of(surface.climb(at));
+    while (std::abs(at) < farthest) {
+      const double next = at + direction * knot_distance;
+      const double climb = surface.climb(next);
+      if (!surface.known(next) || std::abs(climb) > steepest) return;
+      const double middle = stretch_of(surface.climb(0.5 * (at + next)));
+      way += (next - at) * (stretch + 4.0 * middle + stretch_of(climb)) / 6.0;
+      at = next;
+      stretch = stretch_of(climb);
+      y.push_back(at);
+      s.push_back(way);
+      slope.push_back(1.0 / stretch);
+    }
+  };
+  walk(-1.0);
+  for (auto* values : {&y, &s, &slope}) std::reverse(values->begin(), values->end());
+  y.push_back(0.0);
+  s.push_back(0.0);
+  slope.push_back(1.0 / stretch_of(surface.climb(0.0)));
+  walk(1.0);
+  return {s, y, slope};
+}
+
+/// Direction of the wheel's axle.
+Vector3 axle_of(const ContactSurface& surface) {
+  return surface.profiles ? surface.profiles->axle().direction : Vector3{0.0, 1.0, 0.0};
 }
 
 }  // namespace
 
-Curvatures relative_curvatures(const Case& input) {
-  if (input.patch) return curvatures_at_contact_point(*input.patch);
-  if (input.undeformed_distance.quadratic)
-    return {(*input.undeformed_distance.quadratic)[0], (*input.undeformed_distance.quadratic)[1]};
-  return {0.5 / input.wheel.rolling_radius,
-          0.5 / input.wheel.transverse_radius + 0.5 / input.rail.transverse_radius};
+Geometry::Geometry(const Case& input)
+    : quadratic(input.undeformed_distance.quadratic),
+      distance_values(input.undeformed_distance.values),
+      extra_slip(input.rolling.extra_slip),
+      extra_slip_values(input.rolling.extra_slip_values) {
+  if (!has_surfaces()) return;
+  surface.rolling_radius = input.wheel.rolling_radius > 0.0 ? input.wheel.rolling_radius : infinity;
+  surface.wheel_transverse_radius = input.wheel.transverse_radius;
+  surface.rail_transverse_radius = input.rail.transverse_radius;
+}
+
+Curvatures relative_curvatures(const Geometry& geometry) {
+  if (geometry.has_profiles()) return curvatures_at_contact_point(*geometry.surface.profiles);
+  if (geometry.quadratic) return {(*geometry.quadratic)[0], (*geometry.quadratic)[1]};
+  const ContactSurface& surface = geometry.surface;
+  return {0.5 / surface.rolling_radius,
+          0.5 / surface.wheel_transverse_radius + 0.5 / surface.rail_transverse_radius};
 }
 
 double undeformed_distance(const Curvatures& curvatures, double x, double y) {
   return curvatures.A * x * x + curvatures.B * y * y;
 }
 
-Field undeformed_distance(const Case& input, const ContactGrid& grid) {
-  if (input.undeformed_distance.values)
-    return sample_lattice(*input.undeformed_distance.values, 0, grid, "undeformed_distance.file");
-  if (input.patch)
+ChartedGeometry::ChartedGeometry(Geometry geometry, Chart chart)
+    : geometry_(std::move(geometry)), chart_(chart) {
+  if (chart_ == Chart::arc) place_ = unrolled(geometry_.surface);
+}
+
+double ChartedGeometry::lateral_place(double grid_y) const {
+  return chart_ == Chart::arc ? place_.at(grid_y).value : grid_y;
+}
+
+double ChartedGeometry::climb(double grid_y) const {
+  return curved() ? geometry_.surface.climb(lateral_place(grid_y)) : 0.0;
+}
+
+PatchShape ChartedGeometry::shape(const ContactGrid& grid) const {
+  if (!curved()) return {};
+  if (chart_ == Chart::projected) return patch_shape(geometry_.surface, grid);
+  PatchShape shape;
+  shape.stretch = Field::Ones(grid.size());
+  shape.climb = grid.sample([&](double, double s) { return climb(s); });
+  shape.y = grid.sample([&](double, double s) { return lateral_place(s); });
+  return shape;
+}
+
+Field ChartedGeometry::undeformed_distance(const ContactGrid& grid) const {
+  if (geometry_.distance_values)
+    return sample_lattice(*geometry_.distance_values, 0, grid, "undeformed_distance.file");
+  if (curved() && geometry_.has_surfaces())
     return grid.sample([&](double x, double y) {
-      return std::min(input.patch->distance(x, y), beyond_the_wheel);
+      return std::min(contact::undeformed_distance(geometry_.surface, x, lateral_place(y)),
+                      beyond_the_wheel);
     });
-  const Curvatures curvatures = relative_curvatures(input);
-  return grid.sample([&](double x, double y) { return undeformed_distance(curvatures, x, y); });
+  if (geometry_.has_profiles())
+    return grid.sample([&](double x, double y) {
+      return std::min(geometry_.surface.profiles->distance(x, y), beyond_the_wheel);
+    });
+  const Curvatures curvatures = relative_curvatures(geometry_);
+  return grid.sample(
+      [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
 }
 
-TangentialField extra_slip(const Case& input, const ContactGrid& grid) {
-  const Field zero = Field::Zero(grid.size());
-  switch (input.rolling.extra_slip) {
-    case ExtraSlip::none:
-      return {zero, zero};
-    case ExtraSlip::file: {
-      const Lattice& values = input.rolling.extra_slip_values.value();
-      return {sample_lattice(values, 0, grid, "rolling.extra_slip_file"),
-              sample_lattice(values, 1, grid, "rolling.extra_slip_file")};
+TangentialField ChartedGeometry::rigid_slip(const Creepage& creepage,
+                                            const ContactGrid& grid) const {
+  const ContactSurface& surface = geometry_.surface;
+  const bool from_surface = geometry_.extra_slip == ExtraSlip::automatic;
+  const double radius = surface.rolling_radius;
+  const double turning =
+      from_surface && std::isfinite(radius) ? (1.0 - creepage.longitudinal) / radius : 0.0;
+  const Vector3 e = axle_of(surface);
+  const double beyond = creepage.spin - turning * e[2];
+  TangentialField slip{Field(grid.size()), Field(grid.size())};
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = lateral_place(grid.y(j));
+    const double rise = climb(grid.y(j));
+    const double cosine = 1.0 / stretch_of(rise);
+    const double drop = turning > 0.0 ? radius - surface.local_rolling_radius(y) : 0.0;
+    // 1 - (1 - xi) rho / rho_0 without cancellation.
+    const double along = creepage.longitudinal + turning * drop - beyond * y;
+    const double turning_about_normal = turning * (e[2] - rise * e[1]) * cosine;
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      slip.x[k] = along;
+      slip.y[k] =
+          (creepage.lateral + beyond * grid.x(i)) * cosine + turning_about_normal * grid.x(i);
     }
-    case ExtraSlip::rolling_radius:
-      break;
   }
-  if (input.patch) return {slip_of_rolling_radius(*input.patch, grid), zero};
-  // The drop of the rail surface, in the same parabolic approximation as the undeformed distance.
-  const double drop = 0.5 / input.rail.transverse_radius;
-  const double radius = input.wheel.rolling_radius;
-  return {grid.sample([&](double, double y) { return -drop * y * y / radius; }), zero};
-}
-
-TangentialField rigid_slip(const Case& input, const Creepage& creepage, const ContactGrid& grid) {
-  TangentialField slip = extra_slip(input, grid);
-  slip.x +=
-      grid.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; });
-  slip.y += grid.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
+  if (geometry_.extra_slip == ExtraSlip::file) {
+    const Lattice& values = geometry_.extra_slip_values.value();
+    slip.x += sample_lattice(values, 0, grid, "rolling.extra_slip_file");
+    slip.y += sample_lattice(values, 1, grid, "rolling.extra_slip_file");
+  }
   return slip;
 }
 
-TangentialField rigid_shift(const HistoryStep& step, const ContactGrid& grid) {
-  return {
-      grid.sample([&](double, double y) { return step.longitudinal_shift - step.spin_shift * y; }),
-      grid.sample([&](double x, double) { return step.lateral_shift + step.spin_shift * x; })};
+TangentialField ChartedGeometry::extra_slip(const Creepage& creepage,
+                                            const ContactGrid& grid) const {
+  TangentialField slip = rigid_slip(creepage, grid);
+  const TangentialField uniform = uniform_slip(creepage, grid);
+  slip.x -= uniform.x;
+  slip.y -= uniform.y;
+  return slip;
+}
+
+TangentialField uniform_slip(const Creepage& creepage, const ContactGrid& grid) {
+  return {grid.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; }),
+          grid.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; })};
+}
+
+double largest_extra_slip(const Geometry& geometry, double y_lower, double y_upper) {
+  constexpr int pieces = 64;
+  const double step = (y_upper - y_lower) / pieces;
+  const ContactGrid grid{1, pieces + 1, 1.0, step, 0.0, y_lower};
+  const Field extra = ChartedGeometry(geometry, Chart::plane).extra_slip({}, grid).x;
+  return extra.cwiseAbs().maxCoeff();
 }
 
 }  // namespace rollfem::contact

@@ -1,40 +1,95 @@
-// What follows from a case without solving anything: relative curvatures, undeformed distance and
-// rigid slip at a point. Conventions: docs/theory.md.
+// The geometry of a contact, whatever solves it: undeformed distance, rigid slip, and the shape of
+// the surface on which the contact grid lies. One place for radii, true profiles, a quadratic form
+// and values from files; conventions: docs/theory.md.
 #pragma once
 
-#include "contact/base/grid.hpp"
 #include "contact/base/material.hpp"
-#include "contact/case/case.hpp"
+#include "contact/scene/contact_surface.hpp"
 
 namespace rollfem::contact {
 
-/// Undeformed distance h = A x^2 + B y^2 of the case's radii, or as the case gives it; with `patch`
-/// that of the osculating paraboloids at the contact point.
+/// What wheel and rail are to the contact: their surfaces, and what a case gives in their place.
+struct Geometry {
+  Geometry() = default;
+  Geometry(
+      const Case& input);  // NOLINT(google-explicit-constructor): a case is a geometry's source
+
+  ContactSurface surface;  ///< radii or true profiles; flat where the case gives none
+  std::optional<std::array<double, 2>> quadratic;  ///< A, B in 1/mm, in place of the surfaces
+  std::optional<Lattice> distance_values;          ///< h in mm, in place of the surfaces
+  ExtraSlip extra_slip = ExtraSlip::automatic;
+  std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
+
+  bool has_profiles() const { return surface.profiles != nullptr; }
+  /// The surfaces themselves say the distance: no quadratic form or file does.
+  bool has_surfaces() const { return !quadratic && !distance_values; }
+};
+
+/// How the contact grid lies on the contact.
+enum class Chart {
+  plane,      ///< in the tangent plane at the origin; distance along z
+  projected,  ///< over the projection of the common surface on that plane; distance along its
+              ///< normal
+  arc,        ///< along the common surface: the grid's y is arc length; distance along its normal
+};
+
+/// Undeformed distance h = A x^2 + B y^2 of the radii, or as the case gives it; of profiles that of
+/// the osculating paraboloids at the contact point.
 struct Curvatures {
   double A = 0.0;  ///< 1/mm, 1/(2 R_x), along rolling
   double B = 0.0;  ///< 1/mm, (1/R_wheel,y + 1/R_rail,y) / 2, lateral
 };
-Curvatures relative_curvatures(const Case& input);
+Curvatures relative_curvatures(const Geometry& geometry);
 
-/// Undeformed distance h(x, y) >= 0 in mm at touching (approach 0).
+/// h(x, y) >= 0 in mm at touching (approach 0).
 double undeformed_distance(const Curvatures& curvatures, double x, double y);
 
-/// Undeformed distance of the case at the element centres, mm: of its radii, its quadratic form,
-/// its file or its patch (along z of the patch frame). Throws InputError when the grid reaches
-/// beyond the points of the file.
-Field undeformed_distance(const Case& input, const ContactGrid& grid);
+/// A geometry seen through a chart. Fields are those at the element centres of a grid.
+class ChartedGeometry {
+ public:
+  ChartedGeometry(Geometry geometry, Chart chart);
 
-/// Rigid slip of the wheel surface relative to the rail, V = 1:
-/// (xi - phi y, eta + phi x) + extra rigid slip: (-z(y)/R, 0) with the drop z of the rail surface,
-/// with a patch that of the local rolling radius beyond the geometric spin, or that of a file, when
-/// the case asks for it. Throws InputError when the grid reaches beyond the points of the file.
-TangentialField rigid_slip(const Case& input, const Creepage& creepage, const ContactGrid& grid);
+  Chart chart() const { return chart_; }
+  const Geometry& geometry() const { return geometry_; }
+  bool curved() const { return chart_ != Chart::plane; }
 
-/// Extra rigid slip alone.
-TangentialField extra_slip(const Case& input, const ContactGrid& grid);
+  /// y of the patch frame at the grid's lateral coordinate, mm.
+  double lateral_place(double grid_y) const;
+  /// dz/dy of the surface that the grid lies on; 0 in the plane.
+  double climb(double grid_y) const;
 
-/// Rigid shift of a step over the rail, mm: (xi' - phi' y, eta' + phi' x), where the primed values
-/// are the shifts of the step.
-TangentialField rigid_shift(const HistoryStep& step, const ContactGrid& grid);
+  /// Empty in the plane.
+  PatchShape shape(const ContactGrid& grid) const;
+
+  /// Distance from rail to wheel, mm, at touching: along z in the plane, else along the normal of
+  /// the common surface; as given where the case gives it. Throws InputError when the grid reaches
+  /// beyond the points of a file.
+  Field undeformed_distance(const ContactGrid& grid) const;
+
+  /// Rigid slip of the wheel over the rail, V = 1, along x and the lateral tangent, from the
+  /// velocities of two rigid bodies: the wheel turns with omega = (1 - xi)/rho(0) about its axle e,
+  /// at y its surface has the radius rho(y), and the tilt of the axle makes omega e_z of the spin
+  /// phi by itself. With beyond = phi - omega e_z and the climb tan(alpha):
+  ///   s_x = xi + omega (rho(0) - rho(y)) - beyond y,
+  ///   s_y = (eta + beyond x) cos(alpha) + omega x (e_z cos(alpha) - e_y sin(alpha)).
+  /// A flat wheel leaves (xi - phi y, eta + phi x). ExtraSlip::none leaves that for any surface,
+  /// ExtraSlip::file adds the file's values to it. Throws as undeformed_distance does.
+  TangentialField rigid_slip(const Creepage& creepage, const ContactGrid& grid) const;
+
+  /// What rigid_slip has beyond (xi - phi y, eta + phi x), y that of the grid.
+  TangentialField extra_slip(const Creepage& creepage, const ContactGrid& grid) const;
+
+ private:
+  Geometry geometry_;
+  Chart chart_;
+  HeightCurve place_;  ///< y over arc length; Chart::arc
+};
+
+/// (xi - phi y, eta + phi x) at the element centres; as well a rigid shift in mm and rad.
+TangentialField uniform_slip(const Creepage& creepage, const ContactGrid& grid);
+
+/// The largest extra slip along x that the surface brings between y_lower and y_upper (mm), 0 where
+/// it brings none: what a theory that knows no extra slip leaves out.
+double largest_extra_slip(const Geometry& geometry, double y_lower, double y_upper);
 
 }  // namespace rollfem::contact

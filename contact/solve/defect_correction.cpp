@@ -29,46 +29,19 @@ Response unstacked(const Eigen::VectorXd& all) {
           {all.segment(3 * n, n), all.segment(4 * n, n)}};
 }
 
-Response zero_response(Eigen::Index n) {
-  return {{Field::Zero(n), Field::Zero(n), Field::Zero(n)}, {Field::Zero(n), Field::Zero(n)}};
-}
-
-/// A distance along the local normal to the vertical way that closes it, which makes the normal
-/// problem of a curved patch that of a plane one: gap = h + u_n - approach / stretch becomes
-/// stretch (h + u_n) - approach, the pressure's vertical force is its sum times dx dy, and with
-/// respect to that sum stretch A_nn is symmetric.
-Field vertical(const PatchShape& shape, const Field& distance) {
-  return shape.stretch.size() == 0 ? distance : Field(distance.cwiseProduct(shape.stretch));
-}
-
-/// What the preconditioner misses.
+/// What the preconditioner misses; its normal part as a gap along z.
 Response defect_of(const Response& response, const SurfaceField& halfspace,
-                   const PatchShape& shape) {
+                   const VerticalFrame& frame) {
   const SurfaceField& u = response.displacement;
-  Response defect{{u.x - halfspace.x, u.y - halfspace.y, vertical(shape, u.n) - halfspace.n},
+  Field normal = u.n;
+  if (frame.to_vertical.size() != 0) normal = normal.cwiseProduct(frame.to_vertical).eval();
+  normal -=
+      frame.carried.size() == 0 ? halfspace.n : Field(halfspace.n.cwiseQuotient(frame.carried));
+  Response defect{{u.x - halfspace.x, u.y - halfspace.y, std::move(normal)},
                   response.curvature_slip};
   if (defect.curvature_slip.x.size() == 0)
     defect.curvature_slip = {Field::Zero(u.n.size()), Field::Zero(u.n.size())};
   return defect;
-}
-
-/// Vertical force of the tractions along the local lateral tangent, N.
-double friction_lift(const Preconditioner& halfspace, const CoupledProblem& problem,
-                     const CoupledSolution& solution) {
-  const Field& py = solution.tangential.traction.y;
-  if (py.size() == 0 || problem.shape.climb.size() == 0) return 0.0;
-  return halfspace.whole.grid().element_area() * py.dot(problem.shape.climb);
-}
-
-/// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip.
-TangentialField defect_slip(const Preconditioner& halfspace, const Response& defect) {
-  if (halfspace.motion == Motion::shift) return {defect.displacement.x, defect.displacement.y};
-  TangentialField slip =
-      upwind_difference(halfspace.whole.grid(), {defect.displacement.x, defect.displacement.y},
-                        halfspace.upwind_order);
-  slip.x += defect.curvature_slip.x;
-  slip.y += defect.curvature_slip.y;
-  return slip;
 }
 
 double rms_over(const Field& mask, const Field& values) {
@@ -78,71 +51,6 @@ double rms_over(const Field& mask, const Field& values) {
 
 double rms_over(const Field& mask, const TangentialField& values) {
   return std::hypot(rms_over(mask, values.x), rms_over(mask, values.y));
-}
-
-bool frictionless(const CoupledProblem& problem) {
-  return problem.rigid_slip.x.size() == 0 || problem.friction_coefficient == 0.0;
-}
-
-/// A given pressure as the solution of a normal problem nobody asks about: no gap, no approach.
-NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
-  NormalSolution given;
-  given.pressure = pressure;
-  given.gap = Field::Zero(pressure.size());
-  given.normal_force = pressure.sum() * grid.element_area();
-  given.contact_elements = static_cast<int>((pressure.array() > 0.0).count());
-  return given;
-}
-
-/// Normal contact with A_half alone, the defect put in as an extra gap; pressure carries what the
-/// tractions leave of the vertical force.
-void solve_pressure(const Preconditioner& halfspace, const CoupledProblem& problem,
-                    const Response& defect, double lift, double tolerance,
-                    CoupledSolution& solution) {
-  if (problem.given_pressure.size() != 0) {
-    solution.normal = given_normal(halfspace.whole.grid(), problem.given_pressure);
-    return;
-  }
-  NormalProblem normal{vertical(problem.shape, problem.undeformed_distance) + defect.displacement.n,
-                       problem.normal_force, problem.approach};
-  if (normal.normal_force) *normal.normal_force -= lift;
-  NormalOptions options;
-  options.tolerance = std::min(options.tolerance, 0.1 * tolerance);
-  solution.normal = solve_normal(halfspace.normal, normal, options, solution.normal.pressure);
-}
-
-/// The same for the tractions under that pressure, the defect put in as an extra slip.
-void solve_tractions(const Preconditioner& halfspace, const CoupledProblem& problem,
-                     const Response& defect, double tolerance, CoupledSolution& solution) {
-  const TangentialField from_defect = defect_slip(halfspace, defect);
-  TangentialProblem tangential{
-      problem.friction_coefficient * solution.normal.pressure,
-      {problem.rigid_slip.x + from_defect.x, problem.rigid_slip.y + from_defect.y}};
-  TangentialOptions options;
-  options.tolerance = std::min(options.tolerance, 0.1 * tolerance);
-  std::optional<EdgeFittedRolling> fitted;
-  if (halfspace.first_order && halfspace.upwind_order == UpwindOrder::second)
-    fitted.emplace(*halfspace.first_order, halfspace.rolling,
-                   upwind_weights(halfspace.whole.grid(), solution.normal.pressure));
-  solution.tangential = solve_tangential(fitted ? *fitted : halfspace.rolling, tangential, options,
-                                         solution.tangential.traction);
-}
-
-/// Contact with A_half alone. On a curved patch at given force pressure and tractions share the
-/// vertical force: they are solved in turn until they do, which takes few turns as the lift of the
-/// tractions is a small part of the force.
-void solve_preconditioner(const Preconditioner& halfspace, const CoupledProblem& problem,
-                          const Response& defect, double tolerance, CoupledSolution& solution) {
-  constexpr int most_turns = 10;
-  constexpr double shared_to = 1e-10;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    const double lift = friction_lift(halfspace, problem, solution);
-    solve_pressure(halfspace, problem, defect, lift, tolerance, solution);
-    if (frictionless(problem)) return;
-    solve_tractions(halfspace, problem, defect, tolerance, solution);
-    const double change = friction_lift(halfspace, problem, solution) - lift;
-    if (!problem.normal_force || std::abs(change) <= shared_to * *problem.normal_force) return;
-  }
 }
 
 SurfaceField tractions(const CoupledSolution& solution) {
@@ -160,28 +68,27 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   const Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
   const Response& image = solution.defect;
   Field normal_change = image.displacement.n - defect.displacement.n;
-  if (problem.normal_force) {
+  if (problem.load.force) {
     const double mean = normal_change.dot(mask) / std::max(1.0, mask.sum());
     normal_change.array() -= mean;
   }
   double residual = problem.given_pressure.size() != 0
                         ? 0.0
                         : rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
-  if (problem.normal_force && problem.given_pressure.size() == 0)
+  if (problem.shares_load())
     residual = std::max(
-        residual, std::abs(solution.normal.normal_force +
-                           friction_lift(halfspace, problem, solution) - *problem.normal_force) /
-                      *problem.normal_force);
-  if (!frictionless(problem)) {
-    const TangentialField slip = defect_slip(halfspace, image);
-    const TangentialField before = defect_slip(halfspace, defect);
-    const double change = rms_over(mask, TangentialField{slip.x - before.x, slip.y - before.y});
-    const double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
-    // What is only rounding of the displacements has no relative error.
-    const double unit = halfspace.motion == Motion::shift ? 1.0 : halfspace.whole.grid().dx;
-    const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
-    if (load > rounding) residual = std::max(residual, change / load);
-  }
+        residual,
+        std::abs(force_along_load(halfspace.whole.grid(), problem, solution) / *problem.load.force -
+                 1.0));
+  if (problem.frictionless()) return residual;
+  const TangentialField slip = defect_slip(halfspace, problem, image);
+  const TangentialField before = defect_slip(halfspace, problem, defect);
+  const double change = rms_over(mask, TangentialField{slip.x - before.x, slip.y - before.y});
+  const double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
+  // What is only rounding of the displacements has no relative error.
+  const double unit = halfspace.motion == Motion::shift ? 1.0 : halfspace.whole.grid().dx;
+  const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
+  if (load > rounding) residual = std::max(residual, change / load);
   return residual;
 }
 
@@ -229,19 +136,15 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   solution.tangential.traction = {start_traction.x, start_traction.y};
   double best = std::numeric_limits<double>::infinity();
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
-    solve_preconditioner(halfspace, problem, defect, options.tolerance, solution);
+    solve_standin(halfspace, problem, defect, options.tolerance, solution);
     const SurfaceField traction = tractions(solution);
     const Response response = compliance.respond(traction);
     solution.displacement = response.displacement;
-    solution.defect = defect_of(response, halfspace.whole.apply(traction), problem.shape);
+    solution.defect = defect_of(response, halfspace.whole.apply(traction), problem.frame);
     solution.outer_iterations = iteration;
     solution.residual = defect_residual(halfspace, problem, solution, defect);
     if (each_iteration) each_iteration(solution);
-    if (solution.residual <= options.tolerance) {
-      if (problem.shape.stretch.size() > 0)
-        solution.normal.gap = solution.normal.gap.cwiseQuotient(problem.shape.stretch);
-      return solution;
-    }
+    if (solution.residual <= options.tolerance) return solution;
 
     // A changed active set can make the history misleading: begin it anew rather than follow it.
     if (solution.residual > 2.0 * best) anderson.restart();

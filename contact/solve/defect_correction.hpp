@@ -3,29 +3,11 @@
 // point is the solution with A; A_half only preconditions. One outer iteration is one A.apply().
 #pragma once
 
-#include "contact/base/progress.hpp"
-#include "contact/solve/normal.hpp"
-#include "contact/solve/tangential.hpp"
+#include "contact/solve/standin.hpp"
+
+#include <functional>
 
 namespace rollfem::contact {
-
-/// What the tangential operator gives: slip of steady rolling or relative displacement.
-enum class Motion {
-  rolling,  ///< slip w = s + D u, without a unit
-  shift,    ///< slip w = s + u in mm: a step of a shift or of transient rolling
-};
-
-/// The solvable stand-in for A: the half-space on the same grid.
-struct Preconditioner {
-  const Compliance& whole;            ///< A_half
-  const NormalOperator& normal;       ///< its normal block
-  const TangentialOperator& rolling;  ///< D A_half,tt; A_half,tt for Motion::shift
-  UpwindOrder upwind_order;
-  Motion motion = Motion::rolling;
-  /// D A_half,tt of first order: with it a `rolling` of second order is fitted to the leading edge
-  /// of every pressure (contact/solve/leading_edge.hpp). Null: `rolling` is used as it is.
-  const TangentialOperator* first_order = nullptr;
-};
 
 struct OuterOptions {
   double tolerance = 1e-4;  ///< on the defect's change, relative to approach and creepage load
@@ -33,23 +15,9 @@ struct OuterOptions {
   int anderson_depth = 3;
 };
 
-/// On a curved patch (`shape`) the approach and the force are vertical, while distance, tractions
-/// and displacement are along the local normal and tangents.
-struct CoupledProblem {
-  Field undeformed_distance;
-  std::optional<double> normal_force;
-  std::optional<double> approach;
-  double friction_coefficient = 0.0;
-  TangentialField rigid_slip;  ///< empty: frictionless
-  Field given_pressure;        ///< MPa, replaces the normal problem; empty: none
-  PatchShape shape;            ///< empty: plane
-};
-
-struct CoupledSolution {
-  NormalSolution normal;
-  TangentialSolution tangential;  ///< fields of size 0 when frictionless
-  SurfaceField displacement;      ///< A p at the solution
-  Response defect;                ///< (A - A_half) p: a start for the next load point
+struct CoupledSolution : StandinSolution {
+  SurfaceField displacement;  ///< A p at the solution
+  Response defect;            ///< (A - A_half) p: a start for the next load point
   int outer_iterations = 0;
   double residual = 0.0;
 };

@@ -1,16 +1,96 @@
-// The one signature all models have, from Hertz to finite elements.
+// What all models are to the program, from Hertz to finite elements: a function of one signature
+// with a name, what it can take, and what else must be known to run it.
 #pragma once
 
+#include "contact/base/checkpoint.hpp"
 #include "contact/base/progress.hpp"
-#include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace rollfem::contact {
 
-/// Runs all load points of a case. Throws InputError when the model cannot take the case (and says
-/// which model can), SolveError when the solution failed.
-using Model = std::function<ModelResult(const Case&, const Progress&)>;
+/// What a model is given.
+using ModelInput = Scene;
+
+/// Runs all load points. Throws InputError when the model cannot take them, SolveError when the
+/// solution failed.
+using Model = std::function<ModelResult(const ModelInput&, const Progress&)>;
+
+/// The same with finished load points kept in a checkpoint, which may be null.
+using ModelRun = std::function<ModelResult(const ModelInput&, const Progress&, Checkpoint*)>;
+
+/// What a problem may ask for that not every model has. Key and words of each: demands.cpp.
+enum class Demand {
+  history,                 ///< shift or transient
+  tangential_force,        ///< prescribed
+  load_history,            ///< a load that changes from step to step
+  profiles,                ///< true ones of wheel and rail
+  lateral_creepage,        ///< of bodies with radii
+  spin,                    ///< of bodies with radii: with profiles there is always some
+  extra_slip,              ///< from a file, of bodies with radii
+  extra_slip_on_profiles,  ///< from a file, beyond what the profiles bring
+  distance_points,         ///< undeformed distance point by point
+  distance_quadratic,      ///< undeformed distance without radii
+  given_pressure,
+  rigid_body,
+  inertia,            ///< of wheel and rail
+  beyond_half_space,  ///< stress where a concave body reaches beyond z = 0
+};
+
+using Demands = std::vector<Demand>;
+
+/// "rolling.spin: it cannot take spin" for the first thing that is asked for and not among
+/// `takes`; nothing when there is none.
+std::optional<std::string> first_beyond(const Demands& takes, const ModelInput& input);
+
+/// What is asked for, in a few words: "spin", "a given pressure".
+std::string demand_words(Demand demand);
+/// All of them, in the order of refusal; those without `missing`.
+const Demands& all_demands();
+Demands all_demands_but(const Demands& missing);
+
+/// One level of a refinement study.
+struct RefinedInput {
+  std::string label;       ///< "40 across"
+  double parameter = 0.0;  ///< 40
+  ModelInput input;
+};
+
+/// A way to refine a model in a study.
+struct Refinement {
+  std::string word;       ///< as --vary takes it: "grid"
+  std::string also;       ///< another word that means the same for this model; may be empty
+  std::string parameter;  ///< heading of the labels: "contact grid"
+  double ratio = 0.0;     ///< of cells from level to level; 0: has no meaning
+  int levels = 0;         ///< unless the user says how many
+  bool fixed = false;     ///< there are no more levels than that
+  /// Level k of n, coarsest first. Throws InputError when a starting value is missing.
+  RefinedInput (*level)(ModelInput input, int k, int n) = nullptr;
+};
+
+struct ModelInfo {
+  std::string name;      ///< as --model and `models` of a case file have it: "halfspace"
+  std::string label;     ///< in figures and tables of reports: "half-space"
+  std::string sentence;  ///< what it is, for --help and docs/models.md
+  Demands takes = {};    ///< of what a problem may ask for
+  ModelRun run = nullptr;
+  std::vector<Refinement> refinements = {};  ///< the first unless a study is told otherwise
+  bool has_stress = false;    ///< solves the elastic problem, and has stress below the surface
+  bool keeps_bodies = false;  ///< that stress is stored with the bodies, not summed from tractions
+  bool parallel = false;      ///< collective over MPI processes; needs a session (app/session.hpp)
+  bool built = true;          ///< this build has it
+  bool in_run = false;        ///< `run` computes it where neither call nor case names models
+  bool in_compare = false;    ///< the same for `compare`
+
+  /// Why it cannot take this problem; nothing when it can.
+  std::optional<std::string> cannot(const ModelInput& input) const {
+    return first_beyond(takes, input);
+  }
+};
 
 }  // namespace rollfem::contact

@@ -244,6 +244,17 @@ double creepage_of_force(double relative_force) {
   return std::copysign(3.0 * (1.0 - std::cbrt(1.0 - size)), relative_force);
 }
 
+Eigen::Vector2d first_creepage(const PrescribedForce& wanted, const Eigen::Vector2d& given,
+                               const Eigen::Vector2d& stiffness, double bound) {
+  const Eigen::Vector2d force(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
+  const double size = force.norm() / bound;
+  const double stretch = size > 0.0 ? creepage_of_force(size) / size : 1.0;
+  Eigen::Vector2d creepage = given;
+  if (wanted.longitudinal) creepage.x() = -stretch * force.x() / stiffness.x();
+  if (wanted.lateral) creepage.y() = -stretch * force.y() / stiffness.y();
+  return creepage;
+}
+
 void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound) {
   const double size = std::hypot(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
   if (size < sliding * bound) return;

@@ -4,7 +4,7 @@
 // the trouble near sliding, where the force hardly grows any more.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <Eigen/Core>
 
@@ -35,6 +35,11 @@ struct FoundCreepage {
 /// tau(F / bound), at most 3 in size: what of a creepage the force would need by Vermeulen and
 /// Johnson's law, in units of bound / stiffness.
 double creepage_of_force(double relative_force);
+
+/// Creepage (shift) for a force by that law with the stiffness of the case without slip; the given
+/// components as they are.
+Eigen::Vector2d first_creepage(const PrescribedForce& wanted, const Eigen::Vector2d& given,
+                               const Eigen::Vector2d& stiffness, double bound);
 
 /// Throws SolveError unless |F| < mu F_z, counting the prescribed components.
 void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound);

@@ -1,6 +1,6 @@
 #include "fem/body/body_points.hpp"
 
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>

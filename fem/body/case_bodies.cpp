@@ -27,12 +27,12 @@ double distance_to_fixed(const meshes::HexMesh& mesh) {
   return nearest;
 }
 
-std::unique_ptr<Body> imported_body(const contact::Case& input, const std::string& key,
+std::unique_ptr<Body> imported_body(const contact::Scene& scene, const std::string& key,
                                     const std::string& file, const SurfaceShape& shape,
                                     const contact::Material& material, BodyOptions options,
                                     MPI_Comm communicator) {
-  const auto path = std::filesystem::path(input.file).parent_path() / file;
-  const std::string name = fmt::format("{}: {}.mesh = \"{}\"", input.file, key, file);
+  const auto path = std::filesystem::path(scene.file).parent_path() / file;
+  const std::string name = fmt::format("{}: {}.mesh = \"{}\"", scene.file, key, file);
   const bool case_is_symmetric = options.half;
   const auto mesh = user_mesh(path.string(), name, shape, options, communicator);
   options.half = std::any_of(mesh.sides.begin(), mesh.sides.end(),
@@ -53,89 +53,91 @@ std::unique_ptr<Body> imported_body(const contact::Case& input, const std::strin
 constexpr double default_rim_thickness = 65.0;  // mm
 constexpr double default_cut_depth = 172.0;     // mm, the whole rail
 
-meshes::TrueSection section_of(const contact::Case& input, bool is_wheel) {
+meshes::TrueSection section_of(const contact::Scene& scene, bool is_wheel) {
   if (is_wheel)
-    return meshes::wheel_section(*input.patch,
-                                 input.fem.rim_thickness.value_or(default_rim_thickness));
+    return meshes::wheel_section(*scene.geometry.surface.profiles,
+                                 scene.fem.rim_thickness.value_or(default_rim_thickness));
   meshes::RailStand stand;
-  stand.inclination = input.track.inclination;
-  stand.field_at_left = input.place && !input.place->left;
-  stand.cut_depth = input.fem.depth.value_or(default_cut_depth);
-  return meshes::rail_section(*input.patch, stand);
+  stand.inclination = scene.rail_inclination;
+  stand.field_at_left = scene.place && !scene.place->left;
+  stand.cut_depth = scene.fem.depth.value_or(default_cut_depth);
+  return meshes::rail_section(*scene.geometry.surface.profiles, stand);
 }
 
-std::unique_ptr<Body> section_body(const contact::Case& input, const SurfaceShape& shape,
+std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceShape& shape,
                                    const contact::Material& material, BodyOptions options,
                                    MPI_Comm communicator) {
   options.depth.reset();
   try {
     const CoarseBody coarse =
-        true_section_mesh(section_of(input, shape.is_wheel), shape, options, communicator);
+        true_section_mesh(section_of(scene, shape.is_wheel), shape, options, communicator);
     options.extent = distance_to_fixed(coarse.mesh);
     return std::make_unique<Body>(shape, material, options, coarse, communicator);
   } catch (const contact::InputError& error) {
-    throw contact::InputError(fmt::format("{}: {}", input.file, error.what()));
+    throw contact::InputError(fmt::format("{}: {}", scene.file, error.what()));
   }
 }
 
-std::string section_note(const contact::Case& input) {
+std::string section_note(const contact::Scene& scene) {
   return fmt::format(
       "bodies are true sections: the rail with the underside of the head, web and foot of 60E1, "
       "cut "
       "and held {:.4g} mm below its top, the rim held {:.4g} mm below the contact, both held at "
       "their ends along rolling",
-      std::min(default_cut_depth, input.fem.depth.value_or(default_cut_depth)),
-      input.fem.rim_thickness.value_or(default_rim_thickness));
+      std::min(default_cut_depth, scene.fem.depth.value_or(default_cut_depth)),
+      scene.fem.rim_thickness.value_or(default_rim_thickness));
 }
 
-void check_far_boundary(const contact::Case& input) {
-  if (has_true_sections(input) && input.fem.far_boundary == contact::FarBoundary::point_load)
+void check_far_boundary(const contact::Scene& scene) {
+  if (has_true_sections(scene) && scene.fem.far_boundary == contact::FarBoundary::point_load)
     throw contact::InputError(fmt::format(
         "{}: fem.far_boundary = \"point_load\" moves the far boundary as that of a half-space, "
         "which "
         "true sections with their free sides are not; allowed with profiles: \"clamped\"; do: "
         "remove it, or lay boxes on the surface ([fem] mesh = \"structured\")",
-        input.file));
+        scene.file));
 }
 
 }  // namespace
 
-void set_segment_sizes(const contact::Case& input, BodyOptions& options) {
-  options.family = input.fem.mesh.value_or(MeshFamily::structured);
-  if (input.fem.width) options.half_width = 0.5 * *input.fem.width;
-  if (input.fem.length) options.half_length = 0.5 * *input.fem.length;
-  options.depth = input.fem.depth;
+void set_segment_sizes(const contact::Scene& scene, BodyOptions& options) {
+  options.family = scene.fem.mesh.value_or(MeshFamily::structured);
+  if (scene.fem.width) options.half_width = 0.5 * *scene.fem.width;
+  if (scene.fem.length) options.half_length = 0.5 * *scene.fem.length;
+  options.depth = scene.fem.depth;
 }
 
-CaseBodies make_bodies(const contact::Case& input, const BodyOptions& options,
+CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
                        MPI_Comm communicator) {
-  const SurfaceShape wheel =
-      input.patch ? profile_surface(input.patch, true)
-                  : SurfaceShape{true, input.wheel.rolling_radius, input.wheel.transverse_radius};
+  const SurfaceShape wheel = scene.has_profiles()
+                                 ? profile_surface(scene.geometry.surface.profiles, true)
+                                 : SurfaceShape{true, scene.geometry.surface.rolling_radius,
+                                                scene.geometry.surface.wheel_transverse_radius};
   const SurfaceShape rail =
-      input.patch ? profile_surface(input.patch, false)
-                  : SurfaceShape{false, contact::infinity, input.rail.transverse_radius};
-  check_far_boundary(input);
-  const bool sections = has_true_sections(input);
+      scene.has_profiles()
+          ? profile_surface(scene.geometry.surface.profiles, false)
+          : SurfaceShape{false, contact::infinity, scene.geometry.surface.rail_transverse_radius};
+  check_far_boundary(scene);
+  const bool sections = has_true_sections(scene);
   CaseBodies bodies;
   const auto make = [&](const std::string& key, const std::string& file, const SurfaceShape& shape,
                         const contact::Material& material) {
     if (file.empty() && sections)
-      return section_body(input, shape, material, options, communicator);
+      return section_body(scene, shape, material, options, communicator);
     if (file.empty()) return std::make_unique<Body>(shape, material, options, communicator);
     bodies.notes.push_back(fmt::format("the {} has the mesh of {}", key, file));
-    return imported_body(input, key, file, shape, material, options, communicator);
+    return imported_body(scene, key, file, shape, material, options, communicator);
   };
-  bodies.wheel = make("wheel", input.wheel.mesh, wheel, input.wheel.material);
-  bodies.rail = make("rail", input.rail.mesh, rail, input.rail.material);
+  bodies.wheel = make("wheel", scene.wheel.mesh, wheel, scene.wheel.material);
+  bodies.rail = make("rail", scene.rail.mesh, rail, scene.rail.material);
   const auto reach = [sections](const Body& body, bool imported) {
     const BodyOptions& o = body.options();
     return imported || sections ? o.extent : std::min({o.reach_s(), o.reach_t(), o.reach_depth()});
   };
-  bodies.reach = std::min(reach(*bodies.wheel, !input.wheel.mesh.empty()),
-                          reach(*bodies.rail, !input.rail.mesh.empty()));
+  bodies.reach = std::min(reach(*bodies.wheel, !scene.wheel.mesh.empty()),
+                          reach(*bodies.rail, !scene.rail.mesh.empty()));
   if (sections)
-    bodies.notes.push_back(section_note(input));
+    bodies.notes.push_back(section_note(scene));
   else if (options.family == MeshFamily::gmsh)
     bodies.notes.push_back("meshes are made by gmsh: cross-sections of quadrilaterals, swept");
   return bodies;

@@ -18,10 +18,10 @@ struct CaseBodies {
 };
 
 /// Width, depth, length and mesh family of the case.
-void set_segment_sizes(const contact::Case& input, BodyOptions& options);
+void set_segment_sizes(const contact::Scene& scene, BodyOptions& options);
 
 /// Collective. Throws contact::InputError.
-CaseBodies make_bodies(const contact::Case& input, const BodyOptions& options,
+CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
                        MPI_Comm communicator);
 
 }  // namespace rollfem::fem

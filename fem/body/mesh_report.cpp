@@ -103,9 +103,9 @@ MeshedBody report(const Body& body, const std::string& name) {
 
 }  // namespace
 
-std::vector<MeshedBody> mesh_case(const contact::Case& input) {
+std::vector<MeshedBody> mesh_case(const contact::Scene& scene) {
   const CaseBodies bodies =
-      make_bodies(input, run_layout(input, default_cell_size(input)).bodies, MPI_COMM_WORLD);
+      make_bodies(scene, run_layout(scene, default_cell_size(scene)).bodies, MPI_COMM_WORLD);
   return {report(*bodies.wheel, "wheel"), report(*bodies.rail, "rail")};
 }
 

@@ -1,8 +1,8 @@
 // The meshes of a case for writing and judging, without solving. Free of deal.II, as model.hpp is.
 #pragma once
 
-#include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <string>
 #include <vector>
@@ -28,6 +28,6 @@ struct MeshedBody {
 
 /// Wheel and rail as `run` would mesh them. Collective; complete on process 0. Throws
 /// contact::InputError.
-std::vector<MeshedBody> mesh_case(const contact::Case& input);
+std::vector<MeshedBody> mesh_case(const contact::Scene& scene);
 
 }  // namespace rollfem::fem

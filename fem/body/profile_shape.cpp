@@ -22,9 +22,7 @@ double chart_end(const contact::HeightCurve& section, double end) {
 }  // namespace
 
 contact::ContactSurface profile_contact(const ProfileShape& shape) {
-  contact::Case input;
-  input.patch = shape.geometry();
-  return contact::contact_surface(input);
+  return contact::ContactSurface::of(shape.geometry());
 }
 
 ProfileShape::ProfileShape(std::shared_ptr<const contact::PatchGeometry> geometry, bool is_wheel)

@@ -39,33 +39,34 @@ double curvature_error(const contact::Material& material, double force, double e
 
 }  // namespace
 
-contact::FarBoundary far_boundary_of(const contact::Case& input) {
+contact::FarBoundary far_boundary_of(const contact::Scene& scene) {
   const bool given_mesh =
-      has_true_sections(input) || !input.wheel.mesh.empty() || !input.rail.mesh.empty();
-  return input.fem.far_boundary.value_or(given_mesh ? contact::FarBoundary::clamped
+      has_true_sections(scene) || !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
+  return scene.fem.far_boundary.value_or(given_mesh ? contact::FarBoundary::clamped
                                                     : contact::FarBoundary::point_load);
 }
 
-double approach_left_out(const contact::Case& input, double normal_force, double extent) {
-  const double spread = patch_box(input).larger() / extent;
+double approach_left_out(const contact::Scene& scene, double normal_force, double extent) {
+  const double spread = patch_box(scene).larger() / extent;
   const auto of_body = [&](const contact::Material& material, double curvature) {
     const double clamped = displacement_at(material, normal_force, extent);
-    if (far_boundary_of(input) == contact::FarBoundary::clamped) return clamped;
+    if (far_boundary_of(scene) == contact::FarBoundary::clamped) return clamped;
     // <x^2> = a^2/5 in Hertz's ellipse of pressure.
     return std::min(clamped, 0.2 * spread * spread * clamped +
                                  curvature_error(material, normal_force, extent, curvature));
   };
-  if (input.patch)
-    return of_body(input.wheel.material, 1.0 / input.patch->local_rolling_radius(0.0) +
-                                             std::abs(input.patch->wheel().at(0.0).second)) +
-           of_body(input.rail.material, input.patch->rail().at(0.0).second);
-  return of_body(input.wheel.material,
-                 1.0 / input.wheel.rolling_radius + 1.0 / input.wheel.transverse_radius) +
-         of_body(input.rail.material, 1.0 / input.rail.transverse_radius);
+  if (scene.has_profiles())
+    return of_body(scene.wheel.material,
+                   1.0 / scene.geometry.surface.profiles->local_rolling_radius(0.0) +
+                       std::abs(scene.geometry.surface.profiles->wheel().at(0.0).second)) +
+           of_body(scene.rail.material, scene.geometry.surface.profiles->rail().at(0.0).second);
+  return of_body(scene.wheel.material, 1.0 / scene.geometry.surface.rolling_radius +
+                                           1.0 / scene.geometry.surface.wheel_transverse_radius) +
+         of_body(scene.rail.material, 1.0 / scene.geometry.surface.rail_transverse_radius);
 }
 
-std::string far_boundary_note(const contact::Case& input, double extent) {
-  if (far_boundary_of(input) == contact::FarBoundary::clamped)
+std::string far_boundary_note(const contact::Scene& scene, double extent) {
+  if (far_boundary_of(scene) == contact::FarBoundary::clamped)
     return fmt::format(
         "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the "
         "approach is that of these segments; its error estimate says how much more it may be for "

@@ -1,7 +1,7 @@
 // The far boundary of a case: which one, and what it leaves out of the approach.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <string>
 
@@ -10,15 +10,15 @@ namespace rollfem::fem {
 /// As the case says; if it does not, that of a half-space under a point load where the program
 /// meshes both bodies as boxes on the surface or around it, and clamped otherwise (true sections
 /// have free sides, which a half-space has not).
-contact::FarBoundary far_boundary_of(const contact::Case& input);
+contact::FarBoundary far_boundary_of(const contact::Scene& scene);
 
 /// Upper estimate, mm, of what the approach at this force (N) would change by in segments that
 /// reach beyond `extent` (mm). Clamped: the half-spaces' displacement there. Point load: what its
 /// displacement there is off, by the spread of the pressure and the curvature of the bodies.
 /// Derivation: docs/theory.md, "Far boundary".
-double approach_left_out(const contact::Case& input, double normal_force, double extent);
+double approach_left_out(const contact::Scene& scene, double normal_force, double extent);
 
 /// What the results say about it.
-std::string far_boundary_note(const contact::Case& input, double extent);
+std::string far_boundary_note(const contact::Scene& scene, double extent);
 
 }  // namespace rollfem::fem

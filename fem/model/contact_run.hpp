@@ -1,5 +1,5 @@
 // One level of the finite-element model: bodies and contact grid with cells of one size, every load
-// point of the case solved on them. model.hpp runs two levels to estimate the error.
+// point of the scene solved on them. model.hpp runs two levels to estimate the error.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -16,7 +16,7 @@ struct LevelOptions {
 };
 
 /// Collective over all MPI processes. Throws contact::SolveError, contact::InputError.
-contact::ModelResult run_level(const contact::Case& input, const LevelOptions& options,
+contact::ModelResult run_level(const contact::Scene& scene, const LevelOptions& options,
                                const contact::Progress& progress);
 
 }  // namespace rollfem::fem

@@ -2,8 +2,8 @@
 // contact grid alone leaves uncertain.
 #pragma once
 
-#include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace rollfem::fem {
 /// traction_coefficient) and of the largest |p_x| to load point k of the finest level. `levels`:
 /// at least two, the finest last, each of half the cells of the one before. Estimates are relative
 /// to the value, or to a hundredth of full sliding where that is more.
-void estimate_force_errors(const contact::Case& input, std::vector<contact::ModelResult>& levels,
+void estimate_force_errors(const contact::Scene& scene, std::vector<contact::ModelResult>& levels,
                            std::size_t k, double assumed_order);
 
 }  // namespace rollfem::fem

@@ -1,6 +1,6 @@
 #include "fem/model/level_checkpoint.hpp"
 
-#include "contact/result/record.hpp"
+#include "contact/solve/state_record.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -54,24 +54,24 @@ void LevelCheckpoint::keep(const LevelStart& start) const {
 }
 
 bool LevelCheckpoint::find(std::size_t k, contact::PointResult& point,
-                           contact::Response& defect) const {
+                           contact::ContactState& state) const {
   const std::string bytes = everywhere(fmt::format("{:04}", k + 1));
   if (bytes.empty()) return false;
   Record record(bytes);
   record.value(point);
-  record.value(defect);
+  contact::exchange(record, state);
   if (!first_) point.bodies.clear();
   return true;
 }
 
 void LevelCheckpoint::keep(std::size_t k, const contact::PointResult& point,
-                           const contact::Response& defect) const {
+                           const contact::ContactState& state) const {
   if (!first_ || store_ == nullptr) return;
   Record record;
   contact::PointResult point_copy = point;
-  contact::Response defect_copy = defect;
+  contact::ContactState state_copy = state;
   record.value(point_copy);
-  record.value(defect_copy);
+  contact::exchange(record, state_copy);
   store_->keep(name_of(fmt::format("{:04}", k + 1)), record.bytes());
 }
 

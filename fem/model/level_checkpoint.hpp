@@ -1,11 +1,11 @@
 // What a level of the finite-element model keeps for a later run: the frictionless solution, and
-// every load point with the defect from which the next one starts, so that numbers come out the
+// every load point with the state from which the next one starts, so that numbers come out the
 // same to the last bit.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/result/result.hpp"
-#include "contact/solve/compliance.hpp"
+#include "contact/solve/contact_problem.hpp"
 
 #include <mpi.h>
 #include <string>
@@ -35,10 +35,11 @@ class LevelCheckpoint {
   /// False when nothing is kept; then the argument is as it was.
   bool find(LevelStart& start) const;
   void keep(const LevelStart& start) const;
-  /// Load point k, counted from 0, and the defect at its solution; its `bodies` on process 0 alone.
-  bool find(std::size_t k, contact::PointResult& point, contact::Response& defect) const;
+  /// Load point k, counted from 0, and the state from which the next one begins; its `bodies` on
+  /// process 0 alone.
+  bool find(std::size_t k, contact::PointResult& point, contact::ContactState& state) const;
   void keep(std::size_t k, const contact::PointResult& point,
-            const contact::Response& defect) const;
+            const contact::ContactState& state) const;
 
  private:
   /// Record of that name on every process, empty when there is none.

@@ -22,8 +22,8 @@ namespace rollfem::fem {
 
 namespace {
 
-using contact::Case;
 using contact::ModelResult;
+using contact::Scene;
 
 /// The order in h that the two-level estimate assumes, measured on case a (docs/verification.md).
 constexpr double assumed_order = 1.5;
@@ -60,7 +60,7 @@ void estimate_stress_errors(contact::PointResult& fine, const contact::PointResu
 
 /// From all levels, the finest last: two at least. Adds to what a point's estimate holds already
 /// (the finite segments' part of the approach).
-void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
+void estimate_errors(const Scene& scene, std::vector<ModelResult>& levels) {
   ModelResult& fine = levels.back();
   const ModelResult& coarse = levels[levels.size() - 2];
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
@@ -70,7 +70,7 @@ void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
       std::vector<double> values;
       for (const ModelResult& level : levels)
         values.push_back(contact::quantity(level.points[k], name));
-      const double scale = contact::estimate_scale(input.friction_coefficient, point, name);
+      const double scale = contact::estimate_scale(scene.friction_coefficient, point, name);
       if (scale > 0.0)
         point.error_estimate[name] +=
             contact::estimated_error(values, assumed_order, least_order) / scale;
@@ -80,7 +80,7 @@ void estimate_errors(const Case& input, std::vector<ModelResult>& levels) {
          {std::tuple{"semi_axis_x", point.semi_axis_x, fine.grid.dx},
           std::tuple{"semi_axis_y", point.semi_axis_y, fine.grid.dy}})
       error[name] = std::max(error[name], counting_error(size, element));
-    estimate_force_errors(input, levels, k, assumed_order);
+    estimate_force_errors(scene, levels, k, assumed_order);
     estimate_stress_errors(point, coarse.points[k]);
   }
 }
@@ -105,46 +105,45 @@ constexpr std::size_t fewest_levels = 3;
 constexpr int most_halvings = 5;
 
 /// Halves the cells until the estimated error is what the case asks for, or memory ends.
-ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress,
+ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progress,
                             contact::Checkpoint* checkpoint) {
   const double default_cell = default_cell_size([&] {
-    Case plain = input;
+    Scene plain = scene;
     plain.fem.cell_size.reset();
     return plain;
   }());
   const double smaller_semi_axis = 8.0 * default_cell;
-  double cell = input.fem.cell_size.value_or(smaller_semi_axis / parts_at_start);
-  refuse_beyond_memory(input, cell);
+  double cell = scene.fem.cell_size.value_or(smaller_semi_axis / parts_at_start);
+  refuse_beyond_memory(scene, cell);
   const auto solve = [&](double size, bool fields) {
-    return run_level(input, {size, fmt::format("{:.3g} mm: ", size), fields, checkpoint}, progress);
+    return run_level(scene, {size, fmt::format("{:.3g} mm: ", size), fields, checkpoint}, progress);
   };
   std::vector<ModelResult> levels;
   if (4.0 * cell <= coarsest_part * smaller_semi_axis) levels.push_back(solve(4.0 * cell, false));
   levels.push_back(solve(2.0 * cell, false));
-  levels.push_back(solve(cell, input.output.fields));
-  estimate_errors(input, levels);
-  const contact::AccuracyRequest asked{input.accuracy, input.accuracy_of};
+  levels.push_back(solve(cell, scene.output.fields));
+  estimate_errors(scene, levels);
   const auto worst_of = [&] {
-    return contact::worst_error(asked, input.friction_coefficient, levels.back().points);
+    return contact::worst_error(scene.accuracy, scene.friction_coefficient, levels.back().points);
   };
   contact::WorstError worst = worst_of();
   std::string reason = fmt::format(
       "cells of {:.3g} mm are the finest tried; do: begin with a "
       "smaller [fem] cell_size, or ask for less",
       cell / std::exp2(most_halvings));
-  for (int halving = 0;
-       halving < most_halvings && (levels.size() < fewest_levels || worst.error > *input.accuracy);
+  for (int halving = 0; halving < most_halvings &&
+                        (levels.size() < fewest_levels || worst.error > *scene.accuracy.relative);
        ++halving) {
     try {
-      refuse_beyond_memory(input, 0.5 * cell);
+      refuse_beyond_memory(scene, 0.5 * cell);
     } catch (const contact::SolveError& error) {
       reason = error.what();
       break;
     }
     cell *= 0.5;
     drop_bodies(levels.back());
-    levels.push_back(solve(cell, input.output.fields));
-    estimate_errors(input, levels);
+    levels.push_back(solve(cell, scene.output.fields));
+    estimate_errors(scene, levels);
     worst = worst_of();
   }
   ModelResult result = std::move(levels.back());
@@ -152,32 +151,32 @@ ModelResult run_to_accuracy(const Case& input, const contact::Progress& progress
       fmt::format("accuracy {:g} asked for: cells were halved to {:.4g} mm; largest estimated "
                   "error {:.2g} ({} at load point {}), from the changes between the last three "
                   "levels and the order that they show",
-                  *input.accuracy, cell, worst.error, worst.quantity, worst.point));
-  if (worst.error > *input.accuracy || levels.size() < fewest_levels)
-    result.shortfall = contact::shortfall_text(asked, worst, reason);
+                  *scene.accuracy.relative, cell, worst.error, worst.quantity, worst.point));
+  if (worst.error > *scene.accuracy.relative || levels.size() < fewest_levels)
+    result.shortfall = contact::shortfall_text(scene.accuracy, worst, reason);
   return result;
 }
 
 }  // namespace
 
-ModelResult run_fem(const Case& input, const contact::Progress& progress,
+ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
                     contact::Checkpoint* checkpoint) {
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  if (input.accuracy) {
-    ModelResult result = run_to_accuracy(input, progress, checkpoint);
+  if (scene.accuracy.relative) {
+    ModelResult result = run_to_accuracy(scene, progress, checkpoint);
     result.seconds["total"] = elapsed();
     return result;
   }
-  const double cell = default_cell_size(input);
-  refuse_beyond_memory(input, cell);
+  const double cell = default_cell_size(scene);
+  refuse_beyond_memory(scene, cell);
   std::vector<ModelResult> levels;
-  levels.push_back(run_level(input, {2.0 * cell, "estimate: ", false, checkpoint}, progress));
+  levels.push_back(run_level(scene, {2.0 * cell, "estimate: ", false, checkpoint}, progress));
   const double estimate_seconds = elapsed();
-  levels.push_back(run_level(input, {cell, "", input.output.fields, checkpoint}, progress));
-  estimate_errors(input, levels);
+  levels.push_back(run_level(scene, {cell, "", scene.output.fields, checkpoint}, progress));
+  estimate_errors(scene, levels);
   ModelResult result = std::move(levels.back());
   result.seconds["estimate"] = estimate_seconds;
   result.seconds["total"] = elapsed();

@@ -13,7 +13,7 @@ namespace rollfem::fem {
 /// Runs the case. Every MPI process of the run calls it; the result is complete on process 0.
 /// Finished load points are kept in the `checkpoint` of process 0 and taken up from there (null:
 /// none).
-contact::ModelResult run_fem(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_fem(const contact::Scene& scene, const contact::Progress& progress,
                              contact::Checkpoint* checkpoint = nullptr);
 
 /// What the program gets from the library it opens.
@@ -23,8 +23,9 @@ struct Entry {
   int (*process)();                        ///< rank
   /// Collective: the text of process 0 on every process.
   std::string (*from_first)(const std::string& text);
-  contact::ModelResult (*run)(const contact::Case&, const contact::Progress&, contact::Checkpoint*);
-  std::vector<MeshedBody> (*mesh)(const contact::Case&);
+  contact::ModelResult (*run)(const contact::Scene&, const contact::Progress&,
+                              contact::Checkpoint*);
+  std::vector<MeshedBody> (*mesh)(const contact::Scene&);
 };
 
 }  // namespace rollfem::fem

@@ -16,8 +16,8 @@ namespace rollfem::fem {
 
 namespace {
 
-using contact::Case;
 using contact::ContactGrid;
+using contact::Scene;
 
 /// Finest cells reach this many semi-axes: more gains nothing (docs/verification.md).
 constexpr double default_reach = 1.1;
@@ -31,10 +31,13 @@ constexpr int margin = 3;
 
 /// The plane y = 0 is a symmetry plane of bodies with radii when nothing drives the material
 /// sideways.
-bool symmetric_about_rolling(const Case& input) {
-  return !input.patch &&
-         std::all_of(input.rolling.creepages.begin(), input.rolling.creepages.end(),
-                     [](const contact::Creepage& c) { return c.lateral == 0.0 && c.spin == 0.0; });
+bool symmetric_about_rolling(const Scene& scene) {
+  return !scene.has_profiles() && scene.geometry.has_surfaces() &&
+         scene.geometry.extra_slip != contact::ExtraSlip::file &&
+         std::all_of(scene.points.begin(), scene.points.end(), [](const contact::LoadPoint& p) {
+           return p.creepage.lateral == 0.0 && p.creepage.spin == 0.0 && !p.force.lateral &&
+                  p.lateral_shift == 0.0 && p.spin_shift == 0.0;
+         });
 }
 
 /// On the lattice of the FE faces, an even number of elements each way.
@@ -45,9 +48,9 @@ ContactGrid lattice_grid(const PatchBox& patch, double cell) {
 }
 
 /// The box of the family `structured` ends where one of the profiles does.
-void fit_to_profiles(const Case& input, BodyOptions& options) {
+void fit_to_profiles(const Scene& scene, BodyOptions& options) {
   for (const bool is_wheel : {true, false}) {
-    const SurfaceShape shape = profile_surface(input.patch, is_wheel);
+    const SurfaceShape shape = profile_surface(scene.geometry.surface.profiles, is_wheel);
     const double reach =
         std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle);
     if (reach < options.fine_half_width)
@@ -57,75 +60,75 @@ void fit_to_profiles(const Case& input, BodyOptions& options) {
           "the {} can be meshed from {:.4g} to {:.4g} mm, where it ends or gets too steep for the "
           "frame of the patch; do: take a smaller [fem] fine_extent or cell_size, a smaller load, "
           "or a longer profile",
-          input.file, options.middle - options.fine_half_width,
+          scene.file, options.middle - options.fine_half_width,
           options.middle + options.fine_half_width, is_wheel ? "wheel" : "rail", shape.lower_t(),
           shape.upper_t()));
-    if (!has_true_sections(input)) options.half_width = std::min(options.reach_t(), reach);
+    if (!has_true_sections(scene)) options.half_width = std::min(options.reach_t(), reach);
   }
 }
 
-BodyOptions body_options(const Case& input, const PatchBox& patch, const ContactGrid& grid,
+BodyOptions body_options(const Scene& scene, const PatchBox& patch, const ContactGrid& grid,
                          double cell) {
-  const double reach = input.fem.fine_extent.value_or(default_reach);
+  const double reach = scene.fem.fine_extent.value_or(default_reach);
   BodyOptions options;
   options.cell_size = cell;
   options.fine_half_length = std::max(reach * patch.half_length, 0.5 * grid.nx * grid.dx);
   options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
   options.middle = patch.middle;
-  options.extent = input.fem.extent.value_or(8.0 * patch.larger());
-  options.half = symmetric_about_rolling(input);
-  options.degree = input.fem.degree;
-  if (contact::feels_inertia(input)) options.speed = input.rolling.speed;
-  set_segment_sizes(input, options);
-  if (input.patch) fit_to_profiles(input, options);
+  options.extent = scene.fem.extent.value_or(8.0 * patch.larger());
+  options.half = symmetric_about_rolling(scene);
+  options.degree = scene.fem.degree;
+  if (scene.feels_inertia()) options.speed = scene.speed;
+  set_segment_sizes(scene, options);
+  if (scene.has_profiles()) fit_to_profiles(scene, options);
   return options;
 }
 
 }  // namespace
 
-PatchBox patch_box(const Case& input) {
-  if (!input.patch) {
-    const halfspace::HertzContact hertz = halfspace::hertz_of_case(input);
+PatchBox patch_box(const Scene& scene) {
+  if (!scene.has_profiles() && !scene.geometry.distance_values) {
+    const halfspace::HertzContact hertz = halfspace::hertz_of_scene(scene);
     return {hertz.semi_axis_x, hertz.semi_axis_y, 0.0};
   }
-  const halfspace::ExpectedPatch patch = halfspace::expected_patch(input);
+  const halfspace::ExpectedPatch patch = halfspace::expected_patch(scene);
   return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width(), patch.y_middle()};
 }
 
-double default_cell_size(const Case& input) {
-  return input.fem.cell_size ? *input.fem.cell_size : patch_box(input).smaller() / 8.0;
+double default_cell_size(const Scene& scene) {
+  return scene.fem.cell_size ? *scene.fem.cell_size : patch_box(scene).smaller() / 8.0;
 }
 
-bool has_true_sections(const Case& input) {
-  if (!input.patch) return false;
-  if (input.fem.mesh) return *input.fem.mesh == MeshFamily::gmsh;
-  const PatchBox patch = patch_box(input);
+bool has_true_sections(const Scene& scene) {
+  if (!scene.has_profiles()) return false;
+  if (scene.fem.mesh) return *scene.fem.mesh == MeshFamily::gmsh;
+  const PatchBox patch = patch_box(scene);
   double reach = contact::infinity;
   for (const bool is_wheel : {true, false}) {
-    const SurfaceShape shape = profile_surface(input.patch, is_wheel);
+    const SurfaceShape shape = profile_surface(scene.geometry.surface.profiles, is_wheel);
     reach = std::min({reach, patch.middle - shape.lower_t(), shape.upper_t() - patch.middle});
   }
   return reach < least_box_reach * patch.larger();
 }
 
-RunLayout run_layout(const Case& input, double cell) {
+RunLayout run_layout(const Scene& scene, double cell) {
   RunLayout layout;
-  layout.patch = patch_box(input);
+  layout.patch = patch_box(scene);
   // To the lattice; what that moves is added on both sides.
   const double exact = layout.patch.middle;
   layout.patch.middle = std::round(exact / cell) * cell;
   layout.patch.half_width += std::abs(layout.patch.middle - exact);
   // Linear displacements cannot follow a traction of their own on every face: elements of one face
   // let it oscillate, and the contact iteration then ends nowhere.
-  layout.grid = lattice_grid(layout.patch, input.fem.degree == 1 ? 2.0 * cell : cell);
-  layout.bodies = body_options(input, layout.patch, layout.grid, cell);
+  layout.grid = lattice_grid(layout.patch, scene.fem.degree == 1 ? 2.0 * cell : cell);
+  layout.bodies = body_options(scene, layout.patch, layout.grid, cell);
   return layout;
 }
 
-int points_that_keep_bodies(const Case& input) {
-  const std::size_t count = input.rolling.creepages.size();
+int points_that_keep_bodies(const Scene& scene) {
+  const std::size_t count = scene.points.size();
   int keep = 0;
-  for (std::size_t k = 0; k < count; ++k) keep += input.output.keeps_bodies(k, count) ? 1 : 0;
+  for (std::size_t k = 0; k < count; ++k) keep += scene.output.keeps_bodies(k, count) ? 1 : 0;
   return keep;
 }
 
@@ -139,13 +142,13 @@ MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies,
   return demand;
 }
 
-void refuse_beyond_memory(const Case& input, double cell_size) {
-  const BodyOptions bodies = run_layout(input, cell_size).bodies;
+void refuse_beyond_memory(const Scene& scene, double cell_size) {
+  const BodyOptions bodies = run_layout(scene, cell_size).bodies;
   constexpr double beyond_all_memory = 2e9;
   const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
-  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, points_that_keep_bodies(input));
-  demand.algebraic = input.fem.linear_solver == contact::LinearSolver::algebraic;
-  demand.factorisation = takes_factorisation(input, demand);
+  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, points_that_keep_bodies(scene));
+  demand.algebraic = scene.fem.linear_solver == contact::LinearSolver::algebraic;
+  demand.factorisation = takes_factorisation(scene, demand);
   refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 #include "fem/body/body.hpp"
 #include "fem/solver/memory.hpp"
 
@@ -18,14 +18,14 @@ struct PatchBox {
   double larger() const { return half_length > half_width ? half_length : half_width; }
   double smaller() const { return half_length > half_width ? half_width : half_length; }
 };
-PatchBox patch_box(const contact::Case& input);
+PatchBox patch_box(const contact::Scene& scene);
 
 /// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
-double default_cell_size(const contact::Case& input);
+double default_cell_size(const contact::Scene& scene);
 
 /// The case has a patch of true profiles and the bodies are the true sections of wheel and rail,
 /// not boxes laid on the surface: as [fem] mesh says, else where a box would not reach far enough.
-bool has_true_sections(const contact::Case& input);
+bool has_true_sections(const contact::Scene& scene);
 
 struct RunLayout {
   PatchBox patch;
@@ -34,10 +34,10 @@ struct RunLayout {
   BodyOptions bodies;
 };
 /// Throws contact::InputError when the profiles cannot be meshed so far.
-RunLayout run_layout(const contact::Case& input, double cell);
+RunLayout run_layout(const contact::Scene& scene, double cell);
 
 /// Number of load points that keep displacement and stress of the bodies.
-int points_that_keep_bodies(const contact::Case& input);
+int points_that_keep_bodies(const contact::Scene& scene);
 
 /// Of a body with half of it or all modelled, by a solver that is not chosen yet. `body_fields`:
 /// load points that keep those of the bodies.
@@ -45,6 +45,6 @@ MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies,
 
 /// Throws contact::SolveError when the level will not fit into memory, without making a mesh.
 /// Collective.
-void refuse_beyond_memory(const contact::Case& input, double cell_size);
+void refuse_beyond_memory(const contact::Scene& scene, double cell_size);
 
 }  // namespace rollfem::fem

@@ -2,7 +2,7 @@
 // is described here once; factorisation.hpp and multigrid.hpp make them.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 #include "fem/body/material_motion.hpp"
 
 #include <deal.II/base/index_set.h>

@@ -12,7 +12,7 @@
 
 namespace rollfem::fem {
 
-using contact::Case;
+using contact::Scene;
 
 namespace {
 
@@ -44,9 +44,9 @@ constexpr double solves_for_normal = 4.0;
 /// for that, and then algebraic multigrid goes on coarsening.
 constexpr unsigned int most_coarse_cells = 4000;
 
-std::unique_ptr<LinearSolver> make_iterative_solver(const Case& input, const Body& body) {
+std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
   constexpr double tolerance = 1e-10;  // the contact iteration lives on small changes
-  if (takes_algebraic(input, body)) return make_algebraic_multigrid(body.problem(), {tolerance});
+  if (takes_algebraic(scene, body)) return make_algebraic_multigrid(body.problem(), {tolerance});
   MultigridOptions options;
   options.tolerance = tolerance;
   return make_multigrid(body.problem(), options);
@@ -54,18 +54,18 @@ std::unique_ptr<LinearSolver> make_iterative_solver(const Case& input, const Bod
 
 }  // namespace
 
-bool takes_algebraic(const Case& input, const Body& body) {
-  return input.fem.linear_solver == contact::LinearSolver::algebraic ||
-         (input.fem.linear_solver == contact::LinearSolver::automatic &&
+bool takes_algebraic(const Scene& scene, const Body& body) {
+  return scene.fem.linear_solver == contact::LinearSolver::algebraic ||
+         (scene.fem.linear_solver == contact::LinearSolver::automatic &&
           body.dofs().get_triangulation().n_cells(0) > most_coarse_cells);
 }
 
-bool takes_factorisation(const Case& input, MemoryDemand demand) {
-  switch (input.fem.linear_solver) {
+bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
+  switch (scene.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
       if (demand.processes > 1)
         throw contact::InputError(
-            input.file +
+            scene.file +
             ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
             "mpirun: \"multigrid\", \"algebraic\" or \"automatic\"; do: change it or run without "
             "mpirun");
@@ -77,13 +77,13 @@ bool takes_factorisation(const Case& input, MemoryDemand demand) {
       break;
   }
   if (demand.processes > 1) return false;
-  if (std::max(input.wheel.material.poisson_ratio, input.rail.material.poisson_ratio) >
+  if (std::max(scene.wheel.material.poisson_ratio, scene.rail.material.poisson_ratio) >
       largest_multigrid_poisson_ratio)
     return true;  // multigrid refuses it
   const double solves =
-      solves_for_normal + solves_per_point * static_cast<double>(input.rolling.creepages.size());
+      solves_for_normal + solves_per_point * static_cast<double>(scene.points.size());
   const double coarse =
-      has_true_sections(input)
+      has_true_sections(scene)
           ? multigrid_iterations * factor_solve_seconds(coarse_unknowns_of_section)
           : 0.0;
   for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
@@ -97,7 +97,7 @@ bool takes_factorisation(const Case& input, MemoryDemand demand) {
 
 /// Two factorisations side by side, one core each: together quicker than one after the other with
 /// two BLAS threads.
-Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, bool factorisation) {
+Solvers make_solvers(const Scene& scene, const Body& wheel, const Body& rail, bool factorisation) {
   if (factorisation) {
     auto other =
         std::async(std::launch::async, [&rail] { return make_factorisation(rail.problem()); });
@@ -106,7 +106,7 @@ Solvers make_solvers(const Case& input, const Body& wheel, const Body& rail, boo
     solvers.rail = other.get();
     return solvers;
   }
-  return {make_iterative_solver(input, wheel), make_iterative_solver(input, rail)};
+  return {make_iterative_solver(scene, wheel), make_iterative_solver(scene, rail)};
 }
 
 }  // namespace rollfem::fem

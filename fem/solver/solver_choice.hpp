@@ -17,14 +17,14 @@ struct Solvers {
 /// Whether the bodies are factorised: as the case says, else where that is expected to be quicker
 /// for its number of solves and fits into memory. Throws contact::InputError when the case asks for
 /// it on several processes. Collective.
-bool takes_factorisation(const contact::Case& input, MemoryDemand demand);
+bool takes_factorisation(const contact::Scene& scene, MemoryDemand demand);
 
 /// Whether algebraic multigrid is taken where the body is not factorised: as the case says, or for
 /// a coarse mesh too large for geometric multigrid.
-bool takes_algebraic(const contact::Case& input, const Body& body);
+bool takes_algebraic(const contact::Scene& scene, const Body& body);
 
 /// Collective.
-Solvers make_solvers(const contact::Case& input, const Body& wheel, const Body& rail,
+Solvers make_solvers(const contact::Scene& scene, const Body& wheel, const Body& rail,
                      bool factorisation);
 
 }  // namespace rollfem::fem

@@ -53,9 +53,9 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
   return fmt::format("[[subsurface.{}]]", names[static_cast<int>(kind)]);
 }
 
-[[noreturn]] void refuse_point(const contact::Case& input, std::size_t request, const Place& place,
+[[noreturn]] void refuse_point(const contact::Scene& scene, std::size_t request, const Place& place,
                                const Body& body, double reach) {
-  const bool wheel = input.subsurface[request].wheel;
+  const bool wheel = scene.subsurface[request].wheel;
   const dealii::Point<3> chart =
       body.shape().coordinates(dealii::Point<3>(place[0], place[1], place[2]));
   const double extent = body.options().extent;
@@ -71,7 +71,7 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
       "allowed: points of the segment, at most {:.3g} mm (a finite element) above a curved "
       "surface, "
       "onto which they are moved; do: {}",
-      input.file, section_of(input.subsurface[request].kind), request + 1, place[0], place[1],
+      scene.file, section_of(scene.subsurface[request].kind), request + 1, place[0], place[1],
       place[2], wheel ? "wheel" : "rail", where, reach,
       above ? "move the points into the body, or follow its surface with "
               "[[subsurface.surface]]"
@@ -111,9 +111,9 @@ struct StressOutput::Implementation {
     std::unique_ptr<BodyNodes> nodes;    ///< where a load point keeps their values
   };
 
-  Implementation(const contact::Case& the_input, const Body& wheel, const Body& rail,
+  Implementation(const contact::Scene& the_input, const Body& wheel, const Body& rail,
                  const contact::ContactGrid& grid, double reach, bool bodies)
-      : input(the_input), maxima(the_input.output.stress_maxima.value_or(true)), keeps(bodies) {
+      : scene(the_input), maxima(the_input.output.stress_maxima.value_or(true)), keeps(bodies) {
     const std::size_t last = count() - 1;
     if (!wanted(last)) return;
     const contact::ContactSurface shared = common_surface(wheel.shape(), rail.shape());
@@ -122,22 +122,22 @@ struct StressOutput::Implementation {
     if (keeps_bodies(last))
       for (const auto& part : parts)
         part->nodes = std::make_unique<BodyNodes>(part->body, part->name);
-    for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
-      Part& part = *parts[input.subsurface[k].wheel ? 0 : 1];
-      const auto places = places_of(input.subsurface[k], part.body.shape());
+    for (std::size_t k = 0; k < scene.subsurface.size(); ++k) {
+      Part& part = *parts[scene.subsurface[k].wheel ? 0 : 1];
+      const auto places = places_of(scene.subsurface[k], part.body.shape());
       part.requests.push_back(k);
       part.points.push_back(part.locator.find(places, reach));
       for (std::size_t p = 0; p < places.size(); ++p)
         if (!std::isfinite(part.points.back().moved(p)))
-          refuse_point(input, k, places[p], part.body, reach);
+          refuse_point(scene, k, places[p], part.body, reach);
       part.surface.emplace_back(part.body, part.locator, part.points.back(), grid, shared);
     }
   }
 
-  std::size_t count() const { return input.rolling.creepages.size(); }
-  bool keeps_bodies(std::size_t k) const { return keeps && input.output.keeps_bodies(k, count()); }
+  std::size_t count() const { return scene.points.size(); }
+  bool keeps_bodies(std::size_t k) const { return keeps && scene.output.keeps_bodies(k, count()); }
   bool wanted(std::size_t k) const {
-    return maxima || !input.subsurface.empty() || keeps_bodies(k);
+    return maxima || !scene.subsurface.empty() || keeps_bodies(k);
   }
 
   static contact::BodyValues values(const Part& part, const Vector& displacement,
@@ -158,7 +158,7 @@ struct StressOutput::Implementation {
     for (std::size_t k = 0; k < part.requests.size(); ++k) {
       const BodyPoints& points = part.points[k];
       SubsurfaceField& field = point.subsurface[part.requests[k]];
-      field.request = input.subsurface[part.requests[k]];
+      field.request = scene.subsurface[part.requests[k]];
       for (std::size_t p = 0; p < points.size(); ++p) field.points.push_back(points.place(p));
       field.displacement = points.values(displacement, displacement_mirror);
       field.stress = stress_at(points, stress);
@@ -228,15 +228,15 @@ struct StressOutput::Implementation {
     return {part.name, of.name, best.value, best.place};
   }
 
-  const contact::Case& input;
+  const contact::Scene& scene;
   bool maxima;
   bool keeps;
   std::vector<std::unique_ptr<Part>> parts;
 };
 
-StressOutput::StressOutput(const contact::Case& input, const Body& wheel, const Body& rail,
+StressOutput::StressOutput(const contact::Scene& scene, const Body& wheel, const Body& rail,
                            const contact::ContactGrid& grid, double reach, bool bodies)
-    : implementation_(std::make_unique<Implementation>(input, wheel, rail, grid, reach, bodies)) {}
+    : implementation_(std::make_unique<Implementation>(scene, wheel, rail, grid, reach, bodies)) {}
 
 StressOutput::~StressOutput() = default;
 
@@ -247,7 +247,7 @@ bool StressOutput::wanted(std::size_t k) const {
 void StressOutput::fill(std::size_t k, contact::PointResult& point,
                         const std::vector<Vector>& displacement, const Vector* expansion) const {
   const Implementation& all = *implementation_;
-  point.subsurface.resize(all.input.subsurface.size());
+  point.subsurface.resize(all.scene.subsurface.size());
   const bool keep = all.keeps_bodies(k);
   all.fill_part(*all.parts[0], displacement[0], expansion, keep, point);
   all.fill_part(*all.parts[1], displacement[1], nullptr, keep, point);

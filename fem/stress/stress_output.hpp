@@ -15,7 +15,7 @@ class StressOutput {
   /// by up to `reach` (mm) are moved onto it; further out they are an contact::InputError that
   /// names the request. `grid`: of the tractions of the load points. `bodies`: values of all nodes
   /// are kept as [output] body_fields says. Collective.
-  StressOutput(const contact::Case& input, const Body& wheel, const Body& rail,
+  StressOutput(const contact::Scene& scene, const Body& wheel, const Body& rail,
                const contact::ContactGrid& grid, double reach, bool bodies);
   ~StressOutput();
   /// Whether load point k asks for anything: else fill() need not be called.

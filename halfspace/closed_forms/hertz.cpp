@@ -60,8 +60,8 @@ void check(double A, double B, double contact_modulus) {
     throw contact::InputError("Hertz: the contact modulus must be positive");
 }
 
-double modulus_of(const contact::Case& input) {
-  return contact::combine(input.wheel.material, input.rail.material).contact_modulus;
+double modulus_of(const contact::Scene& scene) {
+  return scene.material.contact_modulus;
 }
 
 }  // namespace
@@ -111,40 +111,38 @@ contact::Curvatures hertz_curvatures(const HertzContact& contact, double contact
   return {scale * ellint_rd(0.0, b2, a2), scale * ellint_rd(0.0, a2, b2)};
 }
 
-contact::Curvatures curvatures_of_case(const contact::Case& input) {
-  if (input.given_pressure) return hertz_curvatures(hertz_of_case(input), modulus_of(input));
-  if (input.undeformed_distance.values)
-    throw contact::InputError(fmt::format(
-        "{}: undeformed_distance.file: bodies given point by point have no ellipse of "
-        "Hertz's; allowed: radii or undeformed_distance.quadratic; do: run with --model "
-        "halfspace",
-        input.file));
-  const contact::Curvatures curvatures = contact::relative_curvatures(input);
-  if (input.patch && !(curvatures.A > 0.0 && curvatures.B > 0.0))
+contact::Curvatures curvatures_of_scene(const contact::Scene& scene) {
+  if (scene.given_pressure) return hertz_curvatures(hertz_of_scene(scene), modulus_of(scene));
+  if (scene.geometry.distance_values)
+    throw contact::InputError(
+        fmt::format("{}: undeformed_distance.file: bodies given point by point have no ellipse of "
+                    "Hertz's; allowed: radii or geometry.quadratic; do: run with --model "
+                    "halfspace",
+                    scene.file));
+  const contact::Curvatures curvatures = contact::relative_curvatures(scene.geometry);
+  if (scene.has_profiles() && !(curvatures.A > 0.0 && curvatures.B > 0.0))
     throw contact::InputError(fmt::format(
         "{}: {}Hertz: at the contact point the profiles have the relative curvatures A = {:.4g} "
         "/mm "
         "along rolling and B = {:.4g} /mm across, which make no ellipse; allowed: both above 0; "
         "do: run with --model halfspace or strip, which take the profiles as they are",
-        input.file, input.place ? input.place->label() + ": " : std::string(), curvatures.A,
-        curvatures.B));
+        scene.file, scene.patch_prefix(), curvatures.A, curvatures.B));
   return curvatures;
 }
 
-HertzContact hertz_of_case(const contact::Case& input) {
-  if (input.given_pressure) {
-    const contact::GivenPressure& given = *input.given_pressure;
+HertzContact hertz_of_scene(const contact::Scene& scene) {
+  if (scene.given_pressure) {
+    const contact::GivenPressure& given = *scene.given_pressure;
     HertzContact hertz{given.semi_axis_x, given.semi_axis_y, given.max_pressure, 0.0, 0.0};
     hertz.normal_force = pi * given.semi_axis_x * given.semi_axis_y * given.max_pressure / 1.5;
-    hertz.approach = hertz_displacement(hertz, modulus_of(input), 0.0, 0.0);
+    hertz.approach = hertz_displacement(hertz, modulus_of(scene), 0.0, 0.0);
     return hertz;
   }
-  const contact::Curvatures curvatures = curvatures_of_case(input);
-  return input.load.normal_force
-             ? hertz_from_force(curvatures.A, curvatures.B, modulus_of(input),
-                                *input.load.normal_force)
-             : hertz_from_approach(curvatures.A, curvatures.B, modulus_of(input),
-                                   input.load.approach.value_or(0.0));
+  const contact::Curvatures curvatures = curvatures_of_scene(scene);
+  const contact::NormalLoad load = contact::largest_load(scene);
+  return load.force ? hertz_from_force(curvatures.A, curvatures.B, modulus_of(scene), *load.force)
+                    : hertz_from_approach(curvatures.A, curvatures.B, modulus_of(scene),
+                                          load.approach.value_or(0.0));
 }
 
 /// Potential of the semi-ellipsoidal pressure (Johnson 1985, eq. 3.57 to 3.62) in Carlson's form:

@@ -28,10 +28,10 @@ contact::Curvatures hertz_curvatures(const HertzContact& contact, double contact
 /// Hertz's contact for the radii (or quadratic undeformed distance), materials and load of a case;
 /// or the given pressure. Throws contact::InputError when the bodies do not make an elliptic
 /// contact, or are given point by point.
-HertzContact hertz_of_case(const contact::Case& input);
+HertzContact hertz_of_scene(const contact::Scene& scene);
 
-/// A and B of the case, with a given pressure those that belong to it. Throws as hertz_of_case.
-contact::Curvatures curvatures_of_case(const contact::Case& input);
+/// A and B of the case, with a given pressure those that belong to it. Throws as hertz_of_scene.
+contact::Curvatures curvatures_of_scene(const contact::Scene& scene);
 
 /// u_wheel - u_rail in mm, normal component, at any point of the surface: inside the patch
 /// approach - h, outside the closed form with the confocal ellipse.
@@ -39,6 +39,6 @@ double hertz_displacement(const HertzContact& contact, double contact_modulus, d
 
 /// The model "hertz": patch, pressure and approach; no friction. Tractions are sampled on the
 /// case's contact grid.
-contact::ModelResult run_hertz(const contact::Case& input, const contact::Progress& progress);
+contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progress& progress);
 
 }  // namespace rollfem::halfspace

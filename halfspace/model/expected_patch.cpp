@@ -16,8 +16,8 @@
 
 namespace rollfem::halfspace {
 
-using contact::Case;
 using contact::ContactGrid;
+using contact::Scene;
 
 namespace {
 
@@ -44,13 +44,6 @@ Box box_of(const std::vector<RidgeRegion>& regions) {
   return box;
 }
 
-std::optional<double> largest_force(const Case& input) {
-  std::optional<double> force = input.load.normal_force;
-  for (const double other : input.load.normal_forces)
-    force = std::max(force.value_or(other), other);
-  return force;
-}
-
 /// An overlap that is likely to carry the force: that of Hertz's ellipse for a parabola as wide as
 /// the overlap of the profiles.
 double overlap_for_force(const Ridge& ridge, double A, double modulus, double force) {
@@ -70,20 +63,16 @@ struct Found {
   ContactGrid grid;
 };
 
-Found solve_in(const Case& input, const Box& box, const std::optional<double>& force,
+Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& load,
                int n = elements_of_box) {
   const double dx = (box.x_upper - box.x_lower) / n;
   const double dy = (box.y_upper - box.y_lower) / n;
   Found found;
   found.grid = {n, n, dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy};
-  contact::CombinedMaterial material = contact::combine(input.wheel.material, input.rail.material);
-  material.difference = 0.0;
-  const HalfspaceCompliance compliance(found.grid, material);
-  contact::NormalProblem problem{contact::undeformed_distance(input, found.grid), {}, {}};
-  if (force)
-    problem.normal_force = force;
-  else
-    problem.approach = input.load.approach;
+  const HalfspaceCompliance compliance(found.grid, scene.material.uncoupled());
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::plane);
+  const contact::NormalProblem problem{geometry.undeformed_distance(found.grid), load.force,
+                                       load.approach};
   contact::NormalOptions options;
   options.tolerance = 1e-4;
   found.normal = contact::solve_normal(compliance.normal(), problem, options);
@@ -130,44 +119,62 @@ ExpectedPatch summary(const Found& found) {
   return patch;
 }
 
-ExpectedPatch patch_of_profiles(const Case& input, int elements) {
-  const Ridge ridge(*input.patch);
-  const std::optional<double> force = largest_force(input);
-  const double A = contact::relative_curvatures(input).A;
-  const double modulus =
-      contact::combine(input.wheel.material, input.rail.material).contact_modulus;
-  double level = force ? ridge.least_distance() + 1.1 * overlap_for_force(ridge, A, modulus, *force)
-                       : input.load.approach.value_or(0.0);
+/// Of bodies given point by point: the patch on their points, then in a box about it.
+ExpectedPatch patch_of_points(const Scene& scene, int elements) {
+  const contact::Lattice& points = *scene.geometry.distance_values;
+  const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
+                points.y_first + (points.ny - 1) * points.dy};
+  const contact::NormalLoad load = contact::largest_load(scene);
+  Found found = solve_in(scene, all, load);
+  for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
+    const Box next = next_box(found);
+    const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
+                     std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
+    found = solve_in(scene, within, load, std::max(elements, elements_of_box));
+  }
+  return summary(found);
+}
+
+ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
+  const Ridge ridge(*scene.geometry.surface.profiles);
+  const contact::NormalLoad load = contact::largest_load(scene);
+  const double A = contact::relative_curvatures(scene.geometry).A;
+  const double modulus = scene.material.contact_modulus;
+  double level =
+      load.force ? ridge.least_distance() + 1.1 * overlap_for_force(ridge, A, modulus, *load.force)
+                 : load.approach.value_or(0.0);
   const auto overlap_box = [&] {
     const auto regions = ridge.contact_regions(level);
     if (regions.empty())
       throw contact::SolveError(fmt::format(
           "{}: no contact: the approach {} mm does not exceed the smallest distance {} mm",
-          input.file, level, ridge.least_distance()));
+          scene.file, level, ridge.least_distance()));
     return box_of(regions);
   };
   Box box = overlap_box();
-  Found found = solve_in(input, box, force);
-  for (int round = 0; round < most_rounds && force && found.normal.approach > level; ++round) {
+  Found found = solve_in(scene, box, load);
+  for (int round = 0; round < most_rounds && load.force && found.normal.approach > level; ++round) {
     level = ridge.least_distance() + 1.2 * (found.normal.approach - ridge.least_distance());
     box = overlap_box();
-    found = solve_in(input, box, force);
+    found = solve_in(scene, box, load);
   }
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
     box = next_box(found);
-    found = solve_in(input, box, force);
+    found = solve_in(scene, box, load);
   }
-  check_profiles_reach(input, found.size.y_lower, found.size.y_upper);
-  if (elements > elements_of_box) found = solve_in(input, next_box(found), force, elements);
+  check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
+  if (elements > elements_of_box) found = solve_in(scene, next_box(found), load, elements);
   return summary(found);
 }
 
 }  // namespace
 
-ExpectedPatch expected_patch(const Case& input, int elements) {
-  if (input.patch) return patch_of_profiles(input, elements);
+ExpectedPatch expected_patch(const Scene& scene, int elements) {
+  if (scene.has_profiles()) return patch_of_profiles(scene, elements);
+  if (scene.geometry.distance_values && !scene.given_pressure)
+    return patch_of_points(scene, elements);
   constexpr double pi = 3.14159265358979323846;
-  const HertzContact hertz = hertz_of_case(input);
+  const HertzContact hertz = hertz_of_scene(scene);
   ExpectedPatch patch;
   patch.x_lower = -hertz.semi_axis_x;
   patch.x_upper = hertz.semi_axis_x;
@@ -180,8 +187,8 @@ ExpectedPatch expected_patch(const Case& input, int elements) {
   return patch;
 }
 
-void check_profiles_reach(const Case& input, double y_lower, double y_upper) {
-  if (!input.patch) return;
+void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {
+  if (!scene.has_profiles()) return;
   const auto check = [&](const contact::HeightCurve& curve, const char* body) {
     const bool below = y_lower < curve.first();
     if (!below && y_upper <= curve.last()) return;
@@ -189,11 +196,11 @@ void check_profiles_reach(const Case& input, double y_lower, double y_upper) {
         "{}: {}.profile: {}profile too short for the contact: it ends at y = {:.4g} mm of the "
         "patch, the contact reaches from {:.4g} to {:.4g} mm; allowed: profiles that go beyond the "
         "patch; do: give a profile that is measured or defined farther, or move the wheelset",
-        input.file, body, input.place ? input.place->label() + ": " : std::string(),
-        below ? curve.first() : curve.last(), y_lower, y_upper));
+        scene.file, body, scene.patch_prefix(), below ? curve.first() : curve.last(), y_lower,
+        y_upper));
   };
-  check(input.patch->rail(), "rail");
-  check(input.patch->wheel(), "wheel");
+  check(scene.geometry.surface.profiles->rail(), "rail");
+  check(scene.geometry.surface.profiles->wheel(), "wheel");
 }
 
 }  // namespace rollfem::halfspace

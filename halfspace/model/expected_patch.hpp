@@ -2,7 +2,7 @@
 // Hertz, of true profiles from coarse half-space solutions of a few milliseconds.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 
 namespace rollfem::halfspace {
 
@@ -29,10 +29,10 @@ struct ExpectedPatch {
 /// some 30 ms). Throws contact::InputError when the
 /// patch reaches the end of a profile or the radii make no elliptic contact, contact::SolveError
 /// when nothing touches.
-ExpectedPatch expected_patch(const contact::Case& input, int elements = 0);
+ExpectedPatch expected_patch(const contact::Scene& scene, int elements = 0);
 
 /// Throws contact::InputError "profile too short for the contact" when one of the profiles of the
 /// patch ends between y_lower and y_upper, mm.
-void check_profiles_reach(const contact::Case& input, double y_lower, double y_upper);
+void check_profiles_reach(const contact::Scene& scene, double y_lower, double y_upper);
 
 }  // namespace rollfem::halfspace

@@ -22,15 +22,4 @@ Vector2d shift_stiffness(const PatchSize& patch, const CombinedMaterial& materia
   return Vector2d::Constant(4.0 * c * material.shear_modulus / (2.0 - material.poisson_ratio));
 }
 
-Vector2d first_creepage(const contact::PrescribedForce& wanted, const Vector2d& given,
-                        const Vector2d& stiffness, double bound) {
-  const Vector2d force(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
-  const double size = force.norm() / bound;
-  const double stretch = size > 0.0 ? contact::creepage_of_force(size) / size : 1.0;
-  Vector2d creepage = given;
-  if (wanted.longitudinal) creepage.x() = -stretch * force.x() / stiffness.x();
-  if (wanted.lateral) creepage.y() = -stretch * force.y() / stiffness.y();
-  return creepage;
-}
-
 }  // namespace rollfem::halfspace

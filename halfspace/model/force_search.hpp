@@ -4,7 +4,8 @@
 
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/solve/prescribed_force.hpp"
+
+#include <Eigen/Core>
 
 namespace rollfem::halfspace {
 
@@ -16,10 +17,5 @@ Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch,
 /// eq. 7.43), a measure for other shapes.
 Eigen::Vector2d shift_stiffness(const contact::PatchSize& patch,
                                 const contact::CombinedMaterial& material);
-
-/// Creepage (shift) for a force by Vermeulen and Johnson's law with that stiffness; the given
-/// components as they are.
-Eigen::Vector2d first_creepage(const contact::PrescribedForce& wanted, const Eigen::Vector2d& given,
-                               const Eigen::Vector2d& stiffness, double bound);
 
 }  // namespace rollfem::halfspace

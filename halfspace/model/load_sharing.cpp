@@ -11,7 +11,7 @@
 
 namespace rollfem::halfspace {
 
-using contact::Case;
+using contact::Scene;
 
 namespace {
 
@@ -23,41 +23,39 @@ constexpr double first_sinking = 0.05;
 /// No wheel sinks deeper than this, mm.
 constexpr double deepest_sinking = 20.0;
 
-struct Scene {
-  Case input;
+struct Patch {
+  Scene scene;  ///< one load point
   double cosine;
   double separation;
   double least_distance;  ///< mm, of the patch geometry: its own zero of the approach
 };
 
-Scene scene_of(const Case& input) {
-  if (!input.patch || !input.place)
+Patch patch_of(const Scene& scene) {
+  if (!scene.has_profiles() || !scene.place)
     throw contact::InputError(
         "sharing of the load between patches: every scene needs the geometry and the place of its "
         "patch; do: make scenes of a case with profiles");
-  Scene scene{input, std::cos(input.place->contact_angle), input.place->separation,
-              Ridge(*input.patch).least_distance()};
-  scene.input.load = {};
-  return scene;
+  return {contact::at_point(scene, 0), std::cos(scene.place->contact_angle),
+          scene.place->separation, Ridge(*scene.geometry.surface.profiles).least_distance()};
 }
 
-double force_at(Scene& scene, double sinking) {
-  const double approach = sinking * scene.cosine - scene.separation;
+double force_at(Patch& patch, double sinking) {
+  const double approach = sinking * patch.cosine - patch.separation;
   if (!(approach > 0.0)) return 0.0;
-  scene.input.load.approach = scene.least_distance + approach;
-  return expected_patch(scene.input).normal_force;
+  patch.scene.points.front().load = {{}, patch.least_distance + approach};
+  return expected_patch(patch.scene).normal_force;
 }
 
 }  // namespace
 
-SharedLoad share_load(const std::vector<Case>& inputs, double vertical_force) {
+SharedLoad share_load(const std::vector<Scene>& inputs, double vertical_force) {
   if (inputs.empty() || !(vertical_force > 0.0))
     throw contact::InputError(fmt::format(
         "sharing of the load between patches: {} patches and a vertical force of {} N; allowed: at "
         "least one patch and a force above 0",
         inputs.size(), vertical_force));
-  std::vector<Scene> scenes;
-  for (const Case& input : inputs) scenes.push_back(scene_of(input));
+  std::vector<Patch> patches;
+  for (const Scene& scene : inputs) patches.push_back(patch_of(scene));
   SharedLoad shared;
   // Force by Hertz's law is a 3/2 power of the approach: its 2/3 power is searched, nearly
   // straight.
@@ -65,14 +63,14 @@ SharedLoad share_load(const std::vector<Case>& inputs, double vertical_force) {
     shared.sinking = sinking;
     shared.normal_forces.clear();
     double sum = 0.0;
-    for (Scene& scene : scenes) {
-      shared.normal_forces.push_back(force_at(scene, sinking));
-      sum += shared.normal_forces.back() * scene.cosine;
+    for (Patch& patch : patches) {
+      shared.normal_forces.push_back(force_at(patch, sinking));
+      sum += shared.normal_forces.back() * patch.cosine;
     }
     return std::pow(sum / vertical_force, 2.0 / 3.0) - 1.0;
   };
   double lower = deepest_sinking;
-  for (const Scene& scene : scenes) lower = std::min(lower, scene.separation / scene.cosine);
+  for (const Patch& patch : patches) lower = std::min(lower, patch.separation / patch.cosine);
   double at_lower = -1.0;
   double upper = lower + first_sinking;
   double at_upper = defect(upper);

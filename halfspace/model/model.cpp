@@ -15,9 +15,9 @@
 
 namespace rollfem::halfspace {
 
-using contact::Case;
 using contact::ModelResult;
 using contact::PointResult;
+using contact::Scene;
 
 namespace {
 
@@ -43,22 +43,22 @@ struct Cell {
   int across;  ///< elements along the smaller side of the patch
 };
 
-Cell finest_cell(const Case& input) {
-  const auto [length, width] = expected_extent(input);
-  if (input.contact_grid.cell_size) {
-    const auto& [dx, dy] = *input.contact_grid.cell_size;
+Cell finest_cell(const Scene& scene) {
+  const auto [length, width] = expected_extent(scene);
+  if (scene.contact_grid.cell_size) {
+    const auto& [dx, dy] = *scene.contact_grid.cell_size;
     return {dx, dy, static_cast<int>(std::min(length / dx, width / dy))};
   }
-  const int across = input.contact_grid.elements_across;
+  const int across = scene.contact_grid.elements_across;
   return {length / across, width / across, across};
 }
 
 /// The finest level last. There are always two, for the error estimate; a history gains nothing
 /// from more, for its steps start from each other.
-std::vector<Cell> cells_of_levels(const Case& input) {
-  std::vector<Cell> cells{finest_cell(input)};
+std::vector<Cell> cells_of_levels(const Scene& scene) {
+  std::vector<Cell> cells{finest_cell(scene)};
   while (cells.size() < 2 ||
-         (input.history.empty() && cells.back().across / 2 >= fewest_elements_across)) {
+         (!scene.is_history() && cells.back().across / 2 >= fewest_elements_across)) {
     const Cell& fine = cells.back();
     cells.push_back({2.0 * fine.dx, 2.0 * fine.dy, fine.across / 2});
   }
@@ -121,23 +121,23 @@ void estimate_found_creepages(PointResult& fine, const PointResult& coarse,
         two_level_error(a.lateral, b.lateral, scale, partial_slip, across);
 }
 
-void add_notes(const Case& input, ModelResult& result) {
+void add_notes(const Scene& scene, ModelResult& result) {
   result.notes.push_back(fmt::format(
       "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm with constant tractions; "
       "{}-order upwind difference along rolling",
       result.grid.dx, result.grid.dy,
-      input.rolling.upwind_order == contact::UpwindOrder::first ? "first" : "second"));
+      scene.upwind_order == contact::UpwindOrder::first ? "first" : "second"));
   result.notes.push_back(
       "error estimates: 1.5 times the change between this grid and one of twice the cells, divided "
       "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "
       "forces of partial slip at least 0.15 over the number of elements across");
-  if (input.halfspace.surface == contact::SurfaceForm::curved)
+  if (scene.surface_form == contact::SurfaceForm::curved)
     result.notes.push_back(
         "curved contact: y of the contact grid and contact_width are arc lengths along the common "
         "surface, tractions along its local tangents and normal, forces along x, y, z; compliance "
         "of the surface rolled out flat; normal_force holds the part of the tangential tractions "
         "along z, which the given force leaves out");
-  const double difference = contact::combine(input.wheel.material, input.rail.material).difference;
+  const double difference = scene.material.difference;
   if (std::abs(difference) > 1e-12)
     result.notes.push_back(fmt::format(
         "unlike materials, K = {:.4g}: normal and tangential problem coupled; iterations are outer "
@@ -146,11 +146,11 @@ void add_notes(const Case& input, ModelResult& result) {
 }
 
 /// Errors of the finest level so far from the one below it.
-void estimate_level(const Case& input, LevelResult& fine, const LevelResult& coarse, int across) {
+void estimate_level(const Scene& scene, contact::LevelResult& fine,
+                    const contact::LevelResult& coarse, int across) {
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
-    estimate_errors(fine.points[k], coarse.points[k], input.friction_coefficient, across);
-    if (k < input.rolling.forces.size())
-      estimate_found_creepages(fine.points[k], coarse.points[k], input.rolling.forces[k], across);
+    estimate_errors(fine.points[k], coarse.points[k], scene.friction_coefficient, across);
+    estimate_found_creepages(fine.points[k], coarse.points[k], scene.points[k].force, across);
   }
 }
 
@@ -159,22 +159,21 @@ constexpr int most_elements_across = 320;
 
 /// Whether another level is wanted for the accuracy of the case; says in the result when it is and
 /// cannot be had.
-bool refine_further(const Case& input, const LevelResult& fine, const Cell& cell,
+bool refine_further(const Scene& scene, const contact::LevelResult& fine, const Cell& cell,
                     ModelResult& result) {
-  if (!input.accuracy) return false;
-  const contact::AccuracyRequest asked{input.accuracy, input.accuracy_of};
+  if (!scene.accuracy.relative) return false;
   const contact::WorstError worst =
-      contact::worst_error(asked, input.friction_coefficient, fine.points);
-  if (worst.error <= *input.accuracy) {
+      contact::worst_error(scene.accuracy, scene.friction_coefficient, fine.points);
+  if (worst.error <= *scene.accuracy.relative) {
     result.notes.push_back(fmt::format(
         "accuracy {:g} asked for: {} elements across; largest estimated error {:.2g} ({} at load "
         "point {})",
-        *input.accuracy, cell.across, worst.error, worst.quantity, worst.point));
+        *scene.accuracy.relative, cell.across, worst.error, worst.quantity, worst.point));
     return false;
   }
   if (2 * cell.across <= most_elements_across) return true;
   result.shortfall = contact::shortfall_text(
-      asked, worst,
+      scene.accuracy, worst,
       fmt::format("{} elements across are the most; do: ask for less, or give a smaller "
                   "contact_grid.cell_size",
                   cell.across));
@@ -183,14 +182,14 @@ bool refine_further(const Case& input, const LevelResult& fine, const Cell& cell
 
 }  // namespace
 
-ModelResult run_halfspace(const Case& input, const contact::Progress& progress,
+ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
                           contact::Checkpoint* checkpoint) {
   const auto begin = std::chrono::steady_clock::now();
-  std::optional<LevelResult> coarse;
-  std::optional<LevelResult> fine;
-  std::vector<Cell> cells = cells_of_levels(input);
+  std::optional<contact::LevelResult> coarse;
+  std::optional<contact::LevelResult> fine;
+  std::vector<Cell> cells = cells_of_levels(scene);
   // A grid too large to have is refused before the coarser ones are computed.
-  static_cast<void>(potential_area(input, cells.back().dx, cells.back().dy, 0));
+  static_cast<void>(potential_area(scene, cells.back().dx, cells.back().dy, 0));
   ModelResult result;
   result.name = "halfspace";
   for (std::size_t level = 0; level < cells.size(); ++level) {
@@ -198,22 +197,22 @@ ModelResult run_halfspace(const Case& input, const contact::Progress& progress,
     coarse = std::move(fine);
     const bool last = level + 1 == cells.size();
     const std::string prefix =
-        last && !input.accuracy ? "" : fmt::format("{} across: ", cell.across);
-    fine = solve_level(input, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress,
+        last && !scene.accuracy.relative ? "" : fmt::format("{} across: ", cell.across);
+    fine = solve_level(scene, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress,
                        last ? checkpoint : nullptr);
     result.seconds["setup"] += fine->setup_seconds;
     result.seconds["normal"] += fine->normal_seconds;
     result.seconds["tangential"] += fine->tangential_seconds;
     if (!last) continue;
-    estimate_level(input, *fine, *coarse, cell.across);
-    if (refine_further(input, *fine, cell, result))
+    estimate_level(scene, *fine, *coarse, cell.across);
+    if (refine_further(scene, *fine, cell, result))
       cells.push_back({0.5 * cell.dx, 0.5 * cell.dy, 2 * cell.across});
   }
   result.grid = fine->grid;
   result.contact_elements = fine->contact_elements;
   result.unknowns = 3L * fine->contact_elements;
   result.points = std::move(fine->points);
-  add_notes(input, result);
+  add_notes(scene, result);
   result.seconds["total"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

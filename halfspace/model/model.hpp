@@ -12,20 +12,20 @@ struct PatchExtent {
   double length = 0.0;  ///< mm, along x
   double width = 0.0;   ///< mm, along y
 };
-PatchExtent expected_extent(const contact::Case& input);
+PatchExtent expected_extent(const contact::Scene& scene);
 
 /// Potential contact area from the case: the box of expected_patch plus a margin, with elements by
 /// [contact_grid]; or as many elements as fit into contact_grid.extent, or into the points of the
 /// undeformed distance. `margin`: elements beyond the box on each side.
-contact::ContactGrid potential_area(const contact::Case& input, int margin = 3);
+contact::ContactGrid potential_area(const contact::Scene& scene, int margin = 3);
 
 /// The same with square or given elements of dx by dy.
-contact::ContactGrid potential_area(const contact::Case& input, double dx, double dy, int margin);
+contact::ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin);
 
 /// Solves every load point; enlarges the grid when the patch touches its border; a run at half the
 /// resolution gives the error estimate and the first guess. Load points of the finest grid are kept
 /// in the `checkpoint` and taken up from there (null: none).
-contact::ModelResult run_halfspace(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::Progress& progress,
                                    contact::Checkpoint* checkpoint = nullptr);
 
 }  // namespace rollfem::halfspace

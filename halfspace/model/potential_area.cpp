@@ -22,7 +22,7 @@ int elements(double extent, double cell, int margin) {
   return static_cast<int>(std::ceil(extent / cell - 1e-6)) + 2 * margin;
 }
 
-void check_cells(const contact::Case& input, const PatchExtent& extent, double dx, double dy,
+void check_cells(const contact::Scene& scene, const PatchExtent& extent, double dx, double dy,
                  int margin) {
   if (dx > 0.0 && dy > 0.0 &&
       (extent.length / dx + 2.0 * margin) * (extent.width / dy + 2.0 * margin) <=
@@ -31,7 +31,7 @@ void check_cells(const contact::Case& input, const PatchExtent& extent, double d
   throw contact::InputError(fmt::format(
       "{}: contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} mm needs cells "
       "above 0 and at most {:.0e} of them; do: choose larger cells",
-      input.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
+      scene.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
 }
 
 /// Whole elements that fit into a given extent.
@@ -41,49 +41,49 @@ int elements_within(double extent, double cell) {
 
 }  // namespace
 
-PatchExtent expected_extent(const contact::Case& input) {
-  if (const auto& values = input.undeformed_distance.values) {
-    if (input.contact_grid.extent)
-      return {(*input.contact_grid.extent)[0], (*input.contact_grid.extent)[1]};
+PatchExtent expected_extent(const contact::Scene& scene) {
+  if (const auto& values = scene.geometry.distance_values) {
+    if (scene.contact_grid.extent)
+      return {(*scene.contact_grid.extent)[0], (*scene.contact_grid.extent)[1]};
     return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
   }
-  const ExpectedPatch patch = expected_patch(input);
+  const ExpectedPatch patch = expected_patch(scene);
   return {patch.length(), patch.width()};
 }
 
-ContactGrid potential_area(const contact::Case& input, double dx, double dy, int margin) {
-  const contact::GridOptions& options = input.contact_grid;
-  const auto& values = input.undeformed_distance.values;
+ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin) {
+  const contact::GridOptions& options = scene.contact_grid;
+  const auto& values = scene.geometry.distance_values;
   if (!options.extent && !values) {
-    const ExpectedPatch patch = expected_patch(input);
+    const ExpectedPatch patch = expected_patch(scene);
     const PatchExtent extent{patch.length(), patch.width()};
-    check_cells(input, extent, dx, dy, margin);
+    check_cells(scene, extent, dx, dy, margin);
     return ContactGrid::centred(
         elements(extent.length, dx, margin), elements(extent.width, dy, margin), dx, dy,
         options.middle[0] + patch.x_middle(), options.middle[1] + patch.y_middle());
   }
   const PatchExtent extent = options.extent
                                  ? PatchExtent{(*options.extent)[0], (*options.extent)[1]}
-                                 : expected_extent(input);
+                                 : expected_extent(scene);
   std::array<double, 2> middle = options.middle;
   if (values && !options.extent)
     middle = {values->x_first + 0.5 * extent.length, values->y_first + 0.5 * extent.width};
-  check_cells(input, extent, dx, dy, 0);
+  check_cells(scene, extent, dx, dy, 0);
   return ContactGrid::centred(elements_within(extent.length, dx), elements_within(extent.width, dy),
                               dx, dy, middle[0], middle[1]);
 }
 
-ContactGrid potential_area(const contact::Case& input, int margin) {
-  const contact::GridOptions& options = input.contact_grid;
+ContactGrid potential_area(const contact::Scene& scene, int margin) {
+  const contact::GridOptions& options = scene.contact_grid;
   if (!options.cell_size && options.elements_across < 1)
     throw contact::InputError(
-        fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", input.file,
+        fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", scene.file,
                     options.elements_across));
-  const PatchExtent extent = expected_extent(input);
+  const PatchExtent extent = expected_extent(scene);
   const double across = options.elements_across;
   const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;
   const double dy = options.cell_size ? (*options.cell_size)[1] : extent.width / across;
-  return potential_area(input, dx, dy, margin);
+  return potential_area(scene, dx, dy, margin);
 }
 
 }  // namespace rollfem::halfspace

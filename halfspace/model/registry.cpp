@@ -1,9 +1,9 @@
 #include "halfspace/model/registry.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/case/abilities.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/model/refinements.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface_fields.hpp"
 #include "halfspace/theories/carter.hpp"
@@ -20,25 +20,31 @@
 
 namespace rollfem::halfspace {
 
-using contact::Case;
+using contact::Demand;
+using contact::Demands;
+using contact::ModelInfo;
 using contact::ModelResult;
 using contact::Progress;
+using contact::Scene;
 
 namespace {
 
-ModelResult run_fastsim_of_case(const Case& input, const Progress& progress) {
-  return run_fastsim(input, progress, input.fastsim);
+/// Slip below this moves no force that a theory gives.
+constexpr double smallest_slip_worth_a_note = 1e-7;
+
+ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
+  return run_fastsim(scene, progress, scene.fastsim);
 }
 
-ModelResult run_halfspace_with_depth(const Case& input, const Progress& progress,
-                                     contact::Checkpoint* checkpoint = nullptr) {
-  ModelResult result = run_halfspace(input, progress, checkpoint);
-  const bool maxima = input.output.stress_maxima.value_or(false);
-  if (input.subsurface.empty() && !maxima) return result;
+ModelResult run_halfspace_with_depth(const Scene& scene, const Progress& progress,
+                                     contact::Checkpoint* checkpoint) {
+  ModelResult result = run_halfspace(scene, progress, checkpoint);
+  const bool maxima = scene.output.stress_maxima.value_or(false);
+  if (scene.subsurface.empty() && !maxima) return result;
   const auto begin = std::chrono::steady_clock::now();
   for (contact::PointResult& point : result.points) {
-    point.subsurface = subsurface_fields(input, result.grid, point.fields.traction);
-    if (maxima) point.stress_maxima = stress_maxima(input, result.grid, point);
+    point.subsurface = subsurface_fields(scene, result.grid, point.fields.traction);
+    if (maxima) point.stress_maxima = stress_maxima(scene, result.grid, point);
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -47,55 +53,135 @@ ModelResult run_halfspace_with_depth(const Case& input, const Progress& progress
   return result;
 }
 
+/// What a theory knows nothing of.
+struct Leaves {
+  bool spin = false;
+  bool extra_slip = false;
+};
+
+/// The slip that the surface brings is left out by a theory that has none, and said.
+ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& scene,
+                                   const Progress& progress) {
+  Scene flat = scene;
+  flat.geometry.extra_slip = contact::ExtraSlip::none;
+  ModelResult result = theory(flat, progress);
+  const ExpectedPatch patch = expected_patch(scene);
+  const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
+  if (largest > smallest_slip_worth_a_note)
+    result.notes.push_back(fmt::format(
+        "the slip that the rolling radii of the wheel's surface bring, up to {:.3g}, is left out: "
+        "this theory has none; fastsim, strip and halfspace have it",
+        largest));
+  return result;
+}
+
 /// A theory of an elliptic patch, on the equivalent ellipse where the case has true profiles.
-contact::Model elliptic(contact::Model theory, bool no_spin = false) {
-  const auto model = [theory = std::move(theory), no_spin](const Case& c, const Progress& p) {
-    return c.patch ? run_on_ellipse(theory, c, p, no_spin) : theory(c, p);
+contact::Model elliptic(contact::Model theory, Leaves leaves = {}) {
+  const contact::Model model = [theory = std::move(theory), leaves](const Scene& c,
+                                                                    const Progress& p) {
+    return c.has_profiles() ? run_on_ellipse(theory, c, p, leaves.spin) : theory(c, p);
   };
-  return [model](const Case& c, const Progress& p) { return run_each_load(model, c, p); };
+  return [model, leaves](const Scene& c, const Progress& p) {
+    if (!leaves.extra_slip || c.geometry.extra_slip != contact::ExtraSlip::automatic)
+      return run_each_load(model, c, p);
+    const contact::Model without = [model](const Scene& s, const Progress& q) {
+      return run_without_extra_slip(model, s, q);
+    };
+    return run_each_load(without, c, p);
+  };
 }
 
-ModelResult run_strip_of_case(const Case& input, const Progress& progress) {
-  return run_strip(input, progress, {input.strip.strips, input.strip.strip_elements});
+ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
+  return run_strip(scene, progress, {scene.strip.strips, scene.strip.strip_elements});
 }
 
-const std::vector<std::pair<std::string, contact::Model>>& models() {
-  static const std::vector<std::pair<std::string, contact::Model>> all{
-      {"hertz",
-       [](const Case& c, const Progress& p) {
-         return c.patch ? run_hertz_of_patch(c, p) : run_hertz(c, p);
-       }},
-      {"linear", elliptic(run_linear)},
-      {"vermeulen-johnson", elliptic(run_vermeulen_johnson, true)},
-      {"carter",
-       [](const Case& c, const Progress& p) { return run_carter(c, p, c.carter.strips); }},
-      {"fastsim", elliptic(run_fastsim_of_case)},
-      {"strip",
-       [](const Case& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); }},
-      {"halfspace",
-       [](const Case& c, const Progress& p) { return run_halfspace_with_depth(c, p); }},
+/// Without a checkpoint: a theory takes no time.
+contact::ModelRun quick(contact::Model model) {
+  return [model = std::move(model)](const Scene& c, const Progress& p, contact::Checkpoint*) {
+    return model(c, p);
   };
+}
+
+/// What every theory of an elliptic patch takes, and `more`.
+Demands of_ellipse(const Demands& more) {
+  Demands all{Demand::distance_quadratic, Demand::given_pressure, Demand::rigid_body,
+              Demand::beyond_half_space};
+  all.insert(all.end(), more.begin(), more.end());
   return all;
+}
+
+void add_theories(contact::ModelRegistry& models) {
+  ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
+  // It knows no friction: it takes any problem, and gives the patch alone.
+  hertz.takes = of_ellipse({Demand::history, Demand::tangential_force, Demand::profiles,
+                            Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
+                            Demand::extra_slip_on_profiles});
+  hertz.run = quick([](const Scene& c, const Progress& p) {
+    return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
+  });
+  hertz.in_run = hertz.in_compare = true;
+  models.add(hertz);
+
+  ModelInfo linear{"linear", "linear theory",
+                   "Kalker's linear theory: creep forces without the bound of friction"};
+  linear.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin});
+  linear.run = quick(elliptic(run_linear, {false, true}));
+  models.add(linear);
+
+  ModelInfo vermeulen{"vermeulen-johnson", "Vermeulen-Johnson",
+                      "Vermeulen and Johnson's creep forces on an ellipse, without spin"};
+  vermeulen.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage});
+  vermeulen.run = quick(elliptic(run_vermeulen_johnson, {true, true}));
+  models.add(vermeulen);
+
+  ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
+  carter.takes = of_ellipse({Demand::extra_slip});
+  carter.run =
+      quick([](const Scene& c, const Progress& p) { return run_carter(c, p, c.carter.strips); });
+  carter.refinements = {carter_strips()};
+  models.add(carter);
+
+  ModelInfo fastsim{"fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse"};
+  fastsim.takes =
+      of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
+  fastsim.run = quick(elliptic(run_fastsim_of_case));
+  fastsim.refinements = {fastsim_strips()};
+  fastsim.in_compare = true;
+  models.add(fastsim);
+
+  ModelInfo strip{"strip", "strip", "strips along rolling, each after Hertz, with brushes"};
+  strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
+                            Demand::extra_slip, Demand::extra_slip_on_profiles});
+  strip.run = quick(
+      [](const Scene& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); });
+  strip.refinements = {strip_strips()};
+  strip.in_compare = true;
+  models.add(strip);
+}
+
+contact::ModelRegistry make_models() {
+  contact::ModelRegistry models;
+  add_theories(models);
+  ModelInfo halfspace{"halfspace", "half-space",
+                      "Kalker's problem with elastic half-spaces, element by element"};
+  halfspace.takes = contact::all_demands_but({Demand::inertia, Demand::beyond_half_space});
+  halfspace.run = run_halfspace_with_depth;
+  halfspace.refinements = {contact_grid()};
+  halfspace.has_stress = halfspace.in_run = halfspace.in_compare = true;
+  models.add(halfspace);
+  return models;
 }
 
 }  // namespace
 
-const std::vector<std::string>& model_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> list;
-    for (const auto& [name, model] : models()) list.push_back(name);
-    return list;
-  }();
-  return names;
+const contact::ModelRegistry& models() {
+  static const contact::ModelRegistry all = make_models();
+  return all;
 }
 
-ModelResult run_model(const std::string& name, const Case& input, const Progress& progress,
+ModelResult run_model(const std::string& name, const Scene& scene, const Progress& progress,
                       contact::Checkpoint* checkpoint) {
-  contact::check_able(input, name);
-  if (name == "halfspace") return run_halfspace_with_depth(input, progress, checkpoint);
-  for (const auto& [known, model] : models())
-    if (known == name) return model(input, progress);
-  throw contact::InputError(fmt::format("{}: there is no model of that name", name));
+  return models().run(name, scene, progress, checkpoint);
 }
 
 }  // namespace rollfem::halfspace

@@ -63,7 +63,7 @@ ValueAt refined(const LoadedBody& body, const contact::StressMeasure& measure, c
 
 }  // namespace
 
-std::vector<StressMaximum> stress_maxima(const contact::Case& input,
+std::vector<StressMaximum> stress_maxima(const contact::Scene& scene,
                                          const contact::ContactGrid& grid,
                                          const contact::PointResult& point) {
   const auto depths = depths_of(grid, point);
@@ -71,7 +71,7 @@ std::vector<StressMaximum> stress_maxima(const contact::Case& input,
   std::vector<StressMaximum> maxima;
   for (const bool wheel : {true, false}) {
     const LoadedBody body{wheel ? Body::wheel : Body::rail,
-                          wheel ? input.wheel.material : input.rail.material, grid,
+                          wheel ? scene.wheel.material : scene.rail.material, grid,
                           point.fields.traction};
     const auto best = largest_on_lattice(body, depths);
     for (std::size_t m = 0; m < measures.size(); ++m) {

@@ -11,7 +11,7 @@ namespace rollfem::halfspace {
 /// looked for on layers of the contact grid's lattice from the surface to 1.5 times the smaller
 /// semi-axis, then between the lattice points. At the surface the value is that at the middle of an
 /// element; depths of less than an element are left out, where the steps of the traction show.
-std::vector<contact::StressMaximum> stress_maxima(const contact::Case& input,
+std::vector<contact::StressMaximum> stress_maxima(const contact::Scene& scene,
                                                   const contact::ContactGrid& grid,
                                                   const contact::PointResult& point);
 

@@ -24,11 +24,11 @@ std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRe
   return points;
 }
 
-std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Case& input,
+std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Scene& scene,
                                                         const contact::ContactGrid& grid,
                                                         const contact::SurfaceField& traction) {
   std::vector<contact::SubsurfaceField> fields;
-  for (const contact::SubsurfaceRequest& request : input.subsurface) {
+  for (const contact::SubsurfaceRequest& request : scene.subsurface) {
     contact::SubsurfaceField field;
     field.request = request;
     field.points = subsurface_points(request);
@@ -36,7 +36,7 @@ std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Case& inp
     for (const auto& point : field.points)
       points.push_back({point[0], point[1], request.wheel ? point[2] : 0.0 - point[2]});
     const LoadedBody body{request.wheel ? Body::wheel : Body::rail,
-                          request.wheel ? input.wheel.material : input.rail.material, grid,
+                          request.wheel ? scene.wheel.material : scene.rail.material, grid,
                           traction};
     for (const SubsurfaceState& state : subsurface_at(body, points)) {
       field.displacement.push_back(state.displacement);

@@ -14,7 +14,7 @@ std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRe
 /// Displacement and stress at the points of every request of the case, from tractions on the wheel.
 /// Each body has its own material and, on the rail, the opposite tractions. Without displacement in
 /// a rigid body.
-std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Case& input,
+std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Scene& scene,
                                                         const contact::ContactGrid& grid,
                                                         const contact::SurfaceField& traction);
 

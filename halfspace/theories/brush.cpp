@@ -139,11 +139,11 @@ StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& fl
   return result;
 }
 
-contact::Creepage strip_creepage(const contact::Case& input, const contact::Creepage& creepage,
-                                 double y) {
+contact::Creepage strip_creepage(const contact::ChartedGeometry& geometry,
+                                 const contact::Creepage& creepage, double y) {
   const contact::Creepage without_spin{creepage.longitudinal, creepage.lateral, 0.0};
   const contact::TangentialField slip =
-      contact::rigid_slip(input, without_spin, contact::ContactGrid{1, 1, 1.0, 1.0, 0.0, y});
+      geometry.rigid_slip(without_spin, contact::ContactGrid{1, 1, 1.0, 1.0, 0.0, y});
   return {slip.x[0], slip.y[0], creepage.spin};
 }
 
@@ -184,7 +184,7 @@ BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, dou
     if (strip.half_length <= 0.0) continue;
     add_strip(strip,
               solve_strip(strip, problem.flexibilities,
-                          strip_creepage(problem.input, problem.creepage, y),
+                          strip_creepage(problem.geometry, problem.creepage, y),
                           chord_elements(strip, problem.elements)),
               width, totals);
   }
@@ -197,7 +197,7 @@ void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& pro
     const BrushStrip strip = strip_at(grid.y(j));
     if (strip.half_length <= 0.0) continue;
     const StripTractions tractions = solve_strip(
-        strip, problem.flexibilities, strip_creepage(problem.input, problem.creepage, strip.y),
+        strip, problem.flexibilities, strip_creepage(problem.geometry, problem.creepage, strip.y),
         chord_elements(strip, problem.elements));
     fill_row({grid, j}, strip, tractions, point.fields);
   }

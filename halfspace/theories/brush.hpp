@@ -69,16 +69,16 @@ struct StripTractions {
 StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& flexibilities,
                            const contact::Creepage& creepage, const StripElements& elements);
 
-/// Creepages of the strip at y: those of the load point, with the extra rigid slip of the case.
-contact::Creepage strip_creepage(const contact::Case& input, const contact::Creepage& creepage,
-                                 double y);
+/// Creepages of the strip at y: those of the load point, with the extra rigid slip of the geometry.
+contact::Creepage strip_creepage(const contact::ChartedGeometry& geometry,
+                                 const contact::Creepage& creepage, double y);
 
 /// Strips of a patch: the strip at y.
 using StripAt = std::function<BrushStrip(double y)>;
 
 /// A load point to be solved by brushes.
 struct BrushProblem {
-  const contact::Case& input;  ///< for the extra rigid slip
+  const contact::ChartedGeometry& geometry;  ///< for the extra rigid slip
   contact::Creepage creepage;
   BrushFlexibilities flexibilities;
   int elements;  ///< per strip

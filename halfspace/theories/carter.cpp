@@ -23,16 +23,16 @@ CarterContact strip_contact(const EllipticPatch& patch, double y) {
 }
 
 /// The strip at y, rolling at its own creepage.
-CarterSolution strip_solution(const contact::Case& input, const EllipticPatch& patch,
-                              const contact::Creepage& creepage, double y) {
-  return {strip_contact(patch, y), strip_creepage(input, creepage, y).longitudinal};
+CarterSolution strip_solution(const EllipticPatch& patch, const contact::Creepage& creepage,
+                              double y) {
+  return {strip_contact(patch, y), strip_creepage(patch.geometry, creepage, y).longitudinal};
 }
 
-BrushTotals sum_carter_strips(const contact::Case& input, const EllipticPatch& patch,
-                              const contact::Creepage& creepage, int strips) {
+BrushTotals sum_carter_strips(const EllipticPatch& patch, const contact::Creepage& creepage,
+                              int strips) {
   BrushTotals totals;
   for (const auto& [y, width] : strip_places(patch.hertz.semi_axis_y, strips)) {
-    const CarterSolution strip = strip_solution(input, patch, creepage, y);
+    const CarterSolution strip = strip_solution(patch, creepage, y);
     totals.forces.longitudinal += width * strip.force();
     totals.forces.spin_moment -= width * y * strip.force();
     totals.adhesion_area += 2.0 * width * strip.stick_half_width();
@@ -41,12 +41,11 @@ BrushTotals sum_carter_strips(const contact::Case& input, const EllipticPatch& p
   return totals;
 }
 
-void fill_fields(const contact::Case& input, const EllipticPatch& patch,
-                 contact::PointResult& point) {
+void fill_fields(const EllipticPatch& patch, contact::PointResult& point) {
   const contact::ContactGrid& grid = patch.grid;
   contact::ContactFields& fields = point.fields;
   for (int j = 0; j < grid.ny; ++j) {
-    const CarterSolution strip = strip_solution(input, patch, point.creepage, grid.y(j));
+    const CarterSolution strip = strip_solution(patch, point.creepage, grid.y(j));
     for (int i = 0; i < grid.nx; ++i) {
       const int k = grid.index(i, j);
       if (fields.state[k] == contact::ElementState::exterior) continue;
@@ -108,22 +107,19 @@ double CarterSolution::slip(double x) const {
   return creepage_ - std::copysign(saturation, creepage_) * x / contact_.half_width;
 }
 
-contact::ModelResult run_carter(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress,
                                 int strips) {
-  refuse_lateral_creepage(input, "carter");
-  refuse_spin(input, "carter");
-  const EllipticPatch patch = elliptic_patch(input);
+  const EllipticPatch patch = elliptic_patch(scene);
   const auto fill = [&](contact::PointResult& point) {
-    fill_fields(input, patch, point);
+    fill_fields(patch, point);
     set_largest_tractions(point);
-    const BrushTotals totals = sum_carter_strips(input, patch, point.creepage, strips);
+    const BrushTotals totals = sum_carter_strips(patch, point.creepage, strips);
     set_forces(totals.forces, point);
     point.adhesion_area *= totals.adhesion_area / totals.contact_area;
-    estimate_error(totals, sum_carter_strips(input, patch, point.creepage, (strips + 1) / 2), 2,
-                   point);
+    estimate_error(totals, sum_carter_strips(patch, point.creepage, (strips + 1) / 2), 2, point);
   };
   contact::ModelResult result =
-      run_theory(input, patch.grid, patch.normal, "carter", progress, fill);
+      run_theory(scene, patch.grid, patch.normal, "carter", progress, fill);
   result.notes.push_back(
       "Carter strip by strip: error estimates are those of the resolution; the theory is for "
       "patches "

@@ -40,7 +40,7 @@ class CarterSolution {
 /// pressure, with the extra rigid slip of the case. The forces are exact integrals along x and
 /// `strips` strips across. Exact for a patch much wider than long; the initial slope is that of
 /// plane strain. Throws contact::InputError for lateral creepage or spin.
-contact::ModelResult run_carter(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress,
                                 int strips = 200);
 
 }  // namespace rollfem::halfspace

@@ -1,11 +1,7 @@
 #include "halfspace/theories/elliptic_patch.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/case/abilities.hpp"
+#include "halfspace/model/registry.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -17,27 +13,17 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-[[noreturn]] void refuse(const std::string& file, const std::string& model, const std::string& what,
-                         const std::string& others) {
-  throw contact::InputError(fmt::format(
-      "{0}: model {1}: {2}: it cannot take this; allowed: {3}; do: run with --model {4}", file,
-      model, what, others, others.substr(others.rfind(' ') + 1)));
-}
-
-template <class Predicate>
-bool any_load_point(const contact::Case& input, Predicate&& predicate) {
-  const auto& creepages = input.rolling.creepages;
-  return std::any_of(creepages.begin(), creepages.end(), predicate);
-}
-
 }  // namespace
 
-EllipticPatch elliptic_patch(const contact::Case& input) {
-  contact::ModelResult hertz = run_hertz(input, {});
-  EllipticPatch patch;
-  patch.hertz = hertz_of_case(input);
-  patch.material = contact::combine(input.wheel.material, input.rail.material);
-  patch.friction = input.friction_coefficient;
+EllipticPatch elliptic_patch(const contact::Scene& scene) {
+  contact::ModelResult hertz = run_hertz(scene, {});
+  EllipticPatch patch{hertz_of_scene(scene),
+                      scene.material,
+                      contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
+                      0.0,
+                      {},
+                      {}};
+  patch.friction = scene.friction_coefficient;
   patch.grid = hertz.grid;
   patch.normal = std::move(hertz.points.front());
   // Theories give no tangential displacement, and the record has all components or none.
@@ -59,22 +45,22 @@ contact::ContactFields resting_fields(const contact::ContactGrid& grid,
   return fields;
 }
 
-contact::ModelResult run_theory(const contact::Case& input, const contact::ContactGrid& grid,
+contact::ModelResult run_theory(const contact::Scene& scene, const contact::ContactGrid& grid,
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill) {
-  contact::check_able(input, name);
+  models().check(scene, name);  // for callers other than the registry
   const auto start = std::chrono::steady_clock::now();
   contact::ModelResult result;
   result.name = name;
   result.grid = grid;
   result.contact_elements = static_cast<int>((normal.fields.traction.n.array() > 0.0).count());
-  if (contact::combine(input.wheel.material, input.rail.material).difference != 0.0)
+  if (scene.material.difference != 0.0)
     result.notes.push_back(
         "unlike materials: combined constants, without the coupling of pressure and friction");
-  for (const contact::Creepage& creepage : input.rolling.creepages) {
+  for (const contact::LoadPoint& load_point : scene.points) {
     const auto point_start = std::chrono::steady_clock::now();
     contact::PointResult point = normal;
-    point.creepage = creepage;
+    point.creepage = load_point.creepage;
     fill(point);
     point.converged = true;
     point.seconds = seconds_since(point_start);
@@ -104,22 +90,6 @@ void set_largest_tractions(contact::PointResult& point) {
   point.max_traction_x = traction.x.cwiseAbs().maxCoeff();
   point.max_traction =
       (traction.x.array().square() + traction.y.array().square()).sqrt().maxCoeff();
-}
-
-void refuse_extra_slip(const contact::Case& input, const std::string& model) {
-  if (input.rolling.extra_slip != contact::ExtraSlip::none)
-    refuse(input.file, model, "rolling.extra_slip", "carter, fastsim, strip, halfspace");
-}
-
-void refuse_spin(const contact::Case& input, const std::string& model) {
-  if (any_load_point(input, [](const contact::Creepage& c) { return c.spin != 0.0; }))
-    refuse(input.file, model, "rolling.spin", "linear, fastsim, strip, halfspace");
-}
-
-void refuse_lateral_creepage(const contact::Case& input, const std::string& model) {
-  if (any_load_point(input, [](const contact::Creepage& c) { return c.lateral != 0.0; }))
-    refuse(input.file, model, "rolling.lateral_creepage",
-           "linear, vermeulen-johnson, fastsim, strip, halfspace");
 }
 
 }  // namespace rollfem::halfspace

@@ -16,6 +16,7 @@ namespace rollfem::halfspace {
 struct EllipticPatch {
   HertzContact hertz;
   contact::CombinedMaterial material;
+  contact::ChartedGeometry geometry;
   double friction = 0.0;
   contact::ContactGrid grid;
   contact::PointResult normal;  ///< everything normal filled in, tractions along the surface 0
@@ -23,14 +24,15 @@ struct EllipticPatch {
 
 /// Patch on the potential contact area of the case. Throws contact::InputError when the case has no
 /// elliptic contact.
-EllipticPatch elliptic_patch(const contact::Case& input);
+EllipticPatch elliptic_patch(const contact::Scene& scene);
 
 /// Adds tangential tractions, slip and whatever follows to a load point that has its creepage and
 /// its normal part.
 using FillTangential = std::function<void(contact::PointResult&)>;
 
-/// Result record of a theory: every load point of the case, from `normal`, by `fill`.
-contact::ModelResult run_theory(const contact::Case& input, const contact::ContactGrid& grid,
+/// Result record of a theory: every load point of the case, from `normal`, by `fill`. Throws
+/// contact::InputError when the model of that `name` cannot take the case.
+contact::ModelResult run_theory(const contact::Scene& scene, const contact::ContactGrid& grid,
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill);
 
@@ -43,11 +45,5 @@ void set_largest_tractions(contact::PointResult& point);
 /// Fields of size zero set to zero on all elements, state adhesion where there is pressure.
 contact::ContactFields resting_fields(const contact::ContactGrid& grid,
                                       const contact::Field& pressure, double friction);
-
-/// Throw contact::InputError naming `model` and models that can when the case asks for what the
-/// theory leaves out.
-void refuse_extra_slip(const contact::Case& input, const std::string& model);
-void refuse_spin(const contact::Case& input, const std::string& model);
-void refuse_lateral_creepage(const contact::Case& input, const std::string& model);
 
 }  // namespace rollfem::halfspace

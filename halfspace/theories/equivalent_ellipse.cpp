@@ -1,5 +1,7 @@
 #include "halfspace/theories/equivalent_ellipse.hpp"
 
+#include "contact/base/errors.hpp"
+#include "contact/base/fixed_point.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 
@@ -11,11 +13,11 @@
 
 namespace rollfem::halfspace {
 
-using contact::Case;
 using contact::ContactGrid;
 using contact::Creepage;
 using contact::ModelResult;
 using contact::PointResult;
+using contact::Scene;
 
 namespace {
 
@@ -38,9 +40,9 @@ void widen(double low, double high, double cell, double& first, int& count) {
 
 /// The potential area of the case, which may end within the ellipse where the true patch is shorter
 /// on one side of its centre of pressure.
-ContactGrid area_around(const Case& input, const EquivalentEllipse& ellipse) {
-  ContactGrid grid = potential_area(input);
-  if (input.contact_grid.extent) return grid;  // what the user wants to see
+ContactGrid area_around(const Scene& scene, const EquivalentEllipse& ellipse) {
+  ContactGrid grid = potential_area(scene);
+  if (scene.contact_grid.extent) return grid;  // what the user wants to see
   const ExpectedPatch& patch = ellipse.patch;
   widen(patch.x_centre - ellipse.semi_axis_x - grid.dx,
         patch.x_centre + ellipse.semi_axis_x + grid.dx, grid.dx, grid.x_first, grid.nx);
@@ -59,11 +61,36 @@ contact::GridOptions fixed_grid(const ContactGrid& grid, double x, double y) {
   return options;
 }
 
-double largest_spin(const Case& input) {
+double largest_spin(const Scene& scene) {
   double spin = 0.0;
-  for (const Creepage& creepage : input.rolling.creepages)
-    spin = std::abs(creepage.spin) > std::abs(spin) ? creepage.spin : spin;
+  for (const contact::LoadPoint& point : scene.points)
+    spin = std::abs(point.creepage.spin) > std::abs(spin) ? point.creepage.spin : spin;
   return spin;
+}
+
+/// Extra slip of the scene on points in the frame at the middle of its patch that hold the grid and
+/// the ellipse.
+contact::Lattice extra_slip_about(const Scene& scene, const EquivalentEllipse& ellipse,
+                                  const ContactGrid& area) {
+  constexpr int rows = 81;
+  const ExpectedPatch& patch = ellipse.patch;
+  const auto farthest = [](double middle, double first, double last, double semi_axis) {
+    return 1.05 * std::max({middle - first, last - middle, semi_axis});
+  };
+  const double half_x =
+      farthest(patch.x_centre, area.x(0), area.x(area.nx - 1), ellipse.semi_axis_x);
+  const double half_y =
+      farthest(patch.y_centre, area.y(0), area.y(area.ny - 1), ellipse.semi_axis_y);
+  const ContactGrid grid = ContactGrid::centred(
+      4, rows, 2.0 * half_x / 3.0, 2.0 * half_y / (rows - 1), patch.x_centre, patch.y_centre);
+  const contact::TangentialField slip =
+      contact::ChartedGeometry(scene.geometry, contact::Chart::plane).extra_slip({}, grid);
+  contact::Lattice lattice{
+      "",      4,       rows, grid.x_first - patch.x_centre, grid.y_first - patch.y_centre,
+      grid.dx, grid.dy, {}};
+  for (const contact::Field* values : {&slip.x, &slip.y})
+    lattice.values.emplace_back(values->begin(), values->end());
+  return lattice;
 }
 
 void shift_points(contact::SubsurfaceField& field, double x, double y) {
@@ -75,28 +102,32 @@ void shift_points(contact::SubsurfaceField& field, double x, double y) {
 
 }  // namespace
 
-EquivalentEllipse equivalent_ellipse(const Case& input) {
+EquivalentEllipse equivalent_ellipse(const Scene& scene) {
   EquivalentEllipse ellipse;
-  ellipse.patch = expected_patch(input, elements_for_ellipse);
+  ellipse.patch = expected_patch(scene, elements_for_ellipse);
   const ExpectedPatch& patch = ellipse.patch;
   const double aspect = patch.length() / patch.width();
   ellipse.semi_axis_x = std::sqrt(patch.area / pi * aspect);
   ellipse.semi_axis_y = std::sqrt(patch.area / pi / aspect);
-  Case& local = ellipse.input;
-  local = input;
-  local.patch = nullptr;
-  local.contact_grid = fixed_grid(area_around(input, ellipse), patch.x_centre, patch.y_centre);
+  Scene& local = ellipse.scene;
+  local = scene;
+  local.geometry = {};
+  local.geometry.extra_slip = contact::ExtraSlip::file;
+  const ContactGrid area = area_around(scene, ellipse);
+  local.geometry.extra_slip_values = extra_slip_about(scene, ellipse, area);
+  local.contact_grid = fixed_grid(area, patch.x_centre, patch.y_centre);
   local.given_pressure = contact::GivenPressure{ellipse.semi_axis_x, ellipse.semi_axis_y,
                                                 1.5 * patch.normal_force / patch.area};
-  local.load = {patch.normal_force, {}, {}, {}};
-  for (Creepage& creepage : local.rolling.creepages) {
+  for (contact::LoadPoint& point : local.points) {
+    point.load = {patch.normal_force, {}};
+    Creepage& creepage = point.creepage;
     creepage.longitudinal -= creepage.spin * patch.y_centre;
     creepage.lateral += creepage.spin * patch.x_centre;
   }
   return ellipse;
 }
 
-void return_to_patch_frame(const Case& input, const EquivalentEllipse& ellipse,
+void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
                            ModelResult& result) {
   const double x = ellipse.patch.x_centre;
   const double y = ellipse.patch.y_centre;
@@ -104,7 +135,7 @@ void return_to_patch_frame(const Case& input, const EquivalentEllipse& ellipse,
   result.grid.y_first += y;
   for (std::size_t k = 0; k < result.points.size(); ++k) {
     PointResult& point = result.points[k];
-    point.creepage = input.rolling.creepages[k];
+    point.creepage = scene.points[k].creepage;
     point.spin_moment += x * point.lateral_force - y * point.longitudinal_force;
     point.approach = ellipse.patch.approach;
     point.patch_x_middle = x;
@@ -120,27 +151,27 @@ void return_to_patch_frame(const Case& input, const EquivalentEllipse& ellipse,
       patch.max_pressure));
 }
 
-ModelResult run_on_ellipse(const contact::Model& model, const Case& input,
+ModelResult run_on_ellipse(const contact::Model& model, const Scene& scene,
                            const contact::Progress& progress, bool no_spin) {
-  EquivalentEllipse ellipse = equivalent_ellipse(input);
+  EquivalentEllipse ellipse = equivalent_ellipse(scene);
   if (no_spin)
-    for (Creepage& creepage : ellipse.input.rolling.creepages) creepage.spin = 0.0;
-  ModelResult result = model(ellipse.input, progress);
-  return_to_patch_frame(input, ellipse, result);
-  if (const double spin = largest_spin(input); no_spin && spin != 0.0)
+    for (contact::LoadPoint& point : ellipse.scene.points) point.creepage.spin = 0.0;
+  ModelResult result = model(ellipse.scene, progress);
+  return_to_patch_frame(scene, ellipse, result);
+  if (const double spin = largest_spin(scene); no_spin && spin != 0.0)
     result.notes.push_back(
         fmt::format("spin of up to {:.4g} rad/mm is left out: this theory has none", spin));
   return result;
 }
 
-ModelResult run_hertz_of_patch(const Case& input, const contact::Progress& progress) {
-  const HertzContact hertz = hertz_of_case(input);
-  const contact::Curvatures curvatures = curvatures_of_case(input);
-  Case local = input;
-  local.patch = nullptr;
-  local.undeformed_distance.quadratic = {curvatures.A, curvatures.B};
+ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& progress) {
+  const HertzContact hertz = hertz_of_scene(scene);
+  const contact::Curvatures curvatures = curvatures_of_scene(scene);
+  Scene local = scene;
+  local.geometry = {};
+  local.geometry.quadratic = {curvatures.A, curvatures.B};
   ModelResult result = run_hertz(local, progress);
-  const ExpectedPatch patch = expected_patch(input, elements_for_ellipse);
+  const ExpectedPatch patch = expected_patch(scene, elements_for_ellipse);
   const auto differs = [](double a, double b) { return std::abs(a / b - 1.0) > worth_a_note; };
   if (differs(2.0 * hertz.semi_axis_x, patch.length()) ||
       differs(2.0 * hertz.semi_axis_y, patch.width()) ||
@@ -155,17 +186,51 @@ ModelResult run_hertz_of_patch(const Case& input, const contact::Progress& progr
   return result;
 }
 
-ModelResult run_each_load(const contact::Model& model, const Case& input,
+namespace {
+
+/// A model at the one load point of a scene whose load has another direction than z: the force
+/// along z is a fixed point, for friction carries a part of the load.
+ModelResult run_tilted_load(const contact::Model& model, Scene single,
+                            const contact::Progress& progress) {
+  constexpr int most_steps = 40;
+  constexpr double carried_to = 1e-9;
+  const contact::NormalLoad wanted = single.points.front().load;
+  if (!wanted.force || wanted.direction[0] == 0.0) return model(single, progress);
+  const auto [across, upwards] = wanted.direction;
+  contact::PositiveFixedPoint search;
+  double force = *wanted.force / upwards;
+  for (int step = 0; step < most_steps; ++step) {
+    single.points.front().load = {force, {}};
+    ModelResult result = model(single, progress);
+    const PointResult& point = result.points.front();
+    const double missing =
+        *wanted.force - across * point.lateral_force - upwards * point.normal_force;
+    if (std::abs(missing) <= carried_to * *wanted.force) return result;
+    force = search.next(force, force + missing / upwards);
+  }
+  throw contact::SolveError(fmt::format(
+      "pressure and friction do not settle to carry {:g} N together in {} steps: friction on the "
+      "tilted patch takes up nearly all of the load or more (the limit of Nadal)",
+      *wanted.force, most_steps));
+}
+
+}  // namespace
+
+ModelResult run_each_load(const contact::Model& model, const Scene& scene,
                           const contact::Progress& progress) {
-  if (input.load.normal_forces.empty()) return model(input, progress);
-  Case single = input;
-  single.contact_grid = fixed_grid(potential_area(input), 0.0, 0.0);
-  single.load.normal_forces.clear();
+  const bool tilted =
+      std::any_of(scene.points.begin(), scene.points.end(),
+                  [](const contact::LoadPoint& point) { return point.load.direction[0] != 0.0; });
+  if (!tilted && !scene.load_changes()) return model(scene, progress);
+  if (scene.points.size() == 1) return run_tilted_load(model, scene, progress);
+  Scene single = scene;
+  const ContactGrid area =
+      scene.has_profiles() ? area_around(scene, equivalent_ellipse(scene)) : potential_area(scene);
+  single.contact_grid = fixed_grid(area, 0.0, 0.0);
   ModelResult result;
-  for (std::size_t k = 0; k < input.rolling.creepages.size(); ++k) {
-    single.load.normal_force = input.load.normal_force_of(k);
-    single.rolling.creepages = {input.rolling.creepages[k]};
-    ModelResult one = model(single, progress);
+  for (std::size_t k = 0; k < scene.points.size(); ++k) {
+    single.points = {scene.points[k]};
+    ModelResult one = run_tilted_load(model, single, progress);
     if (k == 0) {
       result = std::move(one);
       continue;

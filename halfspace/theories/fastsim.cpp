@@ -44,7 +44,7 @@ BrushTotals sum_grid_strips(const BrushProblem& problem, const HertzContact& ell
   for (int j = 0; j < strips; ++j) {
     const BrushStrip strip = strip_at(-ellipse.semi_axis_y + (j + 0.5) * width);
     const StripElements elements = grid_elements(strip, ellipse.semi_axis_x, problem.elements);
-    const contact::Creepage creepage = strip_creepage(problem.input, problem.creepage, strip.y);
+    const contact::Creepage creepage = strip_creepage(problem.geometry, problem.creepage, strip.y);
     add_strip(strip, solve_strip(strip, problem.flexibilities, creepage, elements), width, totals);
   }
   return totals;
@@ -59,12 +59,12 @@ int convergence_order(const FastsimOptions& options, const contact::Creepage& cr
 
 }  // namespace
 
-BrushTotals fastsim(const contact::Case& input, const EllipticPatch& patch,
-                    const contact::Creepage& creepage, const FastsimOptions& options) {
+BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
+                    const FastsimOptions& options) {
   if (options.strips < 1 || options.strip_elements < 1)
     throw contact::InputError("FASTSIM needs at least one strip and one element in each");
   const StripAt strip_at = strips_of(patch, options.bound);
-  const BrushProblem problem{input, creepage,
+  const BrushProblem problem{patch.geometry, creepage,
                              flexibilities_of(patch, creepage, options.flexibilities),
                              options.strip_elements};
   if (options.elements == FastsimElements::grid)
@@ -72,27 +72,27 @@ BrushTotals fastsim(const contact::Case& input, const EllipticPatch& patch,
   return sum_strips(problem, strip_at, patch.hertz.semi_axis_y, options.strips);
 }
 
-contact::ModelResult run_fastsim(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
                                  const FastsimOptions& options) {
-  const EllipticPatch patch = elliptic_patch(input);
+  const EllipticPatch patch = elliptic_patch(scene);
   const StripAt strip_at = strips_of(patch, options.bound);
   FastsimOptions half = options;
   half.strips = (options.strips + 1) / 2;
   half.strip_elements = (options.strip_elements + 1) / 2;
   long unknowns = 0;
   const auto fill = [&](contact::PointResult& point) {
-    const BrushProblem problem{input, point.creepage,
+    const BrushProblem problem{patch.geometry, point.creepage,
                                flexibilities_of(patch, point.creepage, options.flexibilities),
                                options.strip_elements};
     fill_brush_fields(patch.grid, problem, strip_at, point);
-    const BrushTotals totals = fastsim(input, patch, point.creepage, options);
+    const BrushTotals totals = fastsim(patch, point.creepage, options);
     set_totals(totals, point);
-    estimate_error(totals, fastsim(input, patch, point.creepage, half),
+    estimate_error(totals, fastsim(patch, point.creepage, half),
                    convergence_order(options, point.creepage), point);
     unknowns = 2 * totals.elements;
   };
   contact::ModelResult result =
-      run_theory(input, patch.grid, patch.normal, "fastsim", progress, fill);
+      run_theory(scene, patch.grid, patch.normal, "fastsim", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
       "FASTSIM: error estimates are those of the resolution; the theory is 10 to 15 % off in "

@@ -12,13 +12,13 @@ using contact::Flexibilities;
 using FastsimOptions = contact::FastsimOptions;
 
 /// Forces and areas of one load point of the case; the extra rigid slip of the case is included.
-BrushTotals fastsim(const contact::Case& input, const EllipticPatch& patch,
-                    const contact::Creepage& creepage, const FastsimOptions& options = {});
+BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
+                    const FastsimOptions& options = {});
 
 /// The model "fastsim": forces by `options`, fields on the case's contact grid. The recorded
 /// traction bound is that of the theory, whose parabola exceeds mu p_n by a third in the middle.
 /// error_estimate is that of the resolution alone, not of the theory (10 to 15 % in the forces).
-contact::ModelResult run_fastsim(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
                                  const FastsimOptions& options = {});
 
 }  // namespace rollfem::halfspace

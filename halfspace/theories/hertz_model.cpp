@@ -16,17 +16,16 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-contact::ContactFields sampled_fields(const contact::Case& input, const HertzContact& hertz,
+contact::ContactFields sampled_fields(const contact::Scene& scene, const HertzContact& hertz,
                                       const ContactGrid& grid) {
-  const double modulus =
-      contact::combine(input.wheel.material, input.rail.material).contact_modulus;
-  const contact::Curvatures curvatures = curvatures_of_case(input);
+  const double modulus = scene.material.contact_modulus;
+  const contact::Curvatures curvatures = curvatures_of_scene(scene);
   const Field zero = Field::Zero(grid.size());
   contact::ContactFields fields;
   fields.traction = {zero, zero,
                      grid.sample([&](double x, double y) { return hertz.pressure(x, y); })};
   fields.slip = {zero, zero};
-  fields.traction_bound = input.friction_coefficient * fields.traction.n;
+  fields.traction_bound = scene.friction_coefficient * fields.traction.n;
   const Field displacement =
       grid.sample([&](double x, double y) { return hertz_displacement(hertz, modulus, x, y); });
   const Field distance = grid.sample(
@@ -43,12 +42,12 @@ contact::ContactFields sampled_fields(const contact::Case& input, const HertzCon
 
 }  // namespace
 
-contact::ModelResult run_hertz(const contact::Case& input, const contact::Progress& progress) {
+contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
-  const HertzContact hertz = hertz_of_case(input);
+  const HertzContact hertz = hertz_of_scene(scene);
   contact::ModelResult result;
   result.name = "hertz";
-  result.grid = potential_area(input);
+  result.grid = potential_area(scene);
   PointResult point;
   point.normal_force = hertz.normal_force;
   point.max_pressure = hertz.max_pressure;
@@ -60,7 +59,7 @@ contact::ModelResult run_hertz(const contact::Case& input, const contact::Progre
   point.contact_area = pi * hertz.semi_axis_x * hertz.semi_axis_y;
   point.adhesion_area = point.contact_area;
   point.converged = true;
-  point.fields = sampled_fields(input, hertz, result.grid);
+  point.fields = sampled_fields(scene, hertz, result.grid);
   result.contact_elements = static_cast<int>((point.fields.traction.n.array() > 0.0).count());
   result.seconds["total"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

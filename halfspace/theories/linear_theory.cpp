@@ -108,9 +108,8 @@ CreepForces linear_creep_forces(double semi_axis_x, double semi_axis_y, double s
           scale * c * (-k.c23 * creepage.lateral + c * k.c33 * creepage.spin)};
 }
 
-contact::ModelResult run_linear(const contact::Case& input, const contact::Progress& progress) {
-  refuse_extra_slip(input, "linear");
-  const EllipticPatch patch = elliptic_patch(input);
+contact::ModelResult run_linear(const contact::Scene& scene, const contact::Progress& progress) {
+  const EllipticPatch patch = elliptic_patch(scene);
   const double a = patch.hertz.semi_axis_x;
   const double b = patch.hertz.semi_axis_y;
   const contact::CombinedMaterial& material = patch.material;
@@ -120,10 +119,10 @@ contact::ModelResult run_linear(const contact::Case& input, const contact::Progr
     return ellipse_strip(patch.hertz, y, std::numeric_limits<double>::infinity(),
                          BoundShape::parabolic);
   };
-  return run_theory(input, patch.grid, patch.normal, "linear", progress,
+  return run_theory(scene, patch.grid, patch.normal, "linear", progress,
                     [&](contact::PointResult& point) {
                       if (patch.friction == 0.0) return;
-                      const BrushProblem problem{input, point.creepage, flexibilities, 64};
+                      const BrushProblem problem{patch.geometry, point.creepage, flexibilities, 64};
                       fill_brush_fields(patch.grid, problem, strip_at, point);
                       const CreepForces forces = linear_creep_forces(
                           a, b, material.shear_modulus, material.poisson_ratio, point.creepage);

@@ -38,6 +38,6 @@ CreepForces linear_creep_forces(double semi_axis_x, double semi_axis_y, double s
 /// The model "linear". Its forces are those of the coefficients, without a bound; its tractions are
 /// those of the simplified theory without slip, which give the same F_x and F_y. Throws
 /// contact::InputError for extra rigid slip.
-contact::ModelResult run_linear(const contact::Case& input, const contact::Progress& progress);
+contact::ModelResult run_linear(const contact::Scene& scene, const contact::Progress& progress);
 
 }  // namespace rollfem::halfspace

@@ -73,7 +73,7 @@ StripSection strip_section(const StripProfile& profile, const StripNormalSolutio
 
 /// Profile of the radii or the patch of a case; with a patch over the y at which the distance is
 /// below the approach of expected_patch, beyond which nothing touches.
-StripProfile strip_profile(const contact::Case& input, int strips);
+StripProfile strip_profile(const contact::Scene& scene, int strips);
 
 struct StripOptions {
   int strips = 100;          ///< across the patch
@@ -83,7 +83,7 @@ struct StripOptions {
 /// The model "strip": the bound of a strip is the parabola with the friction force of its pressure,
 /// 3 pi/8 mu p0(y) in the middle. Extra rigid slip is allowed. error_estimate is that of the
 /// resolution alone.
-contact::ModelResult run_strip(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress,
                                const StripOptions& options = {});
 
 }  // namespace rollfem::halfspace

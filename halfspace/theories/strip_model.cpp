@@ -18,21 +18,24 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double reach = 1.25;
 
 struct StripContact {
-  const contact::Case& input;
+  const contact::Scene& scene;
   contact::CombinedMaterial material;
+  contact::ChartedGeometry geometry;
   StripProfile profile;
   StripNormalSolution normal;
 };
 
-StripContact strip_contact(const contact::Case& input, int strips) {
-  StripContact contact{input,
-                       contact::combine(input.wheel.material, input.rail.material),
-                       strip_profile(input, strips),
+StripContact strip_contact(const contact::Scene& scene, int strips) {
+  StripContact contact{scene,
+                       scene.material,
+                       contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
+                       strip_profile(scene, strips),
                        {}};
   const double modulus = contact.material.contact_modulus;
-  contact.normal = input.load.normal_force
-                       ? strips_for_force(contact.profile, modulus, *input.load.normal_force)
-                       : strips_for_approach(contact.profile, modulus, input.load.approach.value());
+  const contact::NormalLoad load = contact::largest_load(scene);
+  contact.normal = load.force
+                       ? strips_for_force(contact.profile, modulus, *load.force)
+                       : strips_for_approach(contact.profile, modulus, load.approach.value());
   return contact;
 }
 
@@ -78,7 +81,7 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
   const StripNormalSolution& normal = contact.normal;
   contact::PointResult point;
   point.fields =
-      resting_fields(grid, strip_pressure(contact, grid), contact.input.friction_coefficient);
+      resting_fields(grid, strip_pressure(contact, grid), contact.scene.friction_coefficient);
   point.normal_force = normal.normal_force;
   point.approach = normal.approach;
   const auto largest = [](const std::vector<double>& v) {
@@ -91,7 +94,7 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
   point.semi_axis_y = 0.5 * point.contact_width;
   point.contact_area = contact_area(contact);
   point.adhesion_area = point.contact_area;
-  if (contact.input.patch) {
+  if (contact.scene.has_profiles()) {
     const int deepest = normal.patches.front().deepest;
     point.patch_x_middle = contact.profile.middle[deepest];
     point.patch_y_middle = 0.5 * (normal.patches.front().y_lower + normal.patches.back().y_upper);
@@ -101,7 +104,7 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
 
 BrushProblem brush_problem(const StripContact& contact, const StripPatch& patch,
                            const contact::Creepage& creepage, int elements) {
-  return {contact.input, creepage,
+  return {contact.geometry, creepage,
           kalker_flexibilities(patch.semi_axis_x, patch.semi_axis_y, contact.material.shear_modulus,
                                contact.material.poisson_ratio),
           elements};
@@ -117,10 +120,10 @@ BrushTotals strip_totals(const StripContact& contact, const contact::Creepage& c
       const double middle = contact.profile.middle.empty() ? 0.0 : contact.profile.middle[j];
       const StripSection section{contact.normal.half_length[j], contact.normal.max_pressure[j],
                                  middle};
-      const BrushStrip strip = brush_strip(section, y, contact.input.friction_coefficient);
+      const BrushStrip strip = brush_strip(section, y, contact.scene.friction_coefficient);
       add_strip(
           strip,
-          solve_strip(strip, problem.flexibilities, strip_creepage(contact.input, creepage, y),
+          solve_strip(strip, problem.flexibilities, strip_creepage(contact.geometry, creepage, y),
                       chord_elements(strip, elements)),
           contact.profile.width, totals);
     }
@@ -134,7 +137,7 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
     const auto strip_at = [&](double y) -> BrushStrip {
       if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic, 0.0};
       return brush_strip(strip_section(contact.profile, contact.normal, y), y,
-                         contact.input.friction_coefficient);
+                         contact.scene.friction_coefficient);
     };
     fill_brush_fields(grid, brush_problem(contact, patch, point.creepage, elements), strip_at,
                       point);
@@ -143,9 +146,9 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
 
 /// Strips over all y at which the profiles overlap when they have approached as far as in the
 /// half-space.
-StripProfile profile_of_patch(const contact::Case& input, int strips) {
-  const ExpectedPatch expected = expected_patch(input);
-  const auto regions = Ridge(*input.patch).contact_regions(expected.approach);
+StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
+  const ExpectedPatch expected = expected_patch(scene);
+  const auto regions = Ridge(*scene.geometry.surface.profiles).contact_regions(expected.approach);
   const double lower = regions.front().y_lower;
   const double upper = regions.back().y_upper;
   const int count =
@@ -154,7 +157,7 @@ StripProfile profile_of_patch(const contact::Case& input, int strips) {
   profile.width = (upper - lower) / count;
   profile.y_first = lower + 0.5 * profile.width;
   for (int j = 0; j < count; ++j) {
-    const RidgePoint point = ridge_point(*input.patch, profile.y(j));
+    const RidgePoint point = ridge_point(*scene.geometry.surface.profiles, profile.y(j));
     profile.distance.push_back(point.distance);
     profile.curvature.push_back(point.curvature);
     profile.middle.push_back(point.x);
@@ -164,10 +167,10 @@ StripProfile profile_of_patch(const contact::Case& input, int strips) {
 
 }  // namespace
 
-StripProfile strip_profile(const contact::Case& input, int strips) {
-  if (input.patch) return profile_of_patch(input, strips);
-  const contact::Curvatures curvatures = curvatures_of_case(input);
-  const double half_width = reach * hertz_of_case(input).semi_axis_y;
+StripProfile strip_profile(const contact::Scene& scene, int strips) {
+  if (scene.has_profiles()) return profile_of_patch(scene, strips);
+  const contact::Curvatures curvatures = curvatures_of_scene(scene);
+  const double half_width = reach * hertz_of_scene(scene).semi_axis_y;
   const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));
   StripProfile profile;
   profile.width = 2.0 * half_width / count;
@@ -180,13 +183,13 @@ StripProfile strip_profile(const contact::Case& input, int strips) {
   return profile;
 }
 
-contact::ModelResult run_strip(const contact::Case& input, const contact::Progress& progress,
+contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress,
                                const StripOptions& options) {
   if (options.strips < 8 || options.strip_elements < 4)
     throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
-  const StripContact fine = strip_contact(input, options.strips);
-  const StripContact coarse = strip_contact(input, options.strips / 2);
-  const contact::ContactGrid grid = potential_area(input);
+  const StripContact fine = strip_contact(scene, options.strips);
+  const StripContact coarse = strip_contact(scene, options.strips / 2);
+  const contact::ContactGrid grid = potential_area(scene);
   contact::PointResult normal = normal_part(fine, grid);
   const double coarse_pressure = normal_part(coarse, grid).max_pressure;
   normal.error_estimate["max_pressure"] =
@@ -201,7 +204,7 @@ contact::ModelResult run_strip(const contact::Case& input, const contact::Progre
                    point);
     unknowns = 2 * totals.elements;
   };
-  contact::ModelResult result = run_theory(input, grid, normal, "strip", progress, fill);
+  contact::ModelResult result = run_theory(scene, grid, normal, "strip", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
       "strip model: error estimates are those of the resolution, not of the theory; no gap outside "

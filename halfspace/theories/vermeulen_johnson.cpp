@@ -79,11 +79,9 @@ double vermeulen_johnson_traction(const VermeulenJohnson& solution, double semi_
   return s > 0.0 ? whole - s * root_of_rest((t - (1.0 - s)) / s, u / s) : whole;
 }
 
-contact::ModelResult run_vermeulen_johnson(const contact::Case& input,
+contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
                                            const contact::Progress& progress) {
-  refuse_spin(input, "vermeulen-johnson");
-  refuse_extra_slip(input, "vermeulen-johnson");
-  const EllipticPatch patch = elliptic_patch(input);
+  const EllipticPatch patch = elliptic_patch(scene);
   const auto fill = [&](contact::PointResult& point) {
     if (patch.friction == 0.0) return;
     const VermeulenJohnson solution = solve(patch, point.creepage);
@@ -95,7 +93,7 @@ contact::ModelResult run_vermeulen_johnson(const contact::Case& input,
     set_largest_tractions(point);
     point.adhesion_area *= solution.stick_ratio * solution.stick_ratio;
   };
-  return run_theory(input, patch.grid, patch.normal, "vermeulen-johnson", progress, fill);
+  return run_theory(scene, patch.grid, patch.normal, "vermeulen-johnson", progress, fill);
 }
 
 }  // namespace rollfem::halfspace

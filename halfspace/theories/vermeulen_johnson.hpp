@@ -27,7 +27,7 @@ double vermeulen_johnson_traction(const VermeulenJohnson& solution, double semi_
 
 /// The model "vermeulen-johnson". It gives no slip velocity (the record's slip is 0). Throws
 /// contact::InputError for spin or extra rigid slip.
-contact::ModelResult run_vermeulen_johnson(const contact::Case& input,
+contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
                                            const contact::Progress& progress);
 
 }  // namespace rollfem::halfspace

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -16,30 +16,25 @@ using contact::Creepage;
 
 namespace {
 
-void set_creepages(Case& input, const WheelRailContact& contact,
+void set_creepages(PlacedScene& placed, const Case& input,
                    const std::vector<double>& rotation_change) {
-  auto& creepages = input.rolling.creepages;
-  for (std::size_t k = 0; k < creepages.size(); ++k) {
-    const Creepage moving = creepage_of(contact, motion_of(input, rotation_change[k]));
-    if (!input.rolling.given.longitudinal) creepages[k].longitudinal = moving.longitudinal;
-    if (!input.rolling.given.lateral) creepages[k].lateral = moving.lateral;
-    if (!input.rolling.given.spin) creepages[k].spin = moving.spin;
-  }
-  // A prescribed force stands in place of the creepage of its direction.
-  for (std::size_t k = 0; k < input.rolling.forces.size() && k < creepages.size(); ++k) {
-    if (input.rolling.forces[k].longitudinal) creepages[k].longitudinal = 0.0;
-    if (input.rolling.forces[k].lateral) creepages[k].lateral = 0.0;
+  std::vector<contact::LoadPoint>& points = placed.scene.points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    Creepage& creepage = points[k].creepage;
+    const Creepage moving = creepage_of(placed.contact, motion_of(input, rotation_change[k]));
+    if (!input.rolling.given.longitudinal) creepage.longitudinal = moving.longitudinal;
+    if (!input.rolling.given.lateral) creepage.lateral = moving.lateral;
+    if (!input.rolling.given.spin) creepage.spin = moving.spin;
+    // A prescribed force stands in place of the creepage of its direction.
+    if (points[k].force.longitudinal) creepage.longitudinal = 0.0;
+    if (points[k].force.lateral) creepage.lateral = 0.0;
   }
 }
 
-void set_load(Case& input, const WheelRailContact& contact) {
-  contact::Load& load = input.load;
-  load.normal_forces.clear();
-  if (load.approach) {
-    // The case's approach is that of the first patch; the others share its sinking.
-    load.approach = contact.approach;
-    return;
-  }
+/// The case's approach is that of the first patch; the others share its sinking.
+contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) {
+  const contact::Load& load = input.load;
+  if (load.approach) return {{}, contact.approach};
   if (contact.place.patches > 1 && !load.vertical_force)
     throw contact::InputError(fmt::format(
         "{}: load.normal_force: the {} wheel at position {} touches in {} patches, between which "
@@ -47,21 +42,23 @@ void set_load(Case& input, const WheelRailContact& contact) {
         "do: write `vertical_force = {:.6g}` under [load]",
         input.file.empty() ? "case" : input.file, contact.place.left ? "left" : "right",
         contact.place.position, contact.place.patches, load.normal_force.value_or(0.0)));
-  if (contact.place.patches > 1)
-    load.normal_force = contact.normal_force;
-  else if (load.vertical_force)
-    load.normal_force = normal_force(*load.vertical_force, 0.0, contact.place);
+  if (contact.place.patches > 1) return {contact.normal_force, {}};
+  if (load.vertical_force) return {load.vertical_force, {}, upwards(contact.place)};
+  return {load.normal_force, {}};
 }
 
-Scene make_scene(const Case& input, WheelRailContact contact) {
-  Scene scene;
-  scene.input = input;
-  scene.input.patch = std::make_shared<const contact::PatchGeometry>(contact.geometry);
-  scene.input.place = contact.place;
-  set_load(scene.input, contact);
-  set_creepages(scene.input, contact, rotation_changes(input));
-  scene.contact = std::move(contact);
-  return scene;
+PlacedScene make_scene(const Case& input, WheelRailContact contact) {
+  PlacedScene placed{contact::Scene(input), std::move(contact)};
+  const auto patch = std::make_shared<const contact::PatchGeometry>(placed.contact.geometry);
+  placed.scene.geometry.surface = contact::ContactSurface::of(patch);
+  placed.scene.place = placed.contact.place;
+  for (std::size_t k = 0; k < placed.scene.points.size(); ++k) {
+    const bool by_step =
+        k < input.history.size() && (input.history[k].normal_force || input.history[k].approach);
+    if (!by_step) placed.scene.points[k].load = load_of(input, placed.contact);
+  }
+  set_creepages(placed, input, rotation_changes(input));
+  return placed;
 }
 
 }  // namespace
@@ -79,21 +76,27 @@ std::vector<double> rotation_changes(const Case& input) {
   return changes;
 }
 
-std::vector<Scene> make_scenes(const Case& input, const SearchScene& scene,
-                               const SearchOptions& options) {
-  std::vector<Scene> scenes;
+std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene,
+                                     const SearchOptions& options) {
+  std::vector<PlacedScene> scenes;
   for (std::size_t k = 0; k < input.wheelset.positions(); ++k)
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0) scenes.push_back(make_scene(input, std::move(contact)));
   return scenes;
 }
 
-std::vector<Scene> make_scenes(const Case& input, const SearchOptions& options) {
+std::vector<PlacedScene> make_scenes(const Case& input, const SearchOptions& options) {
   return make_scenes(input, search_scene_of(input), options);
 }
 
-void set_rotation_changes(Scene& scene, const std::vector<double>& rotation_changes) {
-  set_creepages(scene.input, scene.contact, rotation_changes);
+void set_rotation_changes(PlacedScene& scene, const Case& input,
+                          const std::vector<double>& rotation_changes) {
+  set_creepages(scene, input, rotation_changes);
+}
+
+std::array<double, 2> upwards(const contact::ContactPlace& place) {
+  const double sign = place.left ? 1.0 : -1.0;
+  return {sign * std::sin(place.contact_angle), std::cos(place.contact_angle)};
 }
 
 }  // namespace rollfem::meshes

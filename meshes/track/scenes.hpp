@@ -1,8 +1,8 @@
-// The scenes of a case with profiles: one case for each patch of each wheel at each position, with
-// the geometry in the frame of the patch, its load and its creepages, ready for any model.
+// The scenes of a case with profiles: one for each patch of each wheel at each position, with the
+// geometry in the frame of the patch, its load and its creepages, ready for any model.
 #pragma once
 
-#include "contact/case/case.hpp"
+#include "contact/scene/scene.hpp"
 #include "meshes/track/contact_search.hpp"
 #include "meshes/track/wheelset_motion.hpp"
 
@@ -10,10 +10,9 @@
 
 namespace rollfem::meshes {
 
-/// `input` has patch, place, load.normal_force (or approach) and rolling.creepages; `contact` what
-/// free rolling and the sharing of a load need.
-struct Scene {
-  contact::Case input;
+/// A patch ready to be solved, and what free rolling and the sharing of a load need to know of it.
+struct PlacedScene {
+  contact::Scene scene;
   WheelRailContact contact;
 };
 
@@ -21,24 +20,28 @@ struct Scene {
 /// their files: made once, and passed on.
 SearchScene search_scene_of(const contact::Case& input);
 
-/// Scenes in the order positions, left and right wheel, patches; near misses make none. The normal
-/// force is that of vertical_force without friction for a wheel with one patch, and the estimate of
-/// load_estimate.hpp where several share it: the caller corrects both with forces it has found.
-/// Creepages that the case gives (Rolling::given) replace those of the motion.
-/// Throws what find_contacts throws; contact::InputError when a normal force is given for a wheel
-/// with several patches.
-std::vector<Scene> make_scenes(const contact::Case& input, const SearchScene& scene,
-                               const SearchOptions& options = {});
+/// Scenes in the order positions, left and right wheel, patches; near misses make none. A vertical
+/// force is the load of a wheel with one patch, along the vertical; where several share it each has
+/// the estimate of load_estimate.hpp, which the caller corrects. Creepages that the case gives
+/// (Rolling::given) replace those of the motion. Throws what find_contacts throws;
+/// contact::InputError when a normal force is given for a wheel with several patches.
+std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchScene& scene,
+                                     const SearchOptions& options = {});
 
 /// The same with the profiles that the case names.
-std::vector<Scene> make_scenes(const contact::Case& input, const SearchOptions& options = {});
+std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchOptions& options = {});
 
 /// Relative changes of the rotation that the case gives, one for each load point; 0 where it gives
 /// none.
 std::vector<double> rotation_changes(const contact::Case& input);
 
 /// Creepages of the scene at rotations of the wheelset other than those of the case (free rolling):
-/// one for each load point, or one for all.
-void set_rotation_changes(Scene& scene, const std::vector<double>& rotation_changes);
+/// one for each load point.
+void set_rotation_changes(PlacedScene& scene, const contact::Case& input,
+                          const std::vector<double>& rotation_changes);
+
+/// The vertical in the frame of the patch, upwards on the wheel: NormalLoad::direction of a
+/// vertical force.
+std::array<double, 2> upwards(const contact::ContactPlace& place);
 
 }  // namespace rollfem::meshes

@@ -58,12 +58,14 @@ TEST(NewCase, WritesANewFileButNeverOverAnother) {
   expect_refused(call(folder, {"new-case", "-o", "no/such/folder.toml"}), "cannot be written");
 }
 
-TEST(Docs, CommittedReferenceIsTheGeneratedOne) {
+TEST(Docs, CommittedPagesAreTheGeneratedOnes) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"docs", "case-file"});
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.out, contents(fs::path(ROLLFEM_SOURCE_DIR) / "docs" / "case-file.md"))
-      << "run: rollfem docs case-file > docs/case-file.md";
+  for (const std::string page : {"case-file", "models"}) {
+    const Outcome outcome = call(folder, {"docs", page});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out, contents(fs::path(ROLLFEM_SOURCE_DIR) / "docs" / (page + ".md")))
+        << "run: rollfem docs " << page << " > docs/" << page << ".md";
+  }
 }
 
 TEST(Call, VersionAndHelpAreAnswered) {

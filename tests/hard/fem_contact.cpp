@@ -36,7 +36,7 @@ Case rollers(double wheel, double rail, double force) {
 }
 
 double smaller_semi_axis(const Case& input) {
-  const auto patch = halfspace::hertz_of_case(input);
+  const auto patch = halfspace::hertz_of_scene(input);
   return std::min(patch.semi_axis_x, patch.semi_axis_y);
 }
 
@@ -116,7 +116,7 @@ TEST(HardFem, AluminiumOnSteelCouplesPressureAndTraction) {
 
 TEST(HardFem, PatchTwentyTimesAsWideAsLong) {
   Case input = rollers(400, 50000, 50);
-  const auto patch = halfspace::hertz_of_case(input);
+  const auto patch = halfspace::hertz_of_scene(input);
   ASSERT_GT(patch.semi_axis_y / patch.semi_axis_x, 20.0);
   input.rolling.creepages = {{1e-4, 0, 0}};
   input.fem.extent = 3 * patch.semi_axis_y;
@@ -147,7 +147,7 @@ TEST(HardFem, OneMilliNewtonOnAFullWheel) {
 
 TEST(HardFem, GrazingLoadOnThreeCellsIsWithinItsErrorEstimate) {
   Case input = rollers(400, 400, 50);
-  const auto exact = halfspace::hertz_of_case(input);
+  const auto exact = halfspace::hertz_of_scene(input);
   input.fem.cell_size = exact.semi_axis_x / 1.5;
   input.rolling.creepages = {{0, 0, 0}};
   const PointResult point = fem::run_fem(input, {}).points[0];

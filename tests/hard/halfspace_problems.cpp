@@ -1,11 +1,11 @@
 // Prescribed forces, unlike materials, histories and shapes where half-space codes use to fail:
 // each case has a right answer.
 #include "contact/base/errors.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/solve/contact_problem.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/contact_problem.hpp"
-#include "halfspace/model/derived.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ using contact::UpwindOrder;
 constexpr double sliding = 0.55 * 50e3;
 
 PointResult with_force(const PrescribedForce& force, double spin, int across = 20) {
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.contact_grid.elements_across = across;
   input.rolling.creepages = {{0.0, 0.0, spin}};
   input.rolling.forces = {force};
@@ -87,7 +87,7 @@ TEST(HardForces, UnderSpinUpToFullSlip) {
 }
 
 TEST(HardForces, WithoutFrictionTheyAreAnError) {
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.contact_grid.elements_across = 10;
   input.friction_coefficient = 0.0;
   input.rolling.forces = {{-10.0, {}}};
@@ -96,7 +96,7 @@ TEST(HardForces, WithoutFrictionTheyAreAnError) {
 
 ModelResult rolled(const contact::Material& wheel, const contact::Material& rail, double friction,
                    const contact::Creepage& creepage, int across = 20) {
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.wheel.material = wheel;
   input.rail.material = rail;
   input.friction_coefficient = friction;
@@ -141,7 +141,7 @@ TEST(HardMaterials, ExchangingTheBodiesMirrorsTheTractions) {
 TEST(HardMaterials, FreeRollingOfUnlikeMaterialsAtAnyFriction) {
   // What is returned must hold the contact conditions with the whole, coupled compliance.
   for (const double friction : {1e-3, 0.3, 10.0}) {
-    Case input = testing::thesis_case('b');
+    Case input = rollfem::testing::thesis_case('b');
     input.wheel.material = {2.0 * 23000.0 * 1.31, 0.31};
     input.rail.material = {2.0 * 82000.0 * 1.28, 0.28};
     input.friction_coefficient = friction;
@@ -182,13 +182,13 @@ TEST(HardMaterials, FrictionalPowerIsWhatTheMotionPutsIn) {
   // The elastic energy does not change in steady rolling: friction takes the work of the creep
   // forces and that of the pressure, which unlike materials shift towards an edge (a rolling
   // resistance): int p_n dh/dx.
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.wheel.material = {70e3, 0.33};
   input.contact_grid.elements_across = 40;
   input.rolling.creepages = {{2e-3, 1e-3, 1e-4}};
   const ModelResult result = halfspace::run_halfspace(input, {});
   const PointResult& point = result.points[0];
-  const halfspace::PowerBalance balance = halfspace::power_balance(result.grid, point, 1.0);
+  const contact::PowerBalance balance = contact::power_balance(result.grid, point, 1.0);
   const double slope = 2.0 * contact::relative_curvatures(input).A;
   const Field x = result.grid.sample([](double at, double) { return at; });
   const double resistance = slope * result.grid.element_area() * x.dot(point.fields.traction.n);
@@ -201,26 +201,25 @@ TEST(HardShapes, TwoPatchesWithFrictionShareTheForces) {
   // Two equal balls side by side, ten patch radii apart: each as if alone under half the force.
   const double radius = 300.0;
   const halfspace::HertzContact single = halfspace::hertz_from_force(
-      0.5 / radius, 0.5 / radius, testing::steel().contact_modulus, 10e3);
+      0.5 / radius, 0.5 / radius, rollfem::testing::steel().contact_modulus, 10e3);
   const double a = single.semi_axis_x;
   const double cell = a / 10.0;
   const auto run = [&](bool both, double force) {
     const ContactGrid grid = both ? ContactGrid::centred(28, 128, cell, cell)
                                   : ContactGrid::centred(28, 28, cell, cell, 0.0, 5.0 * a);
-    const halfspace::HalfspaceCompliance compliance(grid, testing::steel());
-    halfspace::ContactScene scene;
+    const halfspace::HalfspaceCompliance compliance(grid, rollfem::testing::steel());
+    contact::ContactConditions scene;
     scene.friction = 0.3;
     scene.undeformed_distance = grid.sample([&](double x, double y) {
       const double v = std::abs(y) - 5.0 * a;
       return (x * x + v * v) / (2.0 * radius);
     });
-    halfspace::ContactProblem problem(compliance, compliance, scene);
+    contact::ContactProblem problem(compliance, compliance, scene);
     // The spin turns about the middle between them: opposite creepages in the two.
     const auto forces = [&](double xi, double phi) {
       const TangentialField slip{grid.sample([&](double, double y) { return xi - phi * y; }),
                                  grid.sample([&](double x, double) { return phi * x; })};
-      return testing::forces(grid,
-                             problem.solve({force, {}}, slip, Motion::rolling).tangential.traction);
+      return rollfem::testing::forces(grid, problem.solve({force, {}}, {slip}).tangential.traction);
     };
     return std::pair{forces(5e-4, 0.0), forces(0.0, 1e-4 / a)};
   };
@@ -234,7 +233,7 @@ TEST(HardShapes, TwoPatchesWithFrictionShareTheForces) {
 }
 
 TEST(HardShapes, DistanceGivenPointByPointIsTheSameContact) {
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
   const PointResult quadratic = halfspace::run_halfspace(input, {}).points[0];
   contact::Lattice lattice;
@@ -249,7 +248,8 @@ TEST(HardShapes, DistanceGivenPointByPointIsTheSameContact) {
       lattice.values[0].push_back(
           contact::undeformed_distance(h, -10.0 + 0.5 * i, -10.0 + 0.5 * j));
   input.undeformed_distance.values = lattice;
-  const halfspace::HertzContact hertz = halfspace::hertz_of_case(testing::thesis_case('b'));
+  const halfspace::HertzContact hertz =
+      halfspace::hertz_of_scene(rollfem::testing::thesis_case('b'));
   input.contact_grid.cell_size = {{2.0 * hertz.semi_axis_x / 40, 2.0 * hertz.semi_axis_y / 40}};
   const PointResult given = halfspace::run_halfspace(input, {}).points[0];
   EXPECT_NEAR(given.max_pressure / quadratic.max_pressure, 1.0, 1e-3);
@@ -257,7 +257,7 @@ TEST(HardShapes, DistanceGivenPointByPointIsTheSameContact) {
 }
 
 TEST(HardHistory, AnEmptyStepChangesNothingAndFullSlidingSaturates) {
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.contact_grid.elements_across = 16;
   input.rolling.problem = Problem::shift;
   for (const double shift : {0.002, 0.0, 1.0, -1e-9}) {
@@ -275,7 +275,7 @@ TEST(HardHistory, AnEmptyStepChangesNothingAndFullSlidingSaturates) {
 }
 
 TEST(HardShapes, AGridBeyondAllMemoryIsRefusedAtOnceWithTheUsersCells) {
-  Case input = testing::thesis_case('a');
+  Case input = rollfem::testing::thesis_case('a');
   input.contact_grid.cell_size = {{1e-5, 1e-5}};
   try {
     halfspace::run_halfspace(input, {});

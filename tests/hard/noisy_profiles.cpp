@@ -66,9 +66,9 @@ class NoisyProfiles : public ::testing::Test {
     input.rolling.problem = contact::Problem::frictionless;
     input.contact_grid.elements_across = 24;
     std::vector<Contact> result;
-    for (const meshes::Scene& scene : meshes::make_scenes(input)) {
-      EXPECT_EQ(scene.input.place->patches, 1);  // noise must not tear the patch
-      const auto run = halfspace::run_halfspace(scene.input, {});
+    for (const meshes::PlacedScene& scene : meshes::make_scenes(input)) {
+      EXPECT_EQ(scene.scene.place->patches, 1);  // noise must not tear the patch
+      const auto run = halfspace::run_halfspace(scene.scene, {});
       const auto& point = run.points.front();
       result.push_back(
           {point.max_pressure, point.contact_length, point.contact_width, point.approach});

@@ -31,15 +31,6 @@ ALLOWED = {
 MODULES = {name.split("/")[0] for name in ALLOWED}
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")
 
-# Includes that are on their way out, each with where it will go: none may be added.
-KNOWN = {
-    ("contact/case/case.hpp", "contact/scene/patch_geometry.hpp"),
-    ("contact/scene/contact_surface.hpp", "contact/result/result.hpp"),
-    ("contact/solve/model.hpp", "contact/case/case.hpp"),
-    ("contact/solve/prescribed_force.hpp", "contact/case/case.hpp"),
-}
-
-
 def room_of(path):
     """Module and room of a path relative to the root: ("contact", "scene")."""
     parts = path.split("/")
@@ -70,7 +61,6 @@ def judge(path, bracket, name):
 
 
 def problems(root):
-    seen = set()
     for module in sorted(MODULES):
         files = sorted((root / module).rglob("*.[ch]pp"))
         if not files:
@@ -82,12 +72,8 @@ def problems(root):
                 if not match:
                     continue
                 wrong = judge(path, *match.groups())
-                if wrong and (path, match[2]) in KNOWN:
-                    seen.add((path, match[2]))
-                elif wrong:
+                if wrong:
                     yield f"{path}:{number}: {line.strip()}: {wrong}"
-    for path, name in sorted(KNOWN - seen):
-        yield f"{path} does not include {name} any more: take it off the list of {__file__}"
 
 
 def self_test():

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/case/case.hpp"
+#include "contact/scene/patch_geometry.hpp"
 
 #include <cmath>
 #include <functional>

@@ -5,13 +5,14 @@
 #include "meshes/track/scenes.hpp"
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace rollfem::testing {
 
 /// All patches of the left wheel (R = 450 mm, mu 0.55, 100 kN) at this shift to the right (mm).
-inline std::vector<contact::Case> left_wheel_scenes(double lateral_shift,
-                                                    const std::vector<double>& creepages = {0.0}) {
+inline std::vector<contact::Scene> left_wheel_scenes(double lateral_shift,
+                                                     const std::vector<double>& creepages = {0.0}) {
   contact::Case input;
   input.file = "scene.toml";
   input.models = {"halfspace", "fem"};
@@ -26,25 +27,27 @@ inline std::vector<contact::Case> left_wheel_scenes(double lateral_shift,
   input.rolling.given.longitudinal = true;
   input.rolling.creepages.clear();
   for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
-  std::vector<contact::Case> scenes;
-  for (const meshes::Scene& scene : meshes::make_scenes(input)) scenes.push_back(scene.input);
+  std::vector<contact::Scene> scenes;
+  for (const meshes::PlacedScene& placed : meshes::make_scenes(input))
+    scenes.push_back(placed.scene);
   return scenes;
 }
 
 /// 2 mm to the right: one patch of 12.7 by 16.2 mm that is no ellipse.
-inline contact::Case left_wheel_scene(const std::vector<double>& creepages = {0.0}) {
+inline contact::Scene left_wheel_scene(const std::vector<double>& creepages = {0.0}) {
   return left_wheel_scenes(2.0, creepages).at(0);
 }
 
 /// The steepest patch of a wheel that is pushed against its rail, under 40 kN.
-inline contact::Case flange_scene() {
-  contact::Case steepest;
-  for (const contact::Case& scene : left_wheel_scenes(-7.0))
-    if (!steepest.patch || std::abs(scene.patch->tilt()) > std::abs(steepest.patch->tilt()))
-      steepest = scene;
-  steepest.load.normal_force = 40e3;
-  steepest.load.normal_forces.clear();
-  return steepest;
+inline contact::Scene flange_scene() {
+  std::optional<contact::Scene> steepest;
+  const auto tilt = [](const contact::Scene& scene) {
+    return std::abs(scene.geometry.surface.axle_tilt());
+  };
+  for (const contact::Scene& scene : left_wheel_scenes(-7.0))
+    if (!steepest || tilt(scene) > tilt(*steepest)) steepest = scene;
+  for (contact::LoadPoint& point : steepest->points) point.load = {40e3, {}};
+  return *steepest;
 }
 
 }  // namespace rollfem::testing

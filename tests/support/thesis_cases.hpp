@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace rollfem::testing {
 
@@ -21,6 +22,21 @@ inline contact::Case thesis_case(char name) {
   input.wheel.rolling_radius = 405.0;
   input.rail.transverse_radius = name == 'a' ? 2000.0 : name == 'b' ? 500.0 : 100.0;
   return input;
+}
+
+/// Extra slip s_x = -y^2/(2 R_rail R), s_y = 0 as values on points: the drop of the rail's surface,
+/// which CONTACT was given for case e.
+inline void give_slip_of_rail_drop(contact::Case& input) {
+  contact::Lattice values{"rail_drop.csv", 4, 4, -30.0, -30.0, 20.0, 20.0, {}};
+  values.values.assign(2, std::vector<double>(16, 0.0));
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const double y = values.y_first + j * values.dy;
+      values.values[0][j * 4 + i] =
+          -y * y / (2.0 * input.rail.transverse_radius * input.wheel.rolling_radius);
+    }
+  input.rolling.extra_slip = contact::ExtraSlip::file;
+  input.rolling.extra_slip_values = values;
 }
 
 inline contact::CombinedMaterial steel() {

@@ -2,42 +2,42 @@
 // limit, rigid-body velocities of the wheel, planar contact with extra slip within its order, and
 // the finite elements of docs/verification.md on cases e and f.
 #include "contact/base/errors.hpp"
-#include "halfspace/model/curved_patch.hpp"
+#include "contact/scene/scene.hpp"
 #include "halfspace/model/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 
 using namespace rollfem;
-using contact::Case;
 using contact::ContactGrid;
 using contact::PointResult;
 using contact::SurfaceForm;
 
 namespace {
 
-PointResult run(const Case& input) {
+PointResult run(const rollfem::testing::PatchCase& input) {
   return halfspace::run_model("halfspace", input, {}).points.front();
 }
 
 /// Cases e and f: a convex rail in a hollow wheel.
-Case conformal(char name) {
-  Case input = rollfem::testing::thesis_case('a');
+rollfem::testing::PatchCase conformal(char name) {
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('a');
   input.rail.transverse_radius = name == 'e' ? 100.0 : 50.0;
   input.wheel.transverse_radius = name == 'e' ? -105.263 : -51.282;
   return input;
 }
 
-Case curved(Case input) {
+rollfem::testing::PatchCase curved(rollfem::testing::PatchCase input) {
   input.halfspace.surface = SurfaceForm::curved;
   return input;
 }
 
 /// Tilted axle, lopsided profiles: S1002 on UIC60.
-Case s1002() {
-  Case input = rollfem::testing::thesis_case('b');
+rollfem::testing::PatchCase s1002() {
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
   input.wheel.rolling_radius = 450.0;
   input.patch = rollfem::testing::s1002_on_uic60(-3.95, 8.58);
   return curved(input);
@@ -47,7 +47,7 @@ Case s1002() {
 
 TEST(CurvedHalfspace, IsThePlanarOneOnFlatBodies) {
   // Rail of 2000 mm under a cylinder: slopes of 0.003 at the edges, one rolling radius.
-  Case input = rollfem::testing::thesis_case('a');
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('a');
   input.rolling.creepages = {{1e-3, 5e-4, 1e-4}};
   const PointResult plane = run(input);
   const PointResult bent = run(curved(input));
@@ -57,9 +57,9 @@ TEST(CurvedHalfspace, IsThePlanarOneOnFlatBodies) {
 }
 
 TEST(CurvedHalfspace, SlipIsThatOfTheTurningWheel) {
-  const Case input = s1002();
+  const rollfem::testing::PatchCase input = s1002();
   const contact::PatchGeometry& patch = *input.patch;
-  const halfspace::CurvedPatch surface(input);
+  const contact::ChartedGeometry surface(contact::Scene(input).geometry, contact::Chart::arc);
   const double xi = 2e-3;
   const auto& e = patch.axle().direction;
   const double omega = (1.0 - xi) / patch.local_rolling_radius(0.0);
@@ -68,7 +68,7 @@ TEST(CurvedHalfspace, SlipIsThatOfTheTurningWheel) {
   const ContactGrid grid = ContactGrid::centred(3, 21, 4.0, 1.0);
   const auto slip = surface.rigid_slip(creepage, grid);
   for (int j = 0; j < grid.ny; ++j) {
-    const double y = surface.y(grid.y(j));
+    const double y = surface.lateral_place(grid.y(j));
     const double z = patch.wheel().at(y).value;
     const double cosine = 1.0 / std::hypot(1.0, surface.climb(grid.y(j)));
     const double sine = surface.climb(grid.y(j)) * cosine;
@@ -88,15 +88,16 @@ TEST(CurvedHalfspace, SlipIsThatOfTheTurningWheel) {
 TEST(CurvedHalfspace, ArcAndDistanceOfConcentricCircles) {
   // R13 in a hollow of 14 mm: the common surface is close to a circle of 13.5 mm, the distance
   // along its normal 1 - cos of the angle times the distance of the centres.
-  Case input = rollfem::testing::thesis_case('b');
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
   input.rail.transverse_radius = 13.0;
   input.wheel.transverse_radius = -14.0;
-  const halfspace::CurvedPatch surface(curved(input));
+  const contact::ChartedGeometry surface(contact::Scene(curved(input)).geometry,
+                                         contact::Chart::arc);
   const ContactGrid grid = ContactGrid::centred(1, 9, 1.0, 1.0);
   const auto distance = surface.undeformed_distance(grid);
   for (int j = 0; j < grid.ny; ++j) {
     const double s = grid.y(j);
-    EXPECT_NEAR(surface.y(s), 13.5 * std::sin(s / 13.5), 1e-3 * std::abs(s));
+    EXPECT_NEAR(surface.lateral_place(s), 13.5 * std::sin(s / 13.5), 1e-3 * std::abs(s));
     // Along any line at the angle a through about the centres: 1 mm (1 - cos a), to a^2 / 30.
     const double exact = 1.0 - std::cos(s / 13.5);
     EXPECT_NEAR(distance[j], exact, 0.01 * exact + 1e-9);
@@ -106,15 +107,15 @@ TEST(CurvedHalfspace, ArcAndDistanceOfConcentricCircles) {
 TEST(CurvedHalfspace, ShiftsCreepCurvesLikeExtraSlipWithinItsOrder) {
   for (const char name : {'e', 'f'}) {
     SCOPED_TRACE(name);
-    Case extra = conformal(name);
-    extra.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
+    rollfem::testing::PatchCase extra = conformal(name);
+    extra.rolling.extra_slip = contact::ExtraSlip::automatic;
     const PointResult planar = run(extra);
     const PointResult bent = run(curved(conformal(name)));
-    // Extra slip takes the rail's radius, the curved surface the wheel's, which is 5 % or 2.5 %
-    // larger: the shift is less by some of that.
-    EXPECT_LT(planar.traction_coefficient, bent.traction_coefficient);
+    // Both have the wheel's rolling radii; the curved surface adds the local spin, which shifts a
+    // little further.
+    EXPECT_GT(planar.traction_coefficient, bent.traction_coefficient);
     EXPECT_NEAR(bent.traction_coefficient, planar.traction_coefficient,
-                0.05 * std::abs(planar.traction_coefficient));
+                0.03 * std::abs(planar.traction_coefficient));
   }
 }
 
@@ -138,7 +139,7 @@ TEST(CurvedHalfspace, HasTheEffectThatFiniteElementsShow) {
 
 TEST(CurvedHalfspace, ForcesBalanceThePressure) {
   // Frictionless: the force along z is the given one, and none is across on a symmetric patch.
-  Case input = curved(conformal('f'));
+  rollfem::testing::PatchCase input = curved(conformal('f'));
   input.rolling.problem = contact::Problem::frictionless;
   const PointResult point = run(input);
   EXPECT_NEAR(point.normal_force, 50e3, 1e-6 * 50e3);
@@ -146,13 +147,7 @@ TEST(CurvedHalfspace, ForcesBalanceThePressure) {
 }
 
 TEST(CurvedHalfspace, RefusesWhatItLeavesOut) {
-  Case unlike = curved(conformal('e'));
-  unlike.rail.material.young_modulus = 70e3;
-  EXPECT_THROW(run(unlike), contact::InputError);
-  Case extra = curved(conformal('e'));
-  extra.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
-  EXPECT_THROW(run(extra), contact::InputError);
-  Case quadratic = curved(conformal('e'));
+  rollfem::testing::PatchCase quadratic = curved(conformal('e'));
   quadratic.undeformed_distance.quadratic = {1e-3, 1e-3};
   EXPECT_THROW(run(quadratic), contact::InputError);
 }

@@ -24,14 +24,14 @@ CombinedMaterial material(double shear_modulus, double poisson_ratio) {
 }
 
 /// Rolling ball of 6 mm patch radius under 82 kN, braked and sliding sideways with spin.
-struct Scene {
+struct Ball {
   ContactGrid grid = ContactGrid::centred(28, 26, 0.6, 0.6);
   CoupledProblem problem;
 
-  Scene() {
+  Ball() {
     problem.undeformed_distance =
         grid.sample([](double x, double y) { return (x * x + y * y) / 800.0; });
-    problem.normal_force = 82e3;
+    problem.load.force = 82e3;
     problem.friction_coefficient = 0.3;
     problem.rigid_slip.x = grid.sample([](double, double y) { return 1e-3 - 1e-4 * y; });
     problem.rigid_slip.y = grid.sample([](double x, double) { return 5e-4 + 1e-4 * x; });
@@ -49,7 +49,7 @@ double relative_difference(const Field& a, const Field& b) {
 }  // namespace
 
 TEST(DefectCorrection, ReachesTheSolutionOfTheComplianceNotOfThePreconditioner) {
-  const Scene scene;
+  const Ball scene;
   const HalfspaceCompliance wanted(scene.grid, material(70e3, 0.33));
   const HalfspaceCompliance other(scene.grid, material(82e3, 0.28));
   OuterOptions options;
@@ -73,7 +73,7 @@ TEST(DefectCorrection, ReachesTheSolutionOfTheComplianceNotOfThePreconditioner) 
 }
 
 TEST(DefectCorrection, AStartFromTheDefectIsAtTheSolution) {
-  const Scene scene;
+  const Ball scene;
   const HalfspaceCompliance wanted(scene.grid, material(70e3, 0.33));
   const HalfspaceCompliance other(scene.grid, material(82e3, 0.28));
   const CoupledSolution cold = solve_coupled(wanted, preconditioner(other), scene.problem);
@@ -84,7 +84,7 @@ TEST(DefectCorrection, AStartFromTheDefectIsAtTheSolution) {
 }
 
 TEST(DefectCorrection, SaysSoWhenItDoesNotConverge) {
-  const Scene scene;
+  const Ball scene;
   const HalfspaceCompliance wanted(scene.grid, material(70e3, 0.33));
   const HalfspaceCompliance other(scene.grid, material(82e3, 0.28));
   OuterOptions options;
@@ -93,7 +93,7 @@ TEST(DefectCorrection, SaysSoWhenItDoesNotConverge) {
 }
 
 TEST(DefectCorrection, FrictionlessContactHasNoTangentialTractions) {
-  Scene scene;
+  Ball scene;
   scene.problem.rigid_slip = {};
   const HalfspaceCompliance half(scene.grid, material(82e3, 0.28));
   const CoupledSolution solution = solve_coupled(half, preconditioner(half), scene.problem);

@@ -1,9 +1,9 @@
 // Derived quantities of solved rolling contacts: frictional against creepage power, and Kalker's
 // coefficients at small creepage.
+#include "contact/result/derived.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/derived.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST(DerivedRolling, FrictionalPowerIsTheCreepagePower) {
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const Rolling rolling(k == 0 ? 20 : 40, 0.28);
     const auto point = rolling.solve(creepage, 0.3, contact::UpwindOrder::second);
-    const auto balance = halfspace::power_balance(rolling.grid, point, 20e3);
+    const auto balance = contact::power_balance(rolling.grid, point, 20e3);
     EXPECT_GT(balance.friction, 0.0);
     difference[k] = balance.difference;
     // Coulomb's law element by element: slip against the traction.

@@ -52,7 +52,7 @@ TEST(FemCurvedContact, OfVeryLargeRadiiIsThatOfFlatBodies) {
 TEST(FemCurvedContact, CarriesTheVerticalForceByPressureAndFriction) {
   const contact::ModelResult& result = case_f();
   const contact::PatchShape shape =
-      contact::patch_shape(contact::contact_surface(study_case("f", {0.0})), result.grid);
+      contact::patch_shape(contact::Geometry(study_case("f", {0.0})).surface, result.grid);
   const contact::Field sine = shape.climb.cwiseQuotient(shape.stretch);
   const contact::Field cosine = shape.stretch.cwiseInverse();
   for (const contact::PointResult& point : result.points) {
@@ -83,18 +83,18 @@ TEST(FemCurvedContact, KeepsCoulombAndComplementarityAtEveryElement) {
   }
 }
 
-TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveLessThanTheHalfspaceOnTheSameCells) {
-  // docs/verification.md splits the difference of 0.0065 at xi = 0 into the strain of a loaded
-  // wheel (0.0034), the mean surface (0.0012) and the narrower patch (0.0027). Cells of 0.94 mm are
-  // an eighth of the patch, so only its sign and size are asked for.
+TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveAsTheCurvedHalfspaceOnTheSameCells) {
+  // Both have distance, slip and local spin of the true surfaces. What is left is elasticity: the
+  // strain of a loaded wheel (0.0034) and, on cells of 0.94 mm, an eighth of the patch, the error
+  // of both (docs/verification.md).
   contact::Case same_cells = study_case("f", {0.0, 0.002});
   same_cells.contact_grid.cell_size = {{0.94, 0.94}};
+  same_cells.halfspace.surface = contact::SurfaceForm::curved;
   const contact::ModelResult half = halfspace::run_halfspace(same_cells, {});
   for (const int k : {0, 1}) {
     const double difference = case_f().points[k].traction_coefficient -
                               half.points[static_cast<std::size_t>(k)].traction_coefficient;
-    EXPECT_GT(difference, 0.002) << k;
-    EXPECT_LT(difference, 0.015) << k;
+    EXPECT_LT(std::abs(difference), 0.01) << k;
   }
   EXPECT_NEAR(case_f().points[0].traction_coefficient / -0.13155, 1.0, 0.1);
   EXPECT_NEAR(case_f().points[0].max_pressure / 578.97, 1.0, 0.02);

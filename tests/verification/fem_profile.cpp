@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
+#include "support/patch_case.hpp"
 #include "support/patch_examples.hpp"
 #include "support/profile_scenes.hpp"
 #include <cmath>
@@ -18,7 +19,7 @@ namespace {
 
 using namespace rollfem;
 
-contact::ModelResult solve(const contact::Case& input, double cell) {
+contact::ModelResult solve(const contact::Scene& input, double cell) {
   return fem::run_level(input, {cell, "", false}, {});
 }
 
@@ -35,7 +36,7 @@ contact::Case plain_case(double creepage) {
   return input;
 }
 
-void set_patch(contact::Case& input, contact::PatchGeometry geometry) {
+void set_patch(rollfem::testing::PatchCase& input, contact::PatchGeometry geometry) {
   input.patch = std::make_shared<contact::PatchGeometry>(std::move(geometry));
 }
 
@@ -45,7 +46,7 @@ TEST(FemOnProfiles, OfCirclesIsThatOfTheRadii) {
   contact::Case radii = plain_case(0.002);
   radii.wheel.rolling_radius = 405.0;
   radii.rail.transverse_radius = 500.0;
-  contact::Case curves = radii;
+  rollfem::testing::PatchCase curves = radii;
   set_patch(curves, rollfem::testing::circle_pair(405.0, 1e9, 500.0, 60.0));
   const contact::PointResult one = solve(radii, 1.5).points.front();
   const contact::PointResult other = solve(curves, 1.5).points.front();
@@ -61,7 +62,7 @@ TEST(FemOnProfiles, OfCirclesIsThatOfTheRadii) {
 TEST(FemOnProfiles, OfASphereIsTheSameAboutAnyAxle) {
   std::vector<contact::PointResult> results;
   for (const double tilt : {0.0, 0.6}) {
-    contact::Case input = plain_case(0.0);
+    rollfem::testing::PatchCase input = plain_case(0.0);
     input.rolling.problem = contact::Problem::frictionless;
     set_patch(input, rollfem::testing::sphere_on_circle(
                          405.0, 500.0, {0.0, std::cos(tilt), std::sin(tilt)}, 60.0));
@@ -78,8 +79,8 @@ namespace {
 /// mm, a quarter of the patch's half length.
 constexpr double coarse_cell = 1.6;
 
-contact::Case left_wheel(contact::MeshFamily family) {
-  contact::Case scene = rollfem::testing::left_wheel_scene({0.002});
+contact::Scene left_wheel(contact::MeshFamily family) {
+  contact::Scene scene = rollfem::testing::left_wheel_scene({0.002});
   scene.fem.mesh = family;
   scene.fem.linear_solver = contact::LinearSolver::factorisation;
   scene.fem.extent = 30.0;
@@ -88,7 +89,7 @@ contact::Case left_wheel(contact::MeshFamily family) {
 }
 
 contact::PointResult half_space() {
-  contact::Case scene = rollfem::testing::left_wheel_scene({0.002});
+  contact::Scene scene = rollfem::testing::left_wheel_scene({0.002});
   scene.contact_grid.cell_size = {{coarse_cell, coarse_cell}};
   return halfspace::run_halfspace(scene, {}).points.front();
 }
@@ -108,8 +109,8 @@ TEST(FemOnTheStudysLeftWheel, WithBoxesHasPressureAndForcesOfTheHalfSpace) {
 }
 
 TEST(FemOnTheStudysLeftWheel, WithTrueSectionsHasThePressureOfTheHalfSpace) {
-  contact::Case scene = left_wheel(contact::MeshFamily::gmsh);
-  scene.rolling.problem = contact::Problem::frictionless;
+  contact::Scene scene = left_wheel(contact::MeshFamily::gmsh);
+  scene.problem = contact::Problem::frictionless;
   const contact::PointResult fem = solve(scene, 2.0).points.front();
   const contact::PointResult half = half_space();
   EXPECT_NEAR(fem.max_pressure / half.max_pressure, 1.0, 0.03);

@@ -126,7 +126,7 @@ constexpr double case_e[][2] = {{-0.002, -0.40511670}, {-0.001, -0.26957764}, {0
 ModelResult rolled_case_e(UpwindOrder order, int across) {
   Case input = testing::thesis_case('c');  // rail of 100 mm
   input.wheel.transverse_radius = -105.263;
-  input.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
+  rollfem::testing::give_slip_of_rail_drop(input);
   input.rolling.upwind_order = order;
   input.contact_grid.elements_across = across;
   input.rolling.creepages.clear();

@@ -2,9 +2,9 @@
 // (reference/benchmarks.md, 3 and 4).
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/solve/contact_problem.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/contact_problem.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
@@ -51,8 +51,8 @@ ModelResult pushed(Case input, const std::vector<double>& parts) {
   return halfspace::run_halfspace(input, {});
 }
 
-testing::CattaneoMindlin exact(const Case& input) {
-  return {halfspace::hertz_of_case(input),
+rollfem::testing::CattaneoMindlin exact(const Case& input) {
+  return {halfspace::hertz_of_scene(input),
           contact::combine(input.wheel.material, input.rail.material), 0.4};
 }
 
@@ -81,7 +81,7 @@ TEST(Cattaneo, ShiftAndStickRadiusOfTheBenchmarkAt40Elements) {
 
 TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
   const Case input = cattaneo(0.0, 40);
-  const testing::CattaneoMindlin theory = exact(input);
+  const rollfem::testing::CattaneoMindlin theory = exact(input);
   const double unit = 0.4 * *input.load.normal_force;
   const ModelResult result = pushed(input, {7.0 / 8.0, 0.0});
   const PointResult& loaded = result.points[0];
@@ -134,9 +134,9 @@ TEST(Cattaneo, UnloadingLoopLosesTheWorkOfTheClosedForm) {
   const double q = 0.875 * 0.4 * *benchmark.load.normal_force;
   const double lost_there = loop_loss(pushed(benchmark, loop));
   EXPECT_NEAR(lost_there / exact(benchmark).cyclic_loss(q), 1.0, 0.01);
-  testing::record("loss", lost);
-  testing::record("normal_force", *plain.load.normal_force);
-  testing::record("loss_of_the_benchmark", lost_there);
+  rollfem::testing::record("loss", lost);
+  rollfem::testing::record("normal_force", *plain.load.normal_force);
+  rollfem::testing::record("loss_of_the_benchmark", lost_there);
 }
 
 TEST(Spence, ElasticSpherePressedOnARigidOne) {
@@ -166,23 +166,23 @@ TEST(Spence, ElasticSpherePressedOnARigidOne) {
       std::count(point.fields.state.begin(), point.fields.state.end(), ElementState::adhesion));
   const double contact = static_cast<double>((point.fields.traction.n.array() > 0.0).count());
   EXPECT_NEAR(std::sqrt(adhesion / contact) / 0.5, 1.0, 0.01);
-  EXPECT_NEAR(point.max_pressure / halfspace::hertz_of_case(input).max_pressure / 1.31, 1.0, 0.01);
+  EXPECT_NEAR(point.max_pressure / halfspace::hertz_of_scene(input).max_pressure / 1.31, 1.0, 0.01);
   EXPECT_NEAR(point.approach / 0.09874, 1.0, 0.002);
   EXPECT_NEAR(point.max_pressure / 0.02392, 1.0, 0.003);
   EXPECT_NEAR(point.longitudinal_force, 0.0, 1e-6 * force);
-  testing::record("stick_ratio", std::sqrt(adhesion / contact));
-  testing::record("pressure", point.max_pressure);
-  testing::record("approach", point.approach);
+  rollfem::testing::record("stick_ratio", std::sqrt(adhesion / contact));
+  rollfem::testing::record("pressure", point.max_pressure);
+  rollfem::testing::record("approach", point.approach);
 }
 
 /// Case b rolled over `lengths` patch lengths from rest, in steps of `step` elements.
 ModelResult transient(UpwindOrder order, double lengths, double step) {
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.contact_grid.elements_across = 24;
   input.rolling.upwind_order = order;
   input.rolling.problem = Problem::transient;
   HistoryStep each;
-  each.step_length = step * 2.0 * halfspace::hertz_of_case(input).semi_axis_x / 24;
+  each.step_length = step * 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 24;
   const auto steps = static_cast<std::size_t>(std::lround(24 * lengths / step));
   input.history.assign(steps, each);
   input.rolling.creepages.assign(steps, {0.002, 0.001, 0.0});
@@ -191,26 +191,26 @@ ModelResult transient(UpwindOrder order, double lengths, double step) {
 
 /// F_x and F_y of steady rolling with the same difference everywhere, which is what equal steps of
 /// one element make: without the fit to the leading edge that the model has.
-testing::Forces steady(UpwindOrder order) {
-  Case input = testing::thesis_case('b');
+rollfem::testing::Forces steady(UpwindOrder order) {
+  Case input = rollfem::testing::thesis_case('b');
   input.contact_grid.elements_across = 24;
   const contact::ContactGrid grid = halfspace::potential_area(input);
-  const halfspace::HalfspaceCompliance compliance(grid, testing::steel());
-  halfspace::ContactScene scene;
-  scene.undeformed_distance = contact::undeformed_distance(input, grid);
+  const halfspace::HalfspaceCompliance compliance(grid, rollfem::testing::steel());
+  contact::ContactConditions scene;
+  const contact::ChartedGeometry geometry(input, contact::Chart::plane);
+  scene.undeformed_distance = geometry.undeformed_distance(grid);
   scene.friction = 0.55;
   scene.upwind_order = order;
   scene.fit_leading_edge = false;
-  halfspace::ContactProblem problem(compliance, compliance, scene);
-  const contact::TangentialField slip = contact::rigid_slip(input, {0.002, 0.001, 0.0}, grid);
-  return testing::forces(
-      grid, problem.solve({50e3, {}}, slip, contact::Motion::rolling).tangential.traction);
+  contact::ContactProblem problem(compliance, compliance, scene);
+  const contact::TangentialField slip = geometry.rigid_slip({0.002, 0.001, 0.0}, grid);
+  return rollfem::testing::forces(grid, problem.solve({50e3, {}}, {slip}).tangential.traction);
 }
 
 TEST(TransientRolling, TendsToTheSteadySolutionOfTheSameOrder) {
   const double sliding = 0.55 * 50e3;
   for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
-    const testing::Forces end = steady(order);
+    const rollfem::testing::Forces end = steady(order);
     const ModelResult result = transient(order, 6.0, 1.0);
     const auto distance = [&](const PointResult& point) {
       return std::hypot(point.longitudinal_force - end.x, point.lateral_force - end.y) / sliding;
@@ -229,7 +229,7 @@ TEST(TransientRolling, TendsToTheSteadySolutionOfTheSameOrder) {
 }
 
 TEST(TransientRolling, OtherStepsEndWithinTheDiscretisationError) {
-  const testing::Forces end = steady(UpwindOrder::second);
+  const rollfem::testing::Forces end = steady(UpwindOrder::second);
   for (const double step : {0.5, 1.7}) {
     const PointResult last = transient(UpwindOrder::second, 5.0, step).points.back();
     EXPECT_NEAR(last.longitudinal_force, end.x, 0.008 * 27500.0) << step;
@@ -240,7 +240,7 @@ TEST(TransientRolling, OtherStepsEndWithinTheDiscretisationError) {
 TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
   // A prescribed force: the first step is nearly a shift, the creepage then falls to the steady
   // one.
-  Case input = testing::thesis_case('b');
+  Case input = rollfem::testing::thesis_case('b');
   input.contact_grid.elements_across = 20;
   const double force = -0.5 * 27500.0;
   Case rolling = input;
@@ -249,7 +249,7 @@ TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
       halfspace::run_halfspace(rolling, {}).points[0].creepage.longitudinal;
   input.rolling.problem = Problem::transient;
   HistoryStep each;
-  each.step_length = 2.0 * halfspace::hertz_of_case(input).semi_axis_x / 20;
+  each.step_length = 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 20;
   input.history.assign(100, each);
   input.rolling.creepages.assign(100, {});
   input.rolling.forces.assign(100, {force, {}});

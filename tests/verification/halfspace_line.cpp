@@ -2,9 +2,9 @@
 // (reference/benchmarks.md, 2, 4 and 5).
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/solve/contact_problem.hpp"
 #include "contact/solve/history.hpp"
 #include "contact/solve/prescribed_force.hpp"
-#include "halfspace/model/contact_problem.hpp"
 #include "halfspace/theories/carter.hpp"
 
 #include <gtest/gtest.h>
@@ -17,17 +17,17 @@
 namespace rollfem {
 namespace {
 
+using contact::ContactConditions;
 using contact::ContactGrid;
+using contact::ContactProblem;
+using contact::ContactState;
 using contact::ElementState;
 using contact::Field;
 using contact::Motion;
 using contact::TangentialField;
 using contact::UpwindOrder;
 using Eigen::Vector2d;
-using halfspace::ContactProblem;
-using halfspace::ContactScene;
-using halfspace::ContactState;
-using testing::LineCompliance;
+using rollfem::testing::LineCompliance;
 
 /// A roller whose Hertz contact has half width a, n elements across it, forces in N/mm.
 class Roller {
@@ -42,7 +42,7 @@ class Roller {
     contact::CombinedMaterial alike = material;
     alike.difference = 0.0;
     if (material.difference != 0.0) uncoupled_ = std::make_unique<LineCompliance>(grid, alike);
-    ContactScene scene;
+    contact::ContactConditions scene;
     scene.undeformed_distance =
         grid.sample([&](double x, double) { return x * x / (2.0 * radius); });
     scene.friction = mu;
@@ -53,7 +53,7 @@ class Roller {
 
   ContactState roll(double xi, const ContactState* start = nullptr) const {
     const TangentialField slip{Field::Constant(grid.size(), xi), Field::Zero(grid.size())};
-    return problem->solve({load, {}}, slip, Motion::rolling, start, {1e-8, 1e-7});
+    return problem->solve({load, {}}, {slip}, start, {1e-8, 1e-7});
   }
 
   double force(const ContactState& state) const {
@@ -114,7 +114,7 @@ TEST(Carter, ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder) {
   EXPECT_GT(std::log2(at_40 / carter_error(80)), 1.7);
   EXPECT_GT(std::log2(carter_error(10) / at_40) / 2.0, 1.4);
   for (const int n : {10, 20, 40, 80, 160})
-    testing::record("error_at_" + std::to_string(n), carter_error(n));
+    rollfem::testing::record("error_at_" + std::to_string(n), carter_error(n));
 }
 
 TEST(Carter, TractionsAndSlipOfTheUsersGuide) {
@@ -158,7 +158,7 @@ TEST(BentallJohnson, CreepageOfFreeRollingWithHardlyAnyFriction) {
   EXPECT_NEAR(xi / 5.2586e-4, 1.0, 0.002);
   EXPECT_NEAR(xi / 5.2631e-4, 1.0, 0.001);
   EXPECT_NEAR(xi / 5.260e-4, 1.0, 0.002);  // CONTACT, 200 elements
-  testing::record("creepage", xi);
+  rollfem::testing::record("creepage", xi);
 }
 
 TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
@@ -175,9 +175,9 @@ TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
   const double first_200 = -rough.creepage_of(0.0);
   const double second = -bentall_johnson(10.0, 200).creepage_of(0.0);
   EXPECT_NEAR(second / (2.0 * first_200 - first_100), 1.0, 0.003);
-  testing::record("creepage_at_0.05", some);
-  testing::record("creepage_at_10", first_200);
-  testing::record("pressure_at_10", state.normal.pressure.maxCoeff());
+  rollfem::testing::record("creepage_at_0.05", some);
+  rollfem::testing::record("creepage_at_10", first_200);
+  rollfem::testing::record("pressure_at_10", state.normal.pressure.maxCoeff());
 }
 
 TEST(BentallJohnson, TractiveAndBrakedRolling) {
@@ -188,8 +188,8 @@ TEST(BentallJohnson, TractiveAndBrakedRolling) {
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.3, 0.05);
   const double braked = -roller.creepage_of(-0.75, &state);
   EXPECT_NEAR(braked / 2.108e-4, 1.0, 0.002);
-  testing::record("creepage_driven", driven);
-  testing::record("creepage_braked", braked);
+  rollfem::testing::record("creepage_driven", driven);
+  rollfem::testing::record("creepage_braked", braked);
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.2, 0.05);
 }
 
@@ -210,7 +210,7 @@ TEST(Spence, StickRatioOfWeaklyCoupledLineContact) {
     for (int k = 3; k <= steps; ++k) {
       const double force = roller.load * k * k / (steps * steps);
       const TangentialField slip = history.shift_step(none).rigid_slip;
-      state = roller.problem->solve({force, {}}, slip, Motion::shift);
+      state = roller.problem->solve({force, {}}, {slip, Motion::shift});
       history.advance({state.displacement.x, state.displacement.y}, 0.0);
     }
     double k = 0.5;

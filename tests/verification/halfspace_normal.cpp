@@ -29,7 +29,7 @@ struct Solved {
 
 /// The case's quadratic surfaces with n elements across both axes of Hertz's ellipse.
 Solved solve_case(const contact::Case& input, int n, const contact::NormalOptions& options = {}) {
-  const HertzContact hertz = halfspace::hertz_of_case(input);
+  const HertzContact hertz = halfspace::hertz_of_scene(input);
   const contact::Curvatures curvatures = contact::relative_curvatures(input);
   Solved run;
   run.grid =
@@ -50,8 +50,8 @@ TEST(HalfspaceNormal, MaxPressureConvergesToHertzWithOrderTwoAsInContact) {
                                        {-2.119e-3, -5.579e-4, -1.357e-4}};
   const int contact_elements[3][3] = {{324, 1276, 5052}, {316, 1272, 5048}, {320, 1276, 5052}};
   for (int c = 0; c < 3; ++c) {
-    const contact::Case input = testing::thesis_case("abc"[c]);
-    const HertzContact hertz = halfspace::hertz_of_case(input);
+    const contact::Case input = rollfem::testing::thesis_case("abc"[c]);
+    const HertzContact hertz = halfspace::hertz_of_scene(input);
     double previous = 0.0;
     for (int level = 0; level < 3; ++level) {
       const Solved run = solve_case(input, 20 << level);
@@ -72,16 +72,16 @@ TEST(HalfspaceNormal, MaxPressureConvergesToHertzWithOrderTwoAsInContact) {
 }
 
 TEST(HalfspaceNormal, ApproachConvergesToHertz) {
-  const contact::Case input = testing::thesis_case('a');
-  const double exact = halfspace::hertz_of_case(input).approach;
+  const contact::Case input = rollfem::testing::thesis_case('a');
+  const double exact = halfspace::hertz_of_scene(input).approach;
   EXPECT_NEAR(solve_case(input, 40).solution.approach / exact - 1.0, -1.424e-4, 2e-6);
   EXPECT_NEAR(solve_case(input, 80).solution.approach / exact - 1.0, -3.184e-5, 1e-6);
 }
 
 TEST(HalfspaceNormal, PatchSizeIsFoundBelowTheElementSize) {
   for (const char name : {'a', 'b', 'c'}) {
-    const contact::Case input = testing::thesis_case(name);
-    const HertzContact hertz = halfspace::hertz_of_case(input);
+    const contact::Case input = rollfem::testing::thesis_case(name);
+    const HertzContact hertz = halfspace::hertz_of_scene(input);
     for (const auto& [n, tolerance] : {std::pair{16, 0.01}, {40, 0.0025}, {80, 0.001}}) {
       const Solved run = solve_case(input, n);
       const contact::PatchSize size = contact::patch_size(run.grid, run.solution.pressure);
@@ -93,7 +93,7 @@ TEST(HalfspaceNormal, PatchSizeIsFoundBelowTheElementSize) {
 }
 
 TEST(HalfspaceNormal, IterationsStayFewOnFineGrids) {
-  const contact::Case input = testing::thesis_case('a');
+  const contact::Case input = rollfem::testing::thesis_case('a');
   contact::NormalOptions engineering;
   engineering.tolerance = 1e-5;
   EXPECT_LE(solve_case(input, 20, engineering).solution.iterations, 9);
@@ -102,8 +102,8 @@ TEST(HalfspaceNormal, IterationsStayFewOnFineGrids) {
 }
 
 TEST(HalfspaceNormal, GivenForceAndGivenApproachAreTheSameProblem) {
-  Solved run = solve_case(testing::thesis_case('b'), 30);
-  const HalfspaceCompliance compliance(run.grid, testing::steel());
+  Solved run = solve_case(rollfem::testing::thesis_case('b'), 30);
+  const HalfspaceCompliance compliance(run.grid, rollfem::testing::steel());
   run.problem.normal_force.reset();
   run.problem.approach = run.solution.approach;
   const NormalSolution other = contact::solve_normal(compliance.normal(), run.problem);
@@ -114,11 +114,11 @@ TEST(HalfspaceNormal, GivenForceAndGivenApproachAreTheSameProblem) {
 }
 
 TEST(HalfspaceNormal, HoldsEquilibriumAndComplementarityAtEveryElement) {
-  const Solved run = solve_case(testing::thesis_case('c'), 25);
+  const Solved run = solve_case(rollfem::testing::thesis_case('c'), 25);
   const NormalSolution& s = run.solution;
   EXPECT_NEAR(s.pressure.sum() * run.grid.element_area(), 50e3, 1e-8 * 50e3);
   EXPECT_EQ(s.normal_force, s.pressure.sum() * run.grid.element_area());
-  const HalfspaceCompliance compliance(run.grid, testing::steel());
+  const HalfspaceCompliance compliance(run.grid, rollfem::testing::steel());
   const Field gap = run.problem.undeformed_distance + compliance.normal().apply(s.pressure) -
                     Field::Constant(run.grid.size(), s.approach);
   for (int k = 0; k < run.grid.size(); ++k) {
@@ -132,7 +132,7 @@ TEST(HalfspaceNormal, HoldsEquilibriumAndComplementarityAtEveryElement) {
 }
 
 TEST(HalfspaceNormal, ScalesWithUnitsAndHasTheSymmetryOfThePatch) {
-  const contact::Case input = testing::thesis_case('a');
+  const contact::Case input = rollfem::testing::thesis_case('a');
   const Solved run = solve_case(input, 21);
   contact::Case scaled = input;  // lengths times 1000, moduli times 1e-6: metres from kilometres
   scaled.wheel.rolling_radius *= 1e3;
@@ -155,10 +155,11 @@ TEST(HalfspaceNormal, ScalesWithUnitsAndHasTheSymmetryOfThePatch) {
 /// Flat circular punch: p = P/(2 pi a sqrt(a^2 - r^2)), approach = P/(2 a E*).
 TEST(HalfspaceNormal, FlatCircularPunchIsBoussinesqs) {
   const double a = 1.0;
-  const double modulus = testing::steel().shear_modulus / (1.0 - testing::steel().poisson_ratio);
+  const double modulus =
+      rollfem::testing::steel().shear_modulus / (1.0 - rollfem::testing::steel().poisson_ratio);
   for (const int n : {20, 40, 80}) {
     const ContactGrid grid = ContactGrid::centred(n + 4, n + 4, 2.0 * a / n, 2.0 * a / n);
-    const HalfspaceCompliance compliance(grid, testing::steel());
+    const HalfspaceCompliance compliance(grid, rollfem::testing::steel());
     NormalProblem problem;
     problem.undeformed_distance =
         grid.sample([&](double x, double y) { return std::hypot(x, y) <= a ? 0.0 : 1.0; });
@@ -171,8 +172,8 @@ TEST(HalfspaceNormal, FlatCircularPunchIsBoussinesqs) {
       EXPECT_LT(std::abs(error), 0.01);
       const double middle = s.pressure[grid.index(grid.nx / 2, grid.ny / 2)];
       EXPECT_NEAR(middle / (s.normal_force / (2.0 * M_PI * a * a)), 1.0, 0.01);
-      testing::record("force", s.normal_force);
-      testing::record("middle_pressure", middle);
+      rollfem::testing::record("force", s.normal_force);
+      rollfem::testing::record("middle_pressure", middle);
     }
   }
 }

@@ -35,24 +35,24 @@ TangentialSolution solve(const HalfspaceCompliance& compliance, const Tangential
   return contact::solve_tangential(fitted, problem);
 }
 
-testing::Forces benchmark_9(int across, Edge edge) {
-  const testing::Benchmark9 benchmark;
+rollfem::testing::Forces benchmark_9(int across, Edge edge) {
+  const rollfem::testing::Benchmark9 benchmark;
   const ContactGrid grid = benchmark.grid(across);
-  const HalfspaceCompliance compliance(grid, testing::Benchmark9::material());
-  return testing::forces(grid, solve(compliance, benchmark.problem(grid), edge).traction);
+  const HalfspaceCompliance compliance(grid, rollfem::testing::Benchmark9::material());
+  return rollfem::testing::forces(grid, solve(compliance, benchmark.problem(grid), edge).traction);
 }
 
 TEST(LeadingEdge, ForcesConvergeWithOrderOneAndAHalfAtLeast) {
-  std::array<testing::Forces, 4> f{};
+  std::array<rollfem::testing::Forces, 4> f{};
   for (std::size_t level = 0; level < f.size(); ++level)
     f[level] = benchmark_9(10 << level, Edge::fitted);
-  const auto order = [&](double testing::Forces::*part, std::size_t level) {
+  const auto order = [&](double rollfem::testing::Forces::*part, std::size_t level) {
     return std::log2((f[level].*part - f[level + 1].*part) /
                      (f[level + 1].*part - f[level + 2].*part));
   };
   for (const std::size_t level : {0U, 1U}) {
-    EXPECT_GT(order(&testing::Forces::x, level), 1.5);
-    EXPECT_GT(order(&testing::Forces::moment, level), 1.4);
+    EXPECT_GT(order(&rollfem::testing::Forces::x, level), 1.5);
+    EXPECT_GT(order(&rollfem::testing::Forces::moment, level), 1.4);
   }
   // The usual difference converges to the same forces, unevenly: 10 245 N at 320 across.
   EXPECT_NEAR(f[3].x, 10251.0, 0.001 * 10251.0);
@@ -81,12 +81,12 @@ double zigzag(const ContactGrid& grid, const Field& values, double half_width) {
 
 /// Zigzag of p_x across rolling at x = 0 for a thesis case at pure longitudinal creepage.
 double zigzag_of_case(char name, double creepage, int across, Edge edge) {
-  const contact::Case input = testing::thesis_case(name);
-  const halfspace::HertzContact hertz = halfspace::hertz_of_case(input);
+  const contact::Case input = rollfem::testing::thesis_case(name);
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(input);
   const contact::Curvatures curvatures = contact::relative_curvatures(input);
   const ContactGrid grid = ContactGrid::centred(
       across + 6, across + 6, 2 * hertz.semi_axis_x / across, 2 * hertz.semi_axis_y / across);
-  const HalfspaceCompliance compliance(grid, testing::steel());
+  const HalfspaceCompliance compliance(grid, rollfem::testing::steel());
   contact::NormalProblem normal;
   normal.undeformed_distance = grid.sample(
       [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });

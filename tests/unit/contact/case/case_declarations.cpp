@@ -21,7 +21,7 @@ KeyValue other_value(const Key& key) {
     case KeyKind::word:
       return initial == KeyValue(key.words.back()) ? key.words.front() : key.words.back();
     case KeyKind::words:
-      return Words{key.words.back()};
+      return Words{key.words.empty() ? "any" : key.words.back()};
     case KeyKind::boolean:
       return initial != KeyValue(true);
     case KeyKind::integer:

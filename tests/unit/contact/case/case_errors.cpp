@@ -19,7 +19,7 @@ using rollfem::testing::with;
 
 std::string error_of(const std::string& text) {
   try {
-    contact::parse_case(text, "case.toml");
+    contact::parse_case(text, "case.toml", {{"hertz", "halfspace", "fem"}, {}});
   } catch (const contact::InputError& error) {
     return error.what();
   }
@@ -146,7 +146,9 @@ const std::vector<Wrong> wrong_values{
     {"TextForBoolean", plus("[output]\nfields = \"yes\"\n"), {"output.fields = \"yes\""}},
     {"UnknownPath", plus("[output]\npaths = [\"z\"]\n"), {"output.paths = [\"z\"]: is not known"}},
     {"EmptyPaths", plus("[output]\npaths = []\n"), {"output.paths = []: is an empty list"}},
-    {"UnknownModel", first("models = [\"fme\"]"), {"case.toml:1:10: models", "near: fem"}},
+    {"UnknownModel",
+     first("models = [\"fme\"]"),
+     {"case.toml:1:10: models", "near: fem", "allowed: a list of some of hertz, halfspace, fem"}},
     {"ModelTwice", first("models = [\"fem\", \"fem\"]"), {"names fem twice"}},
     {"TextForModels", first("models = \"fem\""), {"models = \"fem\": a text is no list"}},
     {"TitleWithControlCharacters", first("title = \"a\\u001b[31mb\""), {"control character"}},

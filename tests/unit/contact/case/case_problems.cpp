@@ -1,7 +1,6 @@
 // Case files of shifts, transients, prescribed forces, given pressures and points below the
 // surface: what they become, and what each contradiction says.
 #include "contact/base/errors.hpp"
-#include "contact/case/abilities.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/lattice.hpp"
 #include "contact/scene/geometry.hpp"
@@ -103,8 +102,8 @@ TEST(History, ContradictionsAreNamed) {
   expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nsteps = 3\n"
                     "longitudinal_shift = [0.1, 0.2]\n"),
                {"has 2 entries, but history.steps of line 13 has 3"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\nextra_slip = \"rolling-radius\"\n"),
-               {"rolling.extra_slip = \"rolling-radius\": has no meaning with the problem shift"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\nextra_slip = \"file\"\n"),
+               {"rolling.extra_slip = \"file\": has no meaning with the problem shift"});
 }
 
 TEST(PrescribedForce, ArrivesForEveryLoadPoint) {
@@ -173,8 +172,6 @@ TEST(GivenPressure, ContradictionsAreNamed) {
       "[friction]\ncoefficient = 0.3\n[load]\nnormal_force = 1\n[given_pressure]\n"
       "semi_axis_x = 1\n",
       {"case.toml:5:1: given_pressure.semi_axis_y: is missing"});
-  expect_error(pressure + "max_pressure = 1e3\n[rolling]\nextra_slip = \"rolling-radius\"\n",
-               {"needs wheel.rolling_radius, which is missing"});
 }
 
 TEST(UndeformedDistance, QuadraticTakesThePlaceOfTheRadii) {
@@ -183,7 +180,8 @@ TEST(UndeformedDistance, QuadraticTakesThePlaceOfTheRadii) {
       "[undeformed_distance]\nquadratic = [0.01, 0.02]\n",
       "c.toml");
   const contact::ContactGrid grid = contact::ContactGrid::centred(3, 3, 1.0, 2.0);
-  const contact::Field distance = contact::undeformed_distance(input, grid);
+  const contact::Field distance =
+      contact::ChartedGeometry(input, contact::Chart::plane).undeformed_distance(grid);
   EXPECT_DOUBLE_EQ(distance[grid.index(2, 0)], 0.01 + 0.02 * 4.0);
   EXPECT_EQ(distance[grid.index(1, 1)], 0.0);
 }
@@ -211,22 +209,24 @@ TEST_F(PointFiles, AreFoundBesideTheCaseFileAndEvaluated) {
       "\"slip.csv\"\n",
       name());
   const contact::ContactGrid grid = contact::ContactGrid::centred(4, 4, 1.5, 1.5);
-  const contact::Field distance = contact::undeformed_distance(input, grid);
+  const contact::Field distance =
+      contact::ChartedGeometry(input, contact::Chart::plane).undeformed_distance(grid);
   const int corner = grid.index(3, 0);  // x = 2.25, y = -2.25
   EXPECT_NEAR(distance[corner], 0.03 * 2.25 * 2.25, 1e-13);
-  const contact::TangentialField slip =
-      contact::rigid_slip(input, input.rolling.creepages[0], grid);
+  const contact::TangentialField slip = contact::ChartedGeometry(input, contact::Chart::plane)
+                                            .rigid_slip(input.rolling.creepages[0], grid);
   EXPECT_NEAR(slip.x[corner], 0.001 - 2.25e-4, 1e-15);
   EXPECT_NEAR(slip.y[corner], -2.25e-4, 1e-15);
   const contact::ContactGrid beyond = contact::ContactGrid::centred(9, 9, 1.1, 1.1);
-  EXPECT_THROW(contact::undeformed_distance(input, beyond), contact::InputError);
+  EXPECT_THROW(contact::ChartedGeometry(input, contact::Chart::plane).undeformed_distance(beyond),
+               contact::InputError);
 }
 
 TEST_F(PointFiles, ThatAreMissingOrUnusedAreNamed) {
   expect_error(plus("[undeformed_distance]\nfile = \"no.csv\"\n"),
                {"no.csv: there is no such file"});
   expect_error(plus("[rolling]\nextra_slip_file = \"slip.csv\"\n"),
-               {"rolling.extra_slip_file = \"slip.csv\": is not used, as extra_slip is none"});
+               {"rolling.extra_slip_file = \"slip.csv\": is not used, as extra_slip is auto"});
   expect_error(plus("[rolling]\nextra_slip = \"file\"\n"), {"names no file"});
   expect_error(plus("[undeformed_distance]\nfile = \"h.csv\"\nquadratic = [1e-3, 1e-3]\n"),
                {"contradicts undeformed_distance.quadratic"});
@@ -285,57 +285,10 @@ TEST(Subsurface, PointsOfAConcaveBodyMayLieBeyondTheMiddleButNotInTheHalfSpace) 
   };
   const Case input = parse_case(concave("[0, 6, -0.4]"), "case.toml");
   EXPECT_EQ(input.subsurface.at(0).from[2], -0.4);
-  EXPECT_NO_THROW(contact::check_able(input, "fem"));
-  try {
-    contact::check_able(input, "halfspace");
-    ADD_FAILURE() << "a half-space has no points beyond z = 0";
-  } catch (const contact::InputError& error) {
-    for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model fem"})
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
   // In the middle, and further out than any finite element, they are outside.
   expect_error(concave("[0, 0, -0.4]"), {"z = -0.4 is not in the wheel", "in a concave body"});
   expect_error(concave("[0, 6, -1.6]"), {"z = -1.6 is not in the wheel"});
   expect_error(plus("[[subsurface.point]]\nat = [0, 6, -0.1]\n"), {"z = -0.1 is not in the wheel"});
-}
-
-TEST(Abilities, ModelsRefuseWhatTheyLeaveOutAndNameThoseThatCan) {
-  const auto refusal = [](const std::string& text, const std::string& model) {
-    try {
-      contact::check_able(parse_case(text, "case.toml"), model);
-    } catch (const contact::InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("able");
-  };
-  const std::string shift =
-      plus("[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.1\n");
-  const std::string force = plus("[rolling]\nlongitudinal_force = 1.0\n");
-  EXPECT_EQ(refusal(shift, "halfspace"), "able");
-  EXPECT_EQ(refusal(force, "halfspace"), "able");
-  for (const char* model : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip", "fem"}) {
-    EXPECT_NE(refusal(shift, model).find("allowed: hertz, halfspace"), std::string::npos) << model;
-    EXPECT_NE(refusal(force, model).find("prescribed tangential force"), std::string::npos)
-        << model;
-    EXPECT_EQ(refusal(rollfem::testing::small_case, model), "able") << model;
-  }
-  // A speed alone is no more than that, however high; inertia is felt by the finite elements only.
-  const std::string speed = "[rolling]\nspeed = 5e6\n";
-  for (const char* model : {"hertz", "carter", "halfspace", "fem"})
-    EXPECT_EQ(refusal(plus(speed), model), "able") << model;
-  const std::string fast = plus("[rolling]\nspeed = 5e4\n[fem]\ninertia = true\n");
-  EXPECT_EQ(refusal(fast, "fem"), "able");
-  for (const char* model : {"hertz", "carter", "halfspace"})
-    EXPECT_NE(refusal(fast, model)
-                  .find("fem.inertia: it cannot take the inertia of moving bodies; allowed: fem; "
-                        "do: run with --model fem"),
-              std::string::npos)
-        << model;
-  const std::string given = pressure + "max_pressure = 1e3\n";
-  EXPECT_EQ(refusal(given, "fastsim"), "able");
-  EXPECT_NE(refusal(given, "fem").find("a given pressure"), std::string::npos);
-  EXPECT_NE(refusal(with("[rail]\n", "[rail]\nyoung_modulus = inf\n"), "fem").find("a rigid body"),
-            std::string::npos);
 }
 
 }  // namespace

@@ -156,9 +156,4 @@ TEST(TrackErrors, TorqueNeedsBothWheels) {
                {"wheelset.free_rolling", "needs both wheels", "side = \"both\""});
 }
 
-TEST(TrackErrors, ExtraSlipOfRadiiIsRefused) {
-  expect_error(pair + "[rolling]\nextra_slip = \"rolling-radius\"\n",
-               {"rolling.extra_slip", "is for radii"});
-}
-
 }  // namespace

@@ -17,8 +17,12 @@ using contact::parse_case;
 using rollfem::testing::plus;
 using rollfem::testing::small_case;
 
+/// As the program has them from its registry.
+const contact::ModelWords models{{"hertz", "strip", "halfspace", "fem"},
+                                 {"hertz", "halfspace", "fem"}};
+
 TEST(CaseValues, SmallCaseHasItsValuesAndDefaults) {
-  const Case input = parse_case(small_case, "folder/small.toml");
+  const Case input = parse_case(small_case, "folder/small.toml", models);
   EXPECT_EQ(input.title, "small");
   EXPECT_EQ(input.file, "folder/small.toml");
   EXPECT_EQ(input.text, small_case);
@@ -34,7 +38,7 @@ TEST(CaseValues, SmallCaseHasItsValuesAndDefaults) {
   ASSERT_EQ(input.rolling.creepages.size(), 1u);
   EXPECT_EQ(input.rolling.creepages[0].longitudinal, 0.0);
   EXPECT_EQ(input.rolling.upwind_order, contact::UpwindOrder::second);
-  EXPECT_EQ(input.rolling.extra_slip, contact::ExtraSlip::none);
+  EXPECT_EQ(input.rolling.extra_slip, contact::ExtraSlip::automatic);
   EXPECT_EQ(input.contact_grid.elements_across, 40);
   EXPECT_FALSE(input.contact_grid.cell_size);
   EXPECT_EQ(input.fem.degree, 2);
@@ -64,7 +68,7 @@ speed = 4e4
 lateral_creepage = -0.002
 spin = [1e-4, 0.0]
 upwind_order = "first"
-extra_slip = "rolling-radius"
+extra_slip = "none"
 [contact_grid]
 cell_size = [0.2, 0.3]
 [fem]
@@ -104,7 +108,7 @@ TEST(CaseValues, EveryKeyArrives) {
   EXPECT_EQ(input.rolling.creepages[0].spin, 1e-4);
   EXPECT_EQ(input.rolling.creepages[1].spin, 0.0);
   EXPECT_EQ(input.rolling.upwind_order, contact::UpwindOrder::first);
-  EXPECT_EQ(input.rolling.extra_slip, contact::ExtraSlip::rolling_radius);
+  EXPECT_EQ(input.rolling.extra_slip, contact::ExtraSlip::none);
   ASSERT_TRUE(input.contact_grid.cell_size);
   EXPECT_EQ((*input.contact_grid.cell_size)[1], 0.3);
   EXPECT_EQ(input.fem.cell_size, 0.5);
@@ -143,11 +147,14 @@ TEST(CaseValues, DottedKeysWindowsLineEndsAndListsOverManyLinesAreRead) {
 }
 
 TEST(CaseValues, TemplateIsAValidCaseWithTheDefaultsInIt) {
-  const Case input = parse_case(contact::case_template(), "template.toml");
+  const Case input = parse_case(contact::case_template(models), "template.toml", models);
   const Case defaults = contact::default_case();
-  EXPECT_EQ(input.models, defaults.models);
+  EXPECT_EQ(input.models, models.by_default);
   EXPECT_EQ(input.contact_grid.elements_across, defaults.contact_grid.elements_across);
   EXPECT_EQ(input.rolling.creepages.size(), 7u);
+  // A caller without models of its own takes any name, and none where none is given.
+  EXPECT_TRUE(parse_case(contact::case_template(), "template.toml").models.empty());
+  EXPECT_EQ(parse_case("models = [\"novel\"]\n" + small_case, "n.toml").models.front(), "novel");
 }
 
 TEST(CaseValues, DescriptionTellsValuesUnitsDefaultsAndWhatFollows) {
@@ -166,12 +173,11 @@ TEST(CaseValues, DescriptionTellsValuesUnitsDefaultsAndWhatFollows) {
 TEST(CaseValues, CommittedCasesAreValidAndHaveTheEllipsesOfTheStudy) {
   const std::string folder = std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_";
   for (const char name : std::string("abcdef")) {
-    const Case input = contact::read_case(folder + name + ".toml");
+    const Case input = contact::read_case(folder + name + ".toml", models);
     EXPECT_EQ(input.load.normal_force, 50e3);
     EXPECT_EQ(input.friction_coefficient, 0.55);
     EXPECT_EQ(input.rolling.creepages.size(), 7u);
-    const bool curved = name == 'e' || name == 'f';
-    EXPECT_EQ(input.rolling.extra_slip == contact::ExtraSlip::rolling_radius, curved);
+    EXPECT_EQ(input.rolling.extra_slip, contact::ExtraSlip::automatic);
     EXPECT_EQ(input.models.size(), 3u);
   }
 }

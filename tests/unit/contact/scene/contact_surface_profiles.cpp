@@ -1,6 +1,6 @@
 // The common surface of true profiles: spheres and circles in closed form about tilted and yawed
 // axles, the case of radii given as curves, rigid slip against velocities of a turning body.
-#include "contact/scene/contact_surface.hpp"
+#include "contact/scene/geometry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,15 @@ using namespace rollfem::contact;
 using rollfem::testing::circle_pair;
 using rollfem::testing::sphere_on_circle;
 
+TangentialField rigid_slip_on(const ContactSurface& surface, const Creepage& creepage,
+                              const ContactGrid& grid) {
+  Geometry geometry;
+  geometry.surface = surface;
+  return ChartedGeometry(geometry, Chart::projected).rigid_slip(creepage, grid);
+}
+
 ContactSurface surface_of(PatchGeometry geometry) {
-  Case input;
-  input.patch = std::make_shared<PatchGeometry>(std::move(geometry));
-  return contact_surface(input);
+  return ContactSurface::of(std::make_shared<PatchGeometry>(std::move(geometry)));
 }
 
 Vector3 direction(double tilt, double yaw) {
@@ -61,7 +66,7 @@ TEST(SurfaceOfProfiles, GivenAsCurvesIsThatOfTheRadii) {
     }
     const ContactGrid grid = ContactGrid::centred(3, 9, 1.0, 2.0);
     const Creepage creepage{0.002, 0.001, 3e-4};
-    EXPECT_NEAR((rigid_slip(curves, creepage, grid).x - rigid_slip(radii, creepage, grid).x)
+    EXPECT_NEAR((rigid_slip_on(curves, creepage, grid).x - rigid_slip_on(radii, creepage, grid).x)
                     .cwiseAbs()
                     .maxCoeff(),
                 0.0, 1e-11);
@@ -95,7 +100,7 @@ TEST(SlipOfProfiles, IsThatOfABodyThatTurnsAboutItsTiltedAxle) {
   const double xi = 0.003, omega = (1.0 - xi) / rolling;
   const Creepage creepage{xi, 0.0, omega * std::sin(tilt)};
   const ContactGrid grid = ContactGrid::centred(5, 9, 2.0, 2.0);
-  const TangentialField slip = rigid_slip(surface, creepage, grid);
+  const TangentialField slip = rigid_slip_on(surface, creepage, grid);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const double x = grid.x(i), y = grid.y(j), climb = surface.climb(y);
@@ -118,7 +123,7 @@ TEST(SlipOfProfiles, HasTheGivenSpinAtTheOriginUnderAnyTilt) {
   const ContactGrid grid = ContactGrid::centred(3, 3, h, h);
   for (const double tilt : {0.0, 0.05, 1.2}) {
     const ContactSurface surface = surface_of(sphere_on_circle(460.0, 300.0, direction(tilt, 0.0)));
-    const TangentialField slip = rigid_slip(surface, creepage, grid);
+    const TangentialField slip = rigid_slip_on(surface, creepage, grid);
     EXPECT_NEAR(slip.x[4], creepage.longitudinal, 1e-12);
     EXPECT_NEAR((slip.x[7] - slip.x[1]) / (2 * h), -creepage.spin, 1e-9);
     EXPECT_NEAR((slip.y[5] - slip.y[3]) / (2 * h), creepage.spin, 1e-9);

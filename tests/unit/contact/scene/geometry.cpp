@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include <cmath>
 
 namespace {
 
@@ -68,24 +69,30 @@ TEST(UndeformedDistance, IsTheParabolicDropOfWheelAndRail) {
 TEST(RigidSlip, IsCreepagePlusSpinAboutTheOrigin) {
   const Case input = parse_case(small_case, "s");
   const ContactGrid grid = ContactGrid::centred(3, 3, 1.0, 2.0);
-  const TangentialField slip = rigid_slip(input, {0.001, 0.002, 0.0005}, grid);
+  const TangentialField slip =
+      ChartedGeometry(input, Chart::plane).rigid_slip({0.001, 0.002, 0.0005}, grid);
   const int corner = grid.index(2, 0);  // x = 1, y = -2
   EXPECT_DOUBLE_EQ(slip.x[corner], 0.001 + 0.0005 * 2.0);
   EXPECT_DOUBLE_EQ(slip.y[corner], 0.002 + 0.0005 * 1.0);
   EXPECT_DOUBLE_EQ(slip.x[grid.index(1, 1)], 0.001);
 }
 
-TEST(RigidSlip, OfACurvedPatchIsMinusTheDropOverTheRadius) {
-  Case input = parse_case(with("2000.0", "100.0"), "s");
-  input.rolling.extra_slip = ExtraSlip::rolling_radius;
-  const ContactGrid grid = ContactGrid::centred(1, 3, 1.0, 10.0);
-  const TangentialField slip = rigid_slip(input, {}, grid);
-  // Drop of a rail of 100 mm radius 10 mm from the middle: 0.5 mm to the parabola's accuracy, which
-  // is the radius difference that the study gives for its case e.
-  EXPECT_NEAR(slip.x[0], -0.5 / 405.0, 1e-5);
-  EXPECT_EQ(slip.x[1], 0.0);
-  EXPECT_DOUBLE_EQ(slip.x[0], slip.x[2]);
-  EXPECT_EQ(slip.y.norm(), 0.0);
+TEST(RigidSlip, OfACurvedWheelIsThatOfItsRollingRadii) {
+  // The study's case e: the wheel is 0.475 mm larger 10 mm beside the running circle (105.263 mm
+  // concave), and drives there; a convex one as in case d brakes.
+  for (const double radius : {-105.263, 105.263}) {
+    Case input = parse_case(small_case, "s");
+    input.wheel.transverse_radius = radius;
+    const ContactGrid grid = ContactGrid::centred(1, 3, 1.0, 10.0);
+    const TangentialField slip = ChartedGeometry(input, Chart::plane).rigid_slip({}, grid);
+    const double drop = 105.263 - std::sqrt(105.263 * 105.263 - 100.0);
+    EXPECT_NEAR(slip.x[0], (radius > 0.0 ? drop : -drop) / 405.0, 1e-12);
+    EXPECT_EQ(slip.x[1], 0.0);
+    EXPECT_DOUBLE_EQ(slip.x[0], slip.x[2]);
+    EXPECT_EQ(slip.y.norm(), 0.0);
+    input.rolling.extra_slip = ExtraSlip::none;
+    EXPECT_EQ(ChartedGeometry(input, Chart::plane).rigid_slip({}, grid).x.norm(), 0.0);
+  }
 }
 
 }  // namespace

@@ -169,8 +169,9 @@ TEST(ProfileBox, LiesOffTheCentreOnTheTrueSurface) {
 }
 
 TEST(TrueSections, HaveTheSizesOfRailAndRim) {
-  const contact::Case scene = left_wheel_scene();
-  const meshes::TrueSection rail = meshes::rail_section(*scene.patch, {0.025, false, 172.0});
+  const contact::Scene scene = left_wheel_scene();
+  const meshes::TrueSection rail =
+      meshes::rail_section(*scene.geometry.surface.profiles, {0.025, false, 172.0});
   double lowest = 0.0, left = 0.0, right = 0.0;
   for (const auto& p : rail.around) {
     lowest = std::min(lowest, p[1]);
@@ -181,22 +182,23 @@ TEST(TrueSections, HaveTheSizesOfRailAndRim) {
   EXPECT_NEAR(lowest, -172.0, 4.0);
   // EN 13674-1 gives 7670 mm^2; fillets are chords here.
   EXPECT_NEAR(area_of(rail) / 7670.0, 1.0, 0.03);
-  const meshes::TrueSection rim = meshes::wheel_section(*scene.patch, 65.0);
+  const meshes::TrueSection rim = meshes::wheel_section(*scene.geometry.surface.profiles, 65.0);
   EXPECT_NEAR(rim.around[1][0] - rim.around[2][0], 130.0, 2.0);
-  EXPECT_THROW(meshes::rail_section(*scene.patch, {0.025, false, 20.0}), contact::InputError);
-  EXPECT_THROW(meshes::wheel_section(*scene.patch, 1.0), contact::InputError);
+  EXPECT_THROW(meshes::rail_section(*scene.geometry.surface.profiles, {0.025, false, 20.0}),
+               contact::InputError);
+  EXPECT_THROW(meshes::wheel_section(*scene.geometry.surface.profiles, 1.0), contact::InputError);
 }
 
 TEST(TrueSections, MeshedHaveTheVolumeOfTheOutlineAndLieOnTheSurface) {
-  contact::Case scene = left_wheel_scene();
+  contact::Scene scene = left_wheel_scene();
   EXPECT_FALSE(fem::has_true_sections(scene));  // flat enough for boxes
   scene.fem.mesh = contact::MeshFamily::gmsh;
   const fem::RunLayout layout = fem::run_layout(scene, 2.0);
   const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
-  expect_on_surface(*bodies.wheel, *scene.patch);
-  expect_on_surface(*bodies.rail, *scene.patch);
-  const double area = area_of(
-      meshes::rail_section(*scene.patch, {scene.track.inclination, !scene.place->left, 172.0}));
+  expect_on_surface(*bodies.wheel, *scene.geometry.surface.profiles);
+  expect_on_surface(*bodies.rail, *scene.geometry.surface.profiles);
+  const double area = area_of(meshes::rail_section(
+      *scene.geometry.surface.profiles, {scene.rail_inclination, !scene.place->left, 172.0}));
   EXPECT_NEAR(volume_of(*bodies.rail) / (area * 2.0 * layout.bodies.reach_s()), 1.0, 0.01);
   for (const fem::Body* body : {bodies.wheel.get(), bodies.rail.get()})
     EXPECT_GT(smallest_scaled_jacobian(body->coarse_mesh()), 0.1);
@@ -204,20 +206,20 @@ TEST(TrueSections, MeshedHaveTheVolumeOfTheOutlineAndLieOnTheSurface) {
 }
 
 TEST(TrueSections, AreMeshedAtTheRootOfTheFlange) {
-  const contact::Case scene = flange_scene();
+  const contact::Scene scene = flange_scene();
   EXPECT_TRUE(fem::has_true_sections(scene));
-  EXPECT_GT(std::abs(scene.patch->tilt()), 0.5);
+  EXPECT_GT(std::abs(scene.geometry.surface.profiles->tilt()), 0.5);
   const fem::RunLayout layout = fem::run_layout(scene, 2.0 * fem::default_cell_size(scene));
   const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
   for (const fem::Body* body : {bodies.wheel.get(), bodies.rail.get()}) {
-    expect_on_surface(*body, *scene.patch);
+    expect_on_surface(*body, *scene.geometry.surface.profiles);
     EXPECT_GT(smallest_scaled_jacobian(body->coarse_mesh()), 0.1);
     EXPECT_GT(volume_of(*body), 0.0);
   }
 }
 
 TEST(TrueSections, RefuseThePointLoadOfAHalfSpace) {
-  contact::Case scene = left_wheel_scene();
+  contact::Scene scene = left_wheel_scene();
   scene.fem.mesh = contact::MeshFamily::gmsh;
   scene.fem.far_boundary = contact::FarBoundary::point_load;
   EXPECT_THROW(fem::make_bodies(scene, fem::run_layout(scene, 2.0).bodies, MPI_COMM_WORLD),

@@ -22,7 +22,7 @@ contact::Case thesis_case_a() {
 }
 
 TEST(Hertz, GivesCaseAToAllDigitsShown) {
-  const HertzContact hertz = hertz_of_case(thesis_case_a());
+  const HertzContact hertz = hertz_of_scene(thesis_case_a());
   EXPECT_NEAR(hertz.semi_axis_x, 3.79236, 5e-6);
   EXPECT_NEAR(hertz.semi_axis_y, 10.87295, 5e-6);
   EXPECT_NEAR(hertz.max_pressure, 578.967, 5e-4);
@@ -157,7 +157,7 @@ TEST(HertzAxisStress, AgreesWithContactBelowCaseA) {
                             {2, -137.465, -194.151, -503.644},   {3, -64.6025, -132.593, -437.695},
                             {4, -28.1380, -90.6904, -373.829},   {6, -1.13786, -42.7999, -270.821},
                             {8, 5.22582, -20.2541, -199.750},    {12, 5.77334, -3.95558, -117.141}};
-  const HertzContact hertz = hertz_of_case(thesis_case_a());
+  const HertzContact hertz = hertz_of_scene(thesis_case_a());
   for (const auto& row : rows) {
     const testing::AxisStress s = testing::hertz_axis_stress(hertz, 0.3, row[0]);
     EXPECT_NEAR(s.xx, row[1], 0.002 * hertz.max_pressure) << row[0];

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 
@@ -21,8 +22,8 @@ constexpr double of_extents = 0.01;
 constexpr double of_area = 0.02;
 constexpr double of_pressure = 0.005;
 
-contact::Case with_circles(char name, double reach = 30.0) {
-  contact::Case input = rollfem::testing::thesis_case(name);
+rollfem::testing::PatchCase with_circles(char name, double reach = 30.0) {
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case(name);
   input.patch = rollfem::testing::circles(input.wheel.rolling_radius, contact::infinity,
                                           input.rail.transverse_radius, reach);
   return input;
@@ -40,8 +41,8 @@ void expect_like(const ExpectedPatch& found, const ExpectedPatch& exact) {
 }  // namespace
 
 TEST(ExpectedPatch, OfRadiiIsHertzs) {
-  const contact::Case input = rollfem::testing::thesis_case('a');
-  const auto hertz = halfspace::hertz_of_case(input);
+  const rollfem::testing::PatchCase input = rollfem::testing::thesis_case('a');
+  const auto hertz = halfspace::hertz_of_scene(input);
   const ExpectedPatch patch = expected_patch(input);
   EXPECT_DOUBLE_EQ(patch.x_upper, hertz.semi_axis_x);
   EXPECT_DOUBLE_EQ(patch.y_lower, -hertz.semi_axis_y);
@@ -58,8 +59,8 @@ TEST(ExpectedPatch, OfCirclesIsThatOfTheirRadii) {
 }
 
 TEST(ExpectedPatch, TakesAnApproach) {
-  contact::Case circles = with_circles('b');
-  contact::Case radii = rollfem::testing::thesis_case('b');
+  rollfem::testing::PatchCase circles = with_circles('b');
+  rollfem::testing::PatchCase radii = rollfem::testing::thesis_case('b');
   circles.load = radii.load = {};
   circles.load.approach = radii.load.approach = 0.05;
   expect_like(expected_patch(circles), expected_patch(radii));
@@ -68,8 +69,8 @@ TEST(ExpectedPatch, TakesAnApproach) {
 TEST(ExpectedPatch, HoldsOverManyOrdersOfTheLoad) {
   for (const double force : {1.0, 1e3, 1e6}) {
     SCOPED_TRACE(force);
-    contact::Case circles = with_circles('c', 60.0);
-    contact::Case radii = rollfem::testing::thesis_case('c');
+    rollfem::testing::PatchCase circles = with_circles('c', 60.0);
+    rollfem::testing::PatchCase radii = rollfem::testing::thesis_case('c');
     circles.load.normal_force = radii.load.normal_force = force;
     // At 1 MN the patch is 35 mm long and 14 mm wide: circle and parabola differ by 2e-3.
     expect_like(expected_patch(circles), expected_patch(radii));
@@ -77,16 +78,17 @@ TEST(ExpectedPatch, HoldsOverManyOrdersOfTheLoad) {
 }
 
 TEST(ExpectedPatch, TakesTheLargestOfTheLoads) {
-  contact::Case input = with_circles('b');
+  rollfem::testing::PatchCase input = with_circles('b');
   const ExpectedPatch single = expected_patch(input);
   input.load.normal_force = 30e3;
-  input.load.normal_forces = {40e3, 50e3, 20e3};
+  input.rolling.creepages.resize(3);
+  input.normal_forces = {40e3, 50e3, 20e3};
   EXPECT_DOUBLE_EQ(expected_patch(input).width(), single.width());
 }
 
 TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
   // S1002 on UIC60: stiffer on the side of R80, so that the patch lies on the other.
-  contact::Case input = rollfem::testing::thesis_case('b');
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
   input.load.normal_force = 100e3;
   input.wheel.rolling_radius = 450.0;
   input.patch = rollfem::testing::s1002_on_uic60(-3.95, 8.58);
@@ -105,7 +107,7 @@ TEST(ExpectedPatch, SharperSolutionComesNearer) {
 
 TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
   // Hertz's patch of case b is 6.1 mm wide to each side.
-  const double half = halfspace::hertz_of_case(rollfem::testing::thesis_case('b')).semi_axis_y;
+  const double half = halfspace::hertz_of_scene(rollfem::testing::thesis_case('b')).semi_axis_y;
   EXPECT_NO_THROW(expected_patch(with_circles('b', 1.1 * half)));
   try {
     expected_patch(with_circles('b', 0.9 * half));
@@ -118,7 +120,7 @@ TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
 }
 
 TEST(ExpectedPatch, RefusesAnApproachThatDoesNotTouch) {
-  contact::Case input = with_circles('b');
+  rollfem::testing::PatchCase input = with_circles('b');
   input.load = {};
   input.load.approach = -0.01;
   EXPECT_THROW(expected_patch(input), contact::SolveError);

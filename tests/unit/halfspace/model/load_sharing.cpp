@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 
@@ -17,8 +18,8 @@ namespace {
 /// Forces of the coarse solutions: 0.3 % against Hertz.
 constexpr double coarse = 3e-3;
 
-contact::Case scene(double rail_radius, double separation, double angle) {
-  contact::Case input = rollfem::testing::thesis_case('b');
+rollfem::testing::PatchCase scene(double rail_radius, double separation, double angle) {
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
   input.load = {};
   input.rail.transverse_radius = rail_radius;
   input.patch = rollfem::testing::circles(405.0, contact::infinity, rail_radius);
@@ -30,11 +31,11 @@ contact::Case scene(double rail_radius, double separation, double angle) {
 
 /// N at an approach by Hertz.
 double hertz_force(double rail_radius, double approach) {
-  contact::Case input = rollfem::testing::thesis_case('b');
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
   input.rail.transverse_radius = rail_radius;
   input.load = {};
   input.load.approach = approach;
-  return halfspace::hertz_of_case(input).normal_force;
+  return halfspace::hertz_of_scene(input).normal_force;
 }
 
 }  // namespace
@@ -53,9 +54,9 @@ TEST(LoadSharing, TwoEqualPatchesShareEqually) {
 
 TEST(LoadSharing, NearMissIsLoadedOnlyBeyondItsSeparation) {
   // Sinking of the first patch alone at 50 kN, by Hertz: 0.0666 mm.
-  contact::Case alone = rollfem::testing::thesis_case('b');
+  rollfem::testing::PatchCase alone = rollfem::testing::thesis_case('b');
   alone.rail.transverse_radius = 300.0;
-  const double approach = halfspace::hertz_of_case(alone).approach;
+  const double approach = halfspace::hertz_of_scene(alone).approach;
   const auto beyond =
       halfspace::share_load({scene(300.0, 0.0, 0.0), scene(300.0, 1.02 * approach, 0.0)}, 50e3);
   EXPECT_EQ(beyond.normal_forces[1], 0.0);

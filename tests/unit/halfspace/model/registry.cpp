@@ -25,7 +25,7 @@ const std::string curve =
 
 TEST(Registry, EveryModelRunsThesisCaseA) {
   const Case input = parse_case(plus(curve), "a.toml");
-  for (const std::string& name : halfspace::model_names()) {
+  for (const std::string& name : halfspace::models().names()) {
     const contact::ModelResult result = halfspace::run_model(name, input, {});
     EXPECT_EQ(result.name, name);
     ASSERT_FALSE(result.points.empty()) << name;
@@ -72,21 +72,21 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
 
 TEST(GivenPressure, OfHertzsEllipseGivesHertzsContactBack) {
   const Case bodies = parse_case(rollfem::testing::small_case, "a.toml");
-  const halfspace::HertzContact hertz = halfspace::hertz_of_case(bodies);
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(bodies);
   Case given = bodies;
   given.given_pressure =
       contact::GivenPressure{hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure};
-  const halfspace::HertzContact same = halfspace::hertz_of_case(given);
+  const halfspace::HertzContact same = halfspace::hertz_of_scene(given);
   EXPECT_NEAR(same.normal_force, 50e3, 1e-6);
   EXPECT_NEAR(same.approach, hertz.approach, 1e-12);
-  const contact::Curvatures curvatures = halfspace::curvatures_of_case(given);
+  const contact::Curvatures curvatures = halfspace::curvatures_of_scene(given);
   EXPECT_NEAR(curvatures.A / (0.5 / 405.0), 1.0, 1e-12);
   EXPECT_NEAR(curvatures.B / (0.5 / 2000.0), 1.0, 1e-12);
 }
 
 TEST(GivenPressure, TheoriesOfTheEllipseAreTheSameByEitherWay) {
   const Case bodies = parse_case(plus(curve), "a.toml");
-  const halfspace::HertzContact hertz = halfspace::hertz_of_case(bodies);
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(bodies);
   Case given = bodies;
   given.given_pressure =
       contact::GivenPressure{hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure};
@@ -146,7 +146,7 @@ TEST(SubsurfaceFields, BelowTheMiddleAreHertzsAxisStress) {
                                      "[0, 0, -1]\nto = [0, 0, -8]\n"
                                      "points = 8\n"),
                                 "a.toml");
-  const halfspace::HertzContact hertz = halfspace::hertz_of_case(input);
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(input);
   const auto result = halfspace::run_model("halfspace", input, {});
   const auto& fields = result.points.front().subsurface;
   ASSERT_EQ(fields.size(), 2u);

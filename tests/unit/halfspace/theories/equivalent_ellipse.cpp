@@ -13,7 +13,7 @@ using namespace rollfem;
 TEST(EquivalentEllipse, LiesWithinTheGridThoughThePatchEndsEarlierOnOneSide) {
   // 2 mm away from its rail's gauge side: a patch with a tail, whose centre of pressure is far from
   // its middle.
-  const contact::Case scene = rollfem::testing::left_wheel_scenes(-2.0, {1e-3}).at(0);
+  const contact::Scene scene = rollfem::testing::left_wheel_scenes(-2.0, {1e-3}).at(0);
   const contact::ModelResult result = halfspace::run_model("fastsim", scene, {});
   const contact::Field& pressure = result.points.front().fields.traction.n;
   EXPECT_GT(pressure.maxCoeff(), 0.0);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace rollfem::halfspace {
 namespace {
@@ -147,12 +148,14 @@ TEST(LinearTheory, ModelHasTractionsWithTheForcesOfTheCoefficients) {
   EXPECT_GT(result.points[0].traction_coefficient, 0.0);
 }
 
-TEST(LinearTheory, ModelRefusesExtraSlip) {
+TEST(LinearTheory, ModelRefusesExtraSlipFromAFile) {
   contact::Case input;
   input.load.normal_force = 50e3;
   input.wheel.rolling_radius = 405.0;
   input.rail.transverse_radius = 500.0;
-  input.rolling.extra_slip = contact::ExtraSlip::rolling_radius;
+  input.rolling.extra_slip = contact::ExtraSlip::file;
+  input.rolling.extra_slip_values = contact::Lattice{"slip.csv", 4, 4, -20, -20, 13, 13, {}};
+  input.rolling.extra_slip_values->values.assign(2, std::vector<double>(16, 1e-4));
   EXPECT_THROW(run_linear(input, {}), contact::InputError);
 }
 

@@ -11,10 +11,16 @@
 namespace {
 
 using namespace rollfem;
-using meshes::Scene;
+using meshes::PlacedScene;
 
-std::vector<Scene> scenes_of(const contact::Case& input) {
+std::vector<PlacedScene> scenes_of(const contact::Case& input) {
   return make_scenes(input, meshes::make_search_scene(input, rollfem::testing::manchester_pair()));
+}
+
+std::vector<contact::Creepage> creepages_of(const PlacedScene& placed) {
+  std::vector<contact::Creepage> all;
+  for (const contact::LoadPoint& point : placed.scene.points) all.push_back(point.creepage);
+  return all;
 }
 
 TEST(Scenes, ComeByPositionWheelAndPatch) {
@@ -28,17 +34,21 @@ TEST(Scenes, ComeByPositionWheelAndPatch) {
   const char* labels[] = {"left, position 1", "right, position 1", "left, position 2",
                           "right, position 2, patch 1 of 2", "right, position 2, patch 2 of 2"};
   for (std::size_t k = 0; k < scenes.size(); ++k) {
-    EXPECT_EQ(scenes[k].input.place->label(), labels[k]);
-    ASSERT_TRUE(scenes[k].input.patch);
-    EXPECT_TRUE(scenes[k].input.patch->known(0.0));
+    EXPECT_EQ(scenes[k].scene.place->label(), labels[k]);
+    ASSERT_TRUE(scenes[k].scene.has_profiles());
+    EXPECT_TRUE(scenes[k].scene.geometry.surface.profiles->known(0.0));
   }
 }
 
 TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
   const auto scenes = scenes_of(rollfem::testing::manchester_case(0.0, 0.0));
   ASSERT_EQ(scenes.size(), 1u);
-  const double angle = scenes[0].input.place->contact_angle;
-  EXPECT_NEAR(*scenes[0].input.load.normal_force * std::cos(angle), 10e3, 1e-8);
+  // Which part of it is normal is a matter of friction: the load asks for the vertical itself.
+  const contact::NormalLoad& load = scenes[0].scene.points[0].load;
+  const double angle = scenes[0].scene.place->contact_angle;
+  EXPECT_EQ(*load.force, 10e3);
+  EXPECT_DOUBLE_EQ(load.direction[1], std::cos(angle));
+  EXPECT_DOUBLE_EQ(load.direction[0], (scenes[0].scene.place->left ? 1 : -1) * std::sin(angle));
 }
 
 TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
@@ -46,10 +56,10 @@ TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
   const auto scenes = scenes_of(input);
   ASSERT_EQ(scenes.size(), 2u);
   double sum = 0.0;
-  for (const Scene& scene : scenes)
-    sum += *scene.input.load.normal_force * std::cos(scene.input.place->contact_angle);
+  for (const PlacedScene& scene : scenes)
+    sum += *scene.scene.points[0].load.force * std::cos(scene.scene.place->contact_angle);
   EXPECT_NEAR(sum, 10e3, 1e-6);
-  EXPECT_GT(*scenes[0].input.load.normal_force, *scenes[1].input.load.normal_force);
+  EXPECT_GT(*scenes[0].scene.points[0].load.force, *scenes[1].scene.points[0].load.force);
   // One of them touches first, the other after some sinking.
   EXPECT_NEAR(std::min(scenes[0].contact.place.separation, scenes[1].contact.place.separation), 0.0,
               1e-9);
@@ -76,13 +86,13 @@ TEST(Scenes, ApproachIsThatOfTheFirstPatchAndOneSinking) {
   input.load.approach = 0.03;
   const auto scenes = scenes_of(input);
   ASSERT_EQ(scenes.size(), 2u);
-  for (const Scene& scene : scenes) {
-    EXPECT_FALSE(scene.input.load.normal_force);
+  for (const PlacedScene& scene : scenes) {
+    EXPECT_FALSE(scene.scene.points[0].load.force);
     // Both at one sinking, which the patch that touched first tells.
-    EXPECT_GT(*scene.input.load.approach, 0.0);
+    EXPECT_GT(*scene.scene.points[0].load.approach, 0.0);
   }
-  const auto sinking = [](const Scene& scene) {
-    return (*scene.input.load.approach + scene.contact.place.separation) /
+  const auto sinking = [](const PlacedScene& scene) {
+    return (*scene.scene.points[0].load.approach + scene.contact.place.separation) /
            std::cos(scene.contact.place.contact_angle);
   };
   EXPECT_NEAR(sinking(scenes[0]), sinking(scenes[1]), 0.02 * sinking(scenes[0]));
@@ -94,7 +104,7 @@ TEST(Scenes, RotationChangesMakeACreepCurve) {
   input.wheelset.rotation_change = {-0.002, 0.0, 0.002};
   const auto scenes = scenes_of(input);
   ASSERT_EQ(scenes.size(), 1u);
-  const auto& curve = scenes[0].input.rolling.creepages;
+  const auto curve = creepages_of(scenes[0]);
   ASSERT_EQ(curve.size(), 3u);
   const double radius = scenes[0].contact.place.rolling_radius;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -103,9 +113,9 @@ TEST(Scenes, RotationChangesMakeACreepCurve) {
                 1e-6);
     EXPECT_NEAR(curve[k].lateral, (1.0 + change) * std::sin(0.0048), 3e-5);
   }
-  Scene free = scenes[0];
-  set_rotation_changes(free, std::vector<double>(3, -0.002));
-  for (const auto& creepage : free.input.rolling.creepages)
+  PlacedScene free = scenes[0];
+  set_rotation_changes(free, input, {-0.002, -0.002, -0.002});
+  for (const auto& creepage : creepages_of(free))
     EXPECT_EQ(creepage.longitudinal, curve[0].longitudinal);
 }
 
@@ -113,7 +123,7 @@ TEST(Scenes, GivenCreepagesStayAndTheOthersFollowFromTheMotion) {
   contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
   input.rolling.creepages = {{0.001, 0.0, 0.0}, {0.002, 0.0, 0.0}};
   input.rolling.given.longitudinal = true;
-  const auto curve = scenes_of(input).at(0).input.rolling.creepages;
+  const auto curve = creepages_of(scenes_of(input).at(0));
   ASSERT_EQ(curve.size(), 2u);
   EXPECT_EQ(curve[0].longitudinal, 0.001);
   EXPECT_EQ(curve[1].longitudinal, 0.002);
@@ -125,7 +135,7 @@ TEST(Scenes, PrescribedForceStandsInPlaceOfItsCreepage) {
   contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
   input.rolling.forces.resize(1);
   input.rolling.forces[0].longitudinal = -100.0;
-  const auto creepage = scenes_of(input).at(0).input.rolling.creepages.at(0);
+  const auto creepage = creepages_of(scenes_of(input).at(0)).at(0);
   EXPECT_EQ(creepage.longitudinal, 0.0);
   EXPECT_GT(creepage.lateral, 0.004);
 }

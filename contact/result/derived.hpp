@@ -2,28 +2,27 @@
 // Signs as everywhere: tractions and forces on the wheel, slip of the wheel relative to the rail.
 #pragma once
 
-#include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 
-namespace rollfem::halfspace {
+namespace rollfem::contact {
 
 /// Elastic energy of both bodies, 1/2 sum (p_x u_x + p_y u_y + p_n u_n) dx dy in N mm, u the
-/// displacement difference that these tractions cause. Throws contact::InputError when the fields
+/// displacement difference that these tractions cause. Throws InputError when the fields
 /// do not fit the grid (a theory that gives no displacement has no energy).
-double elastic_energy(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                      const contact::SurfaceField& displacement);
+double elastic_energy(const ContactGrid& grid, const SurfaceField& traction,
+                      const SurfaceField& displacement);
 
 /// Heat made by friction per time, -V sum (p_t . w) dx dy in N mm/s (mW), from tractions and slip
 /// at the same points; not negative for a solution of Coulomb's law. `speed`: V in mm/s.
-double frictional_power(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                        const contact::TangentialField& slip, double speed);
+double frictional_power(const ContactGrid& grid, const SurfaceField& traction,
+                        const TangentialField& slip, double speed);
 
 /// Power that the creep forces take from the rolling motion, -V (xi F_x + eta F_y + phi M_z) in
 /// N mm/s, M_z about the origin; by `extra_slip` (empty: none) also -V sum (p_t . s_extra) dx dy.
 /// Equals frictional_power in steady rolling of like half-spaces.
-double creepage_power(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                      const contact::Creepage& creepage, double speed,
-                      const contact::TangentialField& extra_slip = {});
+double creepage_power(const ContactGrid& grid, const SurfaceField& traction,
+                      const Creepage& creepage, double speed,
+                      const TangentialField& extra_slip = {});
 
 /// The two powers of a solved load point, and how far they are apart.
 struct PowerBalance {
@@ -31,7 +30,10 @@ struct PowerBalance {
   double creepage = 0.0;    ///< N mm/s, creepage_power
   double difference = 0.0;  ///< |friction - creepage| / max of the two; 0 when both vanish
 };
-PowerBalance power_balance(const contact::ContactGrid& grid, const contact::PointResult& point,
-                           double speed, const contact::TangentialField& extra_slip = {});
+PowerBalance power_balance(const ContactGrid& grid, const SurfaceField& traction,
+                           const TangentialField& slip, const Creepage& creepage, double speed,
+                           const TangentialField& extra_slip = {});
+PowerBalance power_balance(const ContactGrid& grid, const PointResult& point, double speed,
+                           const TangentialField& extra_slip = {});
 
-}  // namespace rollfem::halfspace
+}  // namespace rollfem::contact

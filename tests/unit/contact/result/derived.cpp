@@ -1,5 +1,5 @@
 // Energy and power against values known in closed form.
-#include "halfspace/model/derived.hpp"
+#include "contact/result/derived.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/scene/geometry.hpp"
@@ -33,7 +33,7 @@ TEST(Derived, ElasticEnergyOfHertzianPressure) {
       return p0 * std::sqrt(std::max(0.0, 1.0 - (x * x + y * y) / (a * a)));
     });
     const halfspace::HalfspaceCompliance compliance(grid, combined);
-    return halfspace::elastic_energy(grid, p, compliance.apply(p));
+    return contact::elastic_energy(grid, p, compliance.apply(p));
   };
   const double force = 2.0 / 3.0 * pi * a * a * p0;
   const double approach = pi * p0 * a / (2.0 * combined.contact_modulus);
@@ -70,7 +70,7 @@ TEST(Derived, FrictionAndCreepagePowerAgreeInCarterRolling) {
   EXPECT_NEAR(point.fields.slip.x[n - 10], 0.0, 1e-15);
   EXPECT_GT(point.fields.slip.x[n / 20], 0.0);
   const double force = -(1.0 - stick * stick) * pi / 2.0 * mu_p0 * a * 3.0;
-  const auto balance = halfspace::power_balance(grid, point, speed);
+  const auto balance = contact::power_balance(grid, point, speed);
   EXPECT_NEAR(balance.creepage, -speed * xi * force, 1e-5 * balance.creepage);
   EXPECT_NEAR(balance.friction, -speed * xi * force, 1e-4 * balance.friction);
   EXPECT_LT(balance.difference, 1e-4);
@@ -91,17 +91,17 @@ TEST(Derived, FullSlipDissipatesForceTimesCreepage) {
   }) + extra.x;
   point.fields.slip.y =
       grid.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
-  const auto balance = halfspace::power_balance(grid, point, 1000.0, extra);
+  const auto balance = contact::power_balance(grid, point, 1000.0, extra);
   EXPECT_GT(balance.friction, 0.0);
   EXPECT_LT(balance.difference, 1e-13);
   // Without the extra slip the two must not agree.
-  EXPECT_GT(halfspace::power_balance(grid, point, 1000.0).difference, 1e-3);
+  EXPECT_GT(contact::power_balance(grid, point, 1000.0).difference, 1e-3);
 }
 
 TEST(Derived, FieldsMustFitTheGrid) {
   const ContactGrid grid = ContactGrid::centred(3, 3, 1.0, 1.0);
   const contact::Field good = contact::Field::Zero(9);
-  EXPECT_THROW(halfspace::elastic_energy(grid, {good, good, good}, {}), contact::InputError);
-  EXPECT_THROW(halfspace::frictional_power(grid, {good, good, good}, {good, {}}, 1.0),
+  EXPECT_THROW(contact::elastic_energy(grid, {good, good, good}, {}), contact::InputError);
+  EXPECT_THROW(contact::frictional_power(grid, {good, good, good}, {good, {}}, 1.0),
                contact::InputError);
 }

@@ -1,11 +1,8 @@
-#include "halfspace/elasticity/interpolation.hpp"
+#include "contact/solve/interpolation.hpp"
 
 #include <cmath>
 
-namespace rollfem::halfspace {
-
-using contact::ContactGrid;
-using contact::Field;
+namespace rollfem::contact {
 
 Field interpolated(const ContactGrid& from, const Field& values, const ContactGrid& to,
                    const Field& weights) {
@@ -30,4 +27,4 @@ Field interpolated(const ContactGrid& from, const Field& values, const ContactGr
   return to.sample(at);
 }
 
-}  // namespace rollfem::halfspace
+}  // namespace rollfem::contact

@@ -3,12 +3,12 @@
 
 #include "contact/base/grid.hpp"
 
-namespace rollfem::halfspace {
+namespace rollfem::contact {
 
 /// Bilinear between element centres of `from`, zero beyond its outermost ones. With `weights` (one
 /// per element of `from`) the average counts only elements of positive weight, so that values next
 /// to the edge of a patch are not drawn to zero from outside.
-contact::Field interpolated(const contact::ContactGrid& from, const contact::Field& values,
-                            const contact::ContactGrid& to, const contact::Field& weights = {});
+Field interpolated(const ContactGrid& from, const Field& values, const ContactGrid& to,
+                   const Field& weights = {});
 
-}  // namespace rollfem::halfspace
+}  // namespace rollfem::contact

@@ -1,4 +1,4 @@
-#include "halfspace/model/derived.hpp"
+#include "contact/result/derived.hpp"
 
 #include "contact/base/errors.hpp"
 
@@ -7,24 +7,24 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::halfspace {
+namespace rollfem::contact {
 
 namespace {
 
-void check_size(const contact::Field& field, const contact::ContactGrid& grid, const char* name) {
+void check_size(const Field& field, const ContactGrid& grid, const char* name) {
   if (field.size() != grid.size())
-    throw contact::InputError(
+    throw InputError(
         fmt::format("{} has {} values for a contact grid of {} by {}; allowed: one per element",
                     name, field.size(), grid.nx, grid.ny));
 }
 
-void check_tangential(const contact::SurfaceField& traction, const contact::ContactGrid& grid) {
+void check_tangential(const SurfaceField& traction, const ContactGrid& grid) {
   check_size(traction.x, grid, "traction.x");
   check_size(traction.y, grid, "traction.y");
 }
 
-double tangential_product(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                          const contact::TangentialField& slip, const char* name) {
+double tangential_product(const ContactGrid& grid, const SurfaceField& traction,
+                          const TangentialField& slip, const char* name) {
   check_tangential(traction, grid);
   check_size(slip.x, grid, name);
   check_size(slip.y, grid, name);
@@ -32,7 +32,7 @@ double tangential_product(const contact::ContactGrid& grid, const contact::Surfa
 }
 
 /// Moment of the tangential tractions about the origin, N mm.
-double spin_moment(const contact::ContactGrid& grid, const contact::SurfaceField& traction) {
+double spin_moment(const ContactGrid& grid, const SurfaceField& traction) {
   double moment = 0.0;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
@@ -44,8 +44,8 @@ double spin_moment(const contact::ContactGrid& grid, const contact::SurfaceField
 
 }  // namespace
 
-double elastic_energy(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                      const contact::SurfaceField& displacement) {
+double elastic_energy(const ContactGrid& grid, const SurfaceField& traction,
+                      const SurfaceField& displacement) {
   check_tangential(traction, grid);
   check_size(traction.n, grid, "traction.n");
   check_size(displacement.x, grid, "displacement.x");
@@ -56,14 +56,13 @@ double elastic_energy(const contact::ContactGrid& grid, const contact::SurfaceFi
           traction.n.dot(displacement.n));
 }
 
-double frictional_power(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                        const contact::TangentialField& slip, double speed) {
+double frictional_power(const ContactGrid& grid, const SurfaceField& traction,
+                        const TangentialField& slip, double speed) {
   return -speed * tangential_product(grid, traction, slip, "slip");
 }
 
-double creepage_power(const contact::ContactGrid& grid, const contact::SurfaceField& traction,
-                      const contact::Creepage& creepage, double speed,
-                      const contact::TangentialField& extra_slip) {
+double creepage_power(const ContactGrid& grid, const SurfaceField& traction,
+                      const Creepage& creepage, double speed, const TangentialField& extra_slip) {
   check_tangential(traction, grid);
   const double area = grid.element_area();
   const double moment = spin_moment(grid, traction);
@@ -74,14 +73,21 @@ double creepage_power(const contact::ContactGrid& grid, const contact::SurfaceFi
   return -speed * work;
 }
 
-PowerBalance power_balance(const contact::ContactGrid& grid, const contact::PointResult& point,
-                           double speed, const contact::TangentialField& extra_slip) {
+PowerBalance power_balance(const ContactGrid& grid, const SurfaceField& traction,
+                           const TangentialField& slip, const Creepage& creepage, double speed,
+                           const TangentialField& extra_slip) {
   PowerBalance balance;
-  balance.friction = frictional_power(grid, point.fields.traction, point.fields.slip, speed);
-  balance.creepage = creepage_power(grid, point.fields.traction, point.creepage, speed, extra_slip);
+  balance.friction = frictional_power(grid, traction, slip, speed);
+  balance.creepage = creepage_power(grid, traction, creepage, speed, extra_slip);
   const double scale = std::max(std::abs(balance.friction), std::abs(balance.creepage));
   if (scale > 0.0) balance.difference = std::abs(balance.friction - balance.creepage) / scale;
   return balance;
 }
 
-}  // namespace rollfem::halfspace
+PowerBalance power_balance(const ContactGrid& grid, const PointResult& point, double speed,
+                           const TangentialField& extra_slip) {
+  return power_balance(grid, point.fields.traction, point.fields.slip, point.creepage, speed,
+                       extra_slip);
+}
+
+}  // namespace rollfem::contact

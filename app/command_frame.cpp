@@ -1,0 +1,160 @@
+#include "app/command_frame.hpp"
+
+#include "app/models.hpp"
+#include "app/places.hpp"
+#include "app/processes.hpp"
+#include "app/version.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <unistd.h>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+volatile std::sig_atomic_t held_signal = 0;
+
+/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there. By
+/// handlers, not by a mask: the threads of BLAS and MPI would take a signal that is masked here.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    struct sigaction hold {};
+    hold.sa_handler = [](int signal) { held_signal = signal; };
+    hold.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &hold, &before_[i]);
+  }
+  ~SignalsHeld() {
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    if (held_signal != 0) static_cast<void>(std::raise(held_signal));
+  }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, 3> before_{};
+};
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+}  // namespace
+
+CommandFrame::CommandFrame(const ComputingRequest& request, const contact::ModelRegistry& known,
+                           std::vector<std::string> models)
+    : request_(request),
+      known_(known),
+      models_(std::move(models)),
+      first_(processes().first()),
+      parallel_(any_parallel(known, models_)),
+      processes_(processes().count),
+      display_(request.quiet || !first_ ? ProgressDisplay::Mode::silent
+                                        : ProgressDisplay::mode_of_stderr()),
+      progress_([this](const contact::ProgressEvent& event) { display_.show(event); }) {}
+
+void CommandFrame::say(const std::string& line) {
+  display_.clear();
+  if (first_ && !request_.quiet) std::cerr << line << '\n';
+}
+
+postprocess::Provenance CommandFrame::provenance() const {
+  postprocess::Provenance made;
+  made.version = version();
+  made.commit = commit();
+  made.host = host_name();
+  made.started = utc_now();
+  made.command = request_.command;
+  made.processes = parallel_ ? processes_ : 1;
+  return made;
+}
+
+postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
+                                                     const contact::Case& input) {
+  if (!first_) return nullptr;
+  kept_.reset();  // one at a time: its lock goes with it
+  kept_ = std::make_unique<postprocess::CheckpointFolder>(
+      directory.string(), input, fmt::format("{} ({})", version(), commit()), request_.resume,
+      [](const std::string& warning) { std::cerr << warning << '\n'; });
+  const std::string folder = fs::path(kept_->folder()).lexically_proximate(fs::current_path());
+  const auto found = kept_->found();
+  if (found > 0 && !request_.resume)
+    std::cerr << fmt::format(
+        "warning: {} holds {} solutions of an earlier run that did not end; --resume takes them "
+        "up, this run starts anew and will replace them\n",
+        folder, found);
+  else if (found > 0)
+    say(fmt::format("resume: {} solutions of an earlier run in {}", found, folder));
+  else if (request_.resume)
+    say("resume: no load points of an earlier run are there; everything is computed");
+  return kept_.get();
+}
+
+void CommandFrame::forget_kept() {
+  if (kept_) kept_->remove();
+  kept_.reset();
+}
+
+void CommandFrame::tell_of_kept(const std::string& kept) const {
+  if (!kept_ || request_.quiet || !kept_->holds_records()) return;
+  std::cerr << fmt::format(
+      "finished {} are kept; the same command with --resume takes them up: {}\n", kept,
+      kept_->folder().string());
+}
+
+void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
+                           const std::function<void(const Solving&)>& body) {
+  check_built(known_, models_, asked_by);
+  if (parallel_)
+    session_ = std::make_unique<ParallelSession>(asked_by, request_.argc, request_.argv);
+  try {
+    Solving how;
+    how.models = &known_;
+    how.session = session_.get();
+    how.progress = progress_;
+    how.first = first_;
+    how.together = processes_ == 1;
+    body(how);
+    display_.clear();
+  } catch (...) {
+    display_.clear();
+    tell_of_kept(kept);
+    static_cast<void>(session_.release());
+    throw;
+  }
+  session_.reset();
+}
+
+void write_whole(const std::string& directory, const postprocess::RunRecord& record) {
+  const SignalsHeld held;
+  postprocess::write_results(directory, record);
+}
+
+bool report_drawn(const std::string& directory) {
+  const std::string problem = postprocess::make_report(directory, script_directory().string());
+  if (!problem.empty())
+    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+  return problem.empty();
+}
+
+}  // namespace rollfem::app

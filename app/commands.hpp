@@ -1,0 +1,37 @@
+// The commands of the program: options, help, and what is checked of a call before it is handed
+// over.
+#pragma once
+
+#include "app/compare.hpp"
+#include "app/mesh.hpp"
+#include "app/profile.hpp"
+#include "app/run.hpp"
+#include "app/stress.hpp"
+#include "app/study.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace rollfem::app {
+
+/// What the command line is read into.
+struct Call {
+  const contact::ModelRegistry& models;
+  RunRequest run = {};
+  CompareRequest compare = {};
+  StudyRequest study = {};
+  MeshRequest mesh = {};
+  StressRequest stress = {};
+  ProfileRequest profile = {};
+  std::string check_file = {};
+  std::string new_case_file = {};
+  std::string page = {};
+};
+
+/// Each adds its commands; `call` outlives the parse.
+void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study
+void add_stress_command(CLI::App& program, Call& call);
+void add_input_commands(CLI::App& program, Call& call);  ///< mesh, profile, check, new-case, docs
+
+}  // namespace rollfem::app

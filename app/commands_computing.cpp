@@ -1,0 +1,187 @@
+#include "app/commands.hpp"
+#include "app/models.hpp"
+#include "app/study_levels.hpp"
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace rollfem::app {
+
+namespace {
+
+/// `run --model hertz CASE`: a list option also takes the case file, which is given back here.
+void settle_run(RunRequest& request, const contact::ModelRegistry& models) {
+  if (request.case_file.empty() && !request.models.empty() &&
+      models.find(request.models.back()) == nullptr) {
+    request.case_file = request.models.back();
+    request.models.pop_back();
+  }
+  if (request.case_file.empty())
+    throw contact::InputError("run: no case file is named; do: rollfem run CASE.toml");
+  request.models = checked_names(models, request.models, "--model");
+}
+
+/// The same where several case files may follow the models.
+void settle_compare(CompareRequest& request, const contact::ModelRegistry& models) {
+  const auto is_file = [&](const std::string& name) {
+    return models.find(name) == nullptr && std::filesystem::path(name).extension() == ".toml";
+  };
+  const auto first = std::find_if(request.models.begin(), request.models.end(), is_file);
+  request.case_files.insert(request.case_files.end(), first, request.models.end());
+  request.models.erase(first, request.models.end());
+  if (request.case_files.empty())
+    throw contact::InputError(
+        "compare: no case file is named; do: rollfem compare CASE.toml [CASE.toml ...]");
+  request.models = checked_names(models, request.models, "--model");
+  if (!request.reference.empty()) static_cast<void>(models.at(request.reference, "--reference"));
+}
+
+/// `study --models all CASE`: as settle_run, and "all" stands alone.
+void settle_study(StudyRequest& request, const contact::ModelRegistry& models) {
+  for (std::vector<std::string>* list : {&request.models, &request.vary, &request.references})
+    if (request.case_file.empty() && !list->empty() &&
+        std::filesystem::path(list->back()).extension() == ".toml") {
+      request.case_file = list->back();
+      list->pop_back();
+    }
+  if (request.case_file.empty())
+    throw contact::InputError("study: no case file is named; do: rollfem study CASE.toml");
+  if (request.models != std::vector<std::string>{"all"})
+    request.models = checked_names(models, request.models, "--model");
+}
+
+/// "hertz, linear, ..."
+std::string model_help(const contact::ModelRegistry& models) {
+  return contact::listed(models.names());
+}
+
+/// Every model with its sentence, for the end of a help text.
+std::string model_list(const contact::ModelRegistry& models) {
+  std::string text = "\nmodels:\n";
+  for (const contact::ModelInfo& model : models.all())
+    text += fmt::format("  {:<20}{}{}\n", model.name, model.sentence,
+                        model.built ? "" : " (not in this build)");
+  return text;
+}
+
+/// "grid (of carter, fastsim), cell (of fem)"
+std::string refinement_help(const contact::ModelRegistry& models) {
+  std::vector<std::string> ways;
+  for (const std::string& word : varied_words(models))
+    ways.push_back(
+        fmt::format("{} (of {})", word, contact::listed(models_that_vary(models, word))));
+  return contact::listed(ways);
+}
+
+/// The flags that run, compare and study share.
+template <class Request>
+void add_report_flags(CLI::App& command, Request& request) {
+  command.add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
+  command.add_flag("!--no-report", request.report, "write results only, no figures and no report");
+}
+
+void add_run(CLI::App& program, Call& call) {
+  CLI::App* run = program.add_subcommand("run", "compute a case with one or more models");
+  run->add_option("case", call.run.case_file, "case file (.toml)");
+  run->add_option(
+         "-m,--model", call.run.models,
+         model_help(call.models) +
+             "; several in a row or with the option repeated; without it the models of the "
+             "case file")
+      ->delimiter(',');
+  run->add_option("-o,--output", call.run.directory,
+                  "folder for the results; without it results/<name of the case file>");
+  run->add_flag(
+      "--resume", call.run.resume,
+      "go on with a run that was ended: its finished load points are in FOLDER.unfinished "
+      "beside the results");
+  add_report_flags(*run, call.run);
+  run->footer("example: rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a\n" +
+              model_list(call.models));
+  run->callback([&call] {
+    settle_run(call.run, call.models);
+    app::run(call.run, call.models);
+  });
+}
+
+void add_compare(CLI::App& program, Call& call) {
+  CLI::App* compare = program.add_subcommand(
+      "compare", "compute cases with several models and lay the results beside each other");
+  compare->add_option("case", call.compare.case_files, "case files (.toml), one or more");
+  compare
+      ->add_option("-m,--model", call.compare.models,
+                   model_help(call.models) +
+                       "; several in a row or with the option repeated; without it " +
+                       contact::listed(call.models.names(&contact::ModelInfo::in_compare)) +
+                       ", whatever models the case files name")
+      ->delimiter(',');
+  compare->add_option(
+      "--reference", call.compare.reference,
+      "the model that the others are compared with; without it " + call.models.reference().name);
+  compare->add_option("-o,--output", call.compare.directory,
+                      "folder for the comparison; without it results/compare_<name of the case "
+                      "file>, results/compare for several");
+  compare->add_flag("--resume", call.compare.resume,
+                    "keep the cases that an earlier call finished and go on with the others");
+  add_report_flags(*compare, call.compare);
+  compare->footer("example: rollfem compare cases/thesis_*.toml --reference halfspace\n" +
+                  model_list(call.models));
+  compare->callback([&call] {
+    settle_compare(call.compare, call.models);
+    app::compare(call.compare, call.models);
+  });
+}
+
+void add_study(CLI::App& program, Call& call) {
+  CLI::App* study = program.add_subcommand(
+      "study", "compute a case on ever finer grids: errors, observed orders, cost");
+  study->add_option("case", call.study.case_file, "case file (.toml)");
+  study
+      ->add_option("-m,--model,--models", call.study.models,
+                   model_help(call.models) + ", or all; without it " + call.models.reference().name)
+      ->delimiter(',');
+  study
+      ->add_option("--vary", call.study.vary,
+                   "what is refined: " + refinement_help(call.models) +
+                       "; several in a row; without it the first that a model has")
+      ->delimiter(',');
+  study->add_flag("--together", call.study.together,
+                  "refine all of --vary at once; without it one at a time");
+  study->add_option(
+      "--levels", call.study.levels,
+      "how many levels, 2 to 8; without it 5 grids (a fourth of the case's elements "
+      "to four times as many), 3 cells (four times the case's to the case's), 3 domains "
+      "(half to twice the case's)");
+  study
+      ->add_option("--reference", call.study.references,
+                   "what errors are measured against: exact (Hertz), finest, extrapolated, or "
+                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722 (of one of "
+                   "several patches left_1_2.max_pressure=1010); without it exact where there is "
+                   "such a value, else extrapolated")
+      ->delimiter(',');
+  study->add_option("-o,--output", call.study.directory,
+                    "folder for the study; without it results/<name of the case file>_study");
+  study->add_flag("--resume", call.study.resume,
+                  "go on with a study that was ended: its finished levels are in FOLDER.unfinished "
+                  "beside the results");
+  add_report_flags(*study, call.study);
+  study->footer("example: rollfem study cases/thesis_a.toml --models all\n" +
+                model_list(call.models));
+  study->callback([&call] {
+    settle_study(call.study, call.models);
+    app::study(call.study, call.models);
+  });
+}
+
+}  // namespace
+
+void add_computing_commands(CLI::App& program, Call& call) {
+  add_run(program, call);
+  add_compare(program, call);
+  add_study(program, call);
+}
+
+}  // namespace rollfem::app

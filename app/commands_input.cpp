@@ -1,0 +1,109 @@
+#include "app/commands.hpp"
+#include "app/models.hpp"
+#include "app/scenes.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/quantities.hpp"
+#include "contact/scene/what_follows.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace rollfem::app {
+
+namespace {
+
+void new_case(const std::string& file, const contact::ModelRegistry& models) {
+  if (file.empty()) {
+    std::cout << contact::case_template(model_words(models));
+    return;
+  }
+  if (std::filesystem::exists(file))
+    throw contact::InputError(
+        fmt::format("new-case: {} is there already; do: name another file", file));
+  std::ofstream stream(file);
+  stream << contact::case_template(model_words(models));
+  stream.close();
+  if (!stream)
+    throw contact::InputError(
+        fmt::format("new-case: {} cannot be written; do: name another file", file));
+}
+
+/// Which models take the case as it stands. With profiles it is the scenes that are asked, which
+/// are known once the wheelset is in balance.
+std::string taken_by(const contact::Case& input, const contact::ModelRegistry& models) {
+  const contact::Scene scene(input);
+  std::string text = "which models take it\n";
+  for (const contact::ModelInfo& model : models.all()) {
+    const auto reason = model.cannot(scene);
+    text += fmt::format("  {:<22} {}\n", model.name, reason ? "no: " + *reason : model.sentence);
+  }
+  return text;
+}
+
+void check_case(const std::string& file, const contact::ModelRegistry& models) {
+  const contact::ModelWords words = model_words(models);
+  const contact::Case input = contact::read_case(file, words);
+  std::cout << contact::describe(input, words) << contact::what_follows(input);
+  if (!input.has_profiles()) std::cout << taken_by(input, models);
+  if (input.has_profiles())
+    std::cout << "\nwhere wheel and rail touch\n"
+              << contacts_text(input, meshes::search_scene_of(input));
+}
+
+std::string page_text(const std::string& page, const contact::ModelRegistry& models) {
+  if (page == "models") return models_markdown(models);
+  if (page == "quantities") return contact::quantities_markdown();
+  return contact::case_reference_markdown(model_words(models));
+}
+
+}  // namespace
+
+void add_input_commands(CLI::App& program, Call& call) {
+  CLI::App* mesh = program.add_subcommand(
+      "mesh", "write the finite-element meshes of a case and print their quality");
+  mesh->add_option("case", call.mesh.case_file, "case file (.toml)")->required();
+  mesh->add_option("-o,--output", call.mesh.directory,
+                   "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu (with profiles "
+                   "left_1_1_wheel.msh and so on, for every patch); without it "
+                   "results/<name of the case file>_mesh");
+  mesh->footer("example: rollfem mesh cases/thesis_a.toml");
+  mesh->callback([&call] { app::mesh(call.mesh, call.models); });
+
+  CLI::App* profile = program.add_subcommand(
+      "profile", "print, write and draw a profile of wheel or rail with its curvature");
+  profile
+      ->add_option("name", call.profile.name,
+                   "a built-in profile, a profile file, or a case file (.toml) with profiles")
+      ->required();
+  profile->add_flag("--wheel", call.profile.wheel, "the file is the profile of a wheel");
+  profile->add_flag("--rail", call.profile.rail, "the file is the profile of a rail");
+  profile->add_option("-o,--output", call.profile.directory,
+                      "folder for the table (.csv) and the figure (.svg); without it "
+                      "results/<name>_profile");
+  profile->footer("example: rollfem profile S1002 -o /tmp/profile");
+  profile->callback([&call] { app::profile(call.profile); });
+
+  CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
+  check->add_option("case", call.check_file, "case file (.toml)")->required();
+  check->footer("example: rollfem check cases/s1002_uic60_left.toml");
+  check->callback([&call] { check_case(call.check_file, call.models); });
+
+  CLI::App* fresh = program.add_subcommand("new-case", "print a commented case file");
+  fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");
+  fresh->footer("example: rollfem new-case -o my_case.toml");
+  fresh->callback([&call] { new_case(call.new_case_file, call.models); });
+
+  CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
+  docs->add_option("page", call.page,
+                   "case-file, models, or quantities: the table in docs/results.md")
+      ->required()
+      ->check(CLI::IsMember({"case-file", "models", "quantities"}));
+  docs->footer("example: rollfem docs case-file > docs/case-file.md");
+  docs->callback([&call] { std::cout << page_text(call.page, call.models); });
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,57 @@
+#include "app/commands.hpp"
+
+namespace rollfem::app {
+
+void add_stress_command(CLI::App& program, Call& call) {
+  StressRequest& request = call.stress;
+  CLI::App* stress = program.add_subcommand(
+      "stress",
+      "stress and displacement at places, on lines and on planes from stored results, without "
+      "solving again; the largest stresses; the shakedown map");
+  stress->add_option("result", request.result, "result folder of rollfem run, or its results.h5")
+      ->required();
+  stress
+      ->add_option("-m,--model", request.models,
+                   "models of the result, separated by commas; without it " +
+                       contact::listed(call.models.names(&contact::ModelInfo::has_stress)) +
+                       ", whichever are there")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  stress->add_option("--patch", request.patch,
+                     "with profiles: SIDE,POSITION,PATCH, as left,1,1; without it the first");
+  stress->add_option("--point", request.point, "load point, from 0; without it the last one");
+  stress->add_option("--creepage", request.creepage, "load point of this longitudinal creepage");
+  stress->add_option("--at", request.places, "x,y,z in mm: a place; may be repeated")
+      ->allow_extra_args(false);
+  stress
+      ->add_option("--line", request.lines,
+                   "x,y,z:x,y,z[:n]: n points from one place to the other; may be repeated")
+      ->allow_extra_args(false);
+  stress
+      ->add_option("--plane", request.planes,
+                   "x,y,z:x,y,z:x,y,z[:n,m]: n by m points of the parallelogram whose sides go "
+                   "from the first place to the other two; may be repeated")
+      ->allow_extra_args(false);
+  stress->add_option("--body", request.body, "wheel or rail; without it by the sign of z")
+      ->check(CLI::IsMember({"wheel", "rail"}));
+  stress->add_flag("--depth-profile", request.depth_profile,
+                   "also lines down under the centre of the patch and under the most loaded "
+                   "element; drawn when no places are asked for");
+  stress->add_option("--depth", request.depth,
+                     "mm, how deep these go; without it three times the smaller semi-axis");
+  stress->add_option("--yield-shear-stress", request.yield_shear_stress,
+                     "k in MPa, for the shakedown map");
+  stress->add_option("--yield-strength", request.yield_strength,
+                     "in MPa, in place of k, which is this over sqrt(3)");
+  stress->add_option("-o,--output", request.directory,
+                     "folder for stress.csv, stress.json and figures; without it the result "
+                     "folder's name with _stress");
+  stress->add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
+  stress->add_flag("!--no-figures", request.figures, "write the tables only");
+  stress->footer(
+      "example: rollfem stress results/thesis_a --yield-strength 520 --line 0,0,0:0,0,-12:61\n"
+      "x along rolling, y lateral, z into the wheel: z > 0 in the wheel, z < 0 in the rail.");
+  stress->callback([&call] { app::stress(call.stress, call.models); });
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,82 @@
+#include "app/fem_model.hpp"
+
+#include "app/fem_library.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/model/expected_patch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rollfem::app {
+
+using contact::Demand;
+using contact::ModelInput;
+using contact::RefinedInput;
+
+namespace {
+
+/// Half of the patch's extents along x and y, from which the model takes what the case does not
+/// say.
+std::array<double, 2> half_extents(const ModelInput& input, const char* key) {
+  try {
+    const halfspace::ExpectedPatch patch = halfspace::expected_patch(input);
+    return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width()};
+  } catch (const contact::InputError& error) {
+    throw contact::InputError(
+        fmt::format("{}: study: fem.{} is where the study starts, and this case has no patch to "
+                    "take it from ({}); do: give fem.{}",
+                    input.file, key, error.what(), key));
+  }
+}
+
+/// The case's own cell is the last level.
+RefinedInput cell_level(ModelInput input, int k, int n) {
+  if (!input.fem.cell_size) {
+    const auto half = half_extents(input, "cell_size");
+    input.fem.cell_size = std::min(half[0], half[1]) / 8.0;
+  }
+  const double size = *input.fem.cell_size * std::exp2(n - 1 - k);
+  input.fem.cell_size = size;
+  return {fmt::format("{:.4g} mm", size), size, std::move(input)};
+}
+
+RefinedInput degree_level(ModelInput input, int k, int /*n*/) {
+  input.fem.degree = k + 1;
+  return {fmt::format("degree {}", k + 1), k + 1.0, std::move(input)};
+}
+
+/// The case's own domain is the last but one.
+RefinedInput domain_level(ModelInput input, int k, int n) {
+  if (!input.fem.extent) {
+    const auto half = half_extents(input, "extent");
+    input.fem.extent = 8.0 * std::max(half[0], half[1]);
+  }
+  const double factor = std::exp2(k - (n - 2));
+  for (auto* length : {&input.fem.extent, &input.fem.width, &input.fem.depth, &input.fem.length})
+    if (*length) **length *= factor;
+  const double size = *input.fem.extent;
+  return {fmt::format("extent {:.4g} mm", size), size, std::move(input)};
+}
+
+}  // namespace
+
+contact::ModelInfo fem_model() {
+  contact::ModelInfo fem{"fem", "FEM", "finite elements of wheel and rail as they are, in 3D"};
+  fem.takes = contact::all_demands_but({Demand::rigid_body});
+  fem.run = [](const ModelInput& input, const contact::Progress& progress,
+               contact::Checkpoint* checkpoint) {
+    return open_fem_library("model fem").run(input, progress, checkpoint);
+  };
+  // In a study of finite elements the contact element is the cell.
+  fem.refinements = {{"cell", "grid", "FE cell", 2.0, 3, false, cell_level},
+                     {"degree", "", "degree", 0.0, 2, true, degree_level},
+                     {"domain", "", "extent", 2.0, 3, false, domain_level}};
+  fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_run = fem.in_compare = true;
+  fem.built = ROLLFEM_WITH_FEM;
+  return fem;
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,96 @@
+#include "app/models.hpp"
+
+#include "app/fem_model.hpp"
+#include "contact/base/errors.hpp"
+#include "halfspace/model/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rollfem::app {
+
+using contact::ModelInfo;
+using contact::ModelRegistry;
+
+ModelRegistry built_in_models() {
+  ModelRegistry models = halfspace::models();
+  models.add(fem_model());
+  return models;
+}
+
+contact::ModelWords model_words(const ModelRegistry& models) {
+  return {models.names(), models.names(&ModelInfo::in_run)};
+}
+
+std::vector<std::string> checked_names(const ModelRegistry& models,
+                                       const std::vector<std::string>& names,
+                                       const std::string& option) {
+  std::vector<std::string> once;
+  for (const std::string& name : names) {
+    static_cast<void>(models.at(name, option));
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  }
+  return once;
+}
+
+std::vector<std::string> built_of(const ModelRegistry& models, std::vector<std::string> names) {
+  names.erase(std::remove_if(names.begin(), names.end(),
+                             [&](const std::string& name) { return !models.at(name).built; }),
+              names.end());
+  return names;
+}
+
+void check_built(const ModelRegistry& models, const std::vector<std::string>& names,
+                 const std::string& asked_by) {
+  for (const std::string& name : names)
+    if (!models.at(name).built)
+      throw contact::InputError(fmt::format(
+          "{}: model {} is not in this build, which was made without deal.II; allowed: {}; do: "
+          "run with --model and some of these, or build with ROLLFEM_FEM=ON",
+          asked_by.rfind("--", 0) == 0 ? asked_by + " " + name : asked_by, name,
+          contact::listed(models.names(&ModelInfo::built))));
+}
+
+bool any_parallel(const ModelRegistry& models, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return models.at(name).parallel; });
+}
+
+std::string models_markdown(const ModelRegistry& models) {
+  std::string text =
+      "# Models\n\n<!-- Made by `rollfem docs models` from the registry; do not edit. -->\n\n"
+      "What `--model` and `models` of a case file take, the cheaper first. `run` and `compare` "
+      "say which\nmodels compute where neither call nor case names any; `study` has what refines "
+      "the model, the first\nunless `--vary` says otherwise.\n\n"
+      "| model | in figures | what it is | by default in | study | stress below the surface |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const ModelInfo& model : models.all()) {
+    std::vector<std::string> where;
+    if (model.in_run) where.emplace_back("run");
+    if (model.in_compare) where.emplace_back("compare");
+    std::vector<std::string> ways;
+    for (const contact::Refinement& way : model.refinements) ways.push_back(way.word);
+    text +=
+        fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", model.name, model.label, model.sentence,
+                    contact::listed(where), contact::listed(ways), model.has_stress ? "yes" : "");
+  }
+  text +=
+      "\nAll take creepages along rolling, force or approach and unlike materials. Beyond that a "
+      "case may\nask for what not every model has; one that cannot refuses (exit status 2) and "
+      "names those that can.\n\n| |";
+  for (const ModelInfo& model : models.all()) text += fmt::format(" `{}` |", model.name);
+  text += "\n|---|";
+  for (std::size_t k = 0; k < models.all().size(); ++k) text += "---|";
+  for (const contact::Demand demand : contact::all_demands()) {
+    text += fmt::format("\n| {} |", contact::demand_words(demand));
+    for (const ModelInfo& model : models.all()) {
+      const auto& takes = model.takes;
+      const bool able = std::find(takes.begin(), takes.end(), demand) != takes.end();
+      text += able ? " x |" : " |";
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace rollfem::app

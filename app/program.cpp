@@ -1,0 +1,96 @@
+#include "app/program.hpp"
+
+#include "app/commands.hpp"
+#include "app/processes.hpp"
+#include "app/version.hpp"
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+#include <new>
+#include <thread>
+
+namespace rollfem::app {
+
+namespace {
+
+std::string joined(int argc, char** argv) {
+  std::string text;
+  for (int i = 0; i < argc; ++i) text += (i > 0 ? " " : "") + std::string(argv[i]);
+  return text;
+}
+
+/// CLI11 would only say that a command is missing.
+void check_command(const CLI::App& program, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : program.get_subcommands(nullptr))
+    known.push_back(command->get_name());
+  const std::string allowed = "allowed: " + contact::listed(known) + "; do: rollfem --help";
+  if (argc < 2) throw contact::InputError("no command is given; " + allowed);
+  const std::string name = argv[1];
+  if (name.empty() || name.front() == '-') return;
+  const auto is_named = [&](const CLI::App* command) { return command->check_name(name); };
+  if (program.get_subcommands(is_named).empty())
+    throw contact::InputError(fmt::format("{}: there is no such command; {}", name, allowed));
+}
+
+int execute(int argc, char** argv, const contact::ModelRegistry& models) {
+  Call call{models};
+  for (ComputingRequest* request :
+       std::initializer_list<ComputingRequest*>{&call.run, &call.compare, &call.study}) {
+    request->command = joined(argc, argv);
+    request->argc = argc;
+    request->argv = argv;
+  }
+  call.mesh.argc = argc;
+  call.mesh.argv = argv;
+  CLI::App program(
+      "rollfem: steady rolling contact of wheel and rail by finite elements and by "
+      "half-space elements",
+      "rollfem");
+  program.set_version_flag("--version", fmt::format("rollfem {} ({})", version(), commit()));
+  program.require_subcommand(1);
+  add_computing_commands(program, call);
+  add_stress_command(program, call);
+  add_input_commands(program, call);
+  check_command(program, argc, argv);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);
+    throw contact::InputError(fmt::format("{}; do: rollfem --help", error.what()));
+  }
+  std::cout.flush();
+  if (!std::cout) throw contact::InputError("the output cannot be written (is the disk full?)");
+  return 0;
+}
+
+/// Process 0 speaks; the others let it, and only if it is not about to (it would have ended this
+/// process through mpirun by then) say what happened here.
+[[noreturn]] void failed(int status, const std::string& what) {
+  const Processes here = processes();
+  if (!here.first()) std::this_thread::sleep_for(std::chrono::seconds(3));
+  const std::string where = here.first() ? "" : fmt::format("process {}: ", here.rank);
+  std::cerr << fmt::format("rollfem: {}{}\n", where, what);
+  leave(status);
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const contact::ModelRegistry& models) {
+  try {
+    return execute(argc, argv, models);
+  } catch (const contact::InputError& error) {
+    failed(2, error.what());
+  } catch (const contact::SolveError& error) {
+    failed(1, error.what());
+  } catch (const std::bad_alloc&) {
+    failed(1, "out of memory; do: take fewer or larger elements, or more processes");
+  } catch (const std::exception& error) {
+    failed(1, fmt::format("internal error: {}", error.what()));
+  }
+}
+
+}  // namespace rollfem::app

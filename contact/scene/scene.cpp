@@ -1,0 +1,96 @@
+#include "contact/scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Load point k of a case; what a step of a history does not say is that of the whole case.
+LoadPoint load_point(const Case& input, std::size_t k) {
+  LoadPoint point;
+  point.creepage = input.rolling.creepages[k];
+  if (k < input.rolling.forces.size()) point.force = input.rolling.forces[k];
+  point.load.force = input.load.normal_force;
+  point.load.approach = input.load.approach;
+  if (k >= input.history.size()) return point;
+  const HistoryStep& step = input.history[k];
+  if (step.normal_force || step.approach) {
+    point.load.force = step.normal_force;
+    point.load.approach = step.approach;
+  }
+  point.longitudinal_shift = step.longitudinal_shift;
+  point.lateral_shift = step.lateral_shift;
+  point.spin_shift = step.spin_shift;
+  point.step_length = step.step_length;
+  return point;
+}
+
+}  // namespace
+
+Scene::Scene(const Case& input)
+    : file(input.file),
+      geometry(input),
+      rail_inclination(input.track.inclination),
+      wheel{input.wheel.material, input.wheel.mesh},
+      rail{input.rail.material, input.rail.mesh},
+      material(combine(input.wheel.material, input.rail.material)),
+      friction_coefficient(input.friction_coefficient),
+      problem(input.rolling.problem),
+      given_pressure(input.given_pressure),
+      speed(input.rolling.speed),
+      upwind_order(input.rolling.upwind_order),
+      leading_edge(input.rolling.leading_edge),
+      contact_grid(input.contact_grid),
+      accuracy{input.accuracy, input.accuracy_of},
+      surface_form(input.halfspace.surface),
+      fastsim(input.fastsim),
+      strip(input.strip),
+      carter(input.carter),
+      fem(input.fem),
+      subsurface(input.subsurface),
+      output(input.output) {
+  for (std::size_t k = 0; k < input.rolling.creepages.size(); ++k)
+    points.push_back(load_point(input, k));
+}
+
+bool Scene::load_changes() const {
+  return std::any_of(points.begin(), points.end(), [this](const LoadPoint& point) {
+    return !(point.load == points.front().load);
+  });
+}
+
+std::string Scene::patch_prefix() const {
+  return place ? place->label() + ": " : std::string();
+}
+
+NormalLoad largest_load(const Scene& scene) {
+  NormalLoad largest;
+  const auto raise = [](std::optional<double>& highest, double value) {
+    highest = std::max(highest.value_or(value), value);
+  };
+  for (const LoadPoint& point : scene.points) {
+    if (point.load.force) raise(largest.force, *point.load.force / point.load.direction[1]);
+    if (point.load.approach) raise(largest.approach, *point.load.approach);
+  }
+  if (largest.force) largest.approach.reset();
+  return largest;
+}
+
+Field pressure_field(const GivenPressure& pressure, const ContactGrid& grid) {
+  return grid.sample([&](double x, double y) {
+    const double u = x / pressure.semi_axis_x;
+    const double v = y / pressure.semi_axis_y;
+    const double rest = 1.0 - u * u - v * v;
+    return rest > 0.0 ? pressure.max_pressure * std::sqrt(rest) : 0.0;
+  });
+}
+
+Scene at_point(const Scene& scene, std::size_t k) {
+  Scene single = scene;
+  single.points = {scene.points.at(k)};
+  return single;
+}
+
+}  // namespace rollfem::contact

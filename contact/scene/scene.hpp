@@ -1,0 +1,96 @@
+// What is to be solved: the geometry of one contact, its materials, and its load points. A case is
+// the document; a scene is what it asks for, with nothing left to be looked up. Models take scenes
+// and never change them.
+#pragma once
+
+#include "contact/base/accuracy.hpp"
+#include "contact/scene/geometry.hpp"
+
+namespace rollfem::contact {
+
+/// How hard the bodies are pressed together: exactly one of the two. With a given pressure neither
+/// is read.
+struct NormalLoad {
+  std::optional<double> force;     ///< N, the component of the force on the wheel along `direction`
+  std::optional<double> approach;  ///< mm, along z
+  /// y and z of a unit vector in the patch frame. The z axis, or the vertical of a wheelset:
+  /// friction then carries a part of the force.
+  std::array<double, 2> direction{0.0, 1.0};
+
+  bool operator==(const NormalLoad& other) const {
+    return force == other.force && approach == other.approach && direction == other.direction;
+  }
+};
+
+/// One point of a creep curve, or one step of a history.
+struct LoadPoint {
+  NormalLoad load;
+  Creepage creepage;      ///< 0 in a direction whose force is prescribed
+  PrescribedForce force;  ///< in place of creepages (shifts)
+  // Rigid displacements of the wheel relative to the rail during this step, not since the
+  // beginning.
+  double longitudinal_shift = 0.0;  ///< mm, Problem::shift
+  double lateral_shift = 0.0;       ///< mm, Problem::shift
+  double spin_shift = 0.0;          ///< rad, Problem::shift
+  double step_length = 0.0;         ///< mm rolled in this step, Problem::transient
+};
+
+/// A body as the models need it beside its surface.
+struct SceneBody {
+  Material material;
+  std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by the program
+};
+
+struct Scene {
+  Scene() = default;
+  /// Of a case with radii or a given geometry; with true profiles meshes/track places the patches.
+  Scene(const Case& input);  // NOLINT(google-explicit-constructor): the source of every scene
+
+  std::string file;  ///< case file, for messages
+  Geometry geometry;
+  std::optional<ContactPlace> place;  ///< on the track; with true profiles
+  double rail_inclination = 0.0;      ///< as a tangent; with true profiles
+  SceneBody wheel;
+  SceneBody rail;
+  CombinedMaterial material;
+  double friction_coefficient = 0.0;
+  Problem problem = Problem::steady;
+  std::vector<LoadPoint> points;
+  std::optional<GivenPressure> given_pressure;
+  double speed = 0.0;  ///< mm/s
+  UpwindOrder upwind_order = UpwindOrder::second;
+  LeadingEdge leading_edge = LeadingEdge::fitted;
+  GridOptions contact_grid;
+  AccuracyRequest accuracy;
+  // What single models are asked for.
+  SurfaceForm surface_form = SurfaceForm::planar;
+  FastsimOptions fastsim;
+  StripCase strip;
+  CarterCase carter;
+  FemOptions fem;
+  std::vector<SubsurfaceRequest> subsurface;
+  OutputOptions output;
+
+  bool is_history() const { return problem == Problem::shift || problem == Problem::transient; }
+  /// 0 without friction.
+  double friction() const { return problem == Problem::frictionless ? 0.0 : friction_coefficient; }
+  bool has_profiles() const { return geometry.has_profiles(); }
+  /// Inertia of wheel and rail is asked for.
+  bool feels_inertia() const { return fem.inertia && speed > 0.0; }
+  /// The load points differ in their loads.
+  bool load_changes() const;
+  /// "left, position 3: " before what is said of a patch of a wheelset, else nothing.
+  std::string patch_prefix() const;
+};
+
+/// The load that asks for the largest grid: the largest normal force, or the largest approach. A
+/// force along another direction than z counts as the normal force without friction.
+NormalLoad largest_load(const Scene& scene);
+
+/// At the element centres, MPa.
+Field pressure_field(const GivenPressure& pressure, const ContactGrid& grid);
+
+/// The scene at one of its load points alone.
+Scene at_point(const Scene& scene, std::size_t k);
+
+}  // namespace rollfem::contact

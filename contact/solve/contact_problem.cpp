@@ -1,0 +1,149 @@
+#include "contact/solve/contact_problem.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rollfem::contact {
+
+ContactProblem::ContactProblem(const Compliance& whole, const SolvableCompliance& standin,
+                               ContactConditions conditions)
+    : whole_(whole),
+      standin_(standin),
+      conditions_(std::move(conditions)),
+      frame_(vertical_frame(conditions_.shape)) {}
+
+bool ContactProblem::fitted(Motion motion) const {
+  return motion == Motion::rolling && conditions_.upwind_order == UpwindOrder::second &&
+         conditions_.fit_leading_edge;
+}
+
+const TangentialOperator& ContactProblem::tangential_operator(Motion motion,
+                                                              const Field& pressure) {
+  if (motion == Motion::shift) return standin_.shift();
+  if (!fitted(motion)) return standin_.rolling(conditions_.upwind_order);
+  return fitted_.emplace(standin_.rolling(UpwindOrder::first),
+                         standin_.rolling(UpwindOrder::second), upwind_weights(grid(), pressure));
+}
+
+const NormalSolution& ContactProblem::press(const NormalLoad& load, const Field& start) {
+  if (pressed_.pressure.size() != 0 && load == pressed_load_) return pressed_;
+  pressed_ = press_standin(standin_.normal(), coupled_problem(load, {}, false), start);
+  pressed_load_ = load;
+  return pressed_;
+}
+
+CoupledProblem ContactProblem::coupled_problem(const NormalLoad& load,
+                                               const TangentialMotion& motion,
+                                               bool friction) const {
+  CoupledProblem problem;
+  problem.undeformed_distance = conditions_.undeformed_distance;
+  problem.load = load;
+  problem.given_pressure = conditions_.given_pressure;
+  problem.shape = conditions_.shape;
+  problem.frame = frame_;
+  if (!friction) return problem;
+  problem.friction_coefficient = conditions_.friction;
+  problem.rigid_slip = motion.rigid_slip;
+  problem.curvature_weight = motion.curvature_weight;
+  return problem;
+}
+
+ContactState ContactProblem::solve(const NormalLoad& load, const TangentialMotion& motion,
+                                   const ContactState* start, const ContactAccuracy& accuracy,
+                                   const OuterCallback& each_iteration) {
+  const bool friction = conditions_.friction > 0.0;
+  ContactState state;
+  if (!friction && conditions_.same_normal_block)
+    state = frictionless(load, motion);
+  else if (coupled())
+    state = solve_coupled(load, motion, start, accuracy, each_iteration, friction);
+  else
+    state = solve_uncoupled(load, motion, start, accuracy);
+  state.tangential.slip.x *= motion.slip_factor;
+  state.tangential.slip.y *= motion.slip_factor;
+  return state;
+}
+
+ContactState ContactProblem::solve_frictionless(const NormalLoad& load,
+                                                const ContactAccuracy& accuracy) {
+  return solve_coupled(load, {}, nullptr, accuracy, {}, false);
+}
+
+ContactState ContactProblem::solve_uncoupled(const NormalLoad& load, const TangentialMotion& motion,
+                                             const ContactState* start,
+                                             const ContactAccuracy& accuracy) {
+  const CoupledProblem problem = coupled_problem(load, motion, true);
+  CoupledSolution solution;
+  solution.normal = press(load, start ? start->normal.pressure : Field());
+  if (start) solution.tangential.traction = start->tangential.traction;
+  // One pressure serves all load points unless friction carries a part of the load: then the
+  // leading edge is found anew with every pressure.
+  const bool refit = problem.shares_load() && fitted(motion.motion);
+  const Preconditioner standin{standin_,
+                               standin_.normal(),
+                               refit ? standin_.rolling(conditions_.upwind_order)
+                                     : tangential_operator(motion.motion, solution.normal.pressure),
+                               conditions_.upwind_order,
+                               motion.motion,
+                               refit ? &standin_.rolling(UpwindOrder::first) : nullptr};
+  solve_standin(standin, problem, accuracy.tangential, solution);
+  ContactState state;
+  state.normal = std::move(solution.normal);
+  state.tangential = std::move(solution.tangential);
+  state.displacement = whole_.apply(state.traction());
+  state.iterations = state.tangential.newton_steps;
+  state.residual = std::max(state.normal.residual, state.tangential.residual);
+  return state;
+}
+
+ContactState ContactProblem::solve_coupled(const NormalLoad& load, const TangentialMotion& motion,
+                                           const ContactState* start,
+                                           const ContactAccuracy& accuracy,
+                                           const OuterCallback& each_iteration, bool friction) {
+  const bool same_normal = conditions_.same_normal_block;
+  const CoupledProblem problem = coupled_problem(load, motion, friction);
+  const bool refit = !same_normal && fitted(motion.motion);
+  const TangentialOperator& tangential =
+      refit ? standin_.rolling(conditions_.upwind_order)
+            : tangential_operator(motion.motion, same_normal ? press(load).pressure : Field());
+  const Preconditioner standin{
+      standin_,      standin_.normal(),
+      tangential,    conditions_.upwind_order,
+      motion.motion, refit ? &standin_.rolling(UpwindOrder::first) : nullptr};
+  OuterOptions options;
+  options.tolerance = accuracy.coupled;
+  options.max_iterations = accuracy.max_iterations;
+  options.anderson_depth = accuracy.anderson_depth;
+  CoupledSolution solution = contact::solve_coupled(
+      whole_, standin, problem, options, start ? start->defect : Response(), each_iteration,
+      start && same_normal ? start->traction() : SurfaceField());
+  ContactState state;
+  state.normal = std::move(solution.normal);
+  state.tangential = std::move(solution.tangential);
+  state.displacement = std::move(solution.displacement);
+  state.defect = std::move(solution.defect);
+  state.iterations = solution.outer_iterations;
+  state.residual = solution.residual;
+  if (!friction) set_frictionless(grid(), state.tangential, state.normal.pressure, {});
+  return state;
+}
+
+/// Without friction nothing adheres and tractions vanish; normal pressure on unlike materials still
+/// moves the surfaces sideways.
+ContactState ContactProblem::frictionless(const NormalLoad& load, const TangentialMotion& motion) {
+  ContactState state;
+  state.normal = press(load);
+  set_frictionless(grid(), state.tangential, state.normal.pressure, motion.rigid_slip);
+  state.displacement = whole_.apply(state.traction());
+  if (coupled()) {
+    const TangentialField u{state.displacement.x, state.displacement.y};
+    const TangentialField moved =
+        motion.motion == Motion::shift ? u : upwind_difference(grid(), u, conditions_.upwind_order);
+    state.tangential.slip.x += moved.x;
+    state.tangential.slip.y += moved.y;
+  }
+  state.residual = state.normal.residual;
+  return state;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,107 @@
+// The whole contact problem on one grid: normal contact, friction, the sharing of the load between
+// pressure and friction where the surface or the load is tilted, and the defect correction where
+// the elasticity is more than its solvable stand-in (unlike materials, finite elements). One load
+// after another is solved on operators that are made once.
+#pragma once
+
+#include "contact/scene/scene.hpp"
+#include "contact/solve/defect_correction.hpp"
+#include "contact/solve/leading_edge.hpp"
+
+#include <optional>
+
+namespace rollfem::contact {
+
+/// What stays the same from load to load.
+struct ContactConditions {
+  Field undeformed_distance;  ///< mm; not read with a given pressure
+  Field given_pressure;       ///< MPa, replaces the normal problem; empty: none
+  double friction = 0.0;      ///< mu; 0: frictionless
+  UpwindOrder upwind_order = UpwindOrder::second;
+  PatchShape shape{};  ///< empty: plane
+  /// Second-order differences fitted to the leading edge (leading_edge.hpp): forces converge with
+  /// second order and tractions do not zigzag from row to row. false: the same difference
+  /// everywhere.
+  bool fit_leading_edge = true;
+  /// The elasticity has the stand-in's normal block, as unlike half-spaces have: pressure without
+  /// friction needs the stand-in alone, and says where the leading edge is.
+  bool same_normal_block = true;
+};
+
+struct ContactAccuracy {
+  double tangential = 1e-6;  ///< residual of Newton's method, relative to the creepage load
+  double coupled = 1e-6;     ///< change of the outer iteration
+  int max_iterations = 100;  ///< of the outer iteration
+  int anderson_depth = 5;
+};
+
+struct ContactState {
+  NormalSolution normal;
+  TangentialSolution tangential;
+  SurfaceField displacement;  ///< wheel minus rail, mm, by all tractions
+  Response defect;            ///< what the elasticity adds to the stand-in; empty: nothing
+  int iterations = 0;         ///< Newton steps, or outer iterations
+  double residual = 0.0;
+
+  SurfaceField traction() const {
+    return {tangential.traction.x, tangential.traction.y, normal.pressure};
+  }
+};
+
+/// A tangential problem of steady rolling or of one step.
+struct TangentialMotion {
+  TangentialField rigid_slip;  ///< no unit in steady rolling, mm for Motion::shift
+  Motion motion = Motion::rolling;
+  /// Slip as results give it over that of the problem (StepProblem).
+  double slip_factor = 1.0;
+  double curvature_weight = 1.0;  ///< of Response::curvature_slip in the slip of the problem
+};
+
+class ContactProblem {
+ public:
+  /// `standin` is `whole`, or a half-space without coupling on the same grid that preconditions it.
+  /// Both must outlive this.
+  ContactProblem(const Compliance& whole, const SolvableCompliance& standin,
+                 ContactConditions conditions);
+
+  const ContactGrid& grid() const { return standin_.grid(); }
+  bool coupled() const { return &whole_ != static_cast<const Compliance*>(&standin_); }
+  const PatchShape& shape() const { return conditions_.shape; }
+
+  /// The normal problem without friction on the stand-in, kept for the last load. `start`: a
+  /// pressure or empty.
+  const NormalSolution& press(const NormalLoad& load, const Field& start = {});
+
+  /// Normal and tangential problem. `start` (may be null): a state nearby. Throws SolveError when
+  /// an iteration does not converge or nothing touches.
+  ContactState solve(const NormalLoad& load, const TangentialMotion& motion,
+                     const ContactState* start = nullptr, const ContactAccuracy& accuracy = {},
+                     const OuterCallback& each_iteration = {});
+
+  /// The elasticity's answer to pressure alone: what the first load point begins with.
+  ContactState solve_frictionless(const NormalLoad& load, const ContactAccuracy& accuracy);
+
+ private:
+  ContactState solve_uncoupled(const NormalLoad& load, const TangentialMotion& motion,
+                               const ContactState* start, const ContactAccuracy& accuracy);
+  ContactState solve_coupled(const NormalLoad& load, const TangentialMotion& motion,
+                             const ContactState* start, const ContactAccuracy& accuracy,
+                             const OuterCallback& each_iteration, bool friction);
+  ContactState frictionless(const NormalLoad& load, const TangentialMotion& motion);
+  CoupledProblem coupled_problem(const NormalLoad& load, const TangentialMotion& motion,
+                                 bool friction) const;
+  /// Rolling of second order is fitted to the leading edge of this pressure if the conditions say
+  /// so.
+  const TangentialOperator& tangential_operator(Motion motion, const Field& pressure);
+  bool fitted(Motion motion) const;
+
+  const Compliance& whole_;
+  const SolvableCompliance& standin_;
+  ContactConditions conditions_;
+  VerticalFrame frame_;
+  NormalLoad pressed_load_;
+  NormalSolution pressed_;
+  std::optional<EdgeFittedRolling> fitted_;
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,318 @@
+#include "contact/solve/contact_run.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/stopwatch.hpp"
+#include "contact/result/derived.hpp"
+#include "contact/solve/interpolation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rollfem::contact {
+
+using Eigen::Vector2d;
+
+namespace {
+
+int count_adhesion(const std::vector<ElementState>& state) {
+  return static_cast<int>(std::count(state.begin(), state.end(), ElementState::adhesion));
+}
+
+/// Tractions per unit of area of the grid.
+SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape) {
+  if (shape.stretch.size() == 0) return traction;
+  return {traction.x.cwiseProduct(shape.stretch), traction.y.cwiseProduct(shape.stretch),
+          traction.n.cwiseProduct(shape.stretch)};
+}
+
+}  // namespace
+
+ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
+                       const Progress& progress, PointStore* store)
+    : scene_(scene),
+      geometry_(geometry),
+      options_(std::move(options)),
+      progress_(progress),
+      store_(store),
+      friction_(scene.friction()) {}
+
+void ContactRun::tell(ProgressEvent event, const char* stage, bool finished) const {
+  event.model = options_.model;
+  event.stage = options_.stage_prefix + stage;
+  event.points = static_cast<int>(scene_.points.size());
+  event.finished = finished;
+  report(progress_, event);
+}
+
+ProgressEvent ContactRun::event_of(std::size_t k) const {
+  ProgressEvent event;
+  event.point = static_cast<int>(k) + 1;
+  event.creepage = scene_.points[k].creepage.longitudinal;
+  return event;
+}
+
+bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
+  result_.grid = grid;
+  result_.points.clear();
+  result_.relative_traction.clear();
+  shape_ = geometry_.shape(grid);
+  elasticity_.reset();
+  problem_.reset();
+  motion_ = std::make_unique<PointMotion>(scene_, geometry_, grid);
+  state_ = {};
+  bool taking_up = store_ != nullptr;
+  for (std::size_t k = 0; k < scene_.points.size(); ++k) {
+    if (options_.cheap_pressure) {
+      if (!problem_) prepare(make);
+      if (!press(k)) return false;
+    }
+    taking_up = taking_up && take_up(k);
+    if (!taking_up) {
+      if (!problem_) prepare(make);
+      const Stopwatch watch;
+      solve_point(k);
+      result_.tangential_seconds += watch.seconds();
+    }
+    if (touches_border(grid, state_.normal.pressure)) return false;
+  }
+  return true;
+}
+
+void ContactRun::prepare(const MakeElasticity& make) {
+  const Stopwatch setup;
+  elasticity_ = make();
+  ContactConditions conditions;
+  if (scene_.given_pressure)
+    conditions.given_pressure = pressure_field(*scene_.given_pressure, result_.grid);
+  else
+    conditions.undeformed_distance = geometry_.undeformed_distance(result_.grid);
+  const Field extra = elasticity_->extra_distance();
+  if (extra.size() != 0 && !scene_.given_pressure) conditions.undeformed_distance += extra;
+  conditions.friction = friction_;
+  conditions.upwind_order = scene_.upwind_order;
+  conditions.shape = shape_;
+  conditions.fit_leading_edge = scene_.leading_edge == LeadingEdge::fitted;
+  conditions.same_normal_block = elasticity_->same_normal_block();
+  problem_ = std::make_unique<ContactProblem>(elasticity_->whole(), elasticity_->standin(),
+                                              std::move(conditions));
+  motion_->set_extra(elasticity_->extra_slip());
+  result_.setup_seconds += setup.seconds();
+  if (!elasticity_->same_normal_block() && result_.points.empty()) find_first_defect();
+}
+
+/// The frictionless solution: what the first load point begins with.
+void ContactRun::find_first_defect() {
+  state_.defect = options_.first_defect;
+  if (state_.defect.displacement.n.size() == result_.grid.size()) return;
+  const Stopwatch watch;
+  tell({}, "normal", false);
+  state_ = problem_->solve_frictionless(scene_.points.front().load, options_.accuracy);
+  ProgressEvent event;
+  event.iteration = state_.iterations;
+  event.residual = state_.residual;
+  event.contact_elements = state_.normal.contact_elements;
+  tell(event, "normal", true);
+  result_.normal_seconds += watch.seconds();
+  if (on_first_defect) on_first_defect(state_.defect, state_.normal.contact_elements);
+}
+
+/// Pressure without friction on the grid; false when it reaches the border.
+bool ContactRun::press(std::size_t k) {
+  const Stopwatch watch;
+  const bool first = state_.normal.pressure.size() == 0;
+  const bool solved_anew = first || scene_.is_history() || scene_.load_changes();
+  if (solved_anew) tell({}, "normal", false);
+  const LevelResult* coarser = options_.coarser;
+  const Field start = !first    ? state_.normal.pressure
+                      : coarser ? interpolated(coarser->grid, coarser->pressure, result_.grid)
+                                : Field();
+  const NormalSolution& normal = problem_->press(scene_.points[k].load, start);
+  result_.pressure = normal.pressure;
+  ProgressEvent event;
+  event.iteration = normal.iterations;
+  event.residual = normal.residual;
+  event.contact_elements = normal.contact_elements;
+  if (solved_anew) tell(event, "normal", true);
+  if (solved_anew) elasticity_->check_patch(patch_size(result_.grid, normal.pressure));
+  result_.normal_seconds += watch.seconds();
+  return !touches_border(result_.grid, normal.pressure);
+}
+
+/// A first guess from the coarser level: its p_t / g times the bound here.
+ContactState ContactRun::start_for(std::size_t k) {
+  ContactState start;
+  start.normal = problem_->press(scene_.points[k].load);
+  start.defect = state_.defect;
+  if (scene_.is_history()) start.tangential.traction = state_.tangential.traction;
+  const LevelResult* coarser = options_.coarser;
+  if (!coarser || k >= coarser->relative_traction.size()) return start;
+  const TangentialField& relative = coarser->relative_traction[k];
+  const Field inside = (coarser->pressure.array() > 0.0).cast<double>();
+  const Field bound = friction_ * start.normal.pressure;
+  const auto scaled = [&](const Field& values) -> Field {
+    const Field here = interpolated(coarser->grid, values, result_.grid, inside);
+    return here.cwiseProduct(bound);
+  };
+  start.tangential.traction = {scaled(relative.x), scaled(relative.y)};
+  return start;
+}
+
+ContactState ContactRun::solved(std::size_t k, const Vector2d& unknowns, const ContactState& start,
+                                const ContactAccuracy& accuracy) {
+  const auto each_iteration = [&](const CoupledSolution& state) {
+    if (elasticity_->same_normal_block()) return;
+    ProgressEvent event = event_of(k);
+    event.iteration = state.outer_iterations;
+    event.residual = state.residual;
+    event.contact_elements = state.normal.contact_elements;
+    event.adhesion_elements = count_adhesion(state.tangential.state);
+    tell(event, "rolling", false);
+  };
+  return problem_->solve(scene_.points[k].load, motion_->at(k, unknowns), &start, accuracy,
+                         each_iteration);
+}
+
+ForceSearch ContactRun::search_for(std::size_t k) {
+  const LoadPoint& point = scene_.points[k];
+  const NormalSolution& normal = problem_->press(point.load);
+  const PatchSize patch = patch_size(result_.grid, normal.pressure);
+  ForceSearch search;
+  search.tolerance = options_.force_tolerance;
+  const auto start_from = [&](const Creepage& found) {
+    if (point.force.longitudinal) search.start.x() = found.longitudinal;
+    if (point.force.lateral) search.start.y() = found.lateral;
+  };
+  if (scene_.problem == Problem::steady) {
+    search.stiffness = elasticity_->rolling_stiffness(patch);
+    search.start = first_creepage(point.force, motion_->given_unknowns(k), search.stiffness,
+                                  friction_ * normal.normal_force);
+  } else {
+    search.stiffness = elasticity_->shift_stiffness(patch);
+    if (scene_.problem == Problem::transient) search.stiffness *= point.step_length;
+    search.start = motion_->given_unknowns(k);
+    if (scene_.problem == Problem::transient && !result_.points.empty())
+      start_from(result_.points.back().creepage);
+  }
+  if (options_.coarser && scene_.problem != Problem::shift)
+    start_from(options_.coarser->points[k].creepage);
+  return search;
+}
+
+/// Solves the point with the prescribed force; returns the creepages (shifts) found.
+Vector2d ContactRun::find_force(std::size_t k) {
+  const PrescribedForce& wanted = scene_.points[k].force;
+  if (friction_ == 0.0)
+    throw SolveError(
+        "prescribed force: without friction there is no tangential force; do: prescribe the "
+        "creepage, or a friction coefficient above 0");
+  refuse_force_beyond_friction(wanted,
+                               friction_ * problem_->press(scene_.points[k].load).normal_force);
+  ContactState start = start_for(k);
+  int iterations = 0;
+  const ForceLaw law = [&](const Vector2d& unknowns) {
+    state_ = solved(k, unknowns, start, options_.force_accuracy);
+    iterations += state_.iterations;
+    start = state_;
+    const auto force = transmitted_force(result_.grid, state_.traction(), shape_);
+    return TransmittedForce{{force[0], force[1]}, friction_ * force[2]};
+  };
+  const FoundCreepage found = find_creepage(law, wanted, search_for(k));
+  state_.iterations = iterations;
+  return found.creepage;
+}
+
+/// A load point that an earlier run has solved, with the state from which the next one begins.
+bool ContactRun::take_up(std::size_t k) {
+  PointResult point;
+  if (!store_->find(k, point, state_)) return false;
+  remember(k);
+  motion_->take_up(point);
+  result_.pressure = state_.normal.pressure;
+  result_.contact_elements = state_.normal.contact_elements;
+  ProgressEvent event = event_of(k);
+  event.creepage = point.creepage.longitudinal;
+  event.note = fmt::format("{} of {} taken up", k + 1, scene_.points.size());
+  tell(event, "taken up", true);
+  result_.points.push_back(std::move(point));
+  return true;
+}
+
+void ContactRun::solve_point(std::size_t k) {
+  const Stopwatch watch;
+  const char* stage = scene_.problem == Problem::shift ? "shift" : "rolling";
+  ProgressEvent event = event_of(k);
+  if (elasticity_->same_normal_block()) {
+    event.contact_elements = problem_->press(scene_.points[k].load).contact_elements;
+    tell(event, stage, false);
+  }
+  Vector2d unknowns = motion_->given_unknowns(k);
+  if (scene_.points[k].force.any())
+    unknowns = find_force(k);
+  else
+    state_ = solved(k, unknowns, start_for(k), options_.accuracy);
+  PointResult point = point_result(k, unknowns);
+  remember(k);
+  if (!touches_border(result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
+  point.seconds = watch.seconds();
+  if (store_) store_->keep(k, point, state_);
+
+  event.creepage = point.creepage.longitudinal;
+  event.iteration = state_.iterations;
+  event.residual = state_.residual;
+  event.contact_elements = state_.normal.contact_elements;
+  event.adhesion_elements = count_adhesion(state_.tangential.state);
+  if (state_.tangential.krylov_iterations > 0 && elasticity_->same_normal_block())
+    event.note = fmt::format("{} Krylov iterations", state_.tangential.krylov_iterations);
+  tell(event, stage, true);
+  result_.contact_elements = state_.normal.contact_elements;
+  result_.points.push_back(std::move(point));
+}
+
+/// What the next step or the next finer level begins with.
+void ContactRun::remember(std::size_t k) {
+  motion_->advance(k, {state_.displacement.x, state_.displacement.y});
+  if (scene_.is_history()) return;
+  const Field inverse_bound = state_.normal.pressure.unaryExpr(
+      [this](double p) { return p > 0.0 && friction_ > 0.0 ? 1.0 / (friction_ * p) : 0.0; });
+  result_.relative_traction.push_back({state_.tangential.traction.x.cwiseProduct(inverse_bound),
+                                       state_.tangential.traction.y.cwiseProduct(inverse_bound)});
+}
+
+PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
+  PointResult point;
+  motion_->describe(k, unknowns, point);
+  point.fields.traction = state_.traction();
+  point.fields.slip = state_.tangential.slip;
+  point.fields.traction_bound = friction_ * state_.normal.pressure;
+  point.fields.gap = state_.normal.gap;
+  point.fields.displacement = state_.displacement;
+  point.fields.state = state_.tangential.state;
+  integrate_tractions(result_.grid, point, shape_);
+  add_energies(point);
+  if (scene_.has_profiles()) {
+    const PatchSize size = patch_size(result_.grid, state_.normal.pressure);
+    point.patch_x_middle = 0.5 * (size.x_lower + size.x_upper);
+    point.patch_y_middle = 0.5 * (size.y_lower + size.y_upper);
+  }
+  point.approach = state_.normal.approach;
+  point.iterations = state_.iterations;
+  point.residual = state_.residual;
+  point.converged = true;
+  return point;
+}
+
+/// Works per mm rolled are the powers at V = 1; shifts and transient steps have none.
+void ContactRun::add_energies(PointResult& point) const {
+  const SurfaceField traction = times_stretch(point.fields.traction, shape_);
+  point.elastic_energy = elastic_energy(result_.grid, traction, point.fields.displacement);
+  if (scene_.problem != Problem::steady) return;
+  const PowerBalance balance =
+      power_balance(result_.grid, traction, point.fields.slip, point.creepage, 1.0,
+                    geometry_.extra_slip(point.creepage, result_.grid));
+  point.frictional_work = balance.friction;
+  point.creepage_work = balance.creepage;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,124 @@
+// The driver of every model that solves the contact problem: one resolution of a scene, all its
+// load points, on whatever elasticity. Load points and histories, prescribed forces, the leading
+// edge, the sharing of the load with friction, progress and checkpoints are here and nowhere else.
+#pragma once
+
+#include "contact/base/progress.hpp"
+#include "contact/result/patch_size.hpp"
+#include "contact/result/result.hpp"
+#include "contact/solve/contact_problem.hpp"
+#include "contact/solve/point_motion.hpp"
+#include "contact/solve/prescribed_force.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// The elasticity of one resolution, and what a model adds to the contact problem on it.
+class Elasticity {
+ public:
+  virtual ~Elasticity() = default;
+  virtual const Compliance& whole() const = 0;
+  /// The same object, or the half-space that preconditions it.
+  virtual const SolvableCompliance& standin() const = 0;
+  /// The normal block is the stand-in's (ContactConditions::same_normal_block).
+  virtual bool same_normal_block() const { return true; }
+  /// Distance (mm) and slip that this elasticity brings by itself, as the spinning of a wheel does;
+  /// empty: none.
+  virtual Field extra_distance() const { return {}; }
+  virtual TangentialField extra_slip() const { return {}; }
+  /// -dF/d(creepage) of steady rolling (N) and -dF/d(shift) (N/mm) without slip, roughly.
+  virtual Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const = 0;
+  virtual Eigen::Vector2d shift_stiffness(const PatchSize& patch) const = 0;
+  /// Throws when the bodies are not known where the patch lies.
+  virtual void check_patch(const PatchSize&) const {}
+  /// Adds to a solved load point what only this model knows: stresses, errors.
+  virtual void complete(std::size_t, PointResult&) {}
+};
+
+/// Solved load points that outlive the run; `state` is what the next one begins with.
+class PointStore {
+ public:
+  virtual ~PointStore() = default;
+  virtual bool find(std::size_t k, PointResult& point, ContactState& state) = 0;
+  virtual void keep(std::size_t k, const PointResult& point, const ContactState& state) = 0;
+};
+
+/// What a finer level needs of a coarser one besides its results: p_t / g, between -1 and 1.
+struct LevelResult {
+  ContactGrid grid;
+  Field pressure;            ///< without friction, MPa; of the last load point
+  int contact_elements = 0;  ///< of the last load point
+  std::vector<TangentialField> relative_traction;  ///< per load point; empty in a history
+  std::vector<PointResult> points;
+  double setup_seconds = 0.0;
+  double normal_seconds = 0.0;
+  double tangential_seconds = 0.0;
+};
+
+struct RunOptions {
+  std::string model;         ///< in progress events
+  std::string stage_prefix;  ///< before the stage names of progress events
+  ContactAccuracy accuracy;
+  ContactAccuracy force_accuracy;  ///< of solutions behind a force that is searched for
+  double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
+  const LevelResult* coarser = nullptr;
+  /// The elasticity has the stand-in's normal block and costs little: pressure without friction is
+  /// solved at every load point, also at those taken up, so that numbers stay the same to the last
+  /// bit.
+  bool cheap_pressure = true;
+  Response first_defect;  ///< what an earlier run found without friction; empty: to be found
+};
+
+/// Made when it is needed: where pressure is not cheap, by the first load point not taken up.
+using MakeElasticity = std::function<std::unique_ptr<Elasticity>()>;
+
+class ContactRun {
+ public:
+  /// All must outlive this; `store` (may be null): where load points are found and kept.
+  ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
+             const Progress& progress, PointStore* store);
+
+  /// Solves every load point on the grid. False when a patch reaches the border of the grid. Throws
+  /// SolveError, InputError.
+  bool solve(const ContactGrid& grid, const MakeElasticity& make);
+
+  /// The defect of the frictionless solution, once it is known: for first_defect of a later run.
+  std::function<void(const Response&, int contact_elements)> on_first_defect;
+
+  LevelResult take_result() { return std::move(result_); }
+
+ private:
+  void tell(ProgressEvent event, const char* stage, bool finished) const;
+  void prepare(const MakeElasticity& make);
+  bool take_up(std::size_t k);
+  void find_first_defect();
+  bool press(std::size_t k);
+  void solve_point(std::size_t k);
+  ContactState start_for(std::size_t k);
+  ContactState solved(std::size_t k, const Eigen::Vector2d& unknowns, const ContactState& start,
+                      const ContactAccuracy& accuracy);
+  ForceSearch search_for(std::size_t k);
+  Eigen::Vector2d find_force(std::size_t k);
+  PointResult point_result(std::size_t k, const Eigen::Vector2d& unknowns);
+  void add_energies(PointResult& point) const;
+  void remember(std::size_t k);
+  ProgressEvent event_of(std::size_t k) const;
+
+  const Scene& scene_;
+  const ChartedGeometry& geometry_;
+  RunOptions options_;
+  const Progress& progress_;
+  PointStore* store_;
+  double friction_;
+  PatchShape shape_;
+  std::unique_ptr<Elasticity> elasticity_;
+  std::unique_ptr<ContactProblem> problem_;
+  std::unique_ptr<PointMotion> motion_;
+  ContactState state_;  ///< of the last load point
+  LevelResult result_;
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,131 @@
+// What problems ask for that not every model has: how it is seen in them, and how it is called.
+#include "contact/solve/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+struct DemandRow {
+  Demand demand;
+  const char* key;
+  const char* what;
+  bool (*asked)(const Scene&);
+};
+
+bool any_force(const Scene& scene) {
+  return std::any_of(scene.points.begin(), scene.points.end(),
+                     [](const LoadPoint& point) { return point.force.any(); });
+}
+
+bool load_history(const Scene& scene) {
+  return scene.is_history() && scene.load_changes();
+}
+
+bool is_history(const Scene& scene) {
+  return scene.is_history();
+}
+
+bool any_rigid(const Scene& scene) {
+  return std::isinf(scene.wheel.material.young_modulus) ||
+         std::isinf(scene.rail.material.young_modulus);
+}
+
+bool any_of_radii(const Scene& scene, double Creepage::*component) {
+  return !scene.has_profiles() &&
+         std::any_of(scene.points.begin(), scene.points.end(),
+                     [&](const LoadPoint& point) { return point.creepage.*component != 0.0; });
+}
+
+/// An equivalent ellipse hands its theory the slip at the patch's points, as no file has it.
+bool slip_from_file(const Scene& scene) {
+  const auto& values = scene.geometry.extra_slip_values;
+  return scene.geometry.extra_slip == ExtraSlip::file && values && !values->file.empty();
+}
+
+/// Points of a concave body on the other body's side of z = 0, where a half-space ends.
+bool beyond_half_space(const Scene& scene) {
+  return std::any_of(scene.subsurface.begin(), scene.subsurface.end(),
+                     [](const SubsurfaceRequest& request) {
+                       double least = request.wheel ? request.from[2] : -request.from[2];
+                       for (const auto* corner : {&request.to, &request.across})
+                         least = std::min(least, request.wheel ? (*corner)[2] : -(*corner)[2]);
+                       const double fourth = request.to[2] + request.across[2] - request.from[2];
+                       if (request.kind == SubsurfaceRequest::Kind::plane)
+                         least = std::min(least, request.wheel ? fourth : -fourth);
+                       return least < 0.0;
+                     });
+}
+
+/// In the order in which they are named when several are asked for.
+const std::vector<DemandRow>& rows() {
+  static const std::vector<DemandRow> all{
+      {Demand::history, "rolling.problem", "shift or transient", is_history},
+      {Demand::tangential_force, "rolling.longitudinal_force or lateral_force",
+       "a prescribed tangential force", any_force},
+      {Demand::load_history, "history.normal_force or approach",
+       "a load that changes from step to step", load_history},
+      {Demand::profiles, "wheel.profile and rail.profile", "true profiles",
+       [](const Scene& c) { return c.has_profiles(); }},
+      {Demand::extra_slip_on_profiles, "rolling.extra_slip",
+       "extra slip from a file on true profiles",
+       [](const Scene& c) { return c.has_profiles() && slip_from_file(c); }},
+      {Demand::distance_points, "undeformed_distance.file", "bodies given point by point",
+       [](const Scene& c) { return c.geometry.distance_values.has_value(); }},
+      {Demand::distance_quadratic, "undeformed_distance.quadratic", "bodies without radii",
+       [](const Scene& c) { return c.geometry.quadratic.has_value(); }},
+      {Demand::given_pressure, "given_pressure", "a given pressure",
+       [](const Scene& c) { return c.given_pressure.has_value(); }},
+      {Demand::rigid_body, "young_modulus = inf", "a rigid body", any_rigid},
+      {Demand::inertia, "fem.inertia", "the inertia of moving bodies",
+       [](const Scene& c) { return c.feels_inertia(); }},
+      {Demand::beyond_half_space, "subsurface",
+       "points of a concave body beyond z = 0, where the half-space ends ([[subsurface.surface]] "
+       "follows the surface in both)",
+       beyond_half_space},
+      {Demand::lateral_creepage, "rolling.lateral_creepage", "lateral creepage",
+       [](const Scene& c) { return any_of_radii(c, &Creepage::lateral); }},
+      {Demand::spin, "rolling.spin", "spin",
+       [](const Scene& c) { return any_of_radii(c, &Creepage::spin); }},
+      {Demand::extra_slip, "rolling.extra_slip", "extra slip from a file",
+       [](const Scene& c) { return !c.has_profiles() && slip_from_file(c); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::optional<std::string> first_beyond(const Demands& takes, const ModelInput& input) {
+  for (const DemandRow& row : rows())
+    if (std::find(takes.begin(), takes.end(), row.demand) == takes.end() && row.asked(input))
+      return fmt::format("{}: it cannot take {}", row.key, row.what);
+  return std::nullopt;
+}
+
+std::string demand_words(Demand demand) {
+  for (const DemandRow& row : rows())
+    if (row.demand == demand) return row.what;
+  return {};
+}
+
+const Demands& all_demands() {
+  static const Demands all = [] {
+    Demands list;
+    for (const DemandRow& row : rows()) list.push_back(row.demand);
+    return list;
+  }();
+  return all;
+}
+
+Demands all_demands_but(const Demands& missing) {
+  Demands list;
+  for (const Demand demand : all_demands())
+    if (std::find(missing.begin(), missing.end(), demand) == missing.end()) list.push_back(demand);
+  return list;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,211 @@
+#include "contact/solve/standin.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/fixed_point.hpp"
+#include "contact/solve/leading_edge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// The normal problem in terms of q = carried p.
+class CarriedNormal : public NormalOperator {
+ public:
+  CarriedNormal(const NormalOperator& plane, const Field& carried)
+      : plane_(plane), carried_(carried) {}
+  const ContactGrid& grid() const override { return plane_.grid(); }
+  Field apply(const Field& q) const override {
+    return plane_.apply(q.cwiseQuotient(carried_)).cwiseQuotient(carried_);
+  }
+  Field precondition(const Field& residual) const override {
+    return plane_.precondition(residual.cwiseProduct(carried_)).cwiseProduct(carried_);
+  }
+
+ private:
+  const NormalOperator& plane_;
+  const Field& carried_;
+};
+
+/// A given pressure as the solution of a normal problem nobody asks about: no gap, no approach.
+NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
+  NormalSolution given;
+  given.pressure = pressure;
+  given.gap = Field::Zero(pressure.size());
+  given.normal_force = pressure.sum() * grid.element_area();
+  given.contact_elements = static_cast<int>((pressure.array() > 0.0).count());
+  return given;
+}
+
+/// Normal contact on the stand-in. `defect`: an extra gap along z, may be empty; `force`: what the
+/// pressure has to carry along z.
+NormalSolution solve_pressure(const NormalOperator& plane, const CoupledProblem& problem,
+                              const Field& defect, const std::optional<double>& force,
+                              const NormalOptions& options, const Field& start) {
+  if (problem.given_pressure.size() != 0) return given_normal(plane.grid(), problem.given_pressure);
+  const VerticalFrame& frame = problem.frame;
+  NormalProblem normal{problem.undeformed_distance, force, problem.load.approach};
+  if (frame.to_vertical.size() != 0)
+    normal.undeformed_distance = normal.undeformed_distance.cwiseProduct(frame.to_vertical).eval();
+  if (defect.size() != 0) normal.undeformed_distance += defect;
+  NormalSolution solution;
+  if (frame.carried.size() == 0) {
+    solution = solve_normal(plane, normal, options, start);
+  } else {
+    const bool given = start.size() == frame.carried.size();
+    solution = solve_normal(CarriedNormal(plane, frame.carried), normal, options,
+                            given ? Field(start.cwiseProduct(frame.carried)) : Field());
+    solution.pressure = solution.pressure.cwiseQuotient(frame.carried).eval();
+  }
+  if (frame.to_vertical.size() != 0)
+    solution.gap = solution.gap.cwiseQuotient(frame.to_vertical).eval();
+  return solution;
+}
+
+/// Force along z that pressure alone has to carry if friction alone were to stay as it is.
+double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
+                      const StandinSolution& solution) {
+  const double wanted = *problem.load.force;
+  const double along_z = problem.load.direction[1];
+  if (solution.normal.pressure.size() != grid.size()) return wanted / along_z;
+  const Field none = Field::Zero(grid.size());
+  const double pressure =
+      transmitted_force(grid, {none, none, solution.normal.pressure}, problem.shape)[2];
+  return pressure + (wanted - force_along_load(grid, problem, solution)) / along_z;
+}
+
+/// Tractions under the pressure of `solution`, the defect put in as an extra slip.
+void solve_tractions(const Preconditioner& standin, const CoupledProblem& problem,
+                     const TangentialField& from_defect, double tolerance,
+                     StandinSolution& solution) {
+  TangentialProblem tangential{problem.friction_coefficient * solution.normal.pressure,
+                               problem.rigid_slip};
+  if (from_defect.x.size() != 0) {
+    tangential.rigid_slip.x += from_defect.x;
+    tangential.rigid_slip.y += from_defect.y;
+  }
+  TangentialOptions options;
+  options.tolerance = tolerance;
+  std::optional<EdgeFittedRolling> fitted;
+  if (standin.first_order && standin.upwind_order == UpwindOrder::second)
+    fitted.emplace(*standin.first_order, standin.rolling,
+                   upwind_weights(standin.whole.grid(), solution.normal.pressure));
+  solution.tangential = solve_tangential(fitted ? *fitted : standin.rolling, tangential, options,
+                                         solution.tangential.traction);
+}
+
+}  // namespace
+
+VerticalFrame vertical_frame(const PatchShape& shape) {
+  if (shape.climb.size() == 0) return {};
+  if (shape.y.size() == 0) return {shape.stretch, {}};
+  const Field cosine = (1.0 + shape.climb.array().square()).rsqrt();
+  return {cosine.cwiseInverse(), cosine};
+}
+
+Response zero_response(Eigen::Index n) {
+  return {{Field::Zero(n), Field::Zero(n), Field::Zero(n)}, {Field::Zero(n), Field::Zero(n)}};
+}
+
+TangentialField defect_slip(const Preconditioner& standin, const CoupledProblem& problem,
+                            const Response& defect) {
+  const TangentialField u{defect.displacement.x, defect.displacement.y};
+  TangentialField slip = standin.motion == Motion::shift
+                             ? u
+                             : upwind_difference(standin.whole.grid(), u, standin.upwind_order);
+  if (problem.curvature_weight != 0.0) {
+    slip.x += problem.curvature_weight * defect.curvature_slip.x;
+    slip.y += problem.curvature_weight * defect.curvature_slip.y;
+  }
+  return slip;
+}
+
+double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
+                        const StandinSolution& solution) {
+  const auto force = transmitted_force(
+      grid,
+      {solution.tangential.traction.x, solution.tangential.traction.y, solution.normal.pressure},
+      problem.shape);
+  return problem.load.direction[0] * force[1] + problem.load.direction[1] * force[2];
+}
+
+NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem& problem,
+                             const Field& start) {
+  std::optional<double> force = problem.load.force;
+  if (force) *force /= problem.load.direction[1];
+  return solve_pressure(normal, problem, {}, force, {}, start);
+}
+
+namespace {
+
+constexpr double shared_to = 1e-10;
+constexpr int most_turns = 40;
+/// Pressure that carries more than this many times the load along z runs away.
+constexpr double largest_share = 30.0;
+
+/// The share of the pressure is a fixed point. `pressed`: the pressure of `solution` is that of the
+/// load without friction already.
+void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
+                   const Response* defect, const NormalOptions& normal, double tangential,
+                   bool pressed, StandinSolution& solution) {
+  const ContactGrid& grid = standin.whole.grid();
+  const Field gap = defect ? defect->displacement.n : Field();
+  const TangentialField slip = defect && !problem.frictionless()
+                                   ? defect_slip(standin, problem, *defect)
+                                   : TangentialField();
+  const bool shares = problem.shares_load();
+  std::optional<double> share = problem.load.force;
+  if (shares) {
+    share = pressure_share(grid, problem, solution);
+    // A start from another load may be far off.
+    if (!(*share > 0.0)) share = *problem.load.force / problem.load.direction[1];
+  }
+  PositiveFixedPoint sharing;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    if (!pressed || shares)
+      solution.normal =
+          solve_pressure(standin.normal, problem, gap, share, normal, solution.normal.pressure);
+    if (!problem.frictionless()) solve_tractions(standin, problem, slip, tangential, solution);
+    if (!shares) return;
+    const double image = pressure_share(grid, problem, solution);
+    if (std::abs(image - *share) <= shared_to * *problem.load.force) return;
+    share = sharing.next(*share, image);
+    if (*share > largest_share * *problem.load.force) break;
+  }
+  throw SolveError(fmt::format(
+      "pressure and friction do not settle to carry {:g} N together in {} turns: friction on the "
+      "tilted surface takes up nearly all of the load or more (the limit of Nadal)",
+      *problem.load.force, most_turns));
+}
+
+}  // namespace
+
+void solve_standin(const Preconditioner& standin, const CoupledProblem& problem, double tolerance,
+                   StandinSolution& solution) {
+  solve_in_turn(standin, problem, nullptr, {}, tolerance, true, solution);
+}
+
+void solve_standin(const Preconditioner& standin, const CoupledProblem& problem,
+                   const Response& defect, double tolerance, StandinSolution& solution) {
+  NormalOptions normal;
+  normal.tolerance = std::min(normal.tolerance, 0.1 * tolerance);
+  const double tangential = std::min(TangentialOptions().tolerance, 0.1 * tolerance);
+  solve_in_turn(standin, problem, &defect, normal, tangential, false, solution);
+}
+
+void set_frictionless(const ContactGrid& grid, TangentialSolution& tangential,
+                      const Field& pressure, const TangentialField& slip) {
+  const Field zero = Field::Zero(grid.size());
+  tangential.traction = {zero, zero};
+  tangential.slip = slip.x.size() == 0 ? TangentialField{zero, zero} : slip;
+  tangential.state.clear();
+  for (const double p : pressure)
+    tangential.state.push_back(p > 0.0 ? ElementState::slip : ElementState::exterior);
+}
+
+}  // namespace rollfem::contact

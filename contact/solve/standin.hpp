@@ -1,0 +1,96 @@
+// One contact problem on the solvable stand-in of an elasticity: pressure, then tractions, and in
+// turn where both carry the load. What the stand-in misses is put in as a defect
+// (defect_correction.hpp).
+#pragma once
+
+#include "contact/scene/scene.hpp"
+#include "contact/solve/normal.hpp"
+#include "contact/solve/tangential.hpp"
+
+namespace rollfem::contact {
+
+/// What the tangential operator gives: slip of steady rolling or relative displacement.
+enum class Motion {
+  rolling,  ///< slip w = s + D u, without a unit
+  shift,    ///< slip w = s + u in mm: a step of a shift or of transient rolling
+};
+
+/// The solvable stand-in for A: the half-space on the same grid.
+struct Preconditioner {
+  const Compliance& whole;            ///< A_half
+  const NormalOperator& normal;       ///< its normal block
+  const TangentialOperator& rolling;  ///< D A_half,tt; A_half,tt for Motion::shift
+  UpwindOrder upwind_order;
+  Motion motion = Motion::rolling;
+  /// D A_half,tt of first order: with it a `rolling` of second order is fitted to the leading edge
+  /// of every pressure (contact/leading_edge.hpp). Null: `rolling` is used as it is.
+  const TangentialOperator* first_order = nullptr;
+};
+
+/// How local normals stand to z on a curved patch. Approach and load are those along z, distance
+/// and displacement along the normal: a gap along z is `to_vertical` times the one along the
+/// normal, and in terms of q = carried p, whose sum is the force along z, the normal problem stays
+/// symmetric. Both empty in the plane; `carried` empty where the grid is the projection of the
+/// surface, whose elements carry their pressure whole.
+struct VerticalFrame {
+  Field to_vertical;
+  Field carried;
+};
+VerticalFrame vertical_frame(const PatchShape& shape);
+
+/// A problem for any compliance. On a curved patch (`shape`) approach and load are those of the
+/// patch frame, while distance, tractions and displacement are along the local normal and tangents.
+struct CoupledProblem {
+  Field undeformed_distance;
+  NormalLoad load;
+  double friction_coefficient = 0.0;
+  TangentialField rigid_slip;     ///< empty: frictionless
+  double curvature_weight = 1.0;  ///< of Response::curvature_slip in the slip
+  Field given_pressure;           ///< MPa, replaces the normal problem; empty: none
+  PatchShape shape;               ///< empty: plane
+  VerticalFrame frame;            ///< of the shape
+
+  bool frictionless() const { return rigid_slip.x.size() == 0 || friction_coefficient == 0.0; }
+  /// Friction carries a part of the prescribed force.
+  bool shares_load() const {
+    return load.force && given_pressure.size() == 0 &&
+           (shape.climb.size() != 0 || load.direction[0] != 0.0);
+  }
+};
+
+struct StandinSolution {
+  NormalSolution normal;
+  TangentialSolution tangential;  ///< fields of size 0 when frictionless
+};
+
+/// Zero of a response.
+Response zero_response(Eigen::Index size);
+
+/// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip.
+TangentialField defect_slip(const Preconditioner& standin, const CoupledProblem& problem,
+                            const Response& defect);
+
+/// Force on the wheel along the direction of the load, N.
+double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
+                        const StandinSolution& solution);
+
+/// Pressure without friction.
+NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem& problem,
+                             const Field& start);
+
+/// Tractions under the pressure of `solution`, and both in turn where friction carries a part of
+/// the load, until the load is met to 1e-10. `solution` holds the pressure of press_standin and a
+/// guess of the tractions.
+void solve_standin(const Preconditioner& standin, const CoupledProblem& problem, double tolerance,
+                   StandinSolution& solution);
+
+/// The same with a defect, from whatever `solution` holds; `tolerance` is that of the outer
+/// iteration.
+void solve_standin(const Preconditioner& standin, const CoupledProblem& problem,
+                   const Response& defect, double tolerance, StandinSolution& solution);
+
+/// Zero tractions, slipping wherever there is pressure. `slip` may be empty: 0.
+void set_frictionless(const ContactGrid& grid, TangentialSolution& tangential,
+                      const Field& pressure, const TangentialField& slip);
+
+}  // namespace rollfem::contact

@@ -1,0 +1,168 @@
+#include "fem/model/fem_elasticity.hpp"
+
+#include "contact/base/stopwatch.hpp"
+#include "fem/body/case_bodies.hpp"
+#include "fem/coupling/compliance.hpp"
+#include "fem/coupling/far_error.hpp"
+#include "fem/solver/memory.hpp"
+#include "fem/solver/rolling_inertia.hpp"
+#include "fem/solver/solver_choice.hpp"
+#include "fem/stress/stress_output.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/force_search.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::PatchSize;
+using contact::PointResult;
+using contact::Scene;
+using contact::Stopwatch;
+
+class FemElasticity : public contact::Elasticity {
+ public:
+  FemElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
+                const RunLayout& layout, const LevelOptions& options,
+                const contact::Progress& progress, LevelStart& start, contact::ModelResult& result);
+
+  const contact::Compliance& whole() const override { return *compliance_; }
+  const contact::SolvableCompliance& standin() const override { return *half_; }
+  bool same_normal_block() const override { return false; }
+  contact::Field extra_distance() const override {
+    return expansion_ ? expansion_->distance : contact::Field();
+  }
+  contact::TangentialField extra_slip() const override {
+    return expansion_ ? expansion_->slip : contact::TangentialField();
+  }
+  Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
+    return halfspace::rolling_stiffness(patch, scene_.material);
+  }
+  Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
+    return halfspace::shift_stiffness(patch, scene_.material);
+  }
+  void complete(std::size_t k, PointResult& point) override;
+
+ private:
+  void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
+  void make_meshes(const RunLayout& layout);
+  void make_compliance(const RunLayout& layout, const contact::ChartedGeometry& geometry);
+  void spin_wheel(const contact::ChartedGeometry& geometry, const contact::ContactGrid& grid);
+
+  const Scene& scene_;
+  const LevelOptions& options_;
+  const contact::Progress& progress_;
+  LevelStart& start_;
+  contact::ModelResult& result_;
+  CaseBodies bodies_;
+  bool factorisation_ = false;
+  Solvers solvers_;
+  std::unique_ptr<StressOutput> stresses_;
+  std::unique_ptr<FemCompliance> compliance_;
+  std::unique_ptr<halfspace::HalfspaceCompliance> half_;
+  std::optional<WheelExpansion> expansion_;  ///< of a wheel that turns fast
+};
+
+FemElasticity::FemElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
+                             const RunLayout& layout, const LevelOptions& options,
+                             const contact::Progress& progress, LevelStart& start,
+                             contact::ModelResult& result)
+    : scene_(scene), options_(options), progress_(progress), start_(start), result_(result) {
+  const Stopwatch mesh_watch;
+  make_meshes(layout);
+  result_.seconds["mesh"] = mesh_watch.seconds();
+  const Stopwatch solver_watch;
+  make_compliance(layout, geometry);
+  result_.seconds["factorisation"] = solver_watch.seconds();
+}
+
+void FemElasticity::tell(contact::ProgressEvent event, const std::string& stage,
+                         bool finished) const {
+  event.model = "fem";
+  event.stage = options_.stage_prefix + stage;
+  event.points = static_cast<int>(scene_.points.size());
+  event.finished = finished;
+  contact::report(progress_, event);
+}
+
+void FemElasticity::make_meshes(const RunLayout& layout) {
+  tell({}, "mesh");
+  bodies_ = make_bodies(scene_, layout.bodies, MPI_COMM_WORLD);
+  const Body& wheel = *bodies_.wheel;
+  const Body& rail = *bodies_.rail;
+  start_.reach = bodies_.reach;
+  start_.half = wheel.options().half && rail.options().half;
+  start_.notes.clear();
+  for (const std::string& note : bodies_.notes)
+    start_.notes += (start_.notes.empty() ? "" : "\n") + note;
+  start_.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
+  MemoryDemand demand =
+      memory_demand(static_cast<double>(wheel.unknowns()), static_cast<double>(rail.unknowns()),
+                    layout.bodies, options_.body_fields ? points_that_keep_bodies(scene_) : 0);
+  demand.algebraic = takes_algebraic(scene_, wheel) || takes_algebraic(scene_, rail);
+  demand.factorisation = factorisation_ = takes_factorisation(scene_, demand);
+  contact::ProgressEvent event;
+  event.note = fmt::format("wheel {} + rail {} unknowns, {}", wheel.unknowns(), rail.unknowns(),
+                           memory_note(demand, MPI_COMM_WORLD));
+  tell(event, "mesh", true);
+  refuse_beyond_memory(demand, layout.bodies.cell_size, MPI_COMM_WORLD);
+}
+
+void FemElasticity::make_compliance(const RunLayout& layout,
+                                    const contact::ChartedGeometry& geometry) {
+  tell({}, "linear solvers");
+  const Body& wheel = *bodies_.wheel;
+  const Body& rail = *bodies_.rail;
+  solvers_ = make_solvers(scene_, wheel, rail, factorisation_);
+  stresses_ = std::make_unique<StressOutput>(scene_, wheel, rail, layout.grid,
+                                             default_cell_size(scene_), options_.body_fields);
+  start_.bodies = stresses_->bodies();
+  compliance_ = std::make_unique<FemCompliance>(FemCompliance::Part{&wheel, solvers_.wheel.get()},
+                                                FemCompliance::Part{&rail, solvers_.rail.get()},
+                                                layout.grid, far_boundary_of(scene_));
+  start_.solver = solvers_.wheel->description();
+  contact::ProgressEvent event;
+  event.note = start_.solver;
+  tell(event, "linear solvers", true);
+  if (scene_.feels_inertia()) spin_wheel(geometry, layout.grid);
+  // The coupling of unlike materials is left to the defect: the stand-in need not know it.
+  half_ =
+      std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene_.material.uncoupled());
+}
+
+void FemElasticity::spin_wheel(const contact::ChartedGeometry& geometry,
+                               const contact::ContactGrid& grid) {
+  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_.wheel, geometry.geometry().surface, grid,
+                               scene_.upwind_order);
+  result_.notes.push_back(fmt::format(
+      "rolling at {:.4g} mm/s: inertia of wheel and rail; spinning moves the wheel's surface out "
+      "by {:.3g} mm, so that the axle stands higher: taken off the approach",
+      scene_.speed, -expansion_->distance.mean()));
+}
+
+void FemElasticity::complete(std::size_t k, PointResult& point) {
+  point.error_estimate["approach"] =
+      approach_left_out(scene_, point.normal_force, start_.reach) / point.approach;
+  if (!stresses_->wanted(k)) return;
+  const Stopwatch watch;
+  tell({}, "stresses");
+  stresses_->fill(k, point, compliance_->body_displacements(point.fields.traction),
+                  expansion_ ? &expansion_->displacement : nullptr);
+  tell({}, "stresses", true);
+  result_.seconds["stresses"] += watch.seconds();
+}
+
+}  // namespace
+
+std::unique_ptr<contact::Elasticity> make_fem_elasticity(
+    const Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
+    const LevelOptions& options, const contact::Progress& progress, LevelStart& start,
+    contact::ModelResult& result) {
+  return std::make_unique<FemElasticity>(scene, geometry, layout, options, progress, start, result);
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,32 @@
+// A case with the geometry of one patch put in by hand, as tests of single patches want it: what
+// the program makes of true profiles on a track comes as a contact::Scene from meshes/track.
+#pragma once
+
+#include "contact/scene/scene.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace rollfem::testing {
+
+struct PatchCase : contact::Case {
+  PatchCase() = default;
+  PatchCase(const contact::Case& input) : contact::Case(input) {}  // NOLINT: as good as a case
+
+  std::shared_ptr<const contact::PatchGeometry> patch;
+  std::optional<contact::ContactPlace> place;
+  std::vector<double> normal_forces;  ///< N, of each load point; empty: that of the case
+
+  /// What models take.
+  operator contact::Scene() const {  // NOLINT(google-explicit-constructor)
+    contact::Scene scene(static_cast<const contact::Case&>(*this));
+    if (patch) scene.geometry.surface = contact::ContactSurface::of(patch);
+    scene.place = place;
+    for (std::size_t k = 0; k < normal_forces.size(); ++k)
+      scene.points.at(k).load = {normal_forces[k], {}};
+    return scene;
+  }
+};
+
+}  // namespace rollfem::testing

@@ -1,0 +1,36 @@
+// The command-line program with a model of its own: what docs/developing.md shows under "Add a
+// model". tests/cli/toy_model.cpp calls it.
+#include "app/models.hpp"
+#include "app/program.hpp"
+#include "halfspace/model/registry.hpp"
+
+namespace {
+
+using namespace rollfem;
+
+/// The half-space with a compliance scaled by 0.9: bodies stiffer by 1/0.9.
+contact::ModelResult run_stiff(const contact::ModelInput& input, const contact::Progress& progress,
+                               contact::Checkpoint* checkpoint) {
+  contact::ModelInput stiff = input;
+  stiff.wheel.material.young_modulus /= 0.9;
+  stiff.rail.material.young_modulus /= 0.9;
+  stiff.material = contact::combine(stiff.wheel.material, stiff.rail.material);
+  contact::ModelResult result = halfspace::run_model("halfspace", stiff, progress, checkpoint);
+  result.name = "stiff";
+  return result;
+}
+
+contact::ModelInfo stiff_model() {
+  contact::ModelInfo stiff{"stiff", "stiff half-space", "the half-space, its compliance times 0.9"};
+  stiff.takes = halfspace::models().at("halfspace").takes;
+  stiff.run = run_stiff;
+  stiff.refinements = halfspace::models().at("halfspace").refinements;
+  stiff.has_stress = stiff.in_compare = true;
+  return stiff;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return app::run_program(argc, argv, app::built_in_models().add(stiff_model()));
+}

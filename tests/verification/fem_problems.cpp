@@ -1,0 +1,156 @@
+// Every problem of the half-space by finite elements, on bodies that curve gently: both models pose
+// one problem, so that they differ by elasticity alone; the cells are coarse, a fifth of the patch,
+// and finite elements then transmit some per cent more at the same creepage.
+#include "fem/model/contact_run.hpp"
+#include "fem/model/model.hpp"
+#include "fem/model/run_layout.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/mpi_environment.hpp"
+#include "support/thesis_cases.hpp"
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace rollfem;
+using contact::Case;
+using contact::ModelResult;
+using contact::PointResult;
+using contact::Problem;
+
+constexpr double cell = 1.2;  // mm, a fifth of the patch of case b
+
+Case case_b() {
+  Case input = rollfem::testing::thesis_case('b');
+  input.fem.cell_size = cell;
+  input.contact_grid.cell_size = {{cell, cell}};
+  input.fem.extent = 30.0;
+  input.fem.linear_solver = contact::LinearSolver::factorisation;
+  input.output.fields = false;
+  input.output.stress_maxima = false;
+  return input;
+}
+
+ModelResult finite_elements(const Case& input) {
+  return fem::run_level(input, {cell, "", false, nullptr}, {});
+}
+
+ModelResult half_space(const Case& input) {
+  return halfspace::run_halfspace(input, {});
+}
+
+double sliding(const Case& input, const PointResult& point) {
+  return input.friction_coefficient * point.normal_force;
+}
+
+TEST(FemProblems, PrescribedForceIsMetAndNeedsTheCreepageOfTheHalfSpace) {
+  Case input = case_b();
+  input.rolling.creepages = {{}, {0.0, 0.0, 5e-5}};
+  input.rolling.forces = {{-10e3, {}}, {-8e3, 6e3}};
+  const ModelResult fem = finite_elements(input);
+  const ModelResult half = half_space(input);
+  for (std::size_t k = 0; k < 2; ++k) {
+    SCOPED_TRACE(k);
+    const PointResult& point = fem.points[k];
+    EXPECT_NEAR(point.normal_force, 50e3, 1e-6 * 50e3);
+    EXPECT_NEAR(point.longitudinal_force, *input.rolling.forces[k].longitudinal, 2e-5 * 27.5e3);
+    const contact::Creepage& found = half.points[k].creepage;
+    EXPECT_NEAR(point.creepage.longitudinal, found.longitudinal, 0.1 * found.longitudinal);
+  }
+  EXPECT_NEAR(fem.points[1].lateral_force, 6e3, 2e-5 * 27.5e3);
+}
+
+TEST(FemProblems, ShiftLeavesAnAdhesionAreaLikeCattaneos) {
+  // Cattaneo (1938): the adhesion area is the contact scaled by (1 - F/(mu N))^(1/3).
+  Case input = case_b();
+  input.rolling.problem = Problem::shift;
+  input.rolling.creepages.assign(2, {});
+  input.history.assign(2, {});
+  input.rolling.forces = {{-0.5 * 27.5e3, {}}, {-0.8 * 27.5e3, {}}};
+  const ModelResult fem = finite_elements(input);
+  const ModelResult half = half_space(input);
+  for (std::size_t k = 0; k < 2; ++k) {
+    SCOPED_TRACE(k);
+    EXPECT_NEAR(fem.points[k].longitudinal_force, *input.rolling.forces[k].longitudinal, 1.0);
+    const double part = -*input.rolling.forces[k].longitudinal / 27.5e3;
+    EXPECT_NEAR(fem.points[k].adhesion_area / fem.points[k].contact_area,
+                std::pow(1.0 - part, 2.0 / 3.0), 0.05);
+    // A clamped segment is stiffer than a half-space by some of a/L.
+    EXPECT_NEAR(fem.points[k].longitudinal_shift / half.points[k].longitudinal_shift, 1.0, 0.06);
+  }
+}
+
+TEST(FemProblems, TransientRollingEndsInTheSteadyState) {
+  Case steady = case_b();
+  steady.rolling.creepages = {{1e-3, 5e-4, 0.0}};
+  // Steps in time make the plain difference, without the fit to the leading edge.
+  steady.rolling.leading_edge = contact::LeadingEdge::plain;
+  const PointResult end = finite_elements(steady).points.front();
+  Case input = steady;
+  input.rolling.problem = Problem::transient;
+  input.rolling.creepages.assign(24, {1e-3, 5e-4, 0.0});
+  input.history.assign(24, {});
+  for (auto& step : input.history) step.step_length = cell;
+  const ModelResult rolled = finite_elements(input);
+  EXPECT_LT(std::abs(rolled.points.front().longitudinal_force),
+            0.4 * std::abs(end.longitudinal_force));
+  const PointResult& last = rolled.points.back();
+  EXPECT_NEAR(last.longitudinal_force, end.longitudinal_force, 0.02 * sliding(steady, end));
+  EXPECT_NEAR(last.lateral_force, end.lateral_force, 0.02 * sliding(steady, end));
+}
+
+TEST(FemProblems, UnlikeMaterialsCoupleAsInTheHalfSpace) {
+  Case input = case_b();
+  input.wheel.material = {70e3, 0.33};
+  input.rolling.creepages = {{1e-3, 0.0, 0.0}, {0.0, 1e-3, 0.0}};
+  const ModelResult fem = finite_elements(input);
+  const ModelResult half = half_space(input);
+  for (std::size_t k = 0; k < 2; ++k) {
+    SCOPED_TRACE(k);
+    const double unit = sliding(input, half.points[k]);
+    EXPECT_NEAR(fem.points[k].max_pressure / half.points[k].max_pressure, 1.0, 0.02);
+    EXPECT_NEAR(fem.points[k].longitudinal_force, half.points[k].longitudinal_force, 0.03 * unit);
+    EXPECT_NEAR(fem.points[k].lateral_force, half.points[k].lateral_force, 0.03 * unit);
+  }
+}
+
+TEST(FemProblems, GivenPressureAndQuadraticDistance) {
+  Case given = case_b();
+  given.given_pressure = contact::GivenPressure{6.0, 6.0, 700.0};
+  given.rolling.creepages = {{1e-3, 0.0, 1e-4}};
+  const PointResult fem = finite_elements(given).points.front();
+  const PointResult half = half_space(given).points.front();
+  EXPECT_NEAR(fem.normal_force / half.normal_force, 1.0, 0.01);
+  EXPECT_NEAR(fem.longitudinal_force, half.longitudinal_force, 0.03 * sliding(given, half));
+  EXPECT_NEAR(fem.lateral_force, half.lateral_force, 0.03 * sliding(given, half));
+
+  Case flat = case_b();
+  flat.wheel.rolling_radius = flat.rail.transverse_radius = contact::infinity;
+  flat.undeformed_distance.quadratic = {{0.5 / 405.0, 0.5 / 500.0}};
+  flat.rolling.creepages = {{1e-3, 0.0, 0.0}};
+  const PointResult blocks = finite_elements(flat).points.front();
+  const PointResult plane = half_space(flat).points.front();
+  EXPECT_NEAR(blocks.max_pressure / plane.max_pressure, 1.0, 0.01);
+  EXPECT_NEAR(blocks.longitudinal_force, plane.longitudinal_force, 0.03 * sliding(flat, plane));
+}
+
+TEST(FemProblems, ExtraSlipIsThatOfTheSurfaceUnlessTheCaseSaysOtherwise) {
+  Case input = case_b();
+  input.rail.transverse_radius = 50.0;
+  input.wheel.transverse_radius = -51.282;
+  const auto coefficient = [&](contact::ExtraSlip slip) {
+    input.rolling.extra_slip = slip;
+    return finite_elements(input).points.front().traction_coefficient;
+  };
+  // At no creepage the wheel drives beside its middle, as on the curved half-space.
+  Case curved = input;
+  curved.halfspace.surface = contact::SurfaceForm::curved;
+  EXPECT_NEAR(coefficient(contact::ExtraSlip::automatic),
+              half_space(curved).points.front().traction_coefficient, 0.015);
+  EXPECT_NEAR(coefficient(contact::ExtraSlip::none), 0.005, 0.006);
+}
+
+}  // namespace

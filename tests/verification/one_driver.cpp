@@ -1,0 +1,153 @@
+// One driver for every elasticity: with the half-space's compliance behind the iteration that
+// finite elements take, every problem gives the half-space's numbers, so that what two models
+// disagree about is elasticity and nothing else.
+#include "contact/solve/contact_run.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/level.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
+#include <utility>
+
+namespace {
+
+using namespace rollfem;
+using contact::Case;
+using contact::PointResult;
+using contact::Problem;
+using contact::Scene;
+
+/// The half-space as if it could not be solved with: an unknown compliance, preconditioned by the
+/// half-space of other constants, as finite elements are.
+class Disguised : public contact::Elasticity {
+ public:
+  Disguised(const Scene& scene, const contact::ContactGrid& grid, double standin_scale)
+      : whole_(grid, scene.material), standin_(grid, scaled(scene.material, standin_scale)) {}
+  const contact::Compliance& whole() const override { return whole_; }
+  const contact::SolvableCompliance& standin() const override { return standin_; }
+  bool same_normal_block() const override { return false; }
+  Eigen::Vector2d rolling_stiffness(const contact::PatchSize&) const override {
+    return Eigen::Vector2d::Constant(2e8);
+  }
+  Eigen::Vector2d shift_stiffness(const contact::PatchSize&) const override {
+    return Eigen::Vector2d::Constant(1e7);
+  }
+
+ private:
+  static contact::CombinedMaterial scaled(contact::CombinedMaterial material, double factor) {
+    material.shear_modulus *= factor;
+    material.contact_modulus *= factor;
+    return material.uncoupled();
+  }
+
+  halfspace::HalfspaceCompliance whole_;
+  halfspace::HalfspaceCompliance standin_;
+};
+
+/// `standin`: constants of the half-space that preconditions over the true ones; 0: the half-space
+/// is solved with directly.
+contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, double standin) {
+  const contact::ChartedGeometry geometry(scene.geometry, halfspace::halfspace_chart(scene));
+  contact::RunOptions options;
+  options.accuracy = {1e-9, 1e-8, 100, 5};
+  options.force_accuracy = options.accuracy;
+  options.force_tolerance = 1e-9;
+  options.cheap_pressure = standin == 0.0;
+  const contact::Progress silent;
+  contact::ContactRun run(scene, geometry, options, silent, nullptr);
+  const bool inside = run.solve(grid, [&]() -> std::unique_ptr<contact::Elasticity> {
+    if (standin > 0.0) return std::make_unique<Disguised>(scene, grid, standin);
+    return halfspace::halfspace_elasticity(scene, geometry, grid);
+  });
+  EXPECT_TRUE(inside);
+  return run.take_result();
+}
+
+/// With the half-space itself as its stand-in to rounding; with another one to the tolerance of the
+/// outer iteration, where the difference along rolling is the same on every element.
+void expect_alike(Case input) {
+  for (const auto& [standin, tolerance] : {std::pair{1.0, 1e-7}, {1.1, 2e-5}}) {
+    SCOPED_TRACE(standin);
+    if (standin != 1.0) input.rolling.leading_edge = contact::LeadingEdge::plain;
+    const Scene scene(input);
+    const contact::ContactGrid grid = halfspace::potential_area(scene);
+    const auto plain = run(scene, grid, 0.0).points;
+    const auto other = run(scene, grid, standin).points;
+    ASSERT_EQ(plain.size(), other.size());
+    for (std::size_t k = 0; k < plain.size(); ++k) {
+      SCOPED_TRACE(k);
+      const double sliding = scene.friction_coefficient * plain[k].normal_force;
+      EXPECT_NEAR(other[k].normal_force / plain[k].normal_force, 1.0, tolerance);
+      EXPECT_NEAR(other[k].max_pressure / plain[k].max_pressure, 1.0, tolerance);
+      EXPECT_NEAR(other[k].longitudinal_force, plain[k].longitudinal_force, tolerance * sliding);
+      EXPECT_NEAR(other[k].lateral_force, plain[k].lateral_force, tolerance * sliding);
+      EXPECT_NEAR(other[k].creepage.longitudinal, plain[k].creepage.longitudinal, 1e-2 * tolerance);
+    }
+  }
+}
+
+Case small_case() {
+  Case input = rollfem::testing::thesis_case('b');
+  input.contact_grid.elements_across = 16;
+  return input;
+}
+
+TEST(OneDriver, SteadyRolling) {
+  Case input = small_case();
+  input.rolling.creepages = {{1e-3, 0.0, 0.0}, {1e-3, 5e-4, 1e-4}};
+  expect_alike(input);
+}
+
+TEST(OneDriver, PrescribedForces) {
+  Case input = small_case();
+  input.rolling.creepages = {{}, {0.0, 0.0, 1e-4}};
+  input.rolling.forces = {{-12e3, {}}, {-9e3, 6e3}};
+  expect_alike(input);
+}
+
+TEST(OneDriver, ApproachInPlaceOfTheForce) {
+  Case input = small_case();
+  input.load.normal_force.reset();
+  input.load.approach = 0.04;
+  input.rolling.creepages = {{2e-3, 0.0, 0.0}};
+  expect_alike(input);
+}
+
+TEST(OneDriver, ShiftAndTransientSteps) {
+  Case input = small_case();
+  input.rolling.problem = Problem::shift;
+  input.rolling.creepages.assign(2, {});
+  input.history.assign(2, {});
+  input.history[0].longitudinal_shift = 2e-3;
+  input.history[1].longitudinal_shift = -1e-3;
+  expect_alike(input);
+  input.rolling.problem = Problem::transient;
+  input.rolling.creepages.assign(3, {1e-3, 5e-4, 0.0});
+  input.history.assign(3, {});
+  for (auto& step : input.history) step.step_length = 1.0;
+  expect_alike(input);
+}
+
+TEST(OneDriver, AGivenPressure) {
+  Case input = small_case();
+  input.given_pressure = contact::GivenPressure{5.0, 4.0, 800.0};
+  input.rolling.creepages = {{1e-3, 0.0, 1e-4}};
+  expect_alike(input);
+}
+
+TEST(OneDriver, CurvedSurfaceCarriesTheLoadWithFriction) {
+  Case input = rollfem::testing::thesis_case('b');
+  input.contact_grid.elements_across = 16;
+  input.rail.transverse_radius = 50.0;
+  input.wheel.transverse_radius = -51.282;
+  input.halfspace.surface = contact::SurfaceForm::curved;
+  input.rolling.creepages = {{1e-3, 2e-3, 0.0}, {}};
+  input.rolling.forces = {{}, {-8e3, -8e3}};
+  expect_alike(input);
+  for (const PointResult& point : halfspace::run_halfspace(input, {}).points)
+    EXPECT_NEAR(point.normal_force, 50e3, 1e-6 * 50e3);
+}
+
+}  // namespace
