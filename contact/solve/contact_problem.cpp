@@ -5,6 +5,16 @@
 
 namespace rollfem::contact {
 
+namespace {
+
+/// The stand-in whose second-order difference is fitted to the leading edge of every pressure anew.
+Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order) {
+  return {standin, standin.normal(), standin.rolling(order),
+          order,   Motion::rolling,  &standin.rolling(UpwindOrder::first)};
+}
+
+}  // namespace
+
 ContactProblem::ContactProblem(const Compliance& whole, const SolvableCompliance& standin,
                                ContactConditions conditions)
     : whole_(whole),
@@ -78,14 +88,13 @@ ContactState ContactProblem::solve_uncoupled(const NormalLoad& load, const Tange
   if (start) solution.tangential.traction = start->tangential.traction;
   // One pressure serves all load points unless friction carries a part of the load: then the
   // leading edge is found anew with every pressure.
-  const bool refit = problem.shares_load() && fitted(motion.motion);
-  const Preconditioner standin{standin_,
-                               standin_.normal(),
-                               refit ? standin_.rolling(conditions_.upwind_order)
-                                     : tangential_operator(motion.motion, solution.normal.pressure),
-                               conditions_.upwind_order,
-                               motion.motion,
-                               refit ? &standin_.rolling(UpwindOrder::first) : nullptr};
+  const UpwindOrder order = conditions_.upwind_order;
+  const Preconditioner standin =
+      problem.shares_load() && fitted(motion.motion)
+          ? refitted(standin_, order)
+          : Preconditioner{standin_, standin_.normal(),
+                           tangential_operator(motion.motion, solution.normal.pressure), order,
+                           motion.motion};
   solve_standin(standin, problem, accuracy.tangential, solution);
   ContactState state;
   state.normal = std::move(solution.normal);
@@ -102,14 +111,14 @@ ContactState ContactProblem::solve_coupled(const NormalLoad& load, const Tangent
                                            const OuterCallback& each_iteration, bool friction) {
   const bool same_normal = conditions_.same_normal_block;
   const CoupledProblem problem = coupled_problem(load, motion, friction);
-  const bool refit = !same_normal && fitted(motion.motion);
-  const TangentialOperator& tangential =
-      refit ? standin_.rolling(conditions_.upwind_order)
-            : tangential_operator(motion.motion, same_normal ? press(load).pressure : Field());
-  const Preconditioner standin{
-      standin_,      standin_.normal(),
-      tangential,    conditions_.upwind_order,
-      motion.motion, refit ? &standin_.rolling(UpwindOrder::first) : nullptr};
+  const UpwindOrder order = conditions_.upwind_order;
+  const Preconditioner standin =
+      !same_normal && fitted(motion.motion)
+          ? refitted(standin_, order)
+          : Preconditioner{
+                standin_, standin_.normal(),
+                tangential_operator(motion.motion, same_normal ? press(load).pressure : Field()),
+                order, motion.motion};
   OuterOptions options;
   options.tolerance = accuracy.coupled;
   options.max_iterations = accuracy.max_iterations;
