@@ -81,7 +81,7 @@ contact::TangentialSolution solve(const HalfspaceCompliance& compliance,
   const contact::TangentialOperator& second = compliance.rolling(UpwindOrder::second);
   if (scheme == Scheme::second_order) return contact::solve_tangential(second, problem, {}, start);
   const contact::EdgeFittedRolling fitted(
-      first, second, contact::upwind_weights(compliance.grid(), problem.traction_bound));
+      first, second, contact::upwind_weights(compliance.grid(), problem.pressure));
   return contact::solve_tangential(fitted, problem, {}, start);
 }
 
@@ -101,7 +101,7 @@ void steady_rolling(benchmark::State& state, Scheme scheme) {
       const ContactGrid grid = benchmark9.grid(n);
       const HalfspaceCompliance compliance(grid, testing::Benchmark9::material());
       const contact::TangentialProblem problem = benchmark9.problem(grid);
-      const Field& g = problem.traction_bound;
+      const Field& g = problem.pressure;
       TangentialField start;
       if (n > first)
         start = {contact::interpolated(coarse, relative.x, grid, inside).cwiseProduct(g),

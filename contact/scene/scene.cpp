@@ -36,7 +36,7 @@ Scene::Scene(const Case& input)
       wheel{input.wheel.material, input.wheel.mesh},
       rail{input.rail.material, input.rail.mesh},
       material(combine(input.wheel.material, input.rail.material)),
-      friction_coefficient(input.friction_coefficient),
+      friction_law(coulomb(input.friction_coefficient)),
       problem(input.rolling.problem),
       given_pressure(input.given_pressure),
       speed(input.rolling.speed),

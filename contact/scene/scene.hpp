@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/base/accuracy.hpp"
+#include "contact/scene/friction_law.hpp"
 #include "contact/scene/geometry.hpp"
 
 namespace rollfem::contact {
@@ -53,7 +54,7 @@ struct Scene {
   SceneBody wheel;
   SceneBody rail;
   CombinedMaterial material;
-  double friction_coefficient = 0.0;
+  Friction friction_law;  ///< as the case gives it; null where mu is 0
   Problem problem = Problem::steady;
   std::vector<LoadPoint> points;
   std::optional<GivenPressure> given_pressure;
@@ -72,8 +73,10 @@ struct Scene {
   OutputOptions output;
 
   bool is_history() const { return problem == Problem::shift || problem == Problem::transient; }
-  /// 0 without friction.
-  double friction() const { return problem == Problem::frictionless ? 0.0 : friction_coefficient; }
+  /// The law that acts; null without friction.
+  Friction friction() const { return problem == Problem::frictionless ? nullptr : friction_law; }
+  /// mu of the law, also where the problem is without friction.
+  double friction_coefficient() const { return coefficient_of(friction_law); }
   bool has_profiles() const { return geometry.has_profiles(); }
   /// Inertia of wheel and rail is asked for.
   bool feels_inertia() const { return fem.inertia && speed > 0.0; }

@@ -52,7 +52,8 @@ CoupledProblem ContactProblem::coupled_problem(const NormalLoad& load,
   problem.shape = conditions_.shape;
   problem.frame = frame_;
   if (!friction) return problem;
-  problem.friction_coefficient = conditions_.friction;
+  problem.friction = conditions_.friction;
+  problem.slip_factor = motion.slip_factor;
   problem.rigid_slip = motion.rigid_slip;
   problem.curvature_weight = motion.curvature_weight;
   return problem;
@@ -61,7 +62,7 @@ CoupledProblem ContactProblem::coupled_problem(const NormalLoad& load,
 ContactState ContactProblem::solve(const NormalLoad& load, const TangentialMotion& motion,
                                    const ContactState* start, const ContactAccuracy& accuracy,
                                    const OuterCallback& each_iteration) {
-  const bool friction = conditions_.friction > 0.0;
+  const bool friction = conditions_.friction != nullptr;
   ContactState state;
   if (!friction && conditions_.same_normal_block)
     state = frictionless(load, motion);

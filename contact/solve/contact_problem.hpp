@@ -14,9 +14,9 @@ namespace rollfem::contact {
 
 /// What stays the same from load to load.
 struct ContactConditions {
-  Field undeformed_distance;  ///< mm; not read with a given pressure
-  Field given_pressure;       ///< MPa, replaces the normal problem; empty: none
-  double friction = 0.0;      ///< mu; 0: frictionless
+  Field undeformed_distance;    ///< mm; not read with a given pressure
+  Field given_pressure;         ///< MPa, replaces the normal problem; empty: none
+  Friction friction = nullptr;  ///< null: frictionless
   UpwindOrder upwind_order = UpwindOrder::second;
   PatchShape shape{};  ///< empty: plane
   /// Second-order differences fitted to the leading edge (leading_edge.hpp): forces converge with

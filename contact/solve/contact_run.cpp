@@ -150,7 +150,7 @@ ContactState ContactRun::start_for(std::size_t k) {
   if (!coarser || k >= coarser->relative_traction.size()) return start;
   const TangentialField& relative = coarser->relative_traction[k];
   const Field inside = (coarser->pressure.array() > 0.0).cast<double>();
-  const Field bound = friction_ * start.normal.pressure;
+  const Field bound = traction_bound(friction_, start.normal.pressure);
   const auto scaled = [&](const Field& values) -> Field {
     const Field here = interpolated(coarser->grid, values, result_.grid, inside);
     return here.cwiseProduct(bound);
@@ -187,7 +187,7 @@ ForceSearch ContactRun::search_for(std::size_t k) {
   if (scene_.problem == Problem::steady) {
     search.stiffness = elasticity_->rolling_stiffness(patch);
     search.start = first_creepage(point.force, motion_->given_unknowns(k), search.stiffness,
-                                  friction_ * normal.normal_force);
+                                  coefficient_of(friction_) * normal.normal_force);
   } else {
     search.stiffness = elasticity_->shift_stiffness(patch);
     if (scene_.problem == Problem::transient) search.stiffness *= point.step_length;
@@ -203,12 +203,12 @@ ForceSearch ContactRun::search_for(std::size_t k) {
 /// Solves the point with the prescribed force; returns the creepages (shifts) found.
 Vector2d ContactRun::find_force(std::size_t k) {
   const PrescribedForce& wanted = scene_.points[k].force;
-  if (friction_ == 0.0)
+  if (!friction_)
     throw SolveError(
         "prescribed force: without friction there is no tangential force; do: prescribe the "
         "creepage, or a friction coefficient above 0");
-  refuse_force_beyond_friction(wanted,
-                               friction_ * problem_->press(scene_.points[k].load).normal_force);
+  refuse_force_beyond_friction(
+      wanted, friction_->coefficient() * problem_->press(scene_.points[k].load).normal_force);
   ContactState start = start_for(k);
   int iterations = 0;
   const ForceLaw law = [&](const Vector2d& unknowns) {
@@ -216,7 +216,7 @@ Vector2d ContactRun::find_force(std::size_t k) {
     iterations += state_.iterations;
     start = state_;
     const auto force = transmitted_force(result_.grid, state_.traction(), shape_);
-    return TransmittedForce{{force[0], force[1]}, friction_ * force[2]};
+    return TransmittedForce{{force[0], force[1]}, friction_->coefficient() * force[2]};
   };
   const FoundCreepage found = find_creepage(law, wanted, search_for(k));
   state_.iterations = iterations;
@@ -274,8 +274,9 @@ void ContactRun::solve_point(std::size_t k) {
 void ContactRun::remember(std::size_t k) {
   motion_->advance(k, {state_.displacement.x, state_.displacement.y});
   if (scene_.is_history()) return;
-  const Field inverse_bound = state_.normal.pressure.unaryExpr(
-      [this](double p) { return p > 0.0 && friction_ > 0.0 ? 1.0 / (friction_ * p) : 0.0; });
+  const Field inverse_bound =
+      traction_bound(friction_, state_.normal.pressure, state_.tangential.slip)
+          .unaryExpr([](double g) { return g > 0.0 ? 1.0 / g : 0.0; });
   result_.relative_traction.push_back({state_.tangential.traction.x.cwiseProduct(inverse_bound),
                                        state_.tangential.traction.y.cwiseProduct(inverse_bound)});
 }
@@ -285,7 +286,8 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   motion_->describe(k, unknowns, point);
   point.fields.traction = state_.traction();
   point.fields.slip = state_.tangential.slip;
-  point.fields.traction_bound = friction_ * state_.normal.pressure;
+  point.fields.traction_bound =
+      traction_bound(friction_, state_.normal.pressure, state_.tangential.slip);
   point.fields.gap = state_.normal.gap;
   point.fields.displacement = state_.displacement;
   point.fields.state = state_.tangential.state;

@@ -112,7 +112,7 @@ class ContactRun {
   RunOptions options_;
   const Progress& progress_;
   PointStore* store_;
-  double friction_;
+  Friction friction_;  ///< null: none
   PatchShape shape_;
   std::unique_ptr<Elasticity> elasticity_;
   std::unique_ptr<ContactProblem> problem_;

@@ -98,10 +98,10 @@ double leading_weight(double beyond_border) {
          (0.202677 + e * (1.024325 + e * (-0.379957 + e * (0.156733 - e * 0.059435))));
 }
 
-Field upwind_weights(const ContactGrid& grid, const Field& traction_bound) {
+Field upwind_weights(const ContactGrid& grid, const Field& pressure) {
   Field weights = Field::Constant(grid.size(), usual_weight);
   std::vector<std::vector<Run>> rows;
-  for (int j = 0; j < grid.ny; ++j) rows.push_back(runs_of_row(grid, traction_bound, j));
+  for (int j = 0; j < grid.ny; ++j) rows.push_back(runs_of_row(grid, pressure, j));
   const std::vector<Run> none;
   const double smoothing = smoothing_across_rows(grid);
   for (int j = 0; j < grid.ny; ++j) {

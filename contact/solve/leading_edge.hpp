@@ -13,9 +13,8 @@ namespace rollfem::contact {
 
 /// kappa per element: D u_i = (1 + kappa) d_i - kappa d_{i+1} with d_i = (u_i - u_{i+1}) / dx. It
 /// is 1/2, the usual second order, but for the leading element of every run of contact elements
-/// (bound > 0) of a row that falls to an edge as sqrt(d). `traction_bound`: of any scale, e.g. the
-/// pressure.
-Field upwind_weights(const ContactGrid& grid, const Field& traction_bound);
+/// (pressure > 0, on any scale) of a row that falls to an edge as sqrt(d).
+Field upwind_weights(const ContactGrid& grid, const Field& pressure);
 
 /// The weight of a leading element whose edge lies `beyond_border` elements ahead of the element's
 /// leading border, -0.75 to 0.75 (clamped): with it the discrete solution of a half-plane's

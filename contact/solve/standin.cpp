@@ -83,8 +83,8 @@ double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
 void solve_tractions(const Preconditioner& standin, const CoupledProblem& problem,
                      const TangentialField& from_defect, double tolerance,
                      StandinSolution& solution) {
-  TangentialProblem tangential{problem.friction_coefficient * solution.normal.pressure,
-                               problem.rigid_slip};
+  TangentialProblem tangential{solution.normal.pressure, problem.rigid_slip, problem.friction,
+                               problem.slip_factor};
   if (from_defect.x.size() != 0) {
     tangential.rigid_slip.x += from_defect.x;
     tangential.rigid_slip.y += from_defect.y;

@@ -43,14 +43,15 @@ VerticalFrame vertical_frame(const PatchShape& shape);
 struct CoupledProblem {
   Field undeformed_distance;
   NormalLoad load;
-  double friction_coefficient = 0.0;
+  Friction friction = nullptr;    ///< null: frictionless
   TangentialField rigid_slip;     ///< empty: frictionless
+  double slip_factor = 1.0;       ///< slip as the friction law takes it over that of the problem
   double curvature_weight = 1.0;  ///< of Response::curvature_slip in the slip
   Field given_pressure;           ///< MPa, replaces the normal problem; empty: none
   PatchShape shape;               ///< empty: plane
   VerticalFrame frame;            ///< of the shape
 
-  bool frictionless() const { return rigid_slip.x.size() == 0 || friction_coefficient == 0.0; }
+  bool frictionless() const { return rigid_slip.x.size() == 0 || !friction; }
   /// Friction carries a part of the prescribed force.
   bool shares_load() const {
     return load.force && given_pressure.size() == 0 &&

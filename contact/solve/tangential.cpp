@@ -26,13 +26,12 @@ constexpr int krylov_restart = 80;
 
 void check_problem(const TangentialOperator& compliance, const TangentialProblem& problem) {
   const int n = compliance.grid().size();
-  if (problem.traction_bound.size() != n || problem.rigid_slip.x.size() != n ||
+  if (problem.pressure.size() != n || problem.rigid_slip.x.size() != n ||
       problem.rigid_slip.y.size() != n)
     throw SolveError(
-        "tangential problem: traction bound and rigid slip must be given for every "
-        "contact element");
-  if (!problem.traction_bound.allFinite() || problem.traction_bound.minCoeff() < 0.0)
-    throw SolveError("tangential problem: the traction bound must be finite and not negative");
+        "tangential problem: pressure and rigid slip must be given for every contact element");
+  if (!problem.pressure.allFinite() || problem.pressure.minCoeff() < 0.0)
+    throw SolveError("tangential problem: the pressure must be finite and not negative");
   if (!problem.rigid_slip.x.allFinite() || !problem.rigid_slip.y.allFinite())
     throw SolveError("tangential problem: the rigid slip is not finite everywhere");
 }
@@ -44,6 +43,7 @@ struct Point {
   VectorXd slip;
   VectorXd value;     ///< F, MPa
   VectorXd trial;     ///< p - r w
+  VectorXd bound;     ///< g; empty: that at rest
   double norm = 0.0;  ///< of F
 };
 
@@ -55,11 +55,13 @@ class Newton {
         problem_(problem),
         options_(options),
         r_(1.0 / compliance.diagonal()) {
-    for (Index k = 0; k < problem.traction_bound.size(); ++k)
-      if (problem.traction_bound[k] > 0.0) elements_.push_back(k);
+    const Field at_rest = traction_bound(problem.friction, problem.pressure);
+    for (Index k = 0; k < at_rest.size(); ++k)
+      if (at_rest[k] > 0.0) elements_.push_back(k);
     count_ = static_cast<Index>(elements_.size());
     bound_.resize(count_);
-    for (Index e = 0; e < count_; ++e) bound_[e] = problem.traction_bound[elements_[e]];
+    for (Index e = 0; e < count_; ++e) bound_[e] = at_rest[elements_[e]];
+    feels_slip_ = problem.friction && problem.friction->feels_slip();
     rigid_slip_ = gathered(problem.rigid_slip);
   }
 
@@ -95,7 +97,7 @@ class Newton {
   }
 
   TangentialField scattered(const VectorXd& values) const {
-    const Index n = problem_.traction_bound.size();
+    const Index n = problem_.pressure.size();
     TangentialField field{Field::Zero(n), Field::Zero(n)};
     for (Index e = 0; e < count_; ++e) {
       field.x[elements_[e]] = values[e];
@@ -108,20 +110,38 @@ class Newton {
     return gathered(compliance_.apply(scattered(traction)));
   }
 
-  void project(VectorXd& traction) const {
+  void project(VectorXd& traction, const VectorXd& bound) const {
     for (Index e = 0; e < count_; ++e) {
       const double size = std::hypot(traction[e], traction[count_ + e]);
-      if (size <= bound_[e]) continue;
-      traction[e] *= bound_[e] / size;
-      traction[count_ + e] *= bound_[e] / size;
+      if (size <= bound[e]) continue;
+      traction[e] *= bound[e] / size;
+      traction[count_ + e] *= bound[e] / size;
     }
   }
+
+  /// What the law says of an element at a slip of the problem.
+  FrictionLaw::Bound law_at(Index e, double slip) const {
+    FrictionLaw::Bound bound =
+        problem_.friction->bound(problem_.pressure[elements_[e]], problem_.slip_factor * slip);
+    bound.by_slip *= problem_.slip_factor;
+    return bound;
+  }
+
+  VectorXd bound_at(const VectorXd& slip) const {
+    VectorXd bound(count_);
+    for (Index e = 0; e < count_; ++e)
+      bound[e] = law_at(e, std::hypot(slip[e], slip[count_ + e])).value;
+    return bound;
+  }
+
+  const VectorXd& bound_of(const Point& point) const { return feels_slip_ ? point.bound : bound_; }
 
   Point evaluated(VectorXd traction, VectorXd slip) const {
     Point point;
     point.trial = traction - r_ * slip;
+    if (feels_slip_) point.bound = bound_at(slip);
     VectorXd projected = point.trial;
-    project(projected);
+    project(projected, bound_of(point));
     point.value = traction - projected;
     point.norm = point.value.norm();
     point.traction = std::move(traction);
@@ -138,9 +158,9 @@ class Newton {
 
   /// The projected full-stick solution or what the caller has, whichever is nearer.
   Point first_point(const TangentialField& start) {
-    if (start.x.size() == problem_.traction_bound.size() && start.y.size() == start.x.size()) {
+    if (start.x.size() == problem_.pressure.size() && start.y.size() == start.x.size()) {
       VectorXd traction = gathered(start);
-      project(traction);
+      project(traction, bound_);
       Point given = evaluated(std::move(traction));
       if (given.norm < 0.1 * at_rest().norm) return given;
       Point stick = projected_full_stick();
@@ -159,29 +179,47 @@ class Newton {
               {full_stick_tolerance, options_.max_krylov_iterations, krylov_restart});
     krylov_iterations_ += stick.iterations;
     VectorXd traction = stick.solution;
-    project(traction);
+    project(traction, bound_);
     return evaluated(std::move(traction));
   }
 
   /// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip
-  /// B = (g / |q|) (I - n n^T) with n = q / |q|, q = p - r w.
+  /// B = (g / |q|) (I - n n^T) with n = q / |q|, q = p - r w. A law that feels slip adds
+  /// -n g' (w/|w|)^T T.
   struct Linearisation {
     std::vector<char> adheres;
-    VectorXd normal;  ///< n of the slipping elements
-    VectorXd factor;  ///< g / |q| of the slipping elements
+    VectorXd normal;   ///< n of the slipping elements
+    VectorXd factor;   ///< g / |q| of the slipping elements
+    VectorXd by_slip;  ///< g' w / |w|; empty: 0
   };
 
   Linearisation linearised(const Point& point) const {
-    Linearisation at{std::vector<char>(static_cast<std::size_t>(count_)), VectorXd(2 * count_),
-                     VectorXd(count_)};
+    Linearisation at{std::vector<char>(static_cast<std::size_t>(count_)),
+                     VectorXd(2 * count_),
+                     VectorXd(count_),
+                     {}};
+    const VectorXd& bound = bound_of(point);
     for (Index e = 0; e < count_; ++e) {
       const double size = std::hypot(point.trial[e], point.trial[count_ + e]);
-      at.adheres[static_cast<std::size_t>(e)] = size <= bound_[e];
+      at.adheres[static_cast<std::size_t>(e)] = size <= bound[e];
       at.normal[e] = size > 0.0 ? point.trial[e] / size : 0.0;
       at.normal[count_ + e] = size > 0.0 ? point.trial[count_ + e] / size : 0.0;
-      at.factor[e] = size > 0.0 ? bound_[e] / size : 1.0;
+      at.factor[e] = size > 0.0 ? bound[e] / size : 1.0;
     }
+    if (feels_slip_) at.by_slip = law_by_slip(point);
     return at;
+  }
+
+  VectorXd law_by_slip(const Point& point) const {
+    VectorXd by_slip = VectorXd::Zero(2 * count_);
+    for (Index e = 0; e < count_; ++e) {
+      const double size = std::hypot(point.slip[e], point.slip[count_ + e]);
+      if (size == 0.0) continue;
+      const double derivative = law_at(e, size).by_slip / size;
+      by_slip[e] = derivative * point.slip[e];
+      by_slip[count_ + e] = derivative * point.slip[count_ + e];
+    }
+    return by_slip;
   }
 
   VectorXd jacobian_times(const Linearisation& at, const VectorXd& p) const {
@@ -191,9 +229,10 @@ class Newton {
       const Index f = count_ + e;
       const double dx = result[e] - p[e];
       const double dy = result[f] - p[f];
-      const double along = at.normal[e] * dx + at.normal[f] * dy;
-      result[e] = p[e] + at.factor[e] * (dx - along * at.normal[e]);
-      result[f] = p[f] + at.factor[e] * (dy - along * at.normal[f]);
+      double along = at.factor[e] * (at.normal[e] * dx + at.normal[f] * dy);
+      if (feels_slip_) along += (at.by_slip[e] * result[e] + at.by_slip[f] * result[f]) / r_;
+      result[e] = p[e] + at.factor[e] * dx - along * at.normal[e];
+      result[f] = p[f] + at.factor[e] * dy - along * at.normal[f];
     }
     return result;
   }
@@ -245,14 +284,14 @@ class Newton {
 
   TangentialSolution solution(const Point& point, double residual) const {
     VectorXd traction = point.traction;
-    project(traction);  // exactly within the bound; changes it by less than the residual
+    project(traction,
+            bound_of(point));  // exactly within the bound; changes it by less than the residual
     TangentialSolution result;
     result.traction = scattered(traction);
     const TangentialField displacement = compliance_.apply(result.traction);
     result.slip = {problem_.rigid_slip.x + displacement.x, problem_.rigid_slip.y + displacement.y};
     const Linearisation at = linearised(point);
-    result.state.assign(static_cast<std::size_t>(problem_.traction_bound.size()),
-                        ElementState::exterior);
+    result.state.assign(static_cast<std::size_t>(problem_.pressure.size()), ElementState::exterior);
     for (Index e = 0; e < count_; ++e)
       result.state[static_cast<std::size_t>(elements_[e])] =
           at.adheres[static_cast<std::size_t>(e)] ? ElementState::adhesion : ElementState::slip;
@@ -268,7 +307,8 @@ class Newton {
   double r_;
   std::vector<Index> elements_;  ///< grid indices of the contact elements
   Index count_ = 0;
-  VectorXd bound_;
+  VectorXd bound_;  ///< g at rest
+  bool feels_slip_ = false;
   VectorXd rigid_slip_;
   int newton_steps_ = 0;
   int krylov_iterations_ = 0;

@@ -1,16 +1,19 @@
-// Coulomb friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such
-// that p_t = -g w/|w| where it slips, by a semi-smooth Newton method on
-// p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves.
+// Friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such that
+// p_t = -g w/|w| where it slips, g(p_n, |w|) the bound of the friction law, by a semi-smooth Newton
+// method on p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves.
 #pragma once
 
 #include "contact/result/result.hpp"
+#include "contact/scene/friction_law.hpp"
 #include "contact/solve/compliance.hpp"
 
 namespace rollfem::contact {
 
 struct TangentialProblem {
-  Field traction_bound;        ///< g >= 0, MPa; 0 outside the contact area
-  TangentialField rigid_slip;  ///< s, with any defect of the compliance added
+  Field pressure;               ///< p_n >= 0, MPa; 0 outside the contact area
+  TangentialField rigid_slip;   ///< s, with any defect of the compliance added
+  Friction friction = nullptr;  ///< null: frictionless
+  double slip_factor = 1.0;     ///< slip as the friction law takes it over w
 };
 
 struct TangentialOptions {
@@ -23,7 +26,7 @@ struct TangentialOptions {
 struct TangentialSolution {
   TangentialField traction;         ///< MPa, on the wheel
   TangentialField slip;             ///< w
-  std::vector<ElementState> state;  ///< exterior where g = 0
+  std::vector<ElementState> state;  ///< exterior where g = 0 at rest
   int newton_steps = 0;
   int krylov_iterations = 0;
   double residual = 0.0;

@@ -53,7 +53,7 @@ void estimate_force_errors(const contact::Scene& scene, std::vector<ModelResult>
                            std::size_t k, double assumed_order) {
   PointResult& fine = levels.back().points[k];
   const double least = grid_error(fine, levels.back().grid);
-  for (const Force& force : forces_of(fine, scene.friction_coefficient)) {
+  for (const Force& force : forces_of(fine, scene.friction_coefficient())) {
     std::vector<double> values;
     for (const ModelResult& level : levels) values.push_back(level.points[k].*force.value);
     const double scale = std::max(std::abs(values.back()), 0.01 * force.sliding);

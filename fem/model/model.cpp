@@ -70,7 +70,7 @@ void estimate_errors(const Scene& scene, std::vector<ModelResult>& levels) {
       std::vector<double> values;
       for (const ModelResult& level : levels)
         values.push_back(contact::quantity(level.points[k], name));
-      const double scale = contact::estimate_scale(scene.friction_coefficient, point, name);
+      const double scale = contact::estimate_scale(scene.friction_coefficient(), point, name);
       if (scale > 0.0)
         point.error_estimate[name] +=
             contact::estimated_error(values, assumed_order, least_order) / scale;
@@ -124,7 +124,7 @@ ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progres
   levels.push_back(solve(cell, scene.output.fields));
   estimate_errors(scene, levels);
   const auto worst_of = [&] {
-    return contact::worst_error(scene.accuracy, scene.friction_coefficient, levels.back().points);
+    return contact::worst_error(scene.accuracy, scene.friction_coefficient(), levels.back().points);
   };
   contact::WorstError worst = worst_of();
   std::string reason = fmt::format(

@@ -149,7 +149,7 @@ void add_notes(const Scene& scene, ModelResult& result) {
 void estimate_level(const Scene& scene, contact::LevelResult& fine,
                     const contact::LevelResult& coarse, int across) {
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
-    estimate_errors(fine.points[k], coarse.points[k], scene.friction_coefficient, across);
+    estimate_errors(fine.points[k], coarse.points[k], scene.friction_coefficient(), across);
     estimate_found_creepages(fine.points[k], coarse.points[k], scene.points[k].force, across);
   }
 }
@@ -163,7 +163,7 @@ bool refine_further(const Scene& scene, const contact::LevelResult& fine, const 
                     ModelResult& result) {
   if (!scene.accuracy.relative) return false;
   const contact::WorstError worst =
-      contact::worst_error(scene.accuracy, scene.friction_coefficient, fine.points);
+      contact::worst_error(scene.accuracy, scene.friction_coefficient(), fine.points);
   if (worst.error <= *scene.accuracy.relative) {
     result.notes.push_back(fmt::format(
         "accuracy {:g} asked for: {} elements across; largest estimated error {:.2g} ({} at load "

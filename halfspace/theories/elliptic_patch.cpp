@@ -23,7 +23,7 @@ EllipticPatch elliptic_patch(const contact::Scene& scene) {
                       0.0,
                       {},
                       {}};
-  patch.friction = scene.friction_coefficient;
+  patch.friction = scene.friction_coefficient();
   patch.grid = hertz.grid;
   patch.normal = std::move(hertz.points.front());
   // Theories give no tangential displacement, and the record has all components or none.

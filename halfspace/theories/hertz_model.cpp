@@ -25,7 +25,7 @@ contact::ContactFields sampled_fields(const contact::Scene& scene, const HertzCo
   fields.traction = {zero, zero,
                      grid.sample([&](double x, double y) { return hertz.pressure(x, y); })};
   fields.slip = {zero, zero};
-  fields.traction_bound = scene.friction_coefficient * fields.traction.n;
+  fields.traction_bound = scene.friction_coefficient() * fields.traction.n;
   const Field displacement =
       grid.sample([&](double x, double y) { return hertz_displacement(hertz, modulus, x, y); });
   const Field distance = grid.sample(

@@ -81,7 +81,7 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
   const StripNormalSolution& normal = contact.normal;
   contact::PointResult point;
   point.fields =
-      resting_fields(grid, strip_pressure(contact, grid), contact.scene.friction_coefficient);
+      resting_fields(grid, strip_pressure(contact, grid), contact.scene.friction_coefficient());
   point.normal_force = normal.normal_force;
   point.approach = normal.approach;
   const auto largest = [](const std::vector<double>& v) {
@@ -120,7 +120,7 @@ BrushTotals strip_totals(const StripContact& contact, const contact::Creepage& c
       const double middle = contact.profile.middle.empty() ? 0.0 : contact.profile.middle[j];
       const StripSection section{contact.normal.half_length[j], contact.normal.max_pressure[j],
                                  middle};
-      const BrushStrip strip = brush_strip(section, y, contact.scene.friction_coefficient);
+      const BrushStrip strip = brush_strip(section, y, contact.scene.friction_coefficient());
       add_strip(
           strip,
           solve_strip(strip, problem.flexibilities, strip_creepage(contact.geometry, creepage, y),
@@ -137,7 +137,7 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
     const auto strip_at = [&](double y) -> BrushStrip {
       if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic, 0.0};
       return brush_strip(strip_section(contact.profile, contact.normal, y), y,
-                         contact.scene.friction_coefficient);
+                         contact.scene.friction_coefficient());
     };
     fill_brush_fields(grid, brush_problem(contact, patch, point.creepage, elements), strip_at,
                       point);

@@ -209,7 +209,7 @@ TEST(HardShapes, TwoPatchesWithFrictionShareTheForces) {
                                   : ContactGrid::centred(28, 28, cell, cell, 0.0, 5.0 * a);
     const halfspace::HalfspaceCompliance compliance(grid, rollfem::testing::steel());
     contact::ContactConditions scene;
-    scene.friction = 0.3;
+    scene.friction = contact::coulomb(0.3);
     scene.undeformed_distance = grid.sample([&](double x, double y) {
       const double v = std::abs(y) - 5.0 * a;
       return (x * x + v * v) / (2.0 * radius);

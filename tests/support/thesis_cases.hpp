@@ -66,9 +66,10 @@ struct Benchmark9 {
   contact::TangentialProblem problem(const contact::ContactGrid& on) const {
     const double p0 = 1.5 * force / (M_PI * radius * radius);
     contact::TangentialProblem given;
-    given.traction_bound = on.sample([&](double x, double y) {
+    given.friction = contact::coulomb(friction);
+    given.pressure = on.sample([&](double x, double y) {
       const double rest = 1.0 - (x * x + y * y) / (radius * radius);
-      return rest > 0.0 ? friction * p0 * std::sqrt(rest) : 0.0;
+      return rest > 0.0 ? p0 * std::sqrt(rest) : 0.0;
     });
     given.rigid_slip.x =
         on.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; });

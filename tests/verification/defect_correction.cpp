@@ -32,7 +32,7 @@ struct Ball {
     problem.undeformed_distance =
         grid.sample([](double x, double y) { return (x * x + y * y) / 800.0; });
     problem.load.force = 82e3;
-    problem.friction_coefficient = 0.3;
+    problem.friction = coulomb(0.3);
     problem.rigid_slip.x = grid.sample([](double, double y) { return 1e-3 - 1e-4 * y; });
     problem.rigid_slip.y = grid.sample([](double x, double) { return 5e-4 + 1e-4 * x; });
   }

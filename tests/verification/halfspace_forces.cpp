@@ -75,7 +75,8 @@ Coefficients from_solver(double a, double b, double nu, int n) {
   const double e = 1e-6;
   const auto run = [&](const Creepage& creepage) {
     TangentialProblem problem;
-    problem.traction_bound = grid.sample(
+    problem.friction = contact::coulomb(1.0);
+    problem.pressure = grid.sample(
         [&](double x, double y) { return x * x / (a * a) + y * y / (b * b) < 1.0 ? 1e9 : 0.0; });
     problem.rigid_slip.x =
         grid.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; });

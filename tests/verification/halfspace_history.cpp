@@ -199,7 +199,7 @@ rollfem::testing::Forces steady(UpwindOrder order) {
   contact::ContactConditions scene;
   const contact::ChartedGeometry geometry(input, contact::Chart::plane);
   scene.undeformed_distance = geometry.undeformed_distance(grid);
-  scene.friction = 0.55;
+  scene.friction = contact::coulomb(0.55);
   scene.upwind_order = order;
   scene.fit_leading_edge = false;
   contact::ContactProblem problem(compliance, compliance, scene);

@@ -45,7 +45,7 @@ class Roller {
     contact::ContactConditions scene;
     scene.undeformed_distance =
         grid.sample([&](double x, double) { return x * x / (2.0 * radius); });
-    scene.friction = mu;
+    scene.friction = contact::coulomb(mu);
     scene.upwind_order = order;
     problem = std::make_unique<ContactProblem>(whole_, uncoupled_ ? *uncoupled_ : whole_, scene);
     stiffness_ = 2.0 * load * radius / a;

@@ -95,7 +95,7 @@ TEST(SteadyRolling, HoldsCoulombsLawAtEveryElement) {
   const double rigid = std::hypot(1e-3, 5e-4);
   int adhesion = 0;
   for (int k = 0; k < grid.size(); ++k) {
-    const double g = problem.traction_bound[k];
+    const double g = benchmark.friction * problem.pressure[k];
     const double p = std::hypot(s.traction.x[k], s.traction.y[k]);
     const double w = std::hypot(s.slip.x[k], s.slip.y[k]);
     EXPECT_LE(p, g * (1.0 + 1e-12));
@@ -170,7 +170,8 @@ TEST(SteadyRolling, SmallCreepageGivesKalkersCoefficients) {
   const HalfspaceCompliance compliance(grid, material);
   const auto run = [&](double xi, double eta, double phi) {
     TangentialProblem problem;
-    problem.traction_bound =
+    problem.friction = contact::coulomb(1.0);
+    problem.pressure =
         grid.sample([&](double x, double y) { return x * x + y * y < c * c ? 1e9 : 0.0; });
     problem.rigid_slip.x = grid.sample([&](double, double y) { return xi - phi * y; });
     problem.rigid_slip.y = grid.sample([&](double x, double) { return eta + phi * x; });
@@ -195,7 +196,7 @@ TEST(SteadyRolling, SmallCreepageGivesKalkersCoefficients) {
 TEST(SteadyRolling, FullSlipIsElementary) {
   const TangentialSolution s = with_creepage({0.05, 0.0, 0.0}, 20);
   const ContactGrid grid = Benchmark9().grid(20);
-  const Field bound = Benchmark9().problem(grid).traction_bound;
+  const Field bound = Benchmark9().friction * Benchmark9().problem(grid).pressure;
   EXPECT_NEAR(testing::forces(grid, s.traction).x, -bound.sum() * grid.element_area(), 1.0);
   EXPECT_EQ(std::count(s.state.begin(), s.state.end(), ElementState::adhesion), 0);
 }

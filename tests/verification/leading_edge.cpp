@@ -29,9 +29,8 @@ TangentialSolution solve(const HalfspaceCompliance& compliance, const Tangential
                          Edge edge) {
   const contact::TangentialOperator& second = compliance.rolling(UpwindOrder::second);
   if (edge == Edge::usual) return contact::solve_tangential(second, problem);
-  const EdgeFittedRolling fitted(
-      compliance.rolling(UpwindOrder::first), second,
-      contact::upwind_weights(compliance.grid(), problem.traction_bound));
+  const EdgeFittedRolling fitted(compliance.rolling(UpwindOrder::first), second,
+                                 contact::upwind_weights(compliance.grid(), problem.pressure));
   return contact::solve_tangential(fitted, problem);
 }
 
@@ -93,8 +92,9 @@ double zigzag_of_case(char name, double creepage, int across, Edge edge) {
   normal.normal_force = input.load.normal_force;
   const Field pressure = contact::solve_normal(compliance.normal(), normal).pressure;
   const TangentialProblem problem{
-      input.friction_coefficient * pressure,
-      {Field::Constant(grid.size(), creepage), Field::Zero(grid.size())}};
+      pressure,
+      {Field::Constant(grid.size(), creepage), Field::Zero(grid.size())},
+      contact::coulomb(input.friction_coefficient)};
   return zigzag(grid, solve(compliance, problem, edge).traction.x, hertz.semi_axis_y);
 }
 

@@ -78,7 +78,7 @@ void expect_alike(Case input) {
     ASSERT_EQ(plain.size(), other.size());
     for (std::size_t k = 0; k < plain.size(); ++k) {
       SCOPED_TRACE(k);
-      const double sliding = scene.friction_coefficient * plain[k].normal_force;
+      const double sliding = scene.friction_coefficient() * plain[k].normal_force;
       EXPECT_NEAR(other[k].normal_force / plain[k].normal_force, 1.0, tolerance);
       EXPECT_NEAR(other[k].max_pressure / plain[k].max_pressure, 1.0, tolerance);
       EXPECT_NEAR(other[k].longitudinal_force, plain[k].longitudinal_force, tolerance * sliding);

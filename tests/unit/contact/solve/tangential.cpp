@@ -34,8 +34,9 @@ TEST(SolveTangential, OfSpringsIsTheProjection) {
   const ContactGrid grid = ContactGrid::centred(5, 1, 1.0, 1.0);
   const Springs springs(grid, 0.01);
   TangentialProblem problem;
-  problem.traction_bound = Field::Zero(5);
-  problem.traction_bound << 0.0, 1.0, 1.0, 10.0, 0.5;
+  problem.friction = coulomb(1.0);
+  problem.pressure = Field::Zero(5);
+  problem.pressure << 0.0, 1.0, 1.0, 10.0, 0.5;
   problem.rigid_slip = {Field::Constant(5, 0.03), Field::Constant(5, -0.04)};  // |s| / c = 5
   const TangentialSolution s = solve_tangential(springs, problem);
   const double expected[] = {0.0, 1.0, 1.0, 5.0, 0.5};
@@ -52,12 +53,13 @@ TEST(SolveTangential, OfSpringsIsTheProjection) {
 TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
   const ContactGrid grid = ContactGrid::centred(3, 2, 1.0, 1.0);
   const Springs springs(grid, 0.01);
-  TangentialProblem problem{Field::Constant(6, 2.0), {Field::Zero(6), Field::Zero(6)}};
+  TangentialProblem problem{
+      Field::Constant(6, 2.0), {Field::Zero(6), Field::Zero(6)}, coulomb(1.0)};
   const TangentialSolution still = solve_tangential(springs, problem);
   EXPECT_EQ(still.newton_steps, 0);
   EXPECT_EQ(still.traction.x.cwiseAbs().maxCoeff(), 0.0);
   EXPECT_EQ(still.state[0], ElementState::adhesion);
-  problem.traction_bound.setZero();
+  problem.pressure.setZero();
   problem.rigid_slip.x.setOnes();
   const TangentialSolution frictionless = solve_tangential(springs, problem);
   EXPECT_EQ(frictionless.traction.x.cwiseAbs().maxCoeff(), 0.0);

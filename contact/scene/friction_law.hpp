@@ -1,0 +1,60 @@
+// A friction law: the largest tangential traction that an element bears under its pressure at its
+// slip, and how that changes with both. One class is one law; whoever solves for tractions asks it
+// and knows no more of it.
+#pragma once
+
+#include "contact/base/grid.hpp"
+
+#include <memory>
+
+namespace rollfem::contact {
+
+class FrictionLaw {
+ public:
+  struct Bound {
+    double value = 0.0;        ///< g, MPa
+    double by_pressure = 0.0;  ///< dg/dp_n
+    double by_slip = 0.0;      ///< dg/d|w|, MPa over the unit of the slip
+  };
+
+  virtual ~FrictionLaw() = default;
+
+  /// `pressure` >= 0, MPa; `slip` = |w| >= 0 as results give it: relative to the speed of rolling,
+  /// mm in a shift. The value is 0 at pressure 0 and positive above.
+  virtual Bound bound(double pressure, double slip) const = 0;
+
+  /// by_slip is not always 0: bounds are then asked for anew at every slip.
+  virtual bool feels_slip() const { return false; }
+
+  /// mu without slip: what forces are scaled with, and all that the theories take which know no
+  /// other law than Coulomb's.
+  virtual double coefficient() const = 0;
+};
+
+/// Null: no friction.
+using Friction = std::shared_ptr<const FrictionLaw>;
+
+/// g = mu p_n.
+class CoulombFriction : public FrictionLaw {
+ public:
+  explicit CoulombFriction(double coefficient) : coefficient_(coefficient) {}
+  Bound bound(double pressure, double) const override {
+    return {coefficient_ * pressure, coefficient_, 0.0};
+  }
+  double coefficient() const override { return coefficient_; }
+
+ private:
+  double coefficient_;
+};
+
+/// Coulomb's law; null for the coefficient 0.
+Friction coulomb(double coefficient);
+
+/// The coefficient of the law; 0 without friction.
+double coefficient_of(const Friction& friction);
+
+/// g of every element, MPa; 0 without friction. `slip` may be empty: none.
+Field traction_bound(const Friction& friction, const Field& pressure,
+                     const TangentialField& slip = {});
+
+}  // namespace rollfem::contact
