@@ -1,5 +1,6 @@
 #include "fem/coupling/far_error.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "fem/model/run_layout.hpp"
 
@@ -12,7 +13,7 @@ namespace rollfem::fem {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 /// Of a half-space in depth under a point load at a distance L, on the axis (Boussinesq: P (3 - 2
 /// nu) / (4 pi G L)); the surface moves less at that distance. mm.

@@ -1,6 +1,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 #include "contact/scene/geometry.hpp"
 
@@ -17,7 +18,7 @@ using boost::math::ellint_rf;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 // Carlson's symmetric integrals in place of Legendre's K and E: they know no major and minor axis
 // and lose no digits at the circle. With k = b/a, for any k > 0 [Johnson 1985, eqs. 4.26, 4.27]:

@@ -1,12 +1,14 @@
 #include "halfspace/closed_forms/point_loads.hpp"
 
+#include "contact/base/pi.hpp"
+
 #include <cmath>
 
 namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 double distance(const Position& at) {
   return std::sqrt(at.x * at.x + at.y * at.y + at.z * at.z);

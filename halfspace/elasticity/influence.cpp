@@ -1,5 +1,7 @@
 #include "halfspace/elasticity/influence.hpp"
 
+#include "contact/base/pi.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,7 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 /// Integrals over the rectangle of the five kernels that make up all coefficients.
 struct Integrals {

@@ -1,6 +1,7 @@
 #include "halfspace/model/expected_patch.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/normal.hpp"
@@ -173,7 +174,7 @@ ExpectedPatch expected_patch(const Scene& scene, int elements) {
   if (scene.has_profiles()) return patch_of_profiles(scene, elements);
   if (scene.geometry.distance_values && !scene.given_pressure)
     return patch_of_points(scene, elements);
-  constexpr double pi = 3.14159265358979323846;
+  using contact::pi;
   const HertzContact hertz = hertz_of_scene(scene);
   ExpectedPatch patch;
   patch.x_lower = -hertz.semi_axis_x;

@@ -1,5 +1,7 @@
 #include "halfspace/stress/subsurface_sum.hpp"
 
+#include "contact/base/pi.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +10,7 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 /// Up to this many times the longer side of an element from the farthest loaded one, differences of
 /// corner functions are used throughout: the stress is then exact to some 1e-15 of the traction.

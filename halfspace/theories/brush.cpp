@@ -1,5 +1,6 @@
 #include "halfspace/theories/brush.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/theories/elliptic_patch.hpp"
 
@@ -10,7 +11,7 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 /// One row of the contact grid.
 struct Row {

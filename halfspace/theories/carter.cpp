@@ -1,5 +1,6 @@
 #include "halfspace/theories/carter.hpp"
 
+#include "contact/base/pi.hpp"
 #include "halfspace/theories/brush.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 double root_of_rest(double t) {
   return std::sqrt(std::max(0.0, (1.0 - t) * (1.0 + t)));

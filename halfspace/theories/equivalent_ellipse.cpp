@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/fixed_point.hpp"
+#include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 
@@ -21,7 +22,7 @@ using contact::Scene;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 /// Elements along the box of the half-space solution that the ellipse is taken from.
 constexpr int elements_for_ellipse = 90;

@@ -1,4 +1,5 @@
 // The model "hertz": the closed form put into the result record that all models share.
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
@@ -14,7 +15,7 @@ using contact::PointResult;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 contact::ContactFields sampled_fields(const contact::Scene& scene, const HertzContact& hertz,
                                       const ContactGrid& grid) {

@@ -1,6 +1,7 @@
 #include "halfspace/theories/linear_theory.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "halfspace/theories/brush.hpp"
 #include "halfspace/theories/elliptic_patch.hpp"
 #include "halfspace/theories/kalker_table.hpp"
@@ -16,7 +17,7 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 constexpr double first_ratio = 0.1;
 
 using Coefficient = double KalkerCoefficients::*;

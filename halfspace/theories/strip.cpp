@@ -1,6 +1,7 @@
 #include "halfspace/theories/strip.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 double smallest_distance(const StripProfile& profile) {
   return *std::min_element(profile.distance.begin(), profile.distance.end());

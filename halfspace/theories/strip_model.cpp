@@ -1,5 +1,6 @@
 // The model "strip": a case by the strip theory of strip.hpp.
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/model/patch_ridge.hpp"
@@ -12,7 +13,7 @@ namespace rollfem::halfspace {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 
 /// How far the strips reach, in semi-axes of Hertz's ellipse.
 constexpr double reach = 1.25;

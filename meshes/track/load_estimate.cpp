@@ -1,5 +1,6 @@
 #include "meshes/track/load_estimate.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace rollfem::meshes {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using contact::pi;
 /// Of the approach, overlap that has the extent of the patch. A half would be exact for a circular
 /// patch (Hertz: a^2 = R approach).
 constexpr double overlap_fraction = 0.55;
