@@ -8,23 +8,19 @@ namespace rollfem::contact {
 
 namespace {
 
-double stretch_of(double climb) {
-  return std::sqrt(1.0 + climb * climb);
-}
-
 /// A body's surface as a height z over (x, y).
-struct Height {
+struct WheelHeight {
   double value;
   double slope;  ///< dz/dy at x = 0
 };
 
-Height wheel_height(const ContactSurface& surface, double x, double y) {
+WheelHeight wheel_height(const ContactSurface& surface, double x, double y) {
   const ProfileDrop drop = profile_drop(surface.wheel_transverse_radius, y);
   const double radius = surface.rolling_radius - drop.value;
   return {drop.value + circle_drop(radius, x), drop.slope};
 }
 
-Height rail_height(const ContactSurface& surface, double y) {
+WheelHeight rail_height(const ContactSurface& surface, double y) {
   const ProfileDrop drop = profile_drop(surface.rail_transverse_radius, y);
   return {-drop.value, -drop.slope};
 }
@@ -38,7 +34,7 @@ double way_along_normal(const ContactSurface& surface, double y, HeightAt&& heig
   const double start = surface.height(y);
   double way = 0.0;
   for (int step = 0; step < 30; ++step) {
-    const Height height = height_at(y - climb * way / stretch);
+    const WheelHeight height = height_at(y - climb * way / stretch);
     const double change =
         (height.value - (start + way / stretch)) * stretch / (1.0 + climb * height.slope);
     way += change;
@@ -97,6 +93,10 @@ double way_to_profile(const ContactSurface& surface, double x, double y) {
 }
 
 }  // namespace
+
+double stretch_of(double climb) {
+  return std::sqrt(1.0 + climb * climb);
+}
 
 double ContactSurface::climb(double y) const {
   if (profiles) return 0.5 * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);
@@ -159,7 +159,7 @@ double undeformed_distance(const ContactSurface& surface, double x, double y) {
   if (surface.profiles) {
     const double rail = way_along_normal(surface, y, [&](double at) {
       const CurveValue height = surface.profiles->rail().at(at);
-      return Height{height.value, height.slope};
+      return WheelHeight{height.value, height.slope};
     });
     return way_to_profile(surface, x, y) - rail;
   }

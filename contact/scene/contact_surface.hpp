@@ -36,6 +36,9 @@ struct ContactSurface {
   bool known(double y) const;
 };
 
+/// Arc length per length along y, of a surface with dz/dy = climb.
+double stretch_of(double climb);
+
 /// How far inwards of z = 0 the surface of the wheel or the rail is at (x, y), mm: below 0 beside
 /// the middle of a concave body. Infinite where the wheel does not reach x, or y of its profile.
 double surface_drop(const ContactSurface& surface, bool wheel, double x, double y);

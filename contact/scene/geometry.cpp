@@ -13,15 +13,11 @@ namespace {
 /// Distance where the wheel has no surface, mm: as good as infinite, which the solvers refuse.
 constexpr double beyond_the_wheel = 1e3;
 /// Step of the arc length, mm.
-constexpr double knot_distance = 0.05;
+constexpr double arc_step = 0.05;
 /// A surface is laid out as far as this, mm, where no profile ends, or until it is steeper than
 /// this.
 constexpr double farthest = 100.0;
-constexpr double steepest = 2.0;
-
-double stretch_of(double climb) {
-  return std::sqrt(1.0 + climb * climb);
-}
+constexpr double steepest_climb = 2.0;
 
 /// Second derivative by y at the contact point. Where the curvature jumps there, the mean of both
 /// sides.
@@ -52,9 +48,9 @@ HeightCurve unrolled(const ContactSurface& surface) {
     double at = 0.0, way = 0.0;
     double stretch = stretch_of(surface.climb(at));
     while (std::abs(at) < farthest) {
-      const double next = at + direction * knot_distance;
+      const double next = at + direction * arc_step;
       const double climb = surface.climb(next);
-      if (!surface.known(next) || std::abs(climb) > steepest) return;
+      if (!surface.known(next) || std::abs(climb) > steepest_climb) return;
       const double middle = stretch_of(surface.climb(0.5 * (at + next)));
       way += (next - at) * (stretch + 4.0 * middle + stretch_of(climb)) / 6.0;
       at = next;

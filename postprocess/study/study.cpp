@@ -11,10 +11,6 @@
 namespace rollfem::postprocess {
 namespace {
 
-bool is_coefficient(const std::string& key) {
-  return key.rfind("traction_coefficient", 0) == 0;
-}
-
 std::vector<double> values_of(const StudySeries& series, const std::string& key) {
   std::vector<double> values;
   for (const StudyLevel& level : series.levels)
@@ -24,6 +20,10 @@ std::vector<double> values_of(const StudySeries& series, const std::string& key)
 }
 
 }  // namespace
+
+bool is_coefficient(const std::string& key) {
+  return key.rfind("traction_coefficient", 0) == 0;
+}
 
 std::string place_name(const StudyPlace& place) {
   if (!place.place) return {};

@@ -83,6 +83,9 @@ std::size_t reference_series(const StudyPlace& place);
 /// Reference of every key that any level has.
 std::map<std::string, StudyReference> references(const StudyPlace& place, ReferenceRule rule);
 
+/// The key is a traction coefficient, whose errors are relative to the coefficient of friction.
+bool is_coefficient(const std::string& key);
+
 /// Whether the finest value of a series is itself the reference: it then shows no error.
 bool is_reference(const StudyPlace& place, const StudySeries& series,
                   const StudyReference& reference);

@@ -12,10 +12,6 @@ namespace {
 
 using References = std::map<std::string, StudyReference>;
 
-bool is_coefficient(const std::string& key) {
-  return key.rfind("traction_coefficient", 0) == 0;
-}
-
 std::string name_of(const StudyPlace& place, const std::string& key) {
   if (const contact::Quantity* quantity = contact::find_quantity(key)) return quantity->title;
   if (!is_coefficient(key)) return key;

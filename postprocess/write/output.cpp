@@ -30,7 +30,7 @@ void write_contact(ResultFolder& folder, const contact::ModelResult& model) {
 }
 
 /// Wheel and rail of every load point that keeps them, alike.
-void write_bodies(ResultFolder& folder, const contact::ModelResult& model) {
+void write_body_files(ResultFolder& folder, const contact::ModelResult& model) {
   const std::vector<std::size_t> kept = model.points_with_bodies();
   if (kept.empty()) return;
   std::vector<std::vector<std::string>> files(kept.size());
@@ -70,7 +70,7 @@ void write_results(const std::string& directory, const RunRecord& run) {
   if (run.input.output.fields)
     for (const contact::ModelResult& model : run.models) {
       write_contact(folder, model);
-      write_bodies(folder, model);
+      write_body_files(folder, model);
     }
   folder.write("results.h5", results_hdf5(run));
   folder.commit();
