@@ -4,6 +4,7 @@
 #include "app/places.hpp"
 #include "app/processes.hpp"
 #include "app/version.hpp"
+#include "contact/case/plausibility.hpp"
 
 #include <fmt/format.h>
 
@@ -148,6 +149,11 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
 void write_whole(const std::string& directory, const postprocess::RunRecord& record) {
   const SignalsHeld held;
   postprocess::write_results(directory, record);
+}
+
+void warn_of_doubts(const contact::Case& input) {
+  for (const std::string& doubt : contact::implausible_values(input))
+    std::cerr << "warning: " << doubt << '\n';
 }
 
 bool report_drawn(const std::string& directory) {

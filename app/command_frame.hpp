@@ -80,6 +80,9 @@ class CommandFrame {
 /// Writes a result folder; Ctrl-C waits until it is whole.
 void write_whole(const std::string& directory, const postprocess::RunRecord& record);
 
+/// Warnings about values of the case that look like slips of units, also with -q.
+void warn_of_doubts(const contact::Case& input);
+
 /// Draws figures and page of a written folder; a warning says why when it is false.
 bool report_drawn(const std::string& directory);
 

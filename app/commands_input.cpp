@@ -1,3 +1,4 @@
+#include "app/command_frame.hpp"
 #include "app/commands.hpp"
 #include "app/models.hpp"
 #include "app/scenes.hpp"
@@ -5,6 +6,7 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/scene/what_follows.hpp"
+#include "halfspace/model/registry.hpp"
 
 #include <fmt/format.h>
 
@@ -44,11 +46,25 @@ std::string taken_by(const contact::Case& input, const contact::ModelRegistry& m
   return text;
 }
 
+/// What a result would be refused for or warned of, as far as the closed form tells.
+void warn_of_hertz(const contact::Case& input) {
+  try {
+    for (const std::string& note : halfspace::run_model("hertz", input, {}).notes)
+      if (note.rfind("warning: ", 0) == 0) std::cerr << note << '\n';
+  } catch (const contact::SolveError& error) {
+    std::cerr << fmt::format("warning: {}: {}\n", input.file, error.what());
+  } catch (const contact::InputError&) {
+    // No ellipse: its models say what they see when they run.
+  }
+}
+
 void check_case(const std::string& file, const contact::ModelRegistry& models) {
   const contact::ModelWords words = model_words(models);
   const contact::Case input = contact::read_case(file, words);
   std::cout << contact::describe(input, words) << contact::what_follows(input);
+  warn_of_doubts(input);
   if (!input.has_profiles()) std::cout << taken_by(input, models);
+  if (!input.has_profiles()) warn_of_hertz(input);
   if (input.has_profiles())
     std::cout << "\nwhere wheel and rail touch\n"
               << contacts_text(input, meshes::search_scene_of(input));

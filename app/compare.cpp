@@ -257,6 +257,8 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
       std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.done; });
   CommandFrame frame(request, known, anything ? models : std::vector<std::string>());
   if (frame.idle()) return;
+  if (frame.first())
+    for (const Task& task : tasks) warn_of_doubts(task.input);
   if (frame.first()) check_folders(request, tasks);
   postprocess::ComparisonRecord record;
   record.provenance = frame.provenance();

@@ -74,6 +74,7 @@ contact::ModelInfo fem_model() {
   fem.refinements = {{"cell", "grid", "FE cell", 2.0, 3, false, cell_level},
                      {"degree", "", "degree", 0.0, 2, true, degree_level},
                      {"domain", "", "extent", 2.0, 3, false, domain_level}};
+  fem.half_spaces = false;
   fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_run = fem.in_compare = true;
   fem.built = ROLLFEM_WITH_FEM;
   return fem;

@@ -81,6 +81,7 @@ void run(const RunRequest& request, const contact::ModelRegistry& models) {
   if (named) record.input.models = request.models;
   CommandFrame frame(request, models, record.input.models);
   if (frame.idle()) return;
+  if (frame.first()) warn_of_doubts(record.input);
   if (frame.first()) check_before(request, record.input, models);
   record.provenance = frame.provenance();
   frame.compute(named ? "--model" : request.case_file + ": models", "load points",

@@ -41,12 +41,15 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
   SceneCheckpoint kept(how.checkpoint, scene.place);
   contact::Checkpoint* keep = how.checkpoint != nullptr ? &kept : nullptr;
   const contact::Progress progress = told(name, scene, how.progress);
+  const auto where = [&](const std::exception& error) {
+    return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), name, error.what());
+  };
   try {
     return how.models->run(name, scene, progress, keep);
+  } catch (const contact::CoarseGrid& error) {
+    throw contact::CoarseGrid(where(error));
   } catch (const contact::SolveError& error) {
-    const std::string patch = scene.place ? scene.place->label() + ": " : "";
-    throw contact::SolveError(
-        fmt::format("{}: {}model {}: {}", scene.file, patch, name, error.what()));
+    throw contact::SolveError(where(error));
   }
 }
 

@@ -121,6 +121,8 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
     try {
       series.levels.push_back(level_of(plan, wanted, series, place, work));
       continue;
+    } catch (const contact::CoarseGrid& error) {
+      failed(error, series.levels.empty() ? series.left_out : series.failure);
     } catch (const contact::SolveError& error) {
       failed(error, series.failure);
     } catch (const InputError& error) {
@@ -226,6 +228,7 @@ void study(const StudyRequest& request, const contact::ModelRegistry& known) {
   const contact::Case input = contact::read_case(request.case_file, model_words(known));
   CommandFrame frame(request, known, named_models(request, known));
   if (frame.idle()) return;
+  if (frame.first()) warn_of_doubts(input);
   check_call(request, input, known);
   const Scenes scenes = scenes_of(input, frame.progress());
   const std::vector<std::string> models = models_of(request, scenes, known);

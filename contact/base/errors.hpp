@@ -21,4 +21,10 @@ class SolveError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The grid is too coarse for its solution to mean anything: a finer one has one.
+class CoarseGrid : public SolveError {
+ public:
+  using SolveError::SolveError;
+};
+
 }  // namespace rollfem::contact

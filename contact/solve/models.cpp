@@ -1,6 +1,7 @@
 #include "contact/solve/models.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/validity.hpp"
 
 #include <fmt/format.h>
 
@@ -91,7 +92,13 @@ void ModelRegistry::check(const ModelInput& input, const std::string& name) cons
 ModelResult ModelRegistry::run(const std::string& name, const ModelInput& input,
                                const Progress& progress, Checkpoint* checkpoint) const {
   check(input, name);
-  return at(name).run(input, progress, checkpoint);
+  const ModelInfo& model = at(name);
+  ModelResult result = model.run(input, progress, checkpoint);
+  const ResultKind kind{model.has_stress, model.bounded, model.half_spaces};
+  check_validity(input, result, kind);
+  for (std::string& warning : validity_warnings(input, result, kind))
+    result.notes.push_back(std::move(warning));
+  return result;
 }
 
 }  // namespace rollfem::contact

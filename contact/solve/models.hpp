@@ -31,7 +31,8 @@ class ModelRegistry {
 
   /// Throws InputError when the model cannot take the problem; it names the models that can.
   void check(const ModelInput& input, const std::string& name) const;
-  /// Checks and runs.
+  /// Checks and runs. What the model gives passes the gate of contact/result/validity.hpp, which
+  /// throws SolveError and adds warnings to the notes.
   ModelResult run(const std::string& name, const ModelInput& input, const Progress& progress,
                   Checkpoint* checkpoint = nullptr) const;
 

@@ -1,5 +1,7 @@
 #include "halfspace/model/refinements.hpp"
 
+#include "contact/result/validity.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +49,7 @@ RefinedInput grid_level(ModelInput input, int k, int /*n*/) {
     return {fmt::format("{:.4g} mm", side), side, std::move(input)};
   }
   const int across = input.contact_grid.elements_across =
-      std::max(2, input.contact_grid.elements_across / 4) << k;
+      std::max(contact::fewest_elements_across, input.contact_grid.elements_across / 4) << k;
   return {fmt::format("{} across", across), static_cast<double>(across), std::move(input)};
 }
 

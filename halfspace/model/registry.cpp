@@ -125,6 +125,7 @@ void add_theories(contact::ModelRegistry& models) {
   ModelInfo linear{"linear", "linear theory",
                    "Kalker's linear theory: creep forces without the bound of friction"};
   linear.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin});
+  linear.bounded = false;
   linear.run = quick(elliptic(run_linear, {false, true}));
   models.add(linear);
 

@@ -165,7 +165,7 @@ def _frame(panel, view, title, unit_label):
     panel.text(x + 9 * small, y, r"$y$ [mm]", ha="left", va="top", **text)
     x, y = view(-view.half_x, -view.half_y)
     x -= 2 * small
-    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000) 
+    step = next(s for power in range(300) for s in (10.0**power, 2 * 10.0**power, 5 * 10.0**power)
                 if (view.top - view.low) / s <= 5)
     values = np.arange(np.ceil(view.low / step), np.floor(view.top / step) + 1) * step
     panel.plot([x, x], [y + view.lift * view.low, y + view.lift * view.top], **ink)

@@ -51,6 +51,7 @@ ordered_json model_json(const contact::ModelResult& model) {
   for (const auto& [stage, seconds] : model.seconds) json["seconds"][stage] = seconds;
   json["unknowns"] = model.unknowns;
   json["contact_elements"] = model.contact_elements;
+  json["notes"] = model.notes;
   json["points"] = ordered_json::array();
   for (const contact::PointResult& point : model.points)
     json["points"].push_back(point_json(point));

@@ -1,0 +1,280 @@
+#include "contact/result/validity.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/patch_size.hpp"
+#include "contact/result/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Tractions beyond the bound, and pressures below 0, by more than this are no rounding: relative
+/// to the largest bound or pressure.
+constexpr double rounding = 1e-6;
+
+/// One load point under the gate.
+struct Examined {
+  const Scene& scene;
+  const ModelResult& result;
+  const ResultKind& kind;
+  std::size_t index;
+  const PointResult& point() const { return result.points[index]; }
+};
+
+/// "load point 2 of 7: "
+std::string place_of(const Examined& at) {
+  return fmt::format("load point {} of {}: ", at.index + 1, at.result.points.size());
+}
+
+[[noreturn]] void refuse(const Examined& at, const std::string& wrong) {
+  throw SolveError(place_of(at) + wrong);
+}
+
+template <class Values>
+bool all_finite(const Values& values) {
+  return std::all_of(values.begin(), values.end(), [](const auto& value) {
+    return std::all_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); });
+  });
+}
+
+void check_scalars(const Examined& at) {
+  const PointResult& point = at.point();
+  if (!point.converged)
+    refuse(at, fmt::format("not converged, residual {:.3g}; do: use another grid or model",
+                           point.residual));
+  for (const Quantity& quantity : quantities()) {
+    const std::optional<double> value = quantity.value(point);
+    if (value && !std::isfinite(*value))
+      refuse(at, fmt::format("{} = {}; allowed: finite numbers; do: check the case for values that "
+                             "are extremely large or small",
+                             quantity.name, *value));
+  }
+}
+
+/// Displacements and stresses in the bodies, and the fields on the contact.
+void check_fields(const Examined& at) {
+  const PointResult& point = at.point();
+  const auto fail = [&](const std::string& what) {
+    refuse(at, what +
+                   " that are not finite; do: check the case for values that are extremely large "
+                   "or small");
+  };
+  const ContactFields& fields = point.fields;
+  for (const auto& [field, what] :
+       {std::pair{&fields.traction.n, "pressures"}, std::pair{&fields.traction.x, "tractions"},
+        std::pair{&fields.traction.y, "tractions"}, std::pair{&fields.slip.x, "slips"},
+        std::pair{&fields.slip.y, "slips"}, std::pair{&fields.gap, "gaps"},
+        std::pair{&fields.displacement.x, "displacements"},
+        std::pair{&fields.displacement.y, "displacements"},
+        std::pair{&fields.displacement.n, "displacements"}})
+    if (!field->allFinite()) fail(what);
+  for (const SubsurfaceField& field : point.subsurface)
+    if (!all_finite(field.stress) || !all_finite(field.displacement)) fail("stresses");
+  for (const StressMaximum& maximum : point.stress_maxima)
+    if (!std::isfinite(maximum.value)) fail("stresses");
+  for (const BodyValues& body : point.bodies)
+    if (!all_finite(body.stress) || !all_finite(body.displacement)) fail("stresses");
+}
+
+/// Columns and rows of the grid that have an element under pressure.
+std::array<int, 2> elements_across(const ContactGrid& grid, const Field& pressure) {
+  std::set<int> columns;
+  std::set<int> rows;
+  for (int k = 0; k < grid.size(); ++k)
+    if (pressure[k] > 0.0) {
+      columns.insert(k % grid.nx);
+      rows.insert(k / grid.nx);
+    }
+  return {static_cast<int>(columns.size()), static_cast<int>(rows.size())};
+}
+
+bool has_grid(const Examined& at) {
+  const ContactGrid& grid = at.result.grid;
+  return grid.size() > 0 && at.point().fields.traction.n.size() == grid.size();
+}
+
+void check_fineness(const Examined& at) {
+  const ContactGrid& grid = at.result.grid;
+  const auto [along, across] = elements_across(grid, at.point().fields.traction.n);
+  if (std::min(along, across) >= fewest_elements_across) return;
+  throw CoarseGrid(
+      place_of(at) +
+      fmt::format("{} by {} contact elements of {:.4g} by {:.4g} mm lie along and across the "
+                  "patch; allowed: at least {} each way; do: choose smaller elements "
+                  "(contact_grid.elements_across or cell_size, with the model fem fem.cell_size), "
+                  "or check load and radii",
+                  along, across, grid.dx, grid.dy, fewest_elements_across));
+}
+
+void check_held(const Examined& at) {
+  const PointResult& point = at.point();
+  const ContactGrid& grid = at.result.grid;
+  const double x = point.patch_x_middle.value_or(0.0);
+  const double y = point.patch_y_middle.value_or(0.0);
+  const auto beyond = [](double middle, double extent, double first, double cell, int count) {
+    const double lower = first - 0.5 * cell;
+    return std::max(lower - (middle - 0.5 * extent), middle + 0.5 * extent - lower - count * cell) /
+           cell;
+  };
+  // What is sampled may fill the grid to its border; what is solved must end before.
+  const bool held =
+      at.kind.elastic
+          ? !touches_border(grid, point.fields.traction.n)
+          : std::max(beyond(x, point.contact_length, grid.x_first, grid.dx, grid.nx),
+                     beyond(y, point.contact_width, grid.y_first, grid.dy, grid.ny)) < 1.0;
+  if (!held)
+    refuse(at, fmt::format("the patch of {:.4g} by {:.4g} mm reaches beyond the contact grid of "
+                           "{:.4g} by {:.4g} mm; allowed: grids that hold the patch; do: choose a "
+                           "larger contact_grid.extent, or move contact_grid.middle",
+                           point.contact_length, point.contact_width, grid.nx * grid.dx,
+                           grid.ny * grid.dy));
+}
+
+void check_bounds(const Examined& at) {
+  const ContactFields& fields = at.point().fields;
+  const Field& pressure = fields.traction.n;
+  if (pressure.size() == 0) return;
+  const double largest = pressure.maxCoeff();
+  if (pressure.minCoeff() < -rounding * largest)
+    refuse(at, fmt::format("the pressure falls to {:.4g} MPa; allowed: 0 or more; do: report this "
+                           "case, it is a defect of the program",
+                           pressure.minCoeff()));
+  const Field& bound = fields.traction_bound;
+  const bool complete = fields.traction.x.size() == bound.size() &&
+                        fields.traction.y.size() == bound.size() && bound.size() != 0;
+  if (!complete || !at.kind.bounded) return;
+  const Field excess =
+      (fields.traction.x.array().square() + fields.traction.y.array().square()).sqrt() -
+      bound.array();
+  if (excess.maxCoeff() > rounding * bound.maxCoeff())
+    refuse(at, fmt::format("a tangential traction exceeds the bound of friction by {:.4g} MPa; "
+                           "allowed: at most {:.2g} of the largest bound, {:.4g} MPa; do: report "
+                           "this case, it is a defect of the program",
+                           excess.maxCoeff(), rounding, bound.maxCoeff()));
+}
+
+/// A model that gives one point for all loads takes the largest.
+NormalLoad load_of(const Examined& at) {
+  if (at.result.points.size() == at.scene.points.size()) return at.scene.points[at.index].load;
+  return largest_load(at.scene);
+}
+
+void check_balance(const Examined& at) {
+  const NormalLoad load = load_of(at);
+  // A given pressure is the load.
+  if (at.scene.given_pressure || !load.force) return;
+  const PointResult& point = at.point();
+  const double carried =
+      load.direction[0] * point.lateral_force + load.direction[1] * point.normal_force;
+  const double imbalance = std::abs(carried / *load.force - 1.0);
+  if (imbalance <= largest_imbalance) return;
+  refuse(at, fmt::format("the patch carries {:.9g} N of the {:.9g} N asked for, {:.2g} of it off; "
+                         "allowed: {:g}; do: use another grid or model",
+                         carried, *load.force, imbalance, largest_imbalance));
+}
+
+/// The largest of a figure over the load points, for a warning.
+struct Worst {
+  double part = 0.0;
+  std::size_t point = 0;
+  std::string what;
+  void raise(double candidate, std::size_t k, const std::string& text) {
+    if (!(candidate > part)) return;
+    part = candidate;
+    point = k + 1;
+    what = text;
+  }
+};
+
+/// Sine of half the angle by which a section turns from one end of the patch to the other.
+double turned(const HeightCurve& curve, double middle, double width) {
+  const auto angle = [&](double y) { return std::atan(curve.at(y).slope); };
+  return std::sin(0.5 * std::abs(angle(middle + 0.5 * width) - angle(middle - 0.5 * width)));
+}
+
+void compare_with_radii(const Scene& scene, const PointResult& point, std::size_t k, Worst& worst) {
+  const ContactSurface& surface = scene.geometry.surface;
+  const auto raise = [&](double extent, double radius, const char* body) {
+    worst.raise(extent / std::abs(radius), k,
+                fmt::format("half the patch, {:.4g} mm, against the {} of {:.4g} mm", extent, body,
+                            std::abs(radius)));
+  };
+  raise(point.semi_axis_x, surface.rolling_radius, "rolling radius");
+  if (!scene.has_profiles()) {
+    raise(point.semi_axis_y, surface.wheel_transverse_radius, "wheel's transverse radius");
+    raise(point.semi_axis_y, surface.rail_transverse_radius, "rail's transverse radius");
+    return;
+  }
+  const double middle = point.patch_y_middle.value_or(0.0);
+  for (const auto& [curve, body] : {std::pair{&surface.profiles->rail(), "rail"},
+                                    std::pair{&surface.profiles->wheel(), "wheel"}}) {
+    const double part = turned(*curve, middle, point.contact_width);
+    worst.raise(part, k,
+                fmt::format("the {} turns by {:.3g} rad across the patch of {:.4g} mm", body,
+                            2.0 * std::asin(part), point.contact_width));
+  }
+}
+
+double smallest_radius(const Scene& scene) {
+  const ContactSurface& surface = scene.geometry.surface;
+  if (scene.has_profiles()) return surface.rolling_radius;
+  return std::min({surface.rolling_radius, std::abs(surface.wheel_transverse_radius),
+                   std::abs(surface.rail_transverse_radius)});
+}
+
+}  // namespace
+
+void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind) {
+  for (std::size_t k = 0; k < result.points.size(); ++k) {
+    const Examined at{scene, result, kind, k};
+    check_scalars(at);
+    check_fields(at);
+    if (has_grid(at)) {
+      check_fineness(at);
+      check_held(at);
+    }
+    check_bounds(at);
+    check_balance(at);
+  }
+}
+
+std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult& result,
+                                           const ResultKind& kind) {
+  Worst patch, approach, pressure;
+  const bool surfaces = scene.geometry.has_surfaces() && !scene.given_pressure;
+  for (std::size_t k = 0; k < result.points.size(); ++k) {
+    const PointResult& point = result.points[k];
+    pressure.raise(point.max_pressure, k, "");
+    if (!surfaces) continue;
+    if (kind.half_spaces) compare_with_radii(scene, point, k, patch);
+    approach.raise(
+        point.approach / smallest_radius(scene), k,
+        fmt::format("{:.4g} mm against {:.4g} mm", point.approach, smallest_radius(scene)));
+  }
+  std::vector<std::string> warnings;
+  if (patch.part > largest_patch_part)
+    warnings.push_back(fmt::format(
+        "warning: the patch is not small against the bodies, as half-spaces ask: {} (load point "
+        "{}), {:.2g} of it where at most {:g} is usual; check load and radii, or take the model "
+        "fem",
+        patch.what, patch.point, patch.part, largest_patch_part));
+  if (approach.part > largest_approach_part)
+    warnings.push_back(fmt::format(
+        "warning: the approach is not small against the radii, as linear elasticity asks: {} (load "
+        "point {}), {:.2g} of it where at most {:g} is usual; check load, radii and moduli",
+        approach.what, approach.point, approach.part, largest_approach_part));
+  if (pressure.part > largest_elastic_pressure)
+    warnings.push_back(fmt::format(
+        "warning: the largest pressure, {:.4g} MPa (load point {}), is beyond the {:g} MPa that no "
+        "rail or wheel steel bears elastically; check load, radii and their units",
+        pressure.part, pressure.point, largest_elastic_pressure));
+  return warnings;
+}
+
+}  // namespace rollfem::contact

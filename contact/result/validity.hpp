@@ -1,0 +1,41 @@
+// The gate that every result passes before it leaves a model (ModelRegistry::run): what must hold
+// at every load point whatever model found it, and what a reader is warned of.
+#pragma once
+
+#include "contact/result/result.hpp"
+
+namespace rollfem::contact {
+
+/// What the gate has to know of the model.
+struct ResultKind {
+  bool elastic = true;      ///< found on the contact grid; else sampled there from a closed form
+  bool bounded = true;      ///< its tractions keep the bound of friction
+  bool half_spaces = true;  ///< its bodies are plane for the elasticity
+};
+
+/// Fewer elements than this along a side of the patch make no pressure.
+inline constexpr int fewest_elements_across = 4;
+/// Relative error of the force along the direction of the load.
+inline constexpr double largest_imbalance = 1e-6;
+/// Beyond this part of a radius the surface turns by 0.3 rad across half the patch, and bodies are
+/// no half-spaces: under the same load the largest pressure of the half-space is then
+/// 3.7 % below that of Persson's conforming pin (docs/troubleshooting.md).
+inline constexpr double largest_patch_part = 0.3;
+/// Beyond this part of a radius displacements change the geometry that they are counted from.
+inline constexpr double largest_approach_part = 0.02;
+/// MPa; beyond it no rail or wheel steel stays elastic: shakedown ends at some 4 times the yield
+/// strength in shear, 300 to 600 MPa.
+inline constexpr double largest_elastic_pressure = 3000.0;
+
+/// Throws SolveError for the first load point that is not converged, has a number that is not
+/// finite, a patch that the grid does not hold or that has fewer than fewest_elements_across
+/// elements along a side, a tensile pressure, a traction beyond its bound, or a force that is not
+/// the load asked for. The text names load point, figure, limit and what to do.
+void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind = {});
+
+/// "warning: ..." sentences, each of the worst load point: patch or approach that are not small
+/// against the radii, pressure beyond what steel bears.
+std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult& result,
+                                           const ResultKind& kind = {});
+
+}  // namespace rollfem::contact

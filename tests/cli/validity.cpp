@@ -1,0 +1,106 @@
+// What may not leave the program as a result, and what leaves it with a warning.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+namespace {
+
+using namespace rollfem::testing;
+namespace fs = std::filesystem;
+
+std::string text_of(const std::string& load, const std::string& rest) {
+  return load +
+         "[friction]\ncoefficient = 0.3\n"
+         "[wheel]\nrolling_radius = 460\ntransverse_radius = inf\n"
+         "[rail]\ntransverse_radius = 300\n" +
+         rest;
+}
+
+const std::string fifty_kilonewtons = "[load]\nnormal_force = 50e3\n";
+
+TEST(Gate, CellsLargerThanThePatchAreRefusedInEveryModel) {
+  const Folder folder;
+  const std::string file =
+      folder.file("cell.toml", text_of(fifty_kilonewtons,
+                                       "[rolling]\nlongitudinal_creepage = 0.001\n"
+                                       "[contact_grid]\ncell_size = [1000.0, 1000.0]\n"));
+  for (const char* model :
+       {"hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip", "halfspace"}) {
+    const Outcome outcome = call(folder, {"run", "-q", "--no-report", "--model", model, file});
+    EXPECT_EQ(outcome.status, 1) << model << outcome.err;
+    EXPECT_NE(outcome.err.find(std::string("cell.toml: model ") + model +
+                               ": load point 1 of 1: 1 by 1 contact elements of 1000 by 1000 mm"),
+              std::string::npos)
+        << outcome.err;
+  }
+  EXPECT_FALSE(fs::exists(folder.work() / "results"));
+}
+
+TEST(Gate, AStepOfAHistoryThatTheGridDoesNotSeeIsRefused) {
+  const Folder folder;
+  const Outcome outcome = call(
+      folder,
+      {"run", "-q", "--no-report", "--model", "halfspace",
+       folder.file("step.toml",
+                   text_of("",
+                           "[rolling]\nproblem = \"transient\"\nlongitudinal_creepage = 0.001\n"
+                           "[history]\nnormal_force = [50e3, 1e-3, 50e3]\nstep_length = 1.0\n"
+                           "[contact_grid]\nelements_across = 20\n"))});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("load point 2 of 3: 2 by 2 contact elements"), std::string::npos)
+      << outcome.err;
+}
+
+TEST(Gate, APatchAsLargeAsTheBodiesIsWarnedOfEverywhere) {
+  const Folder folder;
+  const std::string file = folder.file(
+      "huge.toml",
+      text_of("[load]\nnormal_force = 1e10\n", "[contact_grid]\nelements_across = 10\n"));
+  const Outcome outcome = call(folder, {"run", "--model", "hertz", "--model", "halfspace", file});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const fs::path made = folder.work() / "results" / "huge";
+  const auto summary = nlohmann::json::parse(contents(made / "summary.json"));
+  const std::string report = contents(made / "report.html");
+  for (const auto& model : summary.at("models")) {
+    std::string notes;
+    for (const auto& note : model.at("notes")) notes += note.get<std::string>() + "\n";
+    for (const char* said : {"warning: the patch is not small against the bodies",
+                             "warning: the approach is not small against the radii",
+                             "warning: the largest pressure, 5."}) {
+      EXPECT_NE(notes.find(said), std::string::npos) << said << notes;
+      EXPECT_NE(outcome.out.find(model.at("name").get<std::string>() + ": " + said),
+                std::string::npos)
+          << outcome.out;
+      EXPECT_NE(report.find(said), std::string::npos) << said;
+    }
+  }
+}
+
+TEST(Gate, SlipsOfUnitsAreToldWhenACaseIsCheckedAndRun) {
+  const Folder folder;
+  const std::string kilonewtons =
+      folder.file("kn.toml", text_of("[load]\nnormal_force = 80\n",
+                                     "[rolling]\nlongitudinal_creepage = 0.6\nspin = 1.0\n"));
+  for (const Outcome& outcome :
+       {call(folder, {"check", kilonewtons}),
+        call(folder, {"run", "-q", "--no-report", "--model", "hertz", kilonewtons})}) {
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* said : {"warning: ", "kn.toml: load.normal_force = 80 N",
+                             "rolling.longitudinal_creepage = 0.6", "rolling.spin = 1 rad/mm"})
+      EXPECT_NE(outcome.err.find(said), std::string::npos) << said << outcome.err;
+  }
+  // A wheel in m under its load in N: no steel bears that.
+  const Outcome metres =
+      call(folder, {"check", folder.file("m.toml",
+                                         "[load]\nnormal_force = 80e3\n[friction]\n"
+                                         "coefficient = 0.3\n[wheel]\nrolling_radius = 0.46\n"
+                                         "transverse_radius = inf\n[rail]\n"
+                                         "transverse_radius = 0.3\n")});
+  EXPECT_EQ(metres.status, 0) << metres.err;
+  for (const char* said : {"wheel.rolling_radius = 0.46 mm", "rail.transverse_radius = 0.3 mm",
+                           "MPa that no rail or wheel steel bears"})
+    EXPECT_NE(metres.err.find(said), std::string::npos) << said << metres.err;
+}
+
+}  // namespace

@@ -1,0 +1,68 @@
+// Slips of units are told, and nothing that is meant.
+#include "contact/case/plausibility.hpp"
+
+#include "contact/case/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace {
+
+using namespace rollfem::contact;
+
+struct Values {
+  std::string wheel = "460", rail = "300", force = "80e3", creepage = "0.001", spin = "0",
+              modulus = "210e3";
+};
+
+std::vector<std::string> doubts(const Values& v) {
+  return implausible_values(parse_case(
+      "[load]\nnormal_force = " + v.force + "\n[friction]\ncoefficient = 0.3\n[wheel]\n" +
+          "rolling_radius = " + v.wheel + "\ntransverse_radius = inf\nyoung_modulus = " +
+          v.modulus + "\n[rail]\ntransverse_radius = " + v.rail + "\nyoung_modulus = " + v.modulus +
+          "\n[rolling]\nlongitudinal_creepage = " + v.creepage + "\nspin = " + v.spin + "\n",
+      "slip.toml"));
+}
+
+void expect_one(const Values& values, const std::string& beginning) {
+  const auto found = doubts(values);
+  ASSERT_EQ(found.size(), 1u) << beginning;
+  EXPECT_EQ(found.front().rfind("slip.toml: " + beginning, 0), 0u) << found.front();
+  EXPECT_NE(found.front().find("do: give it "), std::string::npos) << found.front();
+}
+
+TEST(Plausibility, SlipsOfUnitsAreTold) {
+  Values metres;
+  metres.wheel = "0.46";
+  metres.force = "1";
+  expect_one(metres, "wheel.rolling_radius = 0.46 mm");
+  Values profile;
+  profile.rail = "0.3";
+  expect_one(profile, "rail.transverse_radius = 0.3 mm");
+  Values kilonewtons;
+  kilonewtons.force = "80";
+  expect_one(kilonewtons, "load.normal_force = 80 N: a wheel of 460 mm carries more than 1058 N");
+  Values per_cent;
+  per_cent.creepage = "[0.1, -0.6]";
+  expect_one(per_cent, "rolling.longitudinal_creepage = -0.6");
+  Values per_metre;
+  per_metre.spin = "1";
+  expect_one(per_metre, "rolling.spin = 1 rad/mm");
+  Values pascals;
+  pascals.modulus = "2.1e8";
+  EXPECT_EQ(doubts(pascals).size(), 2u);
+}
+
+TEST(Plausibility, WhatIsMeantIsNotDoubted) {
+  EXPECT_TRUE(doubts({}).empty());
+  EXPECT_TRUE(doubts({"100", "20", "60", "0.3", "0.1", "210e3"}).empty());  // a roller rig
+  EXPECT_TRUE(doubts({"250", "300", "80", "0.1", "0", "5"}).empty());       // rubber
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(ROLLFEM_SOURCE_DIR "/cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_TRUE(implausible_values(read_case(entry.path().string())).empty()) << entry.path();
+  }
+}
+
+}  // namespace
