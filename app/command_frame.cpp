@@ -87,6 +87,7 @@ postprocess::Provenance CommandFrame::provenance() const {
   made.started = utc_now();
   made.command = request_.command;
   made.processes = parallel_ ? processes_ : 1;
+  for (const contact::ModelInfo& model : known_.all()) made.labels[model.name] = model.label;
   return made;
 }
 

@@ -72,6 +72,7 @@ std::vector<std::string> able_models(const contact::Case& input, const Scenes& s
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how) {
   contact::ModelResult result = run_model(model, scene, how);
+  result.label = how.models->at(model).label;
   finish(scene, notes, result);
   return result;
 }

@@ -106,6 +106,7 @@ struct BodyField {
 
 struct ModelResult {
   std::string name;                       ///< "hertz", "linear", ... "halfspace", "fem"
+  std::string label;                      ///< as figures call it; empty: the name
   std::map<std::string, double> seconds;  ///< total, setup, normal, tangential, ...
   long unknowns = 0;
   int contact_elements = 0;

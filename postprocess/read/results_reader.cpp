@@ -263,6 +263,7 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
     const Handle group = open_group(open_group(file, "models"), model.key);
     ModelResult result;
     result.name = model.name;
+    if (has_attribute(group, "label")) result.label = read_text(group, "label");
     result.unknowns = static_cast<long>(read_number(group, "unknowns"));
     result.contact_elements = static_cast<int>(read_number(group, "contact_elements"));
     result.notes = read_lines(group, "notes");

@@ -77,6 +77,7 @@ def build(directory, png_folder=None, reference=""):
     result = read_result(directory)
     result.reference = reference
     folder = style.figures_folder(result.directory, png_folder)
+    style.know({model.name: model.label for model in result.models})
     figures = []
     for name, caption, draw in all_captions(result):
         figure = draw()

@@ -210,6 +210,7 @@ def build_comparison(directory, png_folder=None):
         comparison = json.load(file)
     if comparison.get("kind") != "compare" or comparison.get("format") != 2:
         raise ResultError(f"{directory}/compare.json is not a comparison that this program reads")
+    style.know(comparison.get("labels", {}))
     cases = [c for c in comparison["cases"] if c["complete"]]
     sections = [_case_section(comparison, c, directory, png_folder) for c in comparison["cases"]]
     folder = style.figures_folder(directory, png_folder)

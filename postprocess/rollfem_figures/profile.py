@@ -31,7 +31,7 @@ def draw(path, png_folder=None):
     figure, (shape, bend) = plt.subplots(
         2, 1, figsize=(7.0, shape_height + 3.0), sharex=True,
         gridspec_kw={"height_ratios": [shape_height, 2.4]}, layout="constrained")
-    ink = style.MODELS["halfspace"][1]
+    ink = style.BLUE
     shape.plot(y, z, color=ink, linewidth=1.5)
     shape.plot(y[places], z[places], "o", color=style.SLIP_COLOUR, markeredgecolor="black",
                markeredgewidth=0.5, markersize=4.5, linestyle="none",

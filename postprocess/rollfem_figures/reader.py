@@ -115,6 +115,7 @@ class Model:
     # {"wheel": Body, "rail": Body} of the last load point that has them (see Point.bodies); empty
     # but for finite elements
     bodies: Mapping = field(default_factory=dict)
+    label: str = ""  # what figures call it
 
     @property
     def has_friction(self):
@@ -252,7 +253,7 @@ def _read_model(key, group, by_number):
     return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
                  _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
                  grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
-                 points, key, place, bodies)
+                 points, key, place, bodies, _plain(group.attrs.get("label", "")))
 
 
 def _read_profiles(file):

@@ -218,7 +218,7 @@ def verdict(text):
     """The verdict of a comparison or study, models by the names that figures and tables have."""
     text = escape(text)
     for pattern, look in LOOKS + [(rf"(?<![\w.-]){name}(?![\w-])", label)
-                                  for name, (label, *_) in style.MODELS.items()]:
+                                  for name, label in style.LABELS.items()]:
         text = re.sub(pattern, look, text)
     return f"<p class=say>{text}</p>" if text else ""
 

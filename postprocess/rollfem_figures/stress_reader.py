@@ -41,6 +41,7 @@ class StressModel:
     key: str
     sets: list
     data: dict
+    label: str = ""  # what figures call it
 
     def set(self, name, body):
         """The set of that name and body, or None."""
@@ -82,7 +83,8 @@ def read_stress(directory):
                               (s["points_across"], s["points_along"]),
                               rows[(entry["key"], s["name"], s["body"])], s["largest"])
                     for s in entry["sets"]]
-            models.append(StressModel(entry["name"], entry["key"], sets, entry))
+            models.append(StressModel(entry["name"], entry["key"], sets, entry,
+                                      entry.get("label", "")))
         return StressResult(directory, data["title"], data["source"], models,
                             data.get("yield_shear_stress"), data.get("shakedown_map"))
     except (OSError, KeyError, IndexError, ValueError) as error:

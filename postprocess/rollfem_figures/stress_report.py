@@ -249,6 +249,7 @@ def build(directory, png_folder=None):
     """Draws what the folder has to its figures/."""
     result = read_stress(directory)
     folder = style.figures_folder(directory, png_folder)
+    style.know({model.name: model.label for model in result.models})
     for name, draw in figures(result):
         figure = draw()
         if figure is not None:

@@ -283,6 +283,7 @@ def build_study(directory, png_folder=None):
     if study.get("kind") != "study" or study.get("format") != 3:
         raise ResultError(f"{directory}/study.json is not a study that this program reads")
     folder = style.figures_folder(directory, png_folder)
+    style.know(study.get("labels", {}))
     title = "Refinement study: " + escape(study["title"] or study["case_file"])
     parts = [report.heading(title, study["program"], study), report.verdict(study["verdict"]),
              f"<details><summary>case file {escape(study['case_file'])}</summary>"

@@ -1,6 +1,6 @@
 """One look for all figures: colours that colour-blind readers can tell apart (Okabe and Ito), a
 marker and a dash for each model, vector output with text as outlines so that it looks the same
-everywhere."""
+everywhere. How a model is called comes with the results, from the program's registry."""
 import contextlib
 import os
 import re
@@ -8,38 +8,53 @@ import re
 import matplotlib
 from matplotlib import pyplot as plt
 
-# name: (label, colour, dash, marker)
-MODELS = {
-    "hertz": ("Hertz", "#000000", (0, (5, 2)), "x"),
-    "halfspace": ("half-space", "#0072B2", "-", "o"),
-    "fem": ("FEM", "#D55E00", (0, (6, 1.5)), "s"),
-    "hybrid": ("hybrid", "#009E73", (0, (4, 1, 1, 1)), "^"),
-    "fastsim": ("FASTSIM", "#CC79A7", (0, (3, 1)), "v"),
-    "strip": ("strip", "#E69F00", (0, (2, 1)), "D"),
-    "carter": ("Carter", "#56B4E9", (0, (1, 1)), "P"),
-    "vermeulen-johnson": ("Vermeulen-Johnson", "#8B5A2B", (0, (1, 2)), "*"),
-    "linear": ("linear theory", "#999999", (0, (5, 5)), "+"),
+BLUE = "#0072B2"
+# name: (colour, dash, marker), so that a model looks the same in every figure ever drawn.
+LOOKS = {
+    "hertz": ("#000000", (0, (5, 2)), "x"),
+    "halfspace": (BLUE, "-", "o"),
+    "fem": ("#D55E00", (0, (6, 1.5)), "s"),
+    "fastsim": ("#CC79A7", (0, (3, 1)), "v"),
+    "strip": ("#E69F00", (0, (2, 1)), "D"),
+    "carter": ("#56B4E9", (0, (1, 1)), "P"),
+    "vermeulen-johnson": ("#8B5A2B", (0, (1, 2)), "*"),
+    "linear": ("#999999", (0, (5, 5)), "+"),
 }
+# Those of other models, in the order in which they are met.
+SPARE_LOOKS = [("#009E73", (0, (4, 1, 1, 1)), "^"), ("#882255", (0, (7, 1, 1, 1)), "<"),
+               ("#117733", (0, (3, 1, 1, 1, 1, 1)), ">"), ("#6A3D9A", (0, (2, 2)), "h")]
+LABELS = {}
 ADHESION_COLOUR, SLIP_COLOUR = "#56B4E9", "#E69F00"
 GREY = "#666666"
 
 
+def know(labels):
+    """How models are called, {name: label}. Call before drawing; later calls add to it."""
+    LABELS.update((name, label) for name, label in labels.items() if label)
+
+
 def label(model):
-    return MODELS.get(model.name, (model.name,))[0]
+    return LABELS.get(model.name, model.name)
+
+
+def _look(model):
+    if model.name not in LOOKS:
+        LOOKS[model.name] = SPARE_LOOKS[len(LOOKS) % len(SPARE_LOOKS)]
+    return LOOKS[model.name]
 
 
 def colour(model):
-    return MODELS.get(model.name, (None, "#009E73"))[1]
+    return _look(model)[0]
 
 
 def line(model):
     """Keyword arguments of a curve of this model."""
-    _, ink, dash, _ = MODELS.get(model.name, (None, "#009E73", "-", "o"))
+    ink, dash, _ = _look(model)
     return {"color": ink, "linestyle": dash, "linewidth": 1.5}
 
 
 def marker(model):
-    return MODELS.get(model.name, (None, None, None, "o"))[3]
+    return _look(model)[2]
 
 
 def use():

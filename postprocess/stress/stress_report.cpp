@@ -214,6 +214,7 @@ std::string stress_json(const StressReport& report) {
   for (const StressOfModel& model : report.models) {
     const PointResult& point = model.result.points[model.point];
     Json entry{{"name", model.result.name}, {"key", model.result.key()}};
+    if (!model.result.label.empty()) entry["label"] = model.result.label;
     if (model.result.place) entry["place"] = place_json(*model.result.place);
     entry["point"] = model.point;
     entry["longitudinal_creepage"] = point.creepage.longitudinal;

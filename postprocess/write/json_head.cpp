@@ -15,6 +15,7 @@ ordered_json json_head(int format, const std::string& kind, const Provenance& pr
   json["started"] = provenance.started;
   json["command"] = provenance.command;
   json["processes"] = provenance.processes;
+  json["labels"] = provenance.labels;
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include "contact/result/result.hpp"
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Provenance {
   std::string started;  ///< ISO 8601, UTC
   std::string command;
   int processes = 1;
+  /// Of comparisons and studies: how figures call the models, by name.
+  std::map<std::string, std::string> labels = {};
 };
 
 /// Wheel and rail as they stand on the track at one position, for drawings: y to the right and z

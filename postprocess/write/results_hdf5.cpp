@@ -236,6 +236,7 @@ void write_place(hid_t model, const contact::ContactPlace& place) {
 void write_model(hid_t models, const ModelResult& model, long order) {
   const Handle group = create_group(models, model.key(), "Result of the model " + model.name);
   write_attribute(group, "model", model.name);
+  if (!model.label.empty()) write_attribute(group, "label", model.label);
   if (model.place) write_place(group, *model.place);
   write_attribute(group, "order", order);
   write_attribute(group, "unknowns", model.unknowns);

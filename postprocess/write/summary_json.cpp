@@ -42,6 +42,7 @@ ordered_json point_json(const contact::PointResult& point) {
 ordered_json model_json(const contact::ModelResult& model) {
   ordered_json json;
   json["name"] = model.name;
+  if (!model.label.empty()) json["label"] = model.label;
   if (model.place) {
     json["place"] = {{"wheel", model.place->left ? "left" : "right"}};
     for (const PlaceScalar& scalar : place_scalars())

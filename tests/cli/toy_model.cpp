@@ -68,11 +68,12 @@ TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
   const auto models = read(folder.work() / "results" / "q" / "summary.json").at("models");
   ASSERT_EQ(models.size(), 3U);
   EXPECT_EQ(models[2].at("name"), "stiff");
+  EXPECT_EQ(models[2].at("label"), "stiff half-space");
   // Pressure goes with the modulus to the power 2/3.
   const double soft = models[1].at("points")[0].at("max_pressure");
   const double stiff = models[2].at("points")[0].at("max_pressure");
   EXPECT_NEAR(stiff / soft, std::pow(0.9, -2.0 / 3.0), 1e-6);
-  expect_in(contents(folder.work() / "results" / "q" / "report.html"), "stiff");
+  expect_in(contents(folder.work() / "results" / "q" / "report.html"), "stiff half-space");
 }
 
 TEST(ToyModel, IsComparedAndMayBeTheReference) {
@@ -82,7 +83,7 @@ TEST(ToyModel, IsComparedAndMayBeTheReference) {
                                        "--reference", "stiff", "-o", "out"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
-  expect_in(contents(folder.work() / "out" / "compare.html"), "stiff");
+  expect_in(contents(folder.work() / "out" / "compare.html"), "stiff half-space");
   const auto all = read(folder.work() / "out" / "compare.json");
   int found = 0;
   for (const auto& number : all.at("cases")[0].at("numbers"))
@@ -105,7 +106,7 @@ TEST(ToyModel, IsStudiedAsTheHalfSpaceIs) {
   ASSERT_EQ(series.size(), 2U);
   EXPECT_EQ(series[1].at("model"), "stiff");
   EXPECT_EQ(series[1].at("levels").size(), 3U);
-  expect_in(contents(folder.work() / "out" / "study.html"), "stiff");
+  expect_in(contents(folder.work() / "out" / "study.html"), "stiff half-space");
 }
 
 TEST(ToyModel, GoesOnFromItsCheckpointAndGivesStresses) {

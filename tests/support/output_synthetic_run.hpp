@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -83,10 +84,15 @@ inline void fill_scalars(const SyntheticPatch& patch, const ContactGrid& grid, P
   point.converged = true;
 }
 
+/// How figures call them.
+inline const std::map<std::string, std::string> labels{
+    {"hertz", "Hertz"}, {"halfspace", "half-space"}, {"fem", "FEM"}};
+
 inline ModelResult synthetic_model(const std::string& name, const SyntheticPatch& patch, int nx,
                                    int ny, const std::vector<double>& creepages) {
   ModelResult model;
   model.name = name;
+  model.label = labels.at(name);
   model.grid = ContactGrid::centred(nx, ny, 2.3 * patch.a / nx, 2.3 * patch.b / ny);
   for (const double xi : creepages) {
     PointResult point;

@@ -68,6 +68,7 @@ RunRecord full_run() {
 
 void expect_same(const contact::ModelResult& found, const contact::ModelResult& written) {
   EXPECT_EQ(found.name, written.name);
+  EXPECT_EQ(found.label, written.label);
   EXPECT_EQ(found.key(), written.key());
   EXPECT_EQ(found.unknowns, written.unknowns);
   EXPECT_EQ(found.notes, written.notes);

@@ -61,6 +61,7 @@ class PagesTest : public testing::InFolder {
 TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   RunRecord run = testing::synthetic_run();
   ComparisonRecord record;
+  record.provenance.labels = rollfem::testing::labels;
   record.models = {"hertz", "halfspace", "fem", "strip"};
   record.cases.push_back(written("one", run));
   run.input.title = "second <case>";
@@ -99,6 +100,7 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
       for (contact::PointResult& point : model.points) point.max_pressure *= 1.3;
   }
   ComparisonRecord record;
+  record.provenance.labels = rollfem::testing::labels;
   record.models = {"halfspace", "fem"};
   record.cases.push_back(written("wheels", run));
   replace_file(base_ / "compare.json", comparison_json(record));
@@ -114,6 +116,7 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
 
 TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   StudyRecord study;
+  study.provenance.labels = rollfem::testing::labels;
   study.title = "a <study>";
   study.friction = 0.5;
   StudyPlace place;
