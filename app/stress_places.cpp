@@ -121,8 +121,10 @@ class Bodies {
   StressSet set(const NamedRequest& named, double semi_axis) const {
     const BodySampler* body = (named.request.wheel ? wheel_ : rail_).sampler.get();
     if (body == nullptr)
-      throw InputError(fmt::format("{}: the {} is not stored; do: run the case again", named.call,
-                                   named.request.wheel ? "wheel" : "rail"));
+      throw InputError(
+          fmt::format("{}: the {} is not stored: it is rigid and has no stress; do: name the "
+                      "other body",
+                      named.call, named.request.wheel ? "wheel" : "rail"));
     StressSet set;
     set.name = named.name;
     set.field.request = named.request;
@@ -152,6 +154,13 @@ class Bodies {
   Part rail_;
 };
 
+/// Of finite elements: those are stored of the elastic bodies alone.
+bool is_rigid(const ModelResult& model, const std::string& body) {
+  return !model.bodies.empty() &&
+         std::none_of(model.bodies.begin(), model.bodies.end(),
+                      [&](const contact::BodyField& stored) { return stored.name == body; });
+}
+
 }  // namespace
 
 std::vector<NamedRequest> depth_profiles(const ModelResult& model, std::size_t number,
@@ -171,7 +180,8 @@ std::vector<NamedRequest> depth_profiles(const ModelResult& model, std::size_t n
   std::vector<NamedRequest> profiles;
   const auto add = [&](const char* name, const Spot& spot) {
     for (const bool wheel : {true, false}) {
-      if (!request.body.empty() && request.body != (wheel ? "wheel" : "rail")) continue;
+      const char* body = wheel ? "wheel" : "rail";
+      if (request.body.empty() ? is_rigid(model, body) : request.body != body) continue;
       SubsurfaceRequest line;
       line.kind = SubsurfaceRequest::Kind::line;
       line.wheel = wheel;

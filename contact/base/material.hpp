@@ -2,6 +2,8 @@
 // which limits how fast a load may move over an elastic body.
 #pragma once
 
+#include <limits>
+
 namespace rollfem::contact {
 
 /// Linear-elastic isotropic material.
@@ -9,6 +11,8 @@ struct Material {
   double young_modulus = 210e3;  ///< MPa, inf: rigid (at most one of the two bodies)
   double poisson_ratio = 0.3;
   double density = 7.85e-9;  ///< t/mm^3, felt with inertia only
+
+  bool rigid() const { return young_modulus == std::numeric_limits<double>::infinity(); }
 };
 
 /// Combined constants of two bodies, also of unlike ones (Kalker 1990, eq. 1.44).

@@ -176,9 +176,15 @@ void check_friction_limit(const GivenCase& given, const Case& input) {
 }
 
 void check_rigid(const GivenCase& given, const Case& input) {
-  if (!std::isinf(input.wheel.material.young_modulus) ||
-      !std::isinf(input.rail.material.young_modulus))
-    return;
+  const auto refuse_mesh = [&](const auto& body, const std::string& section) {
+    if (body.material.rigid() && !body.mesh.empty())
+      fail_at(given, section + ".mesh", *given.find(section, "mesh"),
+              "is of a rigid body, which is not meshed", "a mesh of an elastic body",
+              "remove it, or give a finite young_modulus");
+  };
+  refuse_mesh(input.wheel, "wheel");
+  refuse_mesh(input.rail, "rail");
+  if (!input.wheel.material.rigid() || !input.rail.material.rigid()) return;
   fail_at(given, "rail.young_modulus", *given.find("rail", "young_modulus"),
           "makes both bodies rigid, which then touch in a point",
           "inf for at most one of wheel and rail", "give one of them a finite modulus");

@@ -31,8 +31,14 @@ bool is_history(const Scene& scene) {
 }
 
 bool any_rigid(const Scene& scene) {
-  return std::isinf(scene.wheel.material.young_modulus) ||
-         std::isinf(scene.rail.material.young_modulus);
+  return scene.wheel.material.rigid() || scene.rail.material.rigid();
+}
+
+bool stress_in_rigid(const Scene& scene) {
+  return std::any_of(scene.subsurface.begin(), scene.subsurface.end(),
+                     [&](const SubsurfaceRequest& request) {
+                       return (request.wheel ? scene.wheel : scene.rail).material.rigid();
+                     });
 }
 
 bool any_of_radii(const Scene& scene, double Creepage::*component) {
@@ -81,6 +87,7 @@ const std::vector<DemandRow>& rows() {
       {Demand::given_pressure, "given_pressure", "a given pressure",
        [](const Scene& c) { return c.given_pressure.has_value(); }},
       {Demand::rigid_body, "young_modulus = inf", "a rigid body", any_rigid},
+      {Demand::stress_in_rigid_body, "subsurface", "the stress in a rigid body", stress_in_rigid},
       {Demand::inertia, "fem.inertia", "the inertia of moving bodies",
        [](const Scene& c) { return c.feels_inertia(); }},
       {Demand::beyond_half_space, "subsurface",

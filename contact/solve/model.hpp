@@ -38,6 +38,7 @@ enum class Demand {
   distance_quadratic,      ///< undeformed distance without radii
   given_pressure,
   rigid_body,
+  stress_in_rigid_body,
   inertia,            ///< of wheel and rail
   beyond_half_space,  ///< stress where a concave body reaches beyond z = 0
 };

@@ -151,4 +151,8 @@ class Body {
   dealii::AffineConstraints<double> constraints_;
 };
 
+/// Wheel and rail; null: rigid.
+using BodyPair = std::array<const Body*, 2>;
+inline constexpr std::array<const char*, 2> body_names{"wheel", "rail"};
+
 }  // namespace rollfem::fem

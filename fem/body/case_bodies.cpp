@@ -79,13 +79,16 @@ std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceSha
 }
 
 std::string section_note(const contact::Scene& scene) {
-  return fmt::format(
-      "bodies are true sections: the rail with the underside of the head, web and foot of 60E1, "
-      "cut "
-      "and held {:.4g} mm below its top, the rim held {:.4g} mm below the contact, both held at "
-      "their ends along rolling",
-      std::min(default_cut_depth, scene.fem.depth.value_or(default_cut_depth)),
-      scene.fem.rim_thickness.value_or(default_rim_thickness));
+  std::string text = "bodies are true sections, held at their ends along rolling";
+  if (!scene.rail.material.rigid())
+    text += fmt::format(
+        "; the rail with the underside of the head, web and foot of 60E1, cut and held {:.4g} mm "
+        "below its top",
+        std::min(default_cut_depth, scene.fem.depth.value_or(default_cut_depth)));
+  if (!scene.wheel.material.rigid())
+    text += fmt::format("; the rim held {:.4g} mm below the contact",
+                        scene.fem.rim_thickness.value_or(default_rim_thickness));
+  return text;
 }
 
 void check_far_boundary(const contact::Scene& scene) {
@@ -121,7 +124,11 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
   const bool sections = has_true_sections(scene);
   CaseBodies bodies;
   const auto make = [&](const std::string& key, const std::string& file, const SurfaceShape& shape,
-                        const contact::Material& material) {
+                        const contact::Material& material) -> std::unique_ptr<Body> {
+    if (material.rigid()) {
+      bodies.notes.push_back(fmt::format("the {} is rigid and not meshed", key));
+      return nullptr;
+    }
     if (file.empty() && sections)
       return section_body(scene, shape, material, options, communicator);
     if (file.empty()) return std::make_unique<Body>(shape, material, options, communicator);
@@ -130,12 +137,13 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
   };
   bodies.wheel = make("wheel", scene.wheel.mesh, wheel, scene.wheel.material);
   bodies.rail = make("rail", scene.rail.mesh, rail, scene.rail.material);
-  const auto reach = [sections](const Body& body, bool imported) {
-    const BodyOptions& o = body.options();
+  const auto reach = [sections](const Body* body, bool imported) {
+    if (body == nullptr) return contact::infinity;
+    const BodyOptions& o = body->options();
     return imported || sections ? o.extent : std::min({o.reach_s(), o.reach_t(), o.reach_depth()});
   };
-  bodies.reach = std::min(reach(*bodies.wheel, !scene.wheel.mesh.empty()),
-                          reach(*bodies.rail, !scene.rail.mesh.empty()));
+  bodies.reach = std::min(reach(bodies.wheel.get(), !scene.wheel.mesh.empty()),
+                          reach(bodies.rail.get(), !scene.rail.mesh.empty()));
   if (sections)
     bodies.notes.push_back(section_note(scene));
   else if (options.family == MeshFamily::gmsh)

@@ -11,10 +11,12 @@
 namespace rollfem::fem {
 
 struct CaseBodies {
-  std::unique_ptr<Body> wheel;
+  std::unique_ptr<Body> wheel;  ///< null: rigid
   std::unique_ptr<Body> rail;
   double reach = 0.0;              ///< mm, from the patch to where the nearer one is held
-  std::vector<std::string> notes;  ///< on meshes that are not of the family `structured`
+  std::vector<std::string> notes;  ///< on rigid bodies and meshes not of the family `structured`
+
+  BodyPair both() const { return {wheel.get(), rail.get()}; }
 };
 
 /// Width, depth, length and mesh family of the case.

@@ -106,7 +106,10 @@ MeshedBody report(const Body& body, const std::string& name) {
 std::vector<MeshedBody> mesh_case(const contact::Scene& scene) {
   const CaseBodies bodies =
       make_bodies(scene, run_layout(scene, default_cell_size(scene)).bodies, MPI_COMM_WORLD);
-  return {report(*bodies.wheel, "wheel"), report(*bodies.rail, "rail")};
+  std::vector<MeshedBody> reports;
+  for (std::size_t k = 0; k < 2; ++k)
+    if (const Body* body = bodies.both()[k]) reports.push_back(report(*body, body_names[k]));
+  return reports;
 }
 
 }  // namespace rollfem::fem

@@ -26,8 +26,8 @@ struct MeshedBody {
   double largest_aspect_ratio = 1.0;
 };
 
-/// Wheel and rail as `run` would mesh them. Collective; complete on process 0. Throws
-/// contact::InputError.
+/// Wheel and rail as `run` would mesh them; a rigid one is left out. Collective; complete on
+/// process 0. Throws contact::InputError.
 std::vector<MeshedBody> mesh_case(const contact::Scene& scene);
 
 }  // namespace rollfem::fem

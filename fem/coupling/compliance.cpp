@@ -1,6 +1,5 @@
 #include "fem/coupling/compliance.hpp"
 
-#include "fem/body/profile_shape.hpp"
 #include "fem/coupling/far_field.hpp"
 #include "fem/solver/factorisation.hpp"
 
@@ -39,30 +38,24 @@ contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
           -displacement.x.cwiseProduct(sine).cwiseQuotient(radius)};
 }
 
-contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceShape& rail) {
-  if (wheel.profile) return profile_contact(*wheel.profile);
-  return {wheel.rolling_radius, wheel.transverse_radius, rail.transverse_radius};
-}
-
 struct FemCompliance::Implementation {
-  Implementation(const Part& wheel, const Part& rail, const contact::ContactGrid& the_grid,
-                 FarBoundary far)
+  Implementation(const Part& wheel, const Part& rail, const contact::ContactSurface& the_surface,
+                 const contact::ContactGrid& the_grid, FarBoundary far)
       : grid(the_grid),
         parts{wheel, rail},
-        surface(common_surface(wheel.body->shape(), rail.body->shape())),
-        shape(contact::patch_shape(surface, the_grid)),
-        coupling{{*wheel.body, the_grid, surface}, {*rail.body, the_grid, surface}} {
+        surface(the_surface),
+        shape(contact::patch_shape(surface, the_grid)) {
+    concurrent = wheel.solver != rail.solver;
     for (int k = 0; k < 2; ++k) {
-      loads[k] = make_vector(parts[k].body->dofs());
-      displacements[k] = make_vector(parts[k].body->dofs());
+      const auto [body, solver] = parts[k];
+      concurrent = concurrent && body != nullptr && is_factorisation(*solver) &&
+                   dealii::Utilities::MPI::n_mpi_processes(body->dofs().get_communicator()) == 1;
+      if (body == nullptr) continue;
+      coupling[k].emplace(*body, grid, surface);
+      loads[k] = make_vector(body->dofs());
+      displacements[k] = make_vector(body->dofs());
+      if (far == FarBoundary::point_load) far_field[k].emplace(*body, *solver, *coupling[k]);
     }
-    const MPI_Comm communicator = wheel.body->dofs().get_communicator();
-    concurrent = dealii::Utilities::MPI::n_mpi_processes(communicator) == 1 &&
-                 is_factorisation(*wheel.solver) && is_factorisation(*rail.solver) &&
-                 wheel.solver != rail.solver;
-    if (far == FarBoundary::point_load)
-      for (int k = 0; k < 2; ++k)
-        far_field[k].emplace(*parts[k].body, *parts[k].solver, coupling[k]);
   }
 
   /// Force on body k.
@@ -74,14 +67,17 @@ struct FemCompliance::Implementation {
 
   /// Of body k under the tractions it was last solved for.
   contact::SurfaceField surface_displacement(int k, const contact::SurfaceField& traction) const {
-    contact::SurfaceField result = coupling[k].sample(displacements[k]);
+    const contact::Field none = contact::Field::Zero(grid.size());
+    if (!coupling[k]) return {none, none, none};
+    contact::SurfaceField result = coupling[k]->sample(displacements[k]);
     if (far_field[k]) far_field[k]->add(force_on(k, traction), result);
     return result;
   }
 
   void solve_part(int k, const contact::SurfaceField& traction) {
-    coupling[k].load({sign_of[k] * traction.x, sign_of[k] * traction.y, sign_of[k] * traction.n},
-                     loads[k]);
+    if (!coupling[k]) return;
+    coupling[k]->load({sign_of[k] * traction.x, sign_of[k] * traction.y, sign_of[k] * traction.n},
+                      loads[k]);
     parts[k].solver->solve(displacements[k], loads[k]);
   }
 
@@ -109,8 +105,8 @@ struct FemCompliance::Implementation {
   Part parts[2];
   contact::ContactSurface surface;
   contact::PatchShape shape;
-  SurfaceCoupling coupling[2];
-  std::optional<FarField> far_field[2];  ///< none: clamped
+  std::optional<SurfaceCoupling> coupling[2];  ///< none: rigid
+  std::optional<FarField> far_field[2];        ///< none: clamped
   Vector loads[2];
   Vector displacements[2];
   std::optional<contact::SurfaceField> solved_for;  ///< what `displacements` belong to
@@ -118,9 +114,10 @@ struct FemCompliance::Implementation {
   int solves = 0;
 };
 
-FemCompliance::FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid,
-                             FarBoundary far)
-    : implementation_(std::make_unique<Implementation>(wheel, rail, grid, far)) {}
+FemCompliance::FemCompliance(const Part& wheel, const Part& rail,
+                             const contact::ContactSurface& surface,
+                             const contact::ContactGrid& grid, FarBoundary far)
+    : implementation_(std::make_unique<Implementation>(wheel, rail, surface, grid, far)) {}
 
 FemCompliance::~FemCompliance() = default;
 
@@ -148,6 +145,7 @@ std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceFiel
   std::vector<Vector> displacements(model.displacements, model.displacements + 2);
   // Copying a vector leaves its ghost values behind.
   for (int k = 0; k < 2; ++k) {
+    if (!model.coupling[k]) continue;
     displacements[k].update_ghost_values();
     if (model.far_field[k]) model.far_field[k]->add(model.force_on(k, traction), displacements[k]);
   }

@@ -46,31 +46,31 @@ contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
                                         const contact::ContactGrid& grid,
                                         const contact::SurfaceField& displacement);
 
-/// The surface that two bodies share: the mean of their profiles.
-contact::ContactSurface common_surface(const SurfaceShape& wheel, const SurfaceShape& rail);
-
 /// How the far boundary of the segments is held (far_field.hpp).
 using FarBoundary = contact::FarBoundary;
 
 class FemCompliance : public contact::Compliance {
  public:
+  /// Both null: a rigid body, which contributes nothing.
   struct Part {
     const Body* body;
     const LinearSolver* solver;
   };
-  /// Wheel and rail; both outlive the compliance. Parts are solved at the same time on two threads
-  /// when there is one process and both solvers are factorisations.
+  /// Wheel and rail, of which one may be rigid, and the surface that they share; all outlive the
+  /// compliance. Parts are solved at the same time on two threads when there is one process and
+  /// both solvers are factorisations.
   /// With FarBoundary::point_load the displacement that the far boundary brings is added, which is
   /// linear in the resultant force (and costs three solves a body, here): then no longer exactly
   /// symmetric, see docs/theory.md.
-  FemCompliance(const Part& wheel, const Part& rail, const contact::ContactGrid& grid,
-                FarBoundary far = FarBoundary::clamped);
+  FemCompliance(const Part& wheel, const Part& rail, const contact::ContactSurface& surface,
+                const contact::ContactGrid& grid, FarBoundary far = FarBoundary::clamped);
   ~FemCompliance() override;
   const contact::ContactGrid& grid() const override;
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
   /// With the curvature slip of the wheel.
   contact::Response respond(const contact::SurfaceField& traction) const override;
-  /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView.
+  /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView; of a
+  /// rigid body empty.
   std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;
   int solves() const;  ///< apply() calls so far
 

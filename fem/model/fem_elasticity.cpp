@@ -92,21 +92,26 @@ void FemElasticity::tell(contact::ProgressEvent event, const std::string& stage,
 void FemElasticity::make_meshes(const RunLayout& layout) {
   tell({}, "mesh");
   bodies_ = make_bodies(scene_, layout.bodies, MPI_COMM_WORLD);
-  const Body& wheel = *bodies_.wheel;
-  const Body& rail = *bodies_.rail;
   start_.reach = bodies_.reach;
-  start_.half = wheel.options().half && rail.options().half;
-  start_.notes.clear();
-  for (const std::string& note : bodies_.notes)
-    start_.notes += (start_.notes.empty() ? "" : "\n") + note;
-  start_.unknowns = static_cast<long>(wheel.unknowns() + rail.unknowns());
+  start_.notes = fmt::format("{}", fmt::join(bodies_.notes, "\n"));
+  std::array<long, 2> unknowns{};
+  bool algebraic = false;
+  start_.half = true;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Body* body = bodies_.both()[k];
+    if (body == nullptr) continue;
+    unknowns[k] = static_cast<long>(body->unknowns());
+    start_.half = start_.half && body->options().half;
+    algebraic = algebraic || takes_algebraic(scene_, *body);
+  }
+  start_.unknowns = unknowns[0] + unknowns[1];
   MemoryDemand demand =
-      memory_demand(static_cast<double>(wheel.unknowns()), static_cast<double>(rail.unknowns()),
+      memory_demand(static_cast<double>(unknowns[0]), static_cast<double>(unknowns[1]),
                     layout.bodies, options_.body_fields ? points_that_keep_bodies(scene_) : 0);
-  demand.algebraic = takes_algebraic(scene_, wheel) || takes_algebraic(scene_, rail);
+  demand.algebraic = algebraic;
   demand.factorisation = factorisation_ = takes_factorisation(scene_, demand);
   contact::ProgressEvent event;
-  event.note = fmt::format("wheel {} + rail {} unknowns, {}", wheel.unknowns(), rail.unknowns(),
+  event.note = fmt::format("wheel {} + rail {} unknowns, {}", unknowns[0], unknowns[1],
                            memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
   refuse_beyond_memory(demand, layout.bodies.cell_size, MPI_COMM_WORLD);
@@ -115,20 +120,19 @@ void FemElasticity::make_meshes(const RunLayout& layout) {
 void FemElasticity::make_compliance(const RunLayout& layout,
                                     const contact::ChartedGeometry& geometry) {
   tell({}, "linear solvers");
-  const Body& wheel = *bodies_.wheel;
-  const Body& rail = *bodies_.rail;
-  solvers_ = make_solvers(scene_, wheel, rail, factorisation_);
-  stresses_ = std::make_unique<StressOutput>(scene_, wheel, rail, layout.grid,
+  solvers_ = make_solvers(scene_, bodies_.both(), factorisation_);
+  stresses_ = std::make_unique<StressOutput>(scene_, bodies_.both(), layout.grid,
                                              default_cell_size(scene_), options_.body_fields);
   start_.bodies = stresses_->bodies();
-  compliance_ = std::make_unique<FemCompliance>(FemCompliance::Part{&wheel, solvers_.wheel.get()},
-                                                FemCompliance::Part{&rail, solvers_.rail.get()},
-                                                layout.grid, far_boundary_of(scene_));
-  start_.solver = solvers_.wheel->description();
+  compliance_ = std::make_unique<FemCompliance>(
+      FemCompliance::Part{bodies_.wheel.get(), solvers_.wheel.get()},
+      FemCompliance::Part{bodies_.rail.get(), solvers_.rail.get()}, scene_.geometry.surface,
+      layout.grid, far_boundary_of(scene_));
+  start_.solver = (solvers_.wheel ? solvers_.wheel : solvers_.rail)->description();
   contact::ProgressEvent event;
   event.note = start_.solver;
   tell(event, "linear solvers", true);
-  if (scene_.feels_inertia()) spin_wheel(geometry, layout.grid);
+  if (scene_.feels_inertia() && bodies_.wheel) spin_wheel(geometry, layout.grid);
   // The coupling of unlike materials is left to the defect: the stand-in need not know it.
   half_ =
       std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene_.material.uncoupled());

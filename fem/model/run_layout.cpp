@@ -47,10 +47,18 @@ ContactGrid lattice_grid(const PatchBox& patch, double cell) {
   return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell, 0.0, patch.middle);
 }
 
+/// Surfaces of a patch of true profiles on which there is a mesh.
+std::vector<SurfaceShape> meshed_surfaces(const Scene& scene) {
+  std::vector<SurfaceShape> shapes;
+  for (const bool is_wheel : {true, false})
+    if (!(is_wheel ? scene.wheel : scene.rail).material.rigid())
+      shapes.push_back(profile_surface(scene.geometry.surface.profiles, is_wheel));
+  return shapes;
+}
+
 /// The box of the family `structured` ends where one of the profiles does.
 void fit_to_profiles(const Scene& scene, BodyOptions& options) {
-  for (const bool is_wheel : {true, false}) {
-    const SurfaceShape shape = profile_surface(scene.geometry.surface.profiles, is_wheel);
+  for (const SurfaceShape& shape : meshed_surfaces(scene)) {
     const double reach =
         std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle);
     if (reach < options.fine_half_width)
@@ -61,8 +69,8 @@ void fit_to_profiles(const Scene& scene, BodyOptions& options) {
           "frame of the patch; do: take a smaller [fem] fine_extent or cell_size, a smaller load, "
           "or a longer profile",
           scene.file, options.middle - options.fine_half_width,
-          options.middle + options.fine_half_width, is_wheel ? "wheel" : "rail", shape.lower_t(),
-          shape.upper_t()));
+          options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
+          shape.lower_t(), shape.upper_t()));
     if (!has_true_sections(scene)) options.half_width = std::min(options.reach_t(), reach);
   }
 }
@@ -104,10 +112,8 @@ bool has_true_sections(const Scene& scene) {
   if (scene.fem.mesh) return *scene.fem.mesh == MeshFamily::gmsh;
   const PatchBox patch = patch_box(scene);
   double reach = contact::infinity;
-  for (const bool is_wheel : {true, false}) {
-    const SurfaceShape shape = profile_surface(scene.geometry.surface.profiles, is_wheel);
+  for (const SurfaceShape& shape : meshed_surfaces(scene))
     reach = std::min({reach, patch.middle - shape.lower_t(), shape.upper_t() - patch.middle});
-  }
   return reach < least_box_reach * patch.larger();
 }
 
@@ -146,7 +152,9 @@ void refuse_beyond_memory(const Scene& scene, double cell_size) {
   const BodyOptions bodies = run_layout(scene, cell_size).bodies;
   constexpr double beyond_all_memory = 2e9;
   const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
-  MemoryDemand demand = memory_demand(unknowns, unknowns, bodies, points_that_keep_bodies(scene));
+  MemoryDemand demand = memory_demand(scene.wheel.material.rigid() ? 0.0 : unknowns,
+                                      scene.rail.material.rigid() ? 0.0 : unknowns, bodies,
+                                      points_that_keep_bodies(scene));
   demand.algebraic = scene.fem.linear_solver == contact::LinearSolver::algebraic;
   demand.factorisation = takes_factorisation(scene, demand);
   refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);

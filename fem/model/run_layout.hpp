@@ -39,8 +39,8 @@ RunLayout run_layout(const contact::Scene& scene, double cell);
 /// Number of load points that keep displacement and stress of the bodies.
 int points_that_keep_bodies(const contact::Scene& scene);
 
-/// Of a body with half of it or all modelled, by a solver that is not chosen yet. `body_fields`:
-/// load points that keep those of the bodies.
+/// Of bodies with so many unknowns (0: rigid) and half of each or all modelled, by a solver that is
+/// not chosen yet. `body_fields`: load points that keep those of the bodies.
 MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields);
 
 /// Throws contact::SolveError when the level will not fit into memory, without making a mesh.

@@ -77,9 +77,9 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
       break;
   }
   if (demand.processes > 1) return false;
-  if (std::max(scene.wheel.material.poisson_ratio, scene.rail.material.poisson_ratio) >
-      largest_multigrid_poisson_ratio)
-    return true;  // multigrid refuses it
+  for (const contact::Material& material : {scene.wheel.material, scene.rail.material})
+    if (!material.rigid() && material.poisson_ratio > largest_multigrid_poisson_ratio)
+      return true;  // multigrid refuses it
   const double solves =
       solves_for_normal + solves_per_point * static_cast<double>(scene.points.size());
   const double coarse =
@@ -88,7 +88,7 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
           : 0.0;
   for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
     if (predicted_factor_bytes(n) >= largest_factor ||
-        factorisation_seconds(n) + solves * factor_solve_seconds(n) >=
+        factorisation_seconds(n) + solves * factor_solve_seconds(n) >
             solves * (multigrid_solve_seconds(n) + coarse))
       return false;
   demand.factorisation = true;
@@ -97,16 +97,18 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
 
 /// Two factorisations side by side, one core each: together quicker than one after the other with
 /// two BLAS threads.
-Solvers make_solvers(const Scene& scene, const Body& wheel, const Body& rail, bool factorisation) {
-  if (factorisation) {
-    auto other =
-        std::async(std::launch::async, [&rail] { return make_factorisation(rail.problem()); });
-    Solvers solvers;
-    solvers.wheel = make_factorisation(wheel.problem());
-    solvers.rail = other.get();
-    return solvers;
-  }
-  return {make_iterative_solver(scene, wheel), make_iterative_solver(scene, rail)};
+Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisation) {
+  const auto make = [&](const Body* body) -> std::unique_ptr<LinearSolver> {
+    if (body == nullptr) return nullptr;
+    return factorisation ? make_factorisation(body->problem())
+                         : make_iterative_solver(scene, *body);
+  };
+  auto rail =
+      std::async(factorisation ? std::launch::async : std::launch::deferred, make, bodies[1]);
+  Solvers solvers;
+  solvers.wheel = make(bodies[0]);
+  solvers.rail = rail.get();
+  return solvers;
 }
 
 }  // namespace rollfem::fem

@@ -10,7 +10,7 @@
 namespace rollfem::fem {
 
 struct Solvers {
-  std::unique_ptr<LinearSolver> wheel;
+  std::unique_ptr<LinearSolver> wheel;  ///< null: rigid
   std::unique_ptr<LinearSolver> rail;
 };
 
@@ -24,7 +24,6 @@ bool takes_factorisation(const contact::Scene& scene, MemoryDemand demand);
 bool takes_algebraic(const contact::Scene& scene, const Body& body);
 
 /// Collective.
-Solvers make_solvers(const contact::Scene& scene, const Body& wheel, const Body& rail,
-                     bool factorisation);
+Solvers make_solvers(const contact::Scene& scene, const BodyPair& bodies, bool factorisation);
 
 }  // namespace rollfem::fem

@@ -111,17 +111,17 @@ struct StressOutput::Implementation {
     std::unique_ptr<BodyNodes> nodes;    ///< where a load point keeps their values
   };
 
-  Implementation(const contact::Scene& the_input, const Body& wheel, const Body& rail,
-                 const contact::ContactGrid& grid, double reach, bool bodies)
-      : scene(the_input), maxima(the_input.output.stress_maxima.value_or(true)), keeps(bodies) {
+  Implementation(const contact::Scene& the_input, const BodyPair& bodies,
+                 const contact::ContactGrid& grid, double reach, bool fields)
+      : scene(the_input), maxima(the_input.output.stress_maxima.value_or(true)), keeps(fields) {
     const std::size_t last = count() - 1;
     if (!wanted(last)) return;
-    const contact::ContactSurface shared = common_surface(wheel.shape(), rail.shape());
-    parts.push_back(std::make_unique<Part>(wheel, "wheel"));
-    parts.push_back(std::make_unique<Part>(rail, "rail"));
-    if (keeps_bodies(last))
-      for (const auto& part : parts)
-        part->nodes = std::make_unique<BodyNodes>(part->body, part->name);
+    for (std::size_t b = 0; b < 2; ++b) {
+      if (bodies[b] == nullptr) continue;
+      parts[b] = std::make_unique<Part>(*bodies[b], body_names[b]);
+      if (keeps_bodies(last))
+        parts[b]->nodes = std::make_unique<BodyNodes>(*bodies[b], body_names[b]);
+    }
     for (std::size_t k = 0; k < scene.subsurface.size(); ++k) {
       Part& part = *parts[scene.subsurface[k].wheel ? 0 : 1];
       const auto places = places_of(scene.subsurface[k], part.body.shape());
@@ -130,7 +130,8 @@ struct StressOutput::Implementation {
       for (std::size_t p = 0; p < places.size(); ++p)
         if (!std::isfinite(part.points.back().moved(p)))
           refuse_point(scene, k, places[p], part.body, reach);
-      part.surface.emplace_back(part.body, part.locator, part.points.back(), grid, shared);
+      part.surface.emplace_back(part.body, part.locator, part.points.back(), grid,
+                                scene.geometry.surface);
     }
   }
 
@@ -231,12 +232,12 @@ struct StressOutput::Implementation {
   const contact::Scene& scene;
   bool maxima;
   bool keeps;
-  std::vector<std::unique_ptr<Part>> parts;
+  std::array<std::unique_ptr<Part>, 2> parts;  ///< wheel, rail; null: rigid, or nothing is wanted
 };
 
-StressOutput::StressOutput(const contact::Scene& scene, const Body& wheel, const Body& rail,
-                           const contact::ContactGrid& grid, double reach, bool bodies)
-    : implementation_(std::make_unique<Implementation>(scene, wheel, rail, grid, reach, bodies)) {}
+StressOutput::StressOutput(const contact::Scene& scene, const BodyPair& bodies,
+                           const contact::ContactGrid& grid, double reach, bool fields)
+    : implementation_(std::make_unique<Implementation>(scene, bodies, grid, reach, fields)) {}
 
 StressOutput::~StressOutput() = default;
 
@@ -249,14 +250,15 @@ void StressOutput::fill(std::size_t k, contact::PointResult& point,
   const Implementation& all = *implementation_;
   point.subsurface.resize(all.scene.subsurface.size());
   const bool keep = all.keeps_bodies(k);
-  all.fill_part(*all.parts[0], displacement[0], expansion, keep, point);
-  all.fill_part(*all.parts[1], displacement[1], nullptr, keep, point);
+  for (std::size_t b = 0; b < 2; ++b)
+    if (all.parts[b])
+      all.fill_part(*all.parts[b], displacement[b], b == 0 ? expansion : nullptr, keep, point);
 }
 
 std::vector<contact::BodyField> StressOutput::bodies() const {
   std::vector<contact::BodyField> meshes;
   for (const auto& part : implementation_->parts)
-    if (part->nodes) meshes.push_back(part->nodes->mesh());
+    if (part && part->nodes) meshes.push_back(part->nodes->mesh());
   return meshes;
 }
 

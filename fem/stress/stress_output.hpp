@@ -11,12 +11,12 @@ namespace rollfem::fem {
 
 class StressOutput {
  public:
-  /// Finds the points of the case in the bodies, which outlive this. Points above a contact surface
-  /// by up to `reach` (mm) are moved onto it; further out they are an contact::InputError that
-  /// names the request. `grid`: of the tractions of the load points. `bodies`: values of all nodes
-  /// are kept as [output] body_fields says. Collective.
-  StressOutput(const contact::Scene& scene, const Body& wheel, const Body& rail,
-               const contact::ContactGrid& grid, double reach, bool bodies);
+  /// Finds the points of the case in the bodies, which outlive this; a rigid one has none. Points
+  /// above a contact surface by up to `reach` (mm) are moved onto it; further out they are an
+  /// contact::InputError that names the request. `grid`: of the tractions of the load points.
+  /// `fields`: values of all nodes are kept as [output] body_fields says. Collective.
+  StressOutput(const contact::Scene& scene, const BodyPair& bodies,
+               const contact::ContactGrid& grid, double reach, bool fields);
   ~StressOutput();
   /// Whether load point k asks for anything: else fill() need not be called.
   bool wanted(std::size_t k) const;

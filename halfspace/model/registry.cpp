@@ -105,7 +105,7 @@ contact::ModelRun quick(contact::Model model) {
 /// What every theory of an elliptic patch takes, and `more`.
 Demands of_ellipse(const Demands& more) {
   Demands all{Demand::distance_quadratic, Demand::given_pressure, Demand::rigid_body,
-              Demand::beyond_half_space};
+              Demand::stress_in_rigid_body, Demand::beyond_half_space};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }

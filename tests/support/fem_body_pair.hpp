@@ -26,11 +26,9 @@ struct Pair {
   }
   fem::FemCompliance compliance(const contact::ContactGrid& grid,
                                 fem::FarBoundary far = fem::FarBoundary::clamped) const {
-    return {{&wheel, wheel_solver.get()}, {&rail, rail_solver.get()}, grid, far};
+    return {{&wheel, wheel_solver.get()}, {&rail, rail_solver.get()}, surface(), grid, far};
   }
-  contact::ContactSurface surface() const {
-    return fem::common_surface(wheel.shape(), rail.shape());
-  }
+  contact::ContactSurface surface() const { return common_surface(wheel.shape(), rail.shape()); }
   fem::Body wheel, rail;
   std::unique_ptr<fem::LinearSolver> wheel_solver, rail_solver;
 };

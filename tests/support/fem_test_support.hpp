@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/scene/contact_surface.hpp"
 #include "fem/body/body.hpp"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,12 @@ inline fem::SurfaceShape wheel_shape(double rolling_radius, double transverse_ra
 
 inline fem::SurfaceShape rail_shape(double transverse_radius) {
   return {false, contact::infinity, transverse_radius};
+}
+
+/// The surface that bodies with radii share.
+inline contact::ContactSurface common_surface(const fem::SurfaceShape& wheel,
+                                              const fem::SurfaceShape& rail) {
+  return {wheel.rolling_radius, wheel.transverse_radius, rail.transverse_radius};
 }
 
 /// A body of a few thousand unknowns: fine region of 4 x 4 mm, cells of 1 mm.

@@ -38,7 +38,7 @@ class FlatBodies : public ::testing::Test {
   }
 
   fem::FemCompliance compliance(fem::FarBoundary far) const {
-    return {{wheel.get(), wheel_solver.get()}, {rail.get(), rail_solver.get()}, grid, far};
+    return {{wheel.get(), wheel_solver.get()}, {rail.get(), rail_solver.get()}, {}, grid, far};
   }
 
   contact::SurfaceField load_along(int axis) const {

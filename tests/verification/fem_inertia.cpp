@@ -190,7 +190,8 @@ contact::SurfaceField respond(double speed, const contact::SurfaceField& tractio
   const fem::Body rail(rail_shape(100), steel, options, MPI_COMM_SELF);
   const auto wheel_solver = fem::make_factorisation(wheel.problem());
   const auto rail_solver = fem::make_factorisation(rail.problem());
-  return fem::FemCompliance({&wheel, wheel_solver.get()}, {&rail, rail_solver.get()}, grid)
+  return fem::FemCompliance({&wheel, wheel_solver.get()}, {&rail, rail_solver.get()},
+                            common_surface(wheel.shape(), rail.shape()), grid)
       .apply(traction);
 }
 
@@ -218,7 +219,7 @@ TEST(RollingInertia, LeavesTheComplianceSymmetricAndPositive) {
   const double speed = 0.6 * contact::rayleigh_speed(steel);
   const auto ap = respond(speed, p, grid), aq = respond(speed, q, grid);
   // Areas of curved elements differ by 1e-3: weight as the compliance's inner product does.
-  const contact::ContactSurface surface = fem::common_surface(wheel_shape(60, 80), rail_shape(100));
+  const contact::ContactSurface surface = common_surface(wheel_shape(60, 80), rail_shape(100));
   const auto stretch = contact::patch_shape(surface, grid).stretch;
   const auto product = [&](const contact::SurfaceField& a, const contact::SurfaceField& b) {
     return (stretch.array() *
@@ -244,9 +245,9 @@ TEST(WheelExpansion, IsThatOfASpinningDiscWhateverTheSegment) {
     const auto shape = wheel_shape(radius, contact::infinity);
     const fem::Body wheel(shape, steel, options, MPI_COMM_SELF);
     const auto solver = fem::make_factorisation(wheel.problem());
-    const auto expansion = fem::wheel_expansion(
-        wheel, *solver, fem::common_surface(shape, rail_shape(contact::infinity)), grid,
-        contact::UpwindOrder::second);
+    const auto expansion =
+        fem::wheel_expansion(wheel, *solver, common_surface(shape, rail_shape(contact::infinity)),
+                             grid, contact::UpwindOrder::second);
     // The disc has stresses of this order on its rim, off the middle plane.
     const double neglected = std::pow(extent / radius, 2);
     EXPECT_NEAR(-expansion.distance.mean() / exact, 1, neglected) << extent;

@@ -4,6 +4,7 @@
 #include "fem/model/contact_run.hpp"
 #include "fem/model/model.hpp"
 #include "fem/model/run_layout.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
@@ -114,6 +115,36 @@ TEST(FemProblems, UnlikeMaterialsCoupleAsInTheHalfSpace) {
     EXPECT_NEAR(fem.points[k].max_pressure / half.points[k].max_pressure, 1.0, 0.02);
     EXPECT_NEAR(fem.points[k].longitudinal_force, half.points[k].longitudinal_force, 0.03 * unit);
     EXPECT_NEAR(fem.points[k].lateral_force, half.points[k].lateral_force, 0.03 * unit);
+  }
+}
+
+TEST(FemProblems, ARigidBodyLeavesTheOtherToHertz) {
+  // One body alone has twice the contact modulus of two.
+  Case input = case_b();
+  input.load.normal_force = 100e3;
+  input.rail.material.young_modulus = contact::infinity;
+  input.rolling.problem = Problem::frictionless;
+  const halfspace::HertzContact hertz =
+      halfspace::hertz_from_force(0.5 / 405.0, 0.5 / 500.0, 210e3 / 0.91, 100e3);
+  const PointResult pressed = finite_elements(input).points.front();
+  EXPECT_NEAR(pressed.max_pressure / hertz.max_pressure, 1.0, 0.01);
+  EXPECT_NEAR(pressed.approach / hertz.approach, 1.0, 0.02);
+}
+
+TEST(FemProblems, ARigidBodyRollsAsInTheHalfSpace) {
+  // Pressure alone moves the surface of the elastic one, in the wheel against that of the rail.
+  for (const bool rigid_wheel : {true, false}) {
+    SCOPED_TRACE(rigid_wheel);
+    Case input = case_b();
+    input.load.normal_force = 100e3;
+    (rigid_wheel ? input.wheel.material : input.rail.material).young_modulus = contact::infinity;
+    input.rolling.creepages = {{5e-4, rigid_wheel ? 5e-4 : 0.0, 0.0}};
+    const PointResult fem = finite_elements(input).points.front();
+    const PointResult half = half_space(input).points.front();
+    const double unit = sliding(input, half);
+    EXPECT_NEAR(fem.max_pressure / half.max_pressure, 1.0, 0.02);
+    EXPECT_NEAR(fem.longitudinal_force, half.longitudinal_force, 0.03 * unit);
+    EXPECT_NEAR(fem.lateral_force, half.lateral_force, 0.03 * unit);
   }
 }
 

@@ -62,7 +62,11 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
     EXPECT_EQ(refusal(rollfem::testing::small_case, model), "able") << model;
   }
   EXPECT_EQ(refusal(pressure, "fastsim"), "able");
-  expect_refusal(with("[rail]\n", "[rail]\nyoung_modulus = inf\n"), "fem", "a rigid body");
+  const std::string rigid = with("[rail]\n", "[rail]\nyoung_modulus = inf\n");
+  EXPECT_EQ(refusal(rigid, "fem"), "able");
+  const std::string point = "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n";
+  expect_refusal(rigid + point, "fem",
+                 "subsurface: it cannot take the stress in a rigid body; allowed: hertz, linear");
 }
 
 TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
@@ -102,9 +106,10 @@ TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
 }
 
 TEST(ProgramModels, AreNamedOnlyWhereTheyTakeAllThatTheCaseAsksFor) {
-  // Others take the rigid body, but not the inertia that is asked for beside it.
-  expect_refusal(with("[rail]\n", fast + "[rail]\nyoung_modulus = inf\n"), "fem",
-                 "allowed: no model takes all that the case asks for");
+  // Others take the stress in a rigid body, but not the inertia that is asked for beside it.
+  expect_refusal(with("[rail]\n", fast + "[rail]\nyoung_modulus = inf\n") +
+                     "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n",
+                 "fem", "allowed: no model takes all that the case asks for");
 }
 
 TEST(ProgramModels, HalfSpacesEndAtTheirSurface) {

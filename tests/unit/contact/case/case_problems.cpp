@@ -146,6 +146,8 @@ TEST(RigidBody, OneIsAllowedTwoAreNot) {
   EXPECT_DOUBLE_EQ(material.difference, 0.5 * (1.0 - 0.6));
   expect_error(with("[rail]\n", "young_modulus = inf\n[rail]\nyoung_modulus = inf\n"),
                {"rail.young_modulus = inf: makes both bodies rigid"});
+  expect_error(with("[rail]\n", "[rail]\nyoung_modulus = inf\nmesh = \"rail.msh\"\n"),
+               {"rail.mesh = \"rail.msh\": is of a rigid body, which is not meshed"});
 }
 
 TEST(GivenPressure, TakesForceOrPressureAndNeedsNoRadii) {

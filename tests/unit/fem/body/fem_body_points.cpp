@@ -117,7 +117,7 @@ TEST(StressOutput, RefusesPointsOutsideOfTheBody) {
             request,
         "t.toml");
     try {
-      fem::StressOutput(input, wheel, rail, contact::ContactGrid::centred(4, 4, 1.0, 1.0), 0.5,
+      fem::StressOutput(input, {&wheel, &rail}, contact::ContactGrid::centred(4, 4, 1.0, 1.0), 0.5,
                         false);
     } catch (const contact::InputError& error) {
       return std::string(error.what());

@@ -144,10 +144,10 @@ TEST(GivenMesh, ComplianceIsSymmetricAndPositive) {
   const auto wheel_solver = fem::make_factorisation(wheel->problem());
   const auto rail_solver = fem::make_factorisation(rail->problem());
   const auto grid = odd_grid();
+  const auto surface = common_surface(wheel->shape(), rail->shape());
   const fem::FemCompliance compliance({wheel.get(), wheel_solver.get()},
-                                      {rail.get(), rail_solver.get()}, grid);
-  const auto area =
-      contact::patch_shape(fem::common_surface(wheel->shape(), rail->shape()), grid).stretch;
+                                      {rail.get(), rail_solver.get()}, surface, grid);
+  const auto area = contact::patch_shape(surface, grid).stretch;
   const auto work = [&](const contact::SurfaceField& p, const contact::SurfaceField& u) {
     return area.dot(p.x.cwiseProduct(u.x) + p.y.cwiseProduct(u.y) + p.n.cwiseProduct(u.n));
   };

@@ -36,8 +36,8 @@ contact::SurfaceField weighted(const contact::ContactSurface& surface,
 
 contact::ContactSurface own_surface(const fem::Body& body) {
   const double radius = body.shape().transverse_radius;
-  return body.shape().is_wheel ? fem::common_surface(body.shape(), rail_shape(-radius))
-                               : fem::common_surface(wheel_shape(405, -radius), body.shape());
+  return body.shape().is_wheel ? common_surface(body.shape(), rail_shape(-radius))
+                               : common_surface(wheel_shape(405, -radius), body.shape());
 }
 
 dealii::Tensor<1, 3> resultant(const fem::Body& body, const fem::Vector& b) {
@@ -152,7 +152,7 @@ TEST(CurvatureSlip, ARigidDisplacementOfTheWheelSlipsNowhere) {
   for (const double radius : {contact::infinity, -20.0, 60.0}) {
     const auto shape = wheel_shape(405, radius);
     const fem::Body wheel(shape, steel, small_options(), MPI_COMM_SELF);
-    const auto surface = fem::common_surface(shape, rail_shape(25));
+    const auto surface = common_surface(shape, rail_shape(25));
     const auto u = fem::SurfaceCoupling(wheel, grid, surface)
                        .sample(rigid_displacement(wheel, {0.3, 0.1, 0.7}));
     const auto difference =
@@ -195,6 +195,32 @@ TEST(FemCompliance, IsSymmetricAndPositive) {
       EXPECT_NEAR(dot(wp, Aq), dot(wq, Ap), 1e-10 * std::sqrt(dot(wp, Ap) * dot(wq, Aq)));
     }
     EXPECT_EQ(compliance.solves(), 6);
+  }
+}
+
+TEST(FemCompliance, ARigidBodyContributesNothing) {
+  const auto grid = contact::ContactGrid::centred(4, 4, 1.0, 1.0);
+  const auto p = random_field(grid, 8);
+  const auto& pair = full();
+  for (const auto far : {fem::FarBoundary::clamped, fem::FarBoundary::point_load}) {
+    const auto both = pair.compliance(grid, far).respond(p);
+    const fem::FemCompliance::Part rigid{nullptr, nullptr};
+    const auto wheel =
+        fem::FemCompliance({&pair.wheel, pair.wheel_solver.get()}, rigid, pair.surface(), grid, far)
+            .respond(p);
+    const auto rail =
+        fem::FemCompliance(rigid, {&pair.rail, pair.rail_solver.get()}, pair.surface(), grid, far)
+            .respond(p);
+    const double size = both.displacement.n.norm();
+    EXPECT_LT((wheel.displacement.x + rail.displacement.x - both.displacement.x).norm(),
+              1e-12 * size);
+    EXPECT_LT((wheel.displacement.y + rail.displacement.y - both.displacement.y).norm(),
+              1e-12 * size);
+    EXPECT_LT((wheel.displacement.n + rail.displacement.n - both.displacement.n).norm(),
+              1e-12 * size);
+    // The streamlines of the wheel alone curve.
+    EXPECT_EQ((wheel.curvature_slip.x - both.curvature_slip.x).norm(), 0.0);
+    EXPECT_EQ(rail.curvature_slip.x.norm(), 0.0);
   }
 }
 
