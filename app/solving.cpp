@@ -46,8 +46,8 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
   };
   try {
     return how.models->run(name, scene, progress, keep);
-  } catch (const contact::CoarseGrid& error) {
-    throw contact::CoarseGrid(where(error));
+  } catch (const contact::UnfitGrid& error) {
+    throw contact::UnfitGrid(where(error));
   } catch (const contact::SolveError& error) {
     throw contact::SolveError(where(error));
   }

@@ -121,7 +121,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
     try {
       series.levels.push_back(level_of(plan, wanted, series, place, work));
       continue;
-    } catch (const contact::CoarseGrid& error) {
+    } catch (const contact::UnfitGrid& error) {
       failed(error, series.levels.empty() ? series.left_out : series.failure);
     } catch (const contact::SolveError& error) {
       failed(error, series.failure);

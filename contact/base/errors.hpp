@@ -21,8 +21,9 @@ class SolveError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The grid is too coarse for its solution to mean anything: a finer one has one.
-class CoarseGrid : public SolveError {
+/// The grid is too coarse for its solution to mean anything, or too small for the patch: another
+/// one has a solution.
+class UnfitGrid : public SolveError {
  public:
   using SolveError::SolveError;
 };

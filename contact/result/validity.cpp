@@ -103,7 +103,7 @@ void check_fineness(const Examined& at) {
   const ContactGrid& grid = at.result.grid;
   const auto [along, across] = elements_across(grid, at.point().fields.traction.n);
   if (std::min(along, across) >= fewest_elements_across) return;
-  throw CoarseGrid(
+  throw UnfitGrid(
       place_of(at) +
       fmt::format("{} by {} contact elements of {:.4g} by {:.4g} mm lie along and across the "
                   "patch; allowed: at least {} each way; do: choose smaller elements "
@@ -129,11 +129,13 @@ void check_held(const Examined& at) {
           : std::max(beyond(x, point.contact_length, grid.x_first, grid.dx, grid.nx),
                      beyond(y, point.contact_width, grid.y_first, grid.dy, grid.ny)) < 1.0;
   if (!held)
-    refuse(at, fmt::format("the patch of {:.4g} by {:.4g} mm reaches beyond the contact grid of "
-                           "{:.4g} by {:.4g} mm; allowed: grids that hold the patch; do: choose a "
-                           "larger contact_grid.extent, or move contact_grid.middle",
-                           point.contact_length, point.contact_width, grid.nx * grid.dx,
-                           grid.ny * grid.dy));
+    throw UnfitGrid(
+        place_of(at) +
+        fmt::format("the patch of {:.4g} by {:.4g} mm reaches beyond the contact grid of "
+                    "{:.4g} by {:.4g} mm; allowed: grids that hold the patch; do: choose a "
+                    "larger contact_grid.extent, or move contact_grid.middle",
+                    point.contact_length, point.contact_width, grid.nx * grid.dx,
+                    grid.ny * grid.dy));
 }
 
 void check_bounds(const Examined& at) {

@@ -166,8 +166,8 @@ contact::LevelResult solve_level(const Scene& scene, double dx, double dy,
     if (run.solve(grid, [&] { return halfspace_elasticity(scene, geometry, grid); }))
       return run.take_result();
     if (attempt == most_enlargements || scene.contact_grid.extent)
-      throw contact::SolveError(fmt::format(
-          "model halfspace: the contact patch reaches the border of the potential contact area "
+      throw contact::UnfitGrid(fmt::format(
+          "the contact patch reaches the border of the potential contact area "
           "({} by {} elements): the surfaces conform over more than their curvatures tell; do: "
           "prescribe a larger contact_grid.extent",
           grid.nx, grid.ny));

@@ -121,6 +121,30 @@ void estimate_found_creepages(PointResult& fine, const PointResult& coarse,
         two_level_error(a.lateral, b.lateral, scale, partial_slip, across);
 }
 
+/// A given extent need not hold the patch on coarser elements, which reach farther than it by a
+/// part of one and are fewer than the whole ones that fit: there it is two larger on each side.
+Scene with_room(Scene scene, const Cell& cell) {
+  if (auto& extent = scene.contact_grid.extent; extent && !scene.geometry.distance_values) {
+    (*extent)[0] += 4.0 * cell.dx;
+    (*extent)[1] += 4.0 * cell.dy;
+  }
+  return scene;
+}
+
+/// A level that only helps the finer ones: none where its elements do not fit.
+std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Cell& cell,
+                                                  const contact::LevelResult* start,
+                                                  const std::string& prefix,
+                                                  const contact::Progress& progress) {
+  try {
+    return solve_level(with_room(scene, cell), cell.dx, cell.dy, start, prefix, progress, nullptr);
+  } catch (const contact::UnfitGrid&) {
+    return {};
+  } catch (const contact::InputError&) {
+    return {};  // they may reach beyond the points of a file
+  }
+}
+
 void add_notes(const Scene& scene, ModelResult& result) {
   result.notes.push_back(fmt::format(
       "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm with constant tractions; "
@@ -198,14 +222,21 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     const bool last = level + 1 == cells.size();
     const std::string prefix =
         last && !scene.accuracy.relative ? "" : fmt::format("{} across: ", cell.across);
-    fine = solve_level(scene, cell.dx, cell.dy, coarse ? &*coarse : nullptr, prefix, progress,
-                       last ? checkpoint : nullptr);
+    const contact::LevelResult* start = coarse ? &*coarse : nullptr;
+    fine = last ? solve_level(scene, cell.dx, cell.dy, start, prefix, progress, checkpoint)
+                : coarser_level(scene, cell, start, prefix, progress);
+    if (!fine) continue;
     result.seconds["setup"] += fine->setup_seconds;
     result.seconds["normal"] += fine->normal_seconds;
     result.seconds["tangential"] += fine->tangential_seconds;
     if (!last) continue;
-    estimate_level(scene, *fine, *coarse, cell.across);
-    if (refine_further(scene, *fine, cell, result))
+    if (!coarse && !scene.accuracy.relative) {
+      result.notes.push_back(
+          "no error estimates: elements of twice the size do not hold the patch on the given grid");
+      break;
+    }
+    if (coarse) estimate_level(scene, *fine, *coarse, cell.across);
+    if (!coarse || refine_further(scene, *fine, cell, result))
       cells.push_back({0.5 * cell.dx, 0.5 * cell.dy, 2 * cell.across});
   }
   result.grid = fine->grid;

@@ -100,7 +100,7 @@ TEST(Validity, RefusesFewerThanFourElementsAcross) {
                           "at least 4 each way", "choose smaller elements"});
   ModelResult coarse = result();
   coarse.points.front().fields.traction.n.setZero();
-  EXPECT_THROW(check_validity(scene(), coarse), CoarseGrid);
+  EXPECT_THROW(check_validity(scene(), coarse), UnfitGrid);
 }
 
 TEST(Validity, RefusesAPatchThatTheGridDoesNotHold) {
