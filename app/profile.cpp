@@ -61,6 +61,10 @@ std::string described(const NamedProfile& profile) {
     line("furthest from the axle, mm", place_of(features.bottom));
     if (features.gauge_face)
       line("flange face at z = 10, mm", fmt::format("y = {:.4f}", *features.gauge_face));
+    // (0, 0) is the tape line, and the flange's back 70 mm from it.
+    if (const auto tip = meshes::flange_tip(profile.curve); tip && (*tip < -70.0 || *tip > -25.0))
+      line("measured from the flange's back?",
+           "then `shift = [-70, 0]` under [wheel_profile] puts y = 0 on the tape line");
   } else {
     line("top, mm", place_of(features.top));
     if (features.gauge_face)

@@ -46,7 +46,10 @@ void check_inclination(const GivenCase& given) {
   problem.column = problem.line > 0 ? 1 : 0;
   problem.key = "track.inclination";
   problem.wrong = "is missing";
-  problem.allowed = "\"none\", \"1:20\", \"1:40\"; nothing is assumed, as it moves the contact";
+  problem.allowed =
+      "\"none\", \"1:20\", \"1:40\", any other ratio, or an angle in rad; nothing is assumed, as "
+      "it "
+      "moves the contact";
   problem.action = "add `inclination = \"1:40\"` under [track]";
   fail(given.file, problem);
 }

@@ -22,6 +22,7 @@ enum class KeyKind {
   pair,     ///< a list of two numbers, each within `bounds`
   triple,   ///< a list of three numbers, each within `bounds`
   numbers,  ///< a number or a list of numbers, each within `bounds`
+  lean,     ///< one of `words`, a ratio "1:40", or an angle in rad within `bounds`
 };
 
 /// Range of a number. NaN and -inf are never inside, inf only when `infinite` says so.

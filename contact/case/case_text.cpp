@@ -1,5 +1,7 @@
 #include "contact/case/case_text.hpp"
 
+#include "contact/base/text_fields.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -73,6 +75,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::optional<double> ratio_of(const std::string& text) {
+  if (text.rfind("1:", 0) != 0) return {};
+  const std::optional<double> number = number_of(std::string_view(text).substr(2));
+  return number && *number > 1.0 ? number : std::nullopt;
+}
+
 // Not fmt::join: gcc 12 takes its inlined format parser for a buffer overflow.
 std::string joined(const std::vector<std::string>& texts) {
   std::string all;
@@ -105,6 +113,9 @@ std::string allowed_values(const Key& key, const std::vector<std::string>& model
       return "a list of three numbers " + range(key);
     case KeyKind::numbers:
       return "a number or a list of numbers " + range(key);
+    case KeyKind::lean:
+      return fmt::format("\"{}\", a ratio such as \"1:40\", or an angle {} rad", joined(key.words),
+                         range(key));
   }
   return "";
 }

@@ -3,10 +3,14 @@
 
 #include "contact/case/case_keys.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rollfem::contact {
+
+/// The number N of a ratio "1:N", above 1; nothing when the text is none.
+std::optional<double> ratio_of(const std::string& text);
 
 /// As it would stand in a case file: 0.55, "second", [0.0, 0.001]. Empty for no value.
 std::string toml_text(const KeyValue& value);

@@ -262,6 +262,7 @@ class Keys {
   KeyBuilder<Part> text(const std::string& name) { return key(name, KeyKind::text); }
   KeyBuilder<Part> choice(const std::string& name) { return key(name, KeyKind::word); }
   KeyBuilder<Part> choices(const std::string& name) { return key(name, KeyKind::words); }
+  KeyBuilder<Part> lean(const std::string& name) { return key(name, KeyKind::lean); }
   KeyBuilder<Part> real(const std::string& name) { return key(name, KeyKind::number); }
   KeyBuilder<Part> whole(const std::string& name) { return key(name, KeyKind::integer); }
   KeyBuilder<Part> toggle(const std::string& name) { return key(name, KeyKind::boolean); }

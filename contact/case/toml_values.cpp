@@ -88,6 +88,9 @@ class ValueReader {
         return numbers("three", 3);
       case KeyKind::numbers:
         return node_.is_array() ? numbers("", 0) : std::vector<double>{number()};
+      case KeyKind::lean:
+        if (node_.is_string()) return lean();
+        return number();
     }
     return {};
   }
@@ -110,6 +113,14 @@ class ValueReader {
     if (words.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
     const std::string near = nearest_name(word, words);
     fail_value(near.empty() ? "is not known" : fmt::format("is not known (near: {})", near));
+  }
+
+  std::string lean() const {
+    const std::string given = text();
+    if (ratio_of(given)) return given;
+    if (std::find(key_.words.begin(), key_.words.end(), given) == key_.words.end())
+      fail_value("is no ratio of 1 to a number above 1");
+    return given;
   }
 
   /// The list that the value must be.

@@ -1,5 +1,6 @@
 // What can be wrong with the points of a profile, in the order in which a user can do something
-// about it: size, side, order, duplicates, zig-zag, gaps, kinks. Nothing is mended unless told.
+// about it: size, side, order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Nothing is
+// mended unless told.
 #include "contact/base/errors.hpp"
 #include "meshes/profiles/profile_points.hpp"
 
@@ -19,25 +20,6 @@ using contact::ProfileSource;
 constexpr std::size_t fewest_points = 8;
 constexpr double narrowest = 10.0, widest = 1000.0;  // mm
 constexpr double same_point = 1e-6;                  // mm
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
-std::string section(bool wheel) {
-  return wheel ? "[wheel_profile]" : "[rail_profile]";
-}
-
-void keep(ProfilePoints& points, const std::vector<char>& kept) {
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < points.y.size(); ++k) {
-    if (kept[k] == 0) continue;
-    points.y[n] = points.y[k];
-    points.z[n] = points.z[k];
-    points.line[n] = points.line[k];
-    ++n;
-  }
-  points.y.resize(n);
-  points.z.resize(n);
-  points.line.resize(n);
-}
 
 void reverse(ProfilePoints& points) {
   std::reverse(points.y.begin(), points.y.end());
@@ -77,19 +59,14 @@ void check_size(const ProfilePoints& points, bool wheel) {
   if (width >= narrowest && width <= widest && extent(points.z) <= widest) return;
   std::string action = "do: check the columns and the unit";
   if (width > 0.0 && width < 1.0)
-    action = fmt::format("are the lengths in m? do: put `unit = \"m\"` under {}", section(wheel));
+    action = fmt::format("are the lengths in m? do: put `unit = \"m\"` under {}",
+                         section_of_profile(wheel));
   else if (width < narrowest && width > 1.0)
     action = fmt::format("are the lengths in inches? do: put `unit = \"inch\"` under {}",
-                         section(wheel));
+                         section_of_profile(wheel));
   throw InputError(fmt::format(
       "{}: the points reach over {:.4g} mm in y and {:.4g} mm in z; allowed: {} to {} mm; {}",
       points.file, width, extent(points.z), narrowest, widest, action));
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Height z of the curve at the middle of every step of y, so that dense places count no more.
@@ -126,7 +103,7 @@ void check_side(const ProfilePoints& points, bool wheel) {
         points.file,
         wheel ? fmt::format("the flange is {:.4g} mm towards -z", above)
               : fmt::format("the sides of the head are {:.4g} mm towards -z", above),
-        section(wheel)));
+        section_of_profile(wheel)));
   constexpr double flange = 8.0;  // mm
   if (!wheel || below < flange) return;
   const auto tip = static_cast<std::size_t>(highest - points.z.begin());
@@ -135,7 +112,7 @@ void check_side(const ProfilePoints& points, bool wheel) {
   throw InputError(fmt::format(
       "{}: the flange is on the wrong side, at y = {:.4g} mm where the points reach from {:.4g} to "
       "{:.4g} mm; allowed: the flange at the smaller y; do: put `mirror = true` under {}",
-      points.file, points.y[tip], *left, *right, section(wheel)));
+      points.file, points.y[tip], *left, *right, section_of_profile(wheel)));
 }
 
 void check_direction(ProfilePoints& points, bool free, bool wheel) {
@@ -152,7 +129,7 @@ void check_direction(ProfilePoints& points, bool free, bool wheel) {
       "{}:{}: the points run from large to small y ({:.4g} to {:.4g} mm); allowed: from the {} to "
       "the field side; do: put `reverse = true` under {}",
       points.file, points.line.front(), points.y.front(), points.y.back(),
-      wheel ? "flange" : "gauge", section(wheel)));
+      wheel ? "flange" : "gauge", section_of_profile(wheel)));
 }
 
 void treat_duplicates(ProfilePoints& points, bool drop, bool wheel) {
@@ -168,17 +145,10 @@ void treat_duplicates(ProfilePoints& points, bool drop, bool wheel) {
           "{}:{}: the point y = {:.6g}, z = {:.6g} mm is that of line {} again; allowed: points "
           "more than {} mm apart; do: remove it, or put `drop_duplicates = true` under {}",
           points.file, points.line[k], points.y[k], points.z[k], points.line[last], same_point,
-          section(wheel)));
+          section_of_profile(wheel)));
     kept[k] = 0;
   }
-  if (drop) keep(points, kept);
-}
-
-/// Angle from the chord a-b to the chord b-c, rad, > 0 towards +z.
-double turn(const ProfilePoints& p, std::size_t a, std::size_t b, std::size_t c) {
-  const double y1 = p.y[b] - p.y[a], z1 = p.z[b] - p.z[a];
-  const double y2 = p.y[c] - p.y[b], z2 = p.z[c] - p.z[b];
-  return std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2);
+  if (drop) keep_marked(points, kept);
 }
 
 /// A point goes back when the curve turns there by more than a right angle and y falls.
@@ -201,12 +171,12 @@ void check_order(const ProfilePoints& points, bool wheel) {
     throw InputError(fmt::format(
         "{}the points are in no order: the curve goes back {} times; allowed: points one after the "
         "other along the profile; do: put `sort = true` under {} if z is a function of y",
-        where, back, section(wheel)));
+        where, back, section_of_profile(wheel)));
   throw InputError(fmt::format(
       "{}zig-zag: the curve goes back at y = {:.6g}, z = {:.6g} mm ({} such places); allowed: "
       "points one after the other along the profile; do: correct them, or put `drop_zigzag = true` "
       "under {}",
-      where, points.y[first], points.z[first], back, section(wheel)));
+      where, points.y[first], points.z[first], back, section_of_profile(wheel)));
 }
 
 void drop_zigzag(ProfilePoints& points) {
@@ -219,7 +189,7 @@ void drop_zigzag(ProfilePoints& points) {
     }
     stack.push_back(k);
   }
-  keep(points, kept);
+  keep_marked(points, kept);
 }
 
 /// Every stretch of this length becomes the mean of its points; the last, shorter one too.
@@ -254,7 +224,7 @@ void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) 
   throw InputError(fmt::format(
       "{}: smoothing of {} points; allowed: {}; do: put `thinning = 0.1` (mm, means of the points "
       "in such stretches) under {}",
-      points.file, points.y.size(), most, section(wheel)));
+      points.file, points.y.size(), most, section_of_profile(wheel)));
 }
 
 void check_gaps(const ProfilePoints& points, double longest, bool wheel) {
@@ -265,98 +235,35 @@ void check_gaps(const ProfilePoints& points, double longest, bool wheel) {
         "{}:{}: gap of {:.4g} mm between y = {:.6g} and {:.6g} mm; allowed: {} mm; do: add points, "
         "or put `longest_gap = {:.4g}` under {} to bridge it",
         points.file, points.line[k], gap, points.y[k - 1], points.y[k], longest,
-        std::ceil(gap + 0.5), section(wheel)));
+        std::ceil(gap + 0.5), section_of_profile(wheel)));
   }
-}
-
-/// Turn at a point that scatter (mm, standard deviation across the profile) makes, rad: five
-/// standard deviations of (n2 - n1) / b - (n1 - n0) / a, with the chords a and b that meet there. A
-/// chord turns by an arc tangent, two of them by twice that of half as much.
-double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
-  if (scatter == 0.0) return 0.0;
-  // Scatter makes the chords themselves longer than the points are apart along the profile.
-  const std::size_t from = k < 3 ? 0 : k - 3, to = std::min(k + 3, p.y.size() - 1);
-  const double y = p.y[to] - p.y[from], z = p.z[to] - p.z[from];
-  const auto along = [&](std::size_t i) {
-    const double distance =
-        (y * (p.y[i + 1] - p.y[i]) + z * (p.z[i + 1] - p.z[i])) / std::hypot(y, z);
-    return std::max(std::abs(distance), same_point);
-  };
-  const double a = 1.0 / along(k - 1), b = 1.0 / along(k);
-  const double deviation = scatter * std::sqrt(a * a + b * b + (a + b) * (a + b));
-  return 2.0 * std::atan(0.5 * 5.0 * deviation);
-}
-
-/// Points at which the profile has a kink (one turn) or a step (there and back), marked 1 and 2,
-/// beyond what the scatter of the points makes.
-std::vector<char> corners(const ProfilePoints& points, double largest_kink, double scatter) {
-  const std::size_t n = points.y.size();
-  std::vector<double> turns(n, 0.0), sizes;
-  sizes.reserve(n);
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    turns[k] = turn(points, k - 1, k, k + 1);
-    sizes.push_back(std::abs(turns[k]));
-  }
-  // A step smaller than the kinks allowed still stands out from what the points do elsewhere.
-  const double step = std::min(largest_kink * degree, std::max(5.0 * degree, 10.0 * median(sizes)));
-  const auto size = [&](std::size_t k) { return k < n ? std::abs(turns[k]) : 0.0; };
-  std::vector<double> noise(n, 0.0);
-  for (std::size_t k = 1; k + 1 < n; ++k) noise[k] = turn_by_scatter(points, k, scatter);
-  std::vector<char> found(n, 0);
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    // The profile's own turn and that by scatter are independent.
-    const double kink = std::hypot(largest_kink * degree, noise[k]);
-    if (size(k) > kink && found[k] == 0) found[k] = 1;
-    if (k + 2 >= n) continue;
-    const double both = size(k) + size(k + 1);
-    if (turns[k] * turns[k + 1] < 0.0) {
-      if (size(k) > std::max(step, noise[k]) && size(k + 1) > std::max(step, noise[k + 1]))
-        found[k] = found[k + 1] = 2;
-    } else if (both > kink && 4.0 * std::max(size(k - 1), size(k + 2)) < both) {
-      // A kink between two points is shared by both.
-      found[k] = found[k + 1] = 1;
-    }
-  }
-  return found;
-}
-
-void treat_corners(ProfilePoints& points, const ProfileSource& source, bool wheel) {
-  const std::vector<char> found = corners(points, source.largest_kink, source.smoothing);
-  const auto first = std::find_if(found.begin(), found.end(), [](char c) { return c != 0; });
-  if (first == found.end()) return;
-  if (source.rounding == 0.0) {
-    const auto k = static_cast<std::size_t>(first - found.begin());
-    const double turned = turn(points, k - 1, k, k + 1);
-    const double chord = std::hypot(points.y[k + 1] - points.y[k], points.z[k + 1] - points.z[k]);
-    const bool shared = k + 2 < found.size() && found[k + 1] == 1 && turned != 0.0;
-    const double whole = turned + (shared ? turn(points, k, k + 1, k + 2) : 0.0);
-    const std::string what =
-        *first == 2 ? fmt::format("step of {:.2g} mm", chord * std::abs(std::sin(turned)))
-                    : fmt::format("kink of {:.3g} degrees", std::abs(whole) / degree);
-    const std::string allowed =
-        *first == 2 ? "points of one smooth curve"
-                    : fmt::format("{:.4g} degrees between two chords", source.largest_kink);
-    throw InputError(fmt::format(
-        "{}:{}: {} at y = {:.6g}, z = {:.6g} mm; allowed: {}; do: correct the points, or put "
-        "`rounding = 2.0` (mm to both sides that are bridged){} under {}",
-        points.file, points.line[k], what, points.y[k], points.z[k], allowed,
-        *first == 2 ? "" : " or a larger `largest_kink`", section(wheel)));
-  }
-  std::vector<double> length(points.y.size(), 0.0);
-  for (std::size_t k = 1; k < length.size(); ++k)
-    length[k] =
-        length[k - 1] + std::hypot(points.y[k] - points.y[k - 1], points.z[k] - points.z[k - 1]);
-  std::vector<char> kept(points.y.size(), 1);
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    if (found[k] == 0) continue;
-    for (std::size_t i = k; i > 0 && length[k] - length[i] < source.rounding; --i) kept[i] = 0;
-    for (std::size_t i = k; i + 1 < found.size() && length[i] - length[k] < source.rounding; ++i)
-      kept[i] = 0;
-  }
-  keep(points, kept);
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::string section_of_profile(bool wheel) {
+  return wheel ? "[wheel_profile]" : "[rail_profile]";
+}
+
+void keep_marked(ProfilePoints& points, const std::vector<char>& kept) {
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < points.y.size(); ++k) {
+    if (kept[k] == 0) continue;
+    points.y[n] = points.y[k];
+    points.z[n] = points.z[k];
+    points.line[n] = points.line[k];
+    ++n;
+  }
+  points.y.resize(n);
+  points.z.resize(n);
+  points.line.resize(n);
+}
 
 void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool wheel) {
   check_count(points);

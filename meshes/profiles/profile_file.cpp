@@ -1,5 +1,6 @@
-// Reading of profile files. Separators are blanks, comma or semicolon; with semicolons a comma is a
-// decimal point.
+// Reading of profile files, as instruments and programs write them. Separators are blanks, comma or
+// semicolon; with semicolons a comma is a decimal point. What stands behind a mark of a comment is
+// not read, in whichever format.
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "meshes/profiles/profile_points.hpp"
@@ -25,10 +26,25 @@ using contact::trimmed;
 /// Numbers of a line that count; columns beyond are not read.
 constexpr std::size_t most_columns = 16;
 
+/// The marks with which programs begin comments; "//" beside them.
+constexpr std::string_view comment_marks = "#!%\"";
+
+std::string_view before_comment(std::string_view line) {
+  const std::string_view text = contact::without_comment(line, comment_marks);
+  return trimmed(text.substr(0, text.find("//")));
+}
+
 struct Row {
   std::array<double, most_columns> values{};
   std::size_t count = 0;
   std::string wrong;  ///< the first field that is no number
+  /// Words that may stand above a list, and no number among them that is spoilt.
+  bool is_heading() const {
+    const bool spoilt =
+        std::string_view("+-.0123456789").find(wrong[0]) != std::string_view::npos &&
+        wrong.find_first_of("0123456789") != std::string::npos;
+    return !spoilt;
+  }
 };
 
 Row numbers(std::string_view text) {
@@ -65,11 +81,6 @@ void add(ProfilePoints& points, double y, double z, const TextLines& at) {
                   file, at.number()));
 }
 
-bool is_comment(std::string_view text) {
-  return text.empty() || text.front() == '#' || text.front() == '!' || text.front() == '%' ||
-         text.front() == '"' || text.substr(0, 2) == "//";
-}
-
 /// Columns named y and z in a header such as "parameter,y,z" or "y [mm]; z [mm]".
 std::optional<std::array<std::size_t, 2>> named_columns(std::string_view header) {
   std::array<std::size_t, 2> found{most_columns, most_columns};
@@ -88,21 +99,35 @@ std::optional<std::array<std::size_t, 2>> named_columns(std::string_view header)
   return found;
 }
 
+/// A file may begin with how many points it has.
+bool is_count(const Row& row) {
+  return row.count == 1 && row.values[0] == std::floor(row.values[0]);
+}
+
+/// Headings may fill several lines before the first point; of a text alone the last is refused.
 ProfilePoints read_columns(std::string_view text, const std::string& name) {
   ProfilePoints points;
   std::optional<std::array<std::size_t, 2>> columns;
-  bool header_possible = true;
+  std::optional<TextLines> heading;
+  std::string word;
+  std::optional<std::pair<TextLines, double>> announced;
   for (TextLines lines(text); lines.next();) {
-    if (is_comment(lines.line())) continue;
-    const Row row = numbers(lines.line());
+    const std::string_view line = before_comment(lines.line());
+    if (line.empty()) continue;
+    const Row row = numbers(line);
+    const bool begun = !points.y.empty();
     if (!row.wrong.empty()) {
-      if (!header_possible) not_numbers(name, lines, row.wrong);
-      header_possible = false;
-      columns = named_columns(lines.line());
+      if (begun || row.count > 0 || !row.is_heading()) not_numbers(name, lines, row.wrong);
+      heading = lines;
+      word = row.wrong;
+      if (const auto named = named_columns(line)) columns = named;
       continue;
     }
-    header_possible = false;
-    if (row.count < 2) too_few_numbers(name, lines);
+    if (!begun && !announced && is_count(row)) {
+      announced.emplace(lines, row.values[0]);
+      continue;
+    }
+    if (row.count < 2) too_few_numbers(name, announced ? announced->first : lines);
     if (row.count > 2 && !columns)
       throw InputError(fmt::format(
           "{}:{}: has {} numbers; allowed: two columns, y and z, or a first line that names the "
@@ -112,16 +137,18 @@ ProfilePoints read_columns(std::string_view text, const std::string& name) {
     if (std::max(use[0], use[1]) >= row.count) too_few_numbers(name, lines);
     add(points, row.values[use[0]], row.values[use[1]], lines);
   }
+  if (announced && announced->second != static_cast<double>(points.y.size()))
+    too_few_numbers(name, announced->first);
+  if (points.y.empty() && heading) not_numbers(name, *heading, word);
   return points;
 }
 
-/// "key = value" without comment; quotes removed.
+/// "key = value", the line without its comment.
 bool key_and_value(std::string_view line, std::string& key, std::string& value) {
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos) return false;
   key = trimmed(line.substr(0, equals));
-  std::string_view rest = line.substr(equals + 1);
-  value = trimmed(contact::without_comment(rest, "!"));
+  value = trimmed(line.substr(equals + 1));
   return true;
 }
 
@@ -184,8 +211,8 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
   enum class Place { outside, header, spline, points } place = Place::outside;
   bool seen = false;
   for (TextLines lines(text); lines.next();) {
-    const std::string_view line = lines.line();
-    if (line.empty() || line.front() == '!') continue;
+    const std::string_view line = before_comment(lines.line());
+    if (line.empty()) continue;
     if (line == "header.begin")
       place = Place::header;
     else if (line == "spline.begin")
@@ -197,7 +224,7 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
     else if (line == "header.end" || line == "spline.end")
       place = Place::outside;
     else if (place == Place::points) {
-      const Row row = numbers(contact::without_comment(line, "!"));
+      const Row row = numbers(line);
       if (!row.wrong.empty()) not_numbers(name, lines, row.wrong);
       if (row.count < 2) too_few_numbers(name, lines);
       add(listed, row.values[0], row.values[1], lines);
@@ -208,6 +235,11 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
       const bool factor = member == &data.length_factor || member == &data.angle_factor;
       if (!given || (factor && *given <= 0.0)) not_numbers(name, lines, value);
       *member = *given;
+    } else if (place != Place::outside) {
+      throw InputError(fmt::format(
+          "{}:{}: `{}` is no key with a value; allowed: lines KEY = VALUE, and numbers between "
+          "point.begin and point.end; do: correct the line, or put ! before it if it is a comment",
+          name, lines.number(), contact::printable(line)));
     }
   }
   if (!seen)
@@ -229,9 +261,10 @@ ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
   ProfilePoints points;
   std::array<std::size_t, 2> columns{0, 1};
   for (TextLines lines(text); lines.next();) {
-    if (is_comment(lines.line())) continue;
+    const std::string_view line = before_comment(lines.line());
+    if (line.empty()) continue;
     std::string key, value;
-    if (key_and_value(lines.line(), key, value)) {
+    if (key_and_value(line, key, value)) {
       if (key != "ColumnDef") continue;
       const auto names = contact::parts_of(value, ",");
       for (std::size_t column = 0; column < names.size(); ++column) {
@@ -240,10 +273,10 @@ ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
       }
       continue;
     }
-    const Row row = numbers(lines.line());
+    const Row row = numbers(line);
     if (!row.wrong.empty()) {
       // Plain words stand in the header of old files only.
-      if (points.y.empty()) continue;
+      if (points.y.empty() && row.is_heading()) continue;
       not_numbers(name, lines, row.wrong);
     }
     if (std::max(columns[0], columns[1]) >= row.count) too_few_numbers(name, lines);
@@ -281,7 +314,7 @@ ProfilePoints read_profile_points(const std::string& path, const std::string& na
   const bool simpack = kind == "prw" || kind == "prr";
   if (simpack)
     points = read_simpack(text, name, wheel);
-  else if (kind == "whl" || kind == "ban")
+  else if (kind == "whl" || kind == "ban" || kind == "mpt")
     points = read_miniprof(text, name);
   else
     points = read_columns(text, name);

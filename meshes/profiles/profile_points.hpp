@@ -16,7 +16,7 @@ struct ProfilePoints {
   bool any_direction = false;
 };
 
-/// Two columns (text, CSV), SIMPACK .prw and .prr, MiniProf .whl and .ban, told apart by the
+/// Two columns (text, CSV), SIMPACK .prw and .prr, MiniProf .whl, .ban and .mpt, told apart by the
 /// ending. Lengths are turned into mm: by the file's own unit, else by `unit`. `path`: where it is;
 /// `name`: how messages call it. Throws contact::InputError with line and value.
 ProfilePoints read_profile_points(const std::string& path, const std::string& name, bool wheel,
@@ -25,5 +25,18 @@ ProfilePoints read_profile_points(const std::string& path, const std::string& na
 /// Mends the points as `source` says and refuses what is still wrong. Throws contact::InputError,
 /// which names the key that mends it.
 void mend_and_check(ProfilePoints& points, const contact::ProfileSource& source, bool wheel);
+
+// Parts of mend_and_check.
+
+double median(std::vector<double> values);
+
+/// The section of the case file that mends: "[wheel_profile]".
+std::string section_of_profile(bool wheel);
+
+/// Leaves the points that are marked.
+void keep_marked(ProfilePoints& points, const std::vector<char>& kept);
+
+/// Kinks and steps: bridged over `rounding`, or refused. Throws contact::InputError.
+void treat_corners(ProfilePoints& points, const contact::ProfileSource& source, bool wheel);
 
 }  // namespace rollfem::meshes

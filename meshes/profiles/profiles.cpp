@@ -3,11 +3,13 @@
 #include "contact/base/errors.hpp"
 #include "meshes/profiles/built_in_profiles.hpp"
 #include "meshes/profiles/formula_profiles.hpp"
+#include "meshes/profiles/profile_features.hpp"
 #include "meshes/profiles/profile_points.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -74,7 +76,45 @@ ProfileCurve of_source(const ProfileSource& source, bool wheel, const std::strin
   return from_file(source, wheel, case_file, report);
 }
 
+/// The tip of the flange is behind its back: a profile measured from there has it where the tread
+/// should be, and rolls on it.
+void check_flange(const contact::Case& input, const ProfileCurve& curve) {
+  constexpr double thickest = 45.0;  // mm, flanges are some 22 to 34 thick
+  const std::optional<double> tip = flange_tip(curve);
+  const double back = input.wheelset.flange_back_position;
+  if (!tip || (*tip > back && *tip < back + thickest)) return;
+  const ProfilePoint start = curve.at(curve.first());
+  const std::array<double, 2>& shift = input.wheel.profile.shift;
+  throw InputError(
+      fmt::format("{}: wheel.profile = \"{}\": the tip of the flange is at y = {:.4g} mm, where "
+                  "the tread should "
+                  "be: {:.4g} mm from the back of the flange (wheelset.flange_back_position = {:g} "
+                  "mm); allowed: "
+                  "up to {} mm; do: put `shift = [{:g}, {:g}]` under [wheel_profile] if the "
+                  "profile is measured "
+                  "from the back of the flange (it begins at y = {:.4g} mm), or say where the back "
+                  "is in its own "
+                  "coordinates: flange_back_position under [wheelset]",
+                  input.file, input.wheel.profile.name, *tip, *tip - back, back, thickest,
+                  shift[0] + back, shift[1], start.y));
+}
+
 }  // namespace
+
+std::optional<double> flange_tip(const ProfileCurve& curve) {
+  constexpr double lowest_flange = 15.0;  // mm; those of wheels are 25 to 36 high
+  constexpr std::size_t samples = 101;
+  const ProfilePoint tip = profile_features(curve, true).bottom;
+  std::vector<double> heights;
+  const double step = (curve.last() - curve.first()) / (samples - 1);
+  for (std::size_t k = 0; k < samples; ++k)
+    heights.push_back(curve.at(curve.first() + static_cast<double>(k) * step).z);
+  std::nth_element(heights.begin(), heights.begin() + samples / 2, heights.end());
+  // Where the measured part ends on the way up is no tip.
+  const bool ends = std::abs(tip.y - curve.at(curve.first()).y) < 0.5;
+  if (ends || tip.z < heights[samples / 2] + lowest_flange) return {};
+  return tip.y;
+}
 
 ProfileCurve make_profile(const ProfileSource& source, bool wheel, const std::string& case_file,
                           ProfileReport* report) {
@@ -90,7 +130,11 @@ ProfileCurve make_profile(const ProfileSource& source, bool wheel, const std::st
 
 ProfileCurve profile_of_case(const contact::Case& input, bool wheel, ProfileReport* report) {
   const ProfileSource& source = wheel ? input.wheel.profile : input.rail.profile;
-  if (!source.name.empty()) return make_profile(source, wheel, input.file, report);
+  if (!source.name.empty()) {
+    ProfileCurve curve = make_profile(source, wheel, input.file, report);
+    if (wheel) check_flange(input, curve);
+    return curve;
+  }
   const double radius = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;
   constexpr double half_width = 60.0;  // mm, wider than treads and heads are
   ProfileSource arc;

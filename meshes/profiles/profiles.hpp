@@ -23,7 +23,11 @@ struct ProfileReport {
 ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,
                           const std::string& case_file, ProfileReport* report = nullptr);
 
+/// y of the tip of the flange, mm; nothing where the profile has none.
+std::optional<double> flange_tip(const ProfileCurve& curve);
+
 /// The profile of a body of the case; of its transverse radius about (0, 0) when it has no profile.
+/// Throws also when the flange is not where the wheelset has its back.
 ProfileCurve profile_of_case(const contact::Case& input, bool wheel,
                              ProfileReport* report = nullptr);
 

@@ -64,8 +64,7 @@ PlacedScene make_scene(const Case& input, WheelRailContact contact) {
 }  // namespace
 
 SearchScene search_scene_of(const Case& input) {
-  return make_search_scene(input, {make_profile(input.wheel.profile, true, input.file),
-                                   make_profile(input.rail.profile, false, input.file)});
+  return make_search_scene(input, {profile_of_case(input, true), profile_of_case(input, false)});
 }
 
 std::vector<double> rotation_changes(const Case& input) {

@@ -20,6 +20,8 @@ KeyValue other_value(const Key& key) {
       return std::string("other");
     case KeyKind::word:
       return initial == KeyValue(key.words.back()) ? key.words.front() : key.words.back();
+    case KeyKind::lean:
+      return std::string("1:30");
     case KeyKind::words:
       return Words{key.words.empty() ? "any" : key.words.back()};
     case KeyKind::boolean:

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,13 @@ TEST(Track, DefaultsAreThoseOfStandardGauge) {
 TEST(Track, InclinationsAreTangents) {
   EXPECT_EQ(parse_case(with("1:40", "1:20"), "c.toml").track.inclination, 0.05);
   EXPECT_EQ(parse_case(with("1:40", "none"), "c.toml").track.inclination, 0.0);
+  EXPECT_EQ(parse_case(with("1:40", "1:30"), "c.toml").track.inclination, 1.0 / 30.0);
+  const Case angle = parse_case(with("\"1:40\"", "0.05"), "c.toml");
+  EXPECT_DOUBLE_EQ(angle.track.inclination, std::tan(0.05));
+  EXPECT_NE(describe(angle).find("inclination            0.05\n"), std::string::npos)
+      << describe(angle);
+  EXPECT_DOUBLE_EQ(parse_case(with("\"1:40\"", "-0.01"), "c.toml").track.inclination,
+                   -std::tan(0.01));
 }
 
 TEST(Wheelset, PositionsAndLoadPointsAreListsOfTheirOwn) {
@@ -105,6 +113,15 @@ TEST(Track, IsSaidBackByCheck) {
 TEST(TrackErrors, InclinationIsNotAssumed) {
   expect_error(with("inclination = \"1:40\"\n", ""),
                {"case.toml:10:1: track.inclination: is missing", "\"none\", \"1:20\", \"1:40\""});
+}
+
+TEST(TrackErrors, InclinationIsAWordARatioOrAnAngle) {
+  for (const char* wrong :
+       {"\"1:x\"", "\"1:\"", "\"2:40\"", "\"1:0.5\"", "\"1:-40\"", "\"steep\"", "1.0", "true"})
+    expect_error(with("\"1:40\"", wrong),
+                 {"track.inclination",
+                  "allowed: \"none\", a ratio such as \"1:40\", or an angle from "
+                  "-0.5 to 0.5 rad"});
 }
 
 TEST(TrackErrors, ListsOfPositionsHaveOneLength) {

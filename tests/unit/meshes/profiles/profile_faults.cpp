@@ -111,7 +111,7 @@ const std::vector<Fault> faults{
              [](Points& p) {
                for (auto& q : p) q[1] += 0.5 * std::max(0.0, q[0] - 5.0);
              }),
-     {"kink of 26", "rounding = 2.0", "largest_kink"},
+     {"kink of 26", "rounding = 0.05", "largest_kink = 27"},
      {}},
     {"Step",
      false,
@@ -119,7 +119,7 @@ const std::vector<Fault> faults{
              [](Points& p) {
                for (auto& q : p) q[1] += q[0] > 5.0 ? 0.1 : 0.0;
              }),
-     {"step of 0.1 mm", "y = 4.8", "rounding = 2.0"},
+     {"step of 0.1 mm", "y = 4.8", "`rounding = 0.05`"},
      {}},
 };
 
