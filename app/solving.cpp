@@ -3,7 +3,9 @@
 #include "app/scene_checkpoint.hpp"
 #include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/result/patch_parts.hpp"
 #include "meshes/track/scenes.hpp"
+#include "wheelset/result_check.hpp"
 
 #include <fmt/format.h>
 
@@ -24,12 +26,33 @@ contact::Progress told(const std::string& model, const contact::Scene& scene,
   };
 }
 
+/// Regions of one contact that share its load on one grid, at the first load point.
+std::string parts_note(const contact::ContactPlace& place, const contact::ModelResult& result) {
+  const auto parts = contact::patch_parts(result.grid, result.points.front().fields);
+  std::string text = fmt::format(
+      "{} patches on one grid share the load, pressing on each other through the bodies (first "
+      "load "
+      "point, the most loaded first): ",
+      parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += fmt::format("{}y_track {:.3f} mm (y {:.3f}) {:.4g} by {:.4g} mm, F_n {:.5g} N",
+                        k > 0 ? "; " : "", meshes::track_y(place, parts[k].y), parts[k].y,
+                        parts[k].length, parts[k].width, parts[k].normal_force);
+  return text;
+}
+
 /// What the result of a patch says beyond what the model knows.
 void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
             contact::ModelResult& result) {
   if (!scene.place) return;
   result.place = scene.place;
   result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+  if (!result.points.empty() && result.points.front().patch_count > 1)
+    result.notes.push_back(parts_note(*scene.place, result));
+  if (scene.place->patches > 1)
+    result.notes.push_back(
+        "the contacts of this wheel lie in different planes: they share its load by one vertical "
+        "sinking, in which the displacement that one makes under another is left out");
   for (contact::PointResult& point : result.points)
     point.vertical_force =
         meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
@@ -100,6 +123,7 @@ Solved solve(const contact::Case& input, const Solving& how) {
         miss(error, false);
       }
     }
+  wheelset::check_results(input, solved.results);
   solved.pairs = std::move(scenes.pairs);
   return solved;
 }

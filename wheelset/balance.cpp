@@ -69,7 +69,10 @@ BalancedCase balance(const Case& input, const contact::Progress& progress) {
   Case all_sides = input;
   if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
   result.search = meshes::search_scene_of(input);
-  const std::vector<meshes::PlacedScene> placed = meshes::make_scenes(all_sides, result.search);
+  meshes::SearchOptions options;
+  options.with_reserve = input.load.vertical_force.has_value();
+  const std::vector<meshes::PlacedScene> placed =
+      meshes::make_scenes(all_sides, result.search, options);
   for (int position = 1; position <= count; ++position) {
     contact::ProgressEvent event;
     event.model = "wheelset";

@@ -127,6 +127,10 @@ std::vector<Quantity> of_the_patch() {
        at<&P::contact_area>()},
       {"adhesion_area", "adhesion area", "", "mm^2", "area that does not slip", Scale::value,
        Use::stored, at<&P::adhesion_area>()},
+      {"patch_count", "patches", "", "-",
+       "regions of the contact that do not touch each other; where there are several, forces are "
+       "those of all, and `patches` of `summary.json` and `patches.csv` list each",
+       Scale::none, Use::stored, at<&P::patch_count>()},
   };
 }
 

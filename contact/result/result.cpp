@@ -1,5 +1,6 @@
 #include "contact/result/result.hpp"
 
+#include "contact/result/patch_parts.hpp"
 #include "contact/result/patch_size.hpp"
 
 #include <fmt/format.h>
@@ -102,6 +103,7 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point, const Patc
   point.semi_axis_x = 0.5 * patch.length;
   point.semi_axis_y = 0.5 * patch.width;
   point.contact_area = patch.area * mean_stretch(shape, pressure);
+  point.patch_count = count_parts(grid, pressure);
   const auto count = [&](ElementState state) {
     return static_cast<double>(
         std::count(point.fields.state.begin(), point.fields.state.end(), state));

@@ -122,16 +122,23 @@ PatchShape ChartedGeometry::shape(const ContactGrid& grid) const {
   return shape;
 }
 
+/// Of another contact beyond the limits of this one.
+bool ChartedGeometry::is_this_contact(double y) const {
+  return !geometry_.has_profiles() || geometry_.surface.profiles->within_limits(y);
+}
+
 Field ChartedGeometry::undeformed_distance(const ContactGrid& grid) const {
   if (geometry_.distance_values)
     return sample_lattice(*geometry_.distance_values, 0, grid, "undeformed_distance.file");
   if (curved() && geometry_.has_surfaces())
     return grid.sample([&](double x, double y) {
-      return std::min(contact::undeformed_distance(geometry_.surface, x, lateral_place(y)),
-                      beyond_the_wheel);
+      const double at = lateral_place(y);
+      if (!is_this_contact(at)) return beyond_the_wheel;
+      return std::min(contact::undeformed_distance(geometry_.surface, x, at), beyond_the_wheel);
     });
   if (geometry_.has_profiles())
     return grid.sample([&](double x, double y) {
+      if (!is_this_contact(y)) return beyond_the_wheel;
       return std::min(geometry_.surface.profiles->distance(x, y), beyond_the_wheel);
     });
   const Curvatures curvatures = relative_curvatures(geometry_);

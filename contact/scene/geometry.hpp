@@ -80,6 +80,8 @@ class ChartedGeometry {
   TangentialField extra_slip(const Creepage& creepage, const ContactGrid& grid) const;
 
  private:
+  bool is_this_contact(double y) const;
+
   Geometry geometry_;
   Chart chart_;
   HeightCurve place_;  ///< y over arc length; Chart::arc

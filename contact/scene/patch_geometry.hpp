@@ -1,12 +1,13 @@
 // Wheel and rail as they meet at one contact, in the frame of the patch: origin at the contact
 // reference point on the rail, x along the rail (the rolling direction), z along the normal of the
-// rail into the wheel, y = z cross x along the rail's tangent. Undeformed distance and rigid slip
+// contact's plane into the wheel, y = z cross x. Undeformed distance and rigid slip
 // of the true profiles follow from it (docs/profiles.md).
 #pragma once
 
 #include "contact/scene/height_curve.hpp"
 
 #include <array>
+#include <limits>
 #include <string>
 
 namespace rollfem::contact {
@@ -30,10 +31,10 @@ struct AxlePlace {
 class PatchGeometry {
  public:
   PatchGeometry() = default;
-  /// `rail`: z over y in the patch frame, about (0, 0) with slope 0. `wheel_radius`: radius over
-  /// the axial coordinate. The wheel's section at x = 0 is taken between `y_lower` and `y_upper` as
-  /// far as the profile reaches. Throws std::invalid_argument when the wheel has no surface below
-  /// its axle there.
+  /// `rail`: z over y in the patch frame, through (0, 0), where it need not be level.
+  /// `wheel_radius`: radius over the axial coordinate. The wheel's section at x = 0 is taken
+  /// between `y_lower` and `y_upper` as far as the profile reaches. Throws std::invalid_argument
+  /// when the wheel has no surface below its axle there.
   PatchGeometry(HeightCurve rail, HeightCurve wheel_radius, const Axle& axle, double y_lower,
                 double y_upper);
 
@@ -52,6 +53,11 @@ class PatchGeometry {
   double local_rolling_radius(double y) const;
   /// Angle of the axle against the y axis in the plane x = 0, rad: sine = e_z.
   double tilt() const;
+  /// Beyond these y (mm) the bodies touch, if they do, in a contact of its own.
+  const std::array<double, 2>& limits() const { return limits_; }
+  void set_limits(const std::array<double, 2>& limits) { limits_ = limits; }
+  bool within_limits(double y) const { return y >= limits_[0] && y <= limits_[1]; }
+
   /// Both profiles are known here.
   bool known(double y) const { return rail_.contains(y) && wheel_.contains(y); }
 
@@ -60,6 +66,8 @@ class PatchGeometry {
   HeightCurve wheel_radius_;
   HeightCurve wheel_;
   Axle axle_;
+  std::array<double, 2> limits_{-std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::infinity()};
 };
 
 /// Where a patch is on the track and on the profiles, for reports. Track frame: x along the track,
@@ -79,7 +87,7 @@ struct ContactPlace {
   double z_track = 0.0;         ///< mm
   double y_rail = 0.0;          ///< mm, profile coordinate
   double y_wheel = 0.0;         ///< mm, profile coordinate
-  double contact_angle = 0.0;   ///< rad, of the rail's tangent against the track plane, positive
+  double contact_angle = 0.0;   ///< rad, of the contact's plane against the track plane, positive
                                 ///< where it falls towards the middle of the track
   double rolling_radius = 0.0;  ///< mm, of the contact point
   double separation = 0.0;      ///< mm, distance at first contact (0: touches; > 0: near miss)

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -24,6 +25,7 @@ namespace {
 
 /// Elements across the box of a search, and across the patch that it must find at least.
 constexpr int elements_of_box = 30;
+constexpr int elements_of_law = 50;
 constexpr int fewest_across_patch = 20;
 constexpr int most_rounds = 12;
 /// On each side of the patch of the round before, relative to its extent.
@@ -45,14 +47,23 @@ Box box_of(const std::vector<RidgeRegion>& regions) {
   return box;
 }
 
+/// mm of y between the regions.
+double gaps_between(const std::vector<RidgeRegion>& regions) {
+  double gaps = 0.0;
+  for (std::size_t k = 0; k + 1 < regions.size(); ++k)
+    gaps += std::max(0.0, regions[k + 1].y_lower - regions[k].y_upper);
+  return gaps;
+}
+
 /// An overlap that is likely to carry the force: that of Hertz's ellipse for a parabola as wide as
 /// the overlap of the profiles.
 double overlap_for_force(const Ridge& ridge, double A, double modulus, double force) {
   double overlap = 1e-6;  // mm
   for (int step = 0; step < 200; ++step, overlap *= 1.2) {
-    const auto regions = ridge.contact_regions(ridge.least_distance() + overlap);
+    const auto regions = ridge.regions(ridge.least_distance() + overlap);
     if (regions.empty()) continue;
-    const double half = 0.5 * (regions.back().y_upper - regions.front().y_lower);
+    const double half =
+        0.5 * (regions.back().y_upper - regions.front().y_lower - gaps_between(regions));
     if (hertz_from_force(A, overlap / (half * half), modulus, force).approach < overlap) break;
   }
   return overlap;
@@ -62,14 +73,37 @@ struct Found {
   contact::NormalSolution normal;
   contact::PatchSize size;
   ContactGrid grid;
+  double gaps = 0.0;  ///< mm
 };
 
+/// Rows without pressure between the first and the last that carry some.
+int empty_rows(const ContactGrid& grid, const contact::Field& pressure) {
+  int empty = 0, since_last = 0;
+  bool any = false;
+  for (int j = 0; j < grid.ny; ++j) {
+    const bool loaded = pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0;
+    if (loaded && any) empty += since_last;
+    since_last = loaded ? 0 : since_last + 1;
+    any = any || loaded;
+  }
+  return empty;
+}
+
+/// Elements along x and y of a box whose width holds `gaps` (mm) that carry nothing: as many over
+/// what is left of it.
+std::array<int, 2> counts(const Box& box, double gaps, int n = elements_of_box) {
+  constexpr double most_times = 12.0;
+  const double width = box.y_upper - box.y_lower;
+  const double times = std::min(most_times, width / std::max(width - gaps, 1e-3 * width));
+  return {n, static_cast<int>(std::ceil(n * times - 1e-9))};
+}
+
 Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& load,
-               int n = elements_of_box) {
-  const double dx = (box.x_upper - box.x_lower) / n;
-  const double dy = (box.y_upper - box.y_lower) / n;
+               const std::array<int, 2>& n) {
+  const double dx = (box.x_upper - box.x_lower) / n[0];
+  const double dy = (box.y_upper - box.y_lower) / n[1];
   Found found;
-  found.grid = {n, n, dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy};
+  found.grid = {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy};
   const HalfspaceCompliance compliance(found.grid, scene.material.uncoupled());
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::plane);
   const contact::NormalProblem problem{geometry.undeformed_distance(found.grid), load.force,
@@ -78,6 +112,7 @@ Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& lo
   options.tolerance = 1e-4;
   found.normal = contact::solve_normal(compliance.normal(), problem, options);
   found.size = contact::patch_size(found.grid, found.normal.pressure);
+  found.gaps = empty_rows(found.grid, found.normal.pressure) * dy;
   return found;
 }
 
@@ -97,7 +132,7 @@ Box next_box(const Found& found) {
 
 bool fine_enough(const Found& found) {
   return found.size.length >= fewest_across_patch * found.grid.dx &&
-         found.size.width >= fewest_across_patch * found.grid.dy &&
+         found.size.width - found.gaps >= fewest_across_patch * found.grid.dy &&
          !contact::touches_border(found.grid, found.normal.pressure);
 }
 
@@ -117,6 +152,7 @@ ExpectedPatch summary(const Found& found) {
   patch.max_pressure = pressure.maxCoeff();
   patch.normal_force = found.normal.normal_force;
   patch.area = found.size.area;
+  patch.gaps = found.gaps;
   return patch;
 }
 
@@ -126,12 +162,13 @@ ExpectedPatch patch_of_points(const Scene& scene, int elements) {
   const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
                 points.y_first + (points.ny - 1) * points.dy};
   const contact::NormalLoad load = contact::largest_load(scene);
-  Found found = solve_in(scene, all, load);
+  Found found = solve_in(scene, all, load, counts(all, 0.0));
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
     const Box next = next_box(found);
     const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
                      std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
-    found = solve_in(scene, within, load, std::max(elements, elements_of_box));
+    found = solve_in(scene, within, load,
+                     counts(within, found.gaps, std::max(elements, elements_of_box)));
   }
   return summary(found);
 }
@@ -139,32 +176,34 @@ ExpectedPatch patch_of_points(const Scene& scene, int elements) {
 ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
   const Ridge ridge(*scene.geometry.surface.profiles);
   const contact::NormalLoad load = contact::largest_load(scene);
-  const double A = contact::relative_curvatures(scene.geometry).A;
+  const double A = 0.5 / scene.geometry.surface.profiles->local_rolling_radius(0.0);
   const double modulus = scene.material.contact_modulus;
   double level =
       load.force ? ridge.least_distance() + 1.1 * overlap_for_force(ridge, A, modulus, *load.force)
                  : load.approach.value_or(0.0);
-  const auto overlap_box = [&] {
-    const auto regions = ridge.contact_regions(level);
+  const auto solve_overlap = [&] {
+    const auto regions = ridge.regions(level);
     if (regions.empty())
       throw contact::SolveError(fmt::format(
           "{}: no contact: the approach {} mm does not exceed the smallest distance {} mm",
           scene.file, level, ridge.least_distance()));
-    return box_of(regions);
+    const Box box = box_of(regions);
+    return solve_in(scene, box, load, counts(box, gaps_between(regions)));
   };
-  Box box = overlap_box();
-  Found found = solve_in(scene, box, load);
+  Found found = solve_overlap();
   for (int round = 0; round < most_rounds && load.force && found.normal.approach > level; ++round) {
     level = ridge.least_distance() + 1.2 * (found.normal.approach - ridge.least_distance());
-    box = overlap_box();
-    found = solve_in(scene, box, load);
+    found = solve_overlap();
   }
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
-    box = next_box(found);
-    found = solve_in(scene, box, load);
+    const Box box = next_box(found);
+    found = solve_in(scene, box, load, counts(box, found.gaps));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  if (elements > elements_of_box) found = solve_in(scene, next_box(found), load, elements);
+  if (elements > elements_of_box) {
+    const Box box = next_box(found);
+    found = solve_in(scene, box, load, counts(box, found.gaps, elements));
+  }
   return summary(found);
 }
 
@@ -186,6 +225,28 @@ ExpectedPatch expected_patch(const Scene& scene, int elements) {
   patch.normal_force = hertz.normal_force;
   patch.area = pi * hertz.semi_axis_x * hertz.semi_axis_y;
   return patch;
+}
+
+ForceLaw::ForceLaw(const Scene& scene, double largest_approach) {
+  const auto regions = Ridge(*scene.geometry.surface.profiles).regions(largest_approach);
+  if (regions.empty()) return;
+  const Box box = box_of(regions);
+  const auto [nx, ny] = counts(box, gaps_between(regions), elements_of_law);
+  const double dx = (box.x_upper - box.x_lower) / nx, dy = (box.y_upper - box.y_lower) / ny;
+  const ContactGrid grid{nx, ny, dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy};
+  compliance_ = std::make_unique<HalfspaceCompliance>(grid, scene.material.uncoupled());
+  distance_ =
+      contact::ChartedGeometry(scene.geometry, contact::Chart::plane).undeformed_distance(grid);
+}
+
+double ForceLaw::normal_force(double approach) {
+  if (!compliance_ || !(approach > distance_.minCoeff())) return 0.0;
+  contact::NormalOptions options;
+  options.tolerance = 1e-6;
+  const contact::NormalSolution solution =
+      contact::solve_normal(compliance_->normal(), {distance_, {}, approach}, options, pressure_);
+  pressure_ = solution.pressure;
+  return solution.normal_force;
 }
 
 void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {

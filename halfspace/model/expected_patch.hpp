@@ -3,6 +3,9 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
+#include "contact/solve/compliance.hpp"
+
+#include <memory>
 
 namespace rollfem::halfspace {
 
@@ -17,9 +20,11 @@ struct ExpectedPatch {
   double max_pressure = 0.0;              ///< MPa
   double normal_force = 0.0;              ///< N
   double area = 0.0;                      ///< mm^2
+  double gaps = 0.0;  ///< mm, of the width: rows between regions that carry nothing
 
   double length() const { return x_upper - x_lower; }
   double width() const { return y_upper - y_lower; }
+  double covered_width() const { return width() - gaps; }  ///< mm, of all regions together
   double x_middle() const { return 0.5 * (x_lower + x_upper); }
   double y_middle() const { return 0.5 * (y_lower + y_upper); }
 };
@@ -34,5 +39,21 @@ ExpectedPatch expected_patch(const contact::Scene& scene, int elements = 0);
 /// Throws contact::InputError "profile too short for the contact" when one of the profiles of the
 /// patch ends between y_lower and y_upper, mm.
 void check_profiles_reach(const contact::Scene& scene, double y_lower, double y_upper);
+
+/// Normal force over approach, without friction, of a scene with profiles on one grid that holds
+/// every patch up to a largest approach: one continuous function, good to some 0.5 % there and less
+/// at a small part of it.
+class ForceLaw {
+ public:
+  /// Throws as expected_patch does. `largest_approach` in mm along z.
+  ForceLaw(const contact::Scene& scene, double largest_approach);
+  /// N; 0 at an approach at which nothing touches.
+  double normal_force(double approach);
+
+ private:
+  std::unique_ptr<const contact::SolvableCompliance> compliance_;
+  contact::Field distance_;
+  contact::Field pressure_;  ///< of the last approach
+};
 
 }  // namespace rollfem::halfspace

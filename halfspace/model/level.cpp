@@ -3,6 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/coverage.hpp"
 #include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/force_search.hpp"
 #include "halfspace/model/model.hpp"
@@ -48,6 +49,28 @@ int columns_for_steps(const Scene& scene, double dx) {
     longest = std::max(longest, point.step_length);
   const double extent = expected_extent(scene).length;
   return static_cast<int>(std::ceil(std::min(2.0 * longest, extent) / dx));
+}
+
+/// The grid, with more rows where the bodies would overlap beyond it. Throws
+/// contact::SolveError where the patch is not this contact's alone.
+ContactGrid grid_of_all_patches(const Scene& scene, const contact::ChartedGeometry& geometry,
+                                const ContactGrid& grid, const std::vector<PointResult>& points) {
+  int below = 0, above = 0;
+  for (const PointResult& point : points) {
+    check_limits(scene, geometry, grid, point.fields.traction.n);
+    const auto beyond = touched_beyond(scene, geometry, grid, point);
+    if (!beyond) continue;
+    const auto rows = [&](double way) {
+      return static_cast<int>(std::ceil(way / grid.dy)) + margin;
+    };
+    if ((*beyond)[0] < grid.y_first) below = std::max(below, rows(grid.y_first - (*beyond)[0]));
+    const double last = grid.y(grid.ny - 1);
+    if ((*beyond)[1] > last) above = std::max(above, rows((*beyond)[1] - last));
+  }
+  ContactGrid larger = grid;
+  larger.ny += below + above;
+  larger.y_first -= below * grid.dy;
+  return larger;
 }
 
 class HalfspaceElasticity : public contact::Elasticity {
@@ -163,13 +186,20 @@ contact::LevelResult solve_level(const Scene& scene, double dx, double dy,
     std::optional<GridStore> store;
     if (checkpoint) store.emplace(*checkpoint, grid);
     contact::ContactRun run(scene, geometry, options, progress, store ? &*store : nullptr);
-    if (run.solve(grid, [&] { return halfspace_elasticity(scene, geometry, grid); }))
-      return run.take_result();
+    const bool inside =
+        run.solve(grid, [&] { return halfspace_elasticity(scene, geometry, grid); });
+    if (inside) {
+      contact::LevelResult result = run.take_result();
+      const ContactGrid larger = grid_of_all_patches(scene, geometry, grid, result.points);
+      if (larger.ny == grid.ny) return result;
+      grid = larger;
+      if (attempt < most_enlargements && !scene.contact_grid.extent) continue;
+    }
     if (attempt == most_enlargements || scene.contact_grid.extent)
       throw contact::UnfitGrid(fmt::format(
-          "the contact patch reaches the border of the potential contact area "
-          "({} by {} elements): the surfaces conform over more than their curvatures tell; do: "
-          "prescribe a larger contact_grid.extent",
+          "the contact patch reaches the border of the potential contact area ({} by {} elements), "
+          "or the bodies touch beyond it: the surfaces conform over more than their curvatures tell; "
+          "do: prescribe a larger contact_grid.extent",
           grid.nx, grid.ny));
     grid = with_margin(grid, grid.nx / 4 + margin, grid.ny / 4 + margin);
   }

@@ -1,6 +1,7 @@
 #include "halfspace/model/load_sharing.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 #include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/patch_ridge.hpp"
 
@@ -15,19 +16,20 @@ using contact::Scene;
 
 namespace {
 
-/// Relative error of the vertical force at which the search ends: below that of the forces.
-constexpr double tolerance = 1e-5;
-constexpr int most_steps = 60;
 /// First guess of the sinking, mm; a wheel's patch approaches by 0.05 to 0.2.
 constexpr double first_sinking = 0.05;
 /// No wheel sinks deeper than this, mm.
 constexpr double deepest_sinking = 20.0;
 
 struct Patch {
-  Scene scene;  ///< one load point
+  const Scene& scene;
   double cosine;
   double separation;
   double least_distance;  ///< mm, of the patch geometry: its own zero of the approach
+
+  double approach_at(double sinking) const {
+    return least_distance + sinking * cosine - separation;
+  }
 };
 
 Patch patch_of(const Scene& scene) {
@@ -35,16 +37,36 @@ Patch patch_of(const Scene& scene) {
     throw contact::InputError(
         "sharing of the load between patches: every scene needs the geometry and the place of its "
         "patch; do: make scenes of a case with profiles");
-  return {contact::at_point(scene, 0), std::cos(scene.place->contact_angle),
-          scene.place->separation, Ridge(*scene.geometry.surface.profiles).least_distance()};
+  return {scene, std::cos(scene.place->contact_angle), scene.place->separation,
+          Ridge(*scene.geometry.surface.profiles).least_distance()};
 }
 
-double force_at(Patch& patch, double sinking) {
-  const double approach = sinking * patch.cosine - patch.separation;
-  if (!(approach > 0.0)) return 0.0;
-  patch.scene.points.front().load = {{}, patch.least_distance + approach};
-  return expected_patch(patch.scene).normal_force;
-}
+/// The patches on grids that hold them up to a largest sinking.
+class SinkingWheel {
+ public:
+  SinkingWheel(const std::vector<Patch>& patches, double largest_sinking) : patches_(patches) {
+    for (const Patch& patch : patches)
+      laws_.emplace_back(patch.scene, patch.approach_at(largest_sinking));
+  }
+
+  std::vector<double> normal_forces(double sinking) {
+    std::vector<double> forces;
+    for (std::size_t i = 0; i < laws_.size(); ++i)
+      forces.push_back(laws_[i].normal_force(patches_[i].approach_at(sinking)));
+    return forces;
+  }
+
+  double vertical_force(double sinking) {
+    const std::vector<double> forces = normal_forces(sinking);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < forces.size(); ++i) sum += forces[i] * patches_[i].cosine;
+    return sum;
+  }
+
+ private:
+  const std::vector<Patch>& patches_;
+  std::vector<ForceLaw> laws_;
+};
 
 }  // namespace
 
@@ -56,55 +78,25 @@ SharedLoad share_load(const std::vector<Scene>& inputs, double vertical_force) {
         inputs.size(), vertical_force));
   std::vector<Patch> patches;
   for (const Scene& scene : inputs) patches.push_back(patch_of(scene));
-  SharedLoad shared;
-  // Force by Hertz's law is a 3/2 power of the approach: its 2/3 power is searched, nearly
-  // straight.
-  const auto defect = [&](double sinking) {
-    shared.sinking = sinking;
-    shared.normal_forces.clear();
-    double sum = 0.0;
-    for (Patch& patch : patches) {
-      shared.normal_forces.push_back(force_at(patch, sinking));
-      sum += shared.normal_forces.back() * patch.cosine;
-    }
-    return std::pow(sum / vertical_force, 2.0 / 3.0) - 1.0;
-  };
-  double lower = deepest_sinking;
-  for (const Patch& patch : patches) lower = std::min(lower, patch.separation / patch.cosine);
-  double at_lower = -1.0;
-  double upper = lower + first_sinking;
-  double at_upper = defect(upper);
-  for (; at_upper < 0.0; at_upper = defect(upper)) {
-    if (upper > deepest_sinking)
-      throw contact::SolveError(fmt::format(
-          "sharing of the load between patches: a sinking of {:.3g} mm does not carry {} N; do: "
-          "check the profiles and the load",
-          upper, vertical_force));
-    lower = upper;
-    at_lower = at_upper;
-    upper += 1.5 * first_sinking;
-  }
-  // Regula falsi in the manner of Illinois: an end that stays counts for half.
-  int stayed = 0;
-  for (int step = 0; step < most_steps; ++step) {
-    const double middle = (lower * at_upper - upper * at_lower) / (at_upper - at_lower);
-    const double value = defect(middle);
-    if (std::abs(value) < tolerance || upper - lower < 1e-9) return shared;
-    if (value < 0.0) {
-      lower = middle;
-      at_lower = value;
-      if (stayed == -1) at_upper *= 0.5;
-      stayed = -1;
-    } else {
-      upper = middle;
-      at_upper = value;
-      if (stayed == 1) at_lower *= 0.5;
-      stayed = 1;
-    }
+  double first_touch = deepest_sinking;
+  for (const Patch& patch : patches)
+    first_touch = std::min(first_touch, patch.separation / patch.cosine);
+  for (double way = first_sinking; first_touch + way < deepest_sinking; way *= 1.5) {
+    SinkingWheel wheel(patches, first_touch + way);
+    const auto excess = [&](double sinking) {
+      return wheel.vertical_force(sinking) - vertical_force;
+    };
+    if (excess(first_touch + way) < 0.0) continue;
+    SharedLoad shared;
+    shared.sinking = contact::bracketed_root(excess, first_touch, first_touch + way, 1e-12,
+                                             "sharing of the load between patches");
+    shared.normal_forces = wheel.normal_forces(shared.sinking);
+    return shared;
   }
   throw contact::SolveError(fmt::format(
-      "sharing of the load between patches did not converge: sinking between {:.6g} and {:.6g} mm",
-      lower, upper));
+      "sharing of the load between patches: a sinking of {:.3g} mm does not carry {} N; do: check "
+      "the profiles and the load",
+      deepest_sinking, vertical_force));
 }
 
 }  // namespace rollfem::halfspace

@@ -12,12 +12,6 @@ namespace {
 constexpr double sample_distance = 0.1;
 /// Steeper than this against the plane of the patch, nothing belongs to it.
 constexpr double steepest = 1.0;
-/// Patches whose normals differ by more are patches of their own.
-constexpr double largest_angle = 0.35;  // rad
-/// Regions of overlap that nearly meet are one contact: the gap beside the width of the wider one.
-/// Those farther off are scenes of their own (meshes/contact_search), which must not count twice.
-constexpr double nearly_meeting = 0.25;
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -44,8 +38,9 @@ RidgePoint ridge_point(const contact::PatchGeometry& patch, double y) {
 }
 
 Ridge::Ridge(const contact::PatchGeometry& patch) {
-  const double lower = std::max(patch.rail().first(), patch.wheel().first());
-  const double upper = std::min(patch.rail().last(), patch.wheel().last());
+  const auto& limits = patch.limits();
+  const double lower = std::max({patch.rail().first(), patch.wheel().first(), limits[0]});
+  const double upper = std::min({patch.rail().last(), patch.wheel().last(), limits[1]});
   const auto walk = [&](double direction) {
     std::vector<double> y;
     for (int k = direction > 0.0 ? 0 : 1; y.size() < 10000; ++k) {
@@ -65,29 +60,13 @@ Ridge::Ridge(const contact::PatchGeometry& patch) {
     points_.push_back(ridge_point(patch, y));
     angle_.push_back(std::atan(patch.rail().at(y).slope));
   }
-  foot_ = static_cast<std::size_t>(
-      std::min_element(y_.begin(), y_.end(),
-                       [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-      y_.begin());
-  const auto downhill = [&](std::size_t k) {
-    return points_[k].distance < points_[foot_].distance;
-  };
-  for (bool moved = true; moved;) {
-    moved = false;
-    if (foot_ + 1 < y_.size() && downhill(foot_ + 1)) {
-      ++foot_;
-      moved = true;
-    } else if (foot_ > 0 && downhill(foot_ - 1)) {
-      --foot_;
-      moved = true;
-    }
-  }
-  // The contact point may lie between two regions of one contact: the deeper one counts.
-  constexpr double just_below = 1e-6;  // mm
-  const auto joined = contact_regions(points_[foot_].distance + just_below);
-  if (joined.empty()) return;
-  for (std::size_t k = 0; k < y_.size(); ++k)
-    if (y_[k] >= joined.front().y_lower && y_[k] <= joined.back().y_upper && downhill(k)) foot_ = k;
+}
+
+double Ridge::least_distance() const {
+  return std::min_element(
+             points_.begin(), points_.end(),
+             [](const RidgePoint& a, const RidgePoint& b) { return a.distance < b.distance; })
+      ->distance;
 }
 
 std::vector<RidgeRegion> Ridge::regions(double level) const {
@@ -111,25 +90,6 @@ std::vector<RidgeRegion> Ridge::regions(double level) const {
     found.push_back(region);
   }
   return found;
-}
-
-std::vector<RidgeRegion> Ridge::contact_regions(double level) const {
-  const std::vector<RidgeRegion> all = regions(level);
-  const double y = y_[foot_];
-  const auto at = std::find_if(all.begin(), all.end(), [&](const RidgeRegion& region) {
-    return region.y_lower <= y && y <= region.y_upper;
-  });
-  if (at == all.end()) return {};
-  const auto joined = [](const RidgeRegion& a, const RidgeRegion& b) {
-    const double between = b.y_lower - a.y_upper;
-    const double wider = std::max(a.y_upper - a.y_lower, b.y_upper - b.y_lower);
-    return between <= nearly_meeting * wider && std::abs(a.angle - b.angle) < largest_angle;
-  };
-  auto first = at;
-  auto last = at;
-  while (first != all.begin() && joined(*(first - 1), *first)) --first;
-  while (last + 1 != all.end() && joined(*last, *(last + 1))) ++last;
-  return {first, last + 1};
 }
 
 }  // namespace rollfem::halfspace

@@ -26,20 +26,15 @@ struct RidgeRegion {
   double distance = 0.0;                ///< mm, the least
 };
 
-/// The ridge sampled over all that is known of both profiles.
+/// The ridge sampled over all that is known of both profiles and belongs to this contact
+/// (PatchGeometry::limits).
 class Ridge {
  public:
   explicit Ridge(const contact::PatchGeometry& patch);
 
   /// Regions in which the distance is below `level`, by rising y.
   std::vector<RidgeRegion> regions(double level) const;
-  /// The region at the contact point with those that make one contact with it: neighbours that
-  /// nearly meet it, whose normals differ by less than 20 degrees (others are patches of their own,
-  /// each with its own frame). Empty when nothing is below the level.
-  std::vector<RidgeRegion> contact_regions(double level) const;
-  /// The least distance about the contact point, mm: where one walks downhill from y = 0, or in a
-  /// region that makes one contact with that.
-  double least_distance() const { return points_[foot_].distance; }
+  double least_distance() const;               ///< mm
   double first() const { return y_.front(); }  ///< mm, end of what is known
   double last() const { return y_.back(); }    ///< mm
 
@@ -47,7 +42,6 @@ class Ridge {
   std::vector<double> y_;
   std::vector<RidgePoint> points_;
   std::vector<double> angle_;
-  std::size_t foot_ = 0;
 };
 
 }  // namespace rollfem::halfspace

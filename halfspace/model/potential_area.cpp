@@ -34,6 +34,22 @@ void check_cells(const contact::Scene& scene, const PatchExtent& extent, double 
       scene.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
 }
 
+/// Elements of dx by dy that hold the patch, the origin and a margin, of the lattice with a corner
+/// at the origin (and the middle that the case asks for): the same elements about a patch whether
+/// the grid holds another one beside it or not.
+ContactGrid anchored_grid(const ExpectedPatch& patch, const std::array<double, 2>& middle,
+                          double dx, double dy, int margin) {
+  const auto first = [&](double lower, double cell) {
+    return static_cast<int>(std::floor(std::min(lower, 0.0) / cell + 1e-6)) - margin;
+  };
+  const auto last = [&](double upper, double cell) {
+    return static_cast<int>(std::ceil(std::max(upper, 0.0) / cell - 1e-6)) + margin;
+  };
+  const int i = first(patch.x_lower, dx), j = first(patch.y_lower, dy);
+  return {last(patch.x_upper, dx) - i, last(patch.y_upper, dy) - j, dx, dy,
+          middle[0] + (i + 0.5) * dx,  middle[1] + (j + 0.5) * dy};
+}
+
 /// Whole elements that fit into a given extent.
 int elements_within(double extent, double cell) {
   return std::max(1, static_cast<int>(std::floor(extent / cell + 1e-6)));
@@ -48,7 +64,7 @@ PatchExtent expected_extent(const contact::Scene& scene) {
     return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
   }
   const ExpectedPatch patch = expected_patch(scene);
-  return {patch.length(), patch.width()};
+  return {patch.length(), patch.covered_width()};
 }
 
 ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin) {
@@ -58,6 +74,7 @@ ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, in
     const ExpectedPatch patch = expected_patch(scene);
     const PatchExtent extent{patch.length(), patch.width()};
     check_cells(scene, extent, dx, dy, margin);
+    if (scene.has_profiles()) return anchored_grid(patch, options.middle, dx, dy, margin);
     return ContactGrid::centred(
         elements(extent.length, dx, margin), elements(extent.width, dy, margin), dx, dy,
         options.middle[0] + patch.x_middle(), options.middle[1] + patch.y_middle());

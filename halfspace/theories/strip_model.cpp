@@ -94,6 +94,7 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
   point.contact_width = normal.patches.back().y_upper - normal.patches.front().y_lower;
   point.semi_axis_y = 0.5 * point.contact_width;
   point.contact_area = contact_area(contact);
+  point.patch_count = static_cast<int>(normal.patches.size());
   point.adhesion_area = point.contact_area;
   if (contact.scene.has_profiles()) {
     const int deepest = normal.patches.front().deepest;
@@ -149,7 +150,7 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
 /// half-space.
 StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
   const ExpectedPatch expected = expected_patch(scene);
-  const auto regions = Ridge(*scene.geometry.surface.profiles).contact_regions(expected.approach);
+  const auto regions = Ridge(*scene.geometry.surface.profiles).regions(expected.approach);
   const double lower = regions.front().y_lower;
   const double upper = regions.back().y_upper;
   const int count =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rollfem::meshes {
@@ -10,8 +11,9 @@ namespace {
 
 /// Humps with a valley shallower than this between them are one (mm): roughness of a profile.
 constexpr double least_valley = 2e-3;
-/// Patches whose distance is less than this part of their widths are one potential contact.
-constexpr double near_touch = 0.1;
+/// The estimate of the approach is good to some 6 %, at several patches to less.
+constexpr double beyond_estimate = 1.5;
+constexpr double beyond_estimate_at_least = 0.01;  // mm
 
 void join(PatchGroup& group, const PatchGroup& next) {
   if (next.stretch.deepest.gap < group.stretch.deepest.gap) {
@@ -28,16 +30,55 @@ std::vector<Stretch> stretches_of(const std::vector<PatchGroup>& groups) {
   return stretches;
 }
 
-bool are_one(const VerticalGap& gap, const Stretch& a, const Stretch& b, double sinking,
-             double merge_angle) {
-  if (!(approach_of(a, sinking) > 0.0) || !(approach_of(b, sinking) > 0.0)) return false;
-  if (std::abs(a.deepest.angle() - b.deepest.angle()) > merge_angle) return false;
-  const auto left = reach_of(gap, a, sinking), right = reach_of(gap, b, sinking);
-  const double widths = left[1] - left[0] + right[1] - right[0];
-  return right[0] - left[1] < near_touch * widths;
+double least_gap_of(const std::vector<PatchGroup>& groups) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PatchGroup& group : groups) least = std::min(least, group.stretch.deepest.gap);
+  return least;
+}
+
+/// Range of the angles of all minima of two groups, rad.
+double angles_of_both(const PatchGroup& a, const PatchGroup& b) {
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  for (const PatchGroup* group : {&a, &b})
+    for (const GapMinimum& minimum : group->minima) {
+      least = std::min(least, minimum.angle());
+      largest = std::max(largest, minimum.angle());
+    }
+  return largest - least;
+}
+
+/// Neighbours of the most similar angles first, until no two are within `merge_angle`.
+void join_neighbours(std::vector<PatchGroup>& groups, double merge_angle) {
+  while (groups.size() > 1) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + 1 < groups.size(); ++k)
+      if (const double range = angles_of_both(groups[k], groups[k + 1]); range < least)
+        least = range, best = k;
+    if (least > merge_angle) return;
+    join(groups[best], groups[best + 1]);
+    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+  }
+}
+
+/// Neighbours part at the ridge between them; beside the first and the last there is none.
+void set_limits(const VerticalGap& gap, std::vector<PatchGroup>& groups) {
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    groups[k].stretch.limits[0] = k > 0 ? groups[k - 1].stretch.limits[1] : gap.first();
+    groups[k].stretch.limits[1] =
+        k + 1 < groups.size()
+            ? gap.largest_between(groups[k].minima.back().y, groups[k + 1].minima.front().y)[1]
+            : gap.last();
+  }
 }
 
 }  // namespace
+
+bool within_reach_of_load(const GapMinimum& minimum, double least_gap, double sinking) {
+  const double approach = sinking - least_gap;
+  return minimum.gap - least_gap <
+         std::max(beyond_estimate * approach, approach + beyond_estimate_at_least);
+}
 
 std::vector<PatchGroup> separate_groups(const VerticalGap& gap) {
   std::vector<PatchGroup> groups;
@@ -61,42 +102,52 @@ std::vector<PatchGroup> separate_groups(const VerticalGap& gap) {
   return groups;
 }
 
-std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, double sinking) {
-  return gap.below(sinking, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
+Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingOf& sinking_of) {
+  const std::vector<PatchGroup> all = separate_groups(gap);
+  const double least = least_gap_of(all);
+  Contacts contacts{all, sinking_of(stretches_of(all))};
+  // Each by itself they are stiffer than together: the sinking grows from round to round, and with
+  // it what the load may reach.
+  std::size_t reached = 0;
+  constexpr int most_rounds = 8;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::vector<PatchGroup> groups;
+    for (const PatchGroup& group : all)
+      if (within_reach_of_load(group.stretch.deepest, least, contacts.sinking))
+        groups.push_back(group);
+    if (groups.size() == reached) break;
+    reached = groups.size();
+    join_neighbours(groups, merge_angle);
+    set_limits(gap, groups);
+    contacts.groups = std::move(groups);
+    contacts.sinking = sinking_of(stretches_of(contacts.groups));
+  }
+  return contacts;
 }
 
-double reference_place(const VerticalGap& gap, const Stretch& stretch, double sinking) {
-  if (!(approach_of(stretch, sinking) > 0.0)) return stretch.deepest.y;
+std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, double sinking) {
+  return gap.span_below(sinking, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
+}
+
+Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double sinking) {
+  const Reference lowest{stretch.deepest.y, stretch.deepest.slope};
+  if (!(approach_of(stretch, sinking) > 0.0)) return lowest;
   const auto reach = reach_of(gap, stretch, sinking);
   // The overlap of depth d is as long as sqrt(d), which makes d^2.5 along y.
-  constexpr int cells = 400;
+  constexpr int cells = 800;
   const double dy = (reach[1] - reach[0]) / cells;
-  double weights = 0.0, moments = 0.0;
+  double weights = 0.0, places = 0.0, slopes = 0.0;
   for (int k = 0; k < cells; ++k) {
     const double y = reach[0] + (k + 0.5) * dy;
-    const double depth = sinking - gap.at(y).value;
+    const contact::CurveValue here = gap.at(y);
+    const double depth = sinking - here.value;
     if (!(depth > 0.0)) continue;
     const double weight = depth * depth * std::sqrt(depth);
     weights += weight;
-    moments += weight * y;
+    places += weight * y;
+    slopes += weight * (gap.rail().at(y).slope - 0.5 * here.slope);
   }
-  return weights > 0.0 ? moments / weights : stretch.deepest.y;
-}
-
-double merge_groups(const VerticalGap& gap, std::vector<PatchGroup>& groups, double merge_angle,
-                    const SinkingOf& sinking_of) {
-  double sinking = sinking_of(stretches_of(groups));
-  for (std::size_t k = 0; k + 1 < groups.size();) {
-    if (!are_one(gap, groups[k].stretch, groups[k + 1].stretch, sinking, merge_angle)) {
-      ++k;
-      continue;
-    }
-    join(groups[k], groups[k + 1]);
-    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    sinking = sinking_of(stretches_of(groups));
-    k = 0;
-  }
-  return sinking;
+  return weights > 0.0 ? Reference{places / weights, slopes / weights} : lowest;
 }
 
 }  // namespace rollfem::meshes

@@ -18,7 +18,10 @@ using contact::Vector3;
 namespace {
 
 /// How far the section of the wheel is taken from the contact (mm), more than any patch.
-constexpr double section_reach = 30.0;
+constexpr double section_reach = 60.0;
+/// SearchOptions::merge_angle where nothing is said.
+constexpr double angle_on_plane = 0.35;
+constexpr double angle_on_surface = 0.8;
 
 /// Sinking under the load of the case, as estimated.
 double sinking_under_load(const Case& input, const VerticalGap& gap,
@@ -117,21 +120,21 @@ class WheelSearch {
         modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
 
   std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
-    std::vector<PatchGroup> groups = separate_groups(gap_);
-    const double sinking = merge_groups(gap_, groups, options.merge_angle,
-                                        [this](const std::vector<Stretch>& stretches) {
-                                          return sinking_under_load(input_, gap_, stretches);
-                                        });
+    const bool curved = input_.halfspace.surface == contact::SurfaceForm::curved;
+    const double angle = options.merge_angle.value_or(curved ? angle_on_surface : angle_on_plane);
+    const auto [groups, sinking] =
+        group_minima(gap_, angle, [this](const std::vector<Stretch>& stretches) {
+          return sinking_under_load(input_, gap_, stretches);
+        });
     std::vector<WheelRailContact> found;
     int loaded = 0;
     for (std::size_t k = 0; k < groups.size(); ++k) {
       WheelRailContact contact = describe(groups[k], sinking, k > 0, k + 1 < groups.size());
-      if (contact.normal_force > 0.0)
-        ++loaded;
-      else if (contact.place.separation > options.near_miss)
-        continue;
+      contact.reserve = !(contact.normal_force > 0.0);
+      if (!contact.reserve) ++loaded;
       found.push_back(std::move(contact));
     }
+    add_near_misses(groups, sinking, options.near_miss, found);
     share_vertical_force(found);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return a.normal_force != b.normal_force ? a.normal_force > b.normal_force
@@ -145,6 +148,21 @@ class WheelSearch {
   }
 
  private:
+  /// Humps that do not touch, of contacts or beyond them; those of a reserve are listed already.
+  void add_near_misses(const std::vector<PatchGroup>& groups, double sinking, double farthest,
+                       std::vector<WheelRailContact>& found) const {
+    const auto of_reserve = [&](const GapMinimum& minimum) {
+      return std::any_of(groups.begin(), groups.end(), [&](const PatchGroup& group) {
+        return group.stretch.deepest.gap >= sinking && group.stretch.deepest.y == minimum.y;
+      });
+    };
+    for (const PatchGroup& hump : separate_groups(gap_)) {
+      if (hump.stretch.deepest.gap < sinking || of_reserve(hump.stretch.deepest)) continue;
+      WheelRailContact contact = describe(hump, sinking, false, false);
+      if (contact.place.separation <= farthest) found.push_back(std::move(contact));
+    }
+  }
+
   /// The estimates are made at the angles of first contact; their sum is that of the case.
   void share_vertical_force(std::vector<WheelRailContact>& found) const {
     if (!input_.load.vertical_force) return;
@@ -158,9 +176,9 @@ class WheelSearch {
   WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
                             bool neighbour_outside) const {
     const GapMinimum& first = group.stretch.deepest;
-    const double y = reference_place(gap_, group.stretch, sinking);
+    const auto [y, slope] = reference_of(gap_, group.stretch, sinking);
     const contact::CurveValue rail = gap_.rail().at(y);
-    const double angle = -std::atan(rail.slope);
+    const double angle = -std::atan(slope);
     const PatchAxes axes{y, rail.value, std::cos(angle), std::sin(angle)};
     const OutlinePoint touch = gap_.wheel().at(y);
     WheelRailContact contact;
@@ -179,9 +197,11 @@ class WheelSearch {
     contact.limits = pair(neighbour_inside ? across(group.stretch.limits[0]) : -contact::infinity,
                           neighbour_outside ? across(group.stretch.limits[1]) : contact::infinity);
     for (const GapMinimum& minimum : group.minima)
-      contact.touching.push_back(
-          {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
+      if (minimum.gap < sinking || minimum.y == first.y)
+        contact.touching.push_back(
+            {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
     contact.geometry = make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap);
+    contact.geometry.set_limits(contact.limits);
     return contact;
   }
 

@@ -6,13 +6,16 @@
 #include "meshes/track/wheelset_pose.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace rollfem::meshes {
 
-/// One patch, or a near miss, of one wheel at one position. The reference point of a patch is the
-/// mean place of the overlap of the undeformed bodies at its estimated approach, weighted by the
-/// square of the depth over the area; that of a near miss is the point of least distance.
+/// One contact, or a near miss, of one wheel at one position. A contact holds all patches whose
+/// normals differ little, wherever they are: one scene on one contact grid. Its reference point is
+/// the mean place of the overlap of the undeformed bodies at the estimated approach, weighted by
+/// the square of the depth over the area, its plane has the mean slope of the common surface there;
+/// those of a near miss are the point of least distance and the tangent.
 struct WheelRailContact {
   /// position, patch and patches count from 1; of a near miss patch is 0.
   contact::ContactPlace place;
@@ -20,23 +23,29 @@ struct WheelRailContact {
   WheelsetPose pose;                ///< at first contact of the wheel
   contact::Axle axle;               ///< track frame, at first contact; direction to the right
   contact::Vector3 origin{};        ///< contact reference point on the rail, track frame
+  /// A near miss with a plane of its own that the load may reach, were the estimate too small.
+  bool reserve = false;
   /// Directions of the patch frame in the track frame.
   contact::Vector3 along{}, across{}, normal{};
   /// Estimates (load_estimate.hpp) of the load's normal force and approach along the normal; 0 for
   /// a near miss.
   double normal_force = 0.0;  ///< N
   double approach = 0.0;      ///< mm
-  /// y of the patch frame between which the bodies overlap at this approach: holds the patch.
+  /// y of the patch frame between which the bodies overlap at this approach: holds all patches.
   std::array<double, 2> reach{};
-  /// y of the patch frame beyond which another patch begins; infinite where there is none.
+  /// y of the patch frame beyond which another contact begins; infinite where there is none.
   std::array<double, 2> limits{};
-  /// Points of first contact that went into it: y of the patch frame, separation along the normal.
+  /// Lowest points within the overlap: y of the patch frame, separation along the normal.
   std::vector<std::array<double, 2>> touching;
 };
 
 struct SearchOptions {
-  double near_miss = 1.0;     ///< mm, largest separation along the normal that is still reported
-  double merge_angle = 0.35;  ///< rad: patches that meet but whose normals differ more stay apart
+  double near_miss = 1.0;  ///< mm, largest separation along the normal that is still reported
+  /// rad: patches whose normals differ more are contacts of their own. Without one 0.35 (20
+  /// degrees, within which a plane costs 2 % of the pressure) or, where the case takes the local
+  /// normals of a curved surface, 0.8.
+  std::optional<double> merge_angle;
+  bool with_reserve = false;  ///< scenes of contacts that the load may reach as well (make_scenes)
 };
 
 /// Patches of a wheel under the load of the case, the most loaded first, then near misses, nearest

@@ -41,15 +41,11 @@ double estimate_force(const VerticalGap& gap, const Stretch& stretch, double app
   const double cosine = std::cos(stretch.deepest.angle());
   const double overlap = overlap_fraction * approach;
   const double limit = stretch.deepest.gap + overlap / cosine;
-  const std::array<double, 2> reach =
-      gap.below(limit, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
-  // The reach goes through all humps that are below the limit, also where a shallow valley parts
-  // them at this approach but not at the whole of it.
-  const std::array<double, 2> whole =
-      gap.below(stretch.deepest.gap + approach / cosine, stretch.deepest.y, stretch.limits[0],
-                stretch.limits[1]);
-  const double lower = std::min(reach[0], whole[0]), upper = std::max(reach[1], whole[1]);
-  constexpr int cells = 80;
+  // All humps of the stretch that are below the limit count, valleys between them or not, so that
+  // nothing jumps where they meet; the farther ones press the deepest down as well.
+  const auto [lower, upper] =
+      gap.span_below(limit, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
+  constexpr int cells = 160;
   const double ds = (upper - lower) / cosine / cells;
   double force = 0.0, deflection = 0.0;
   for (int k = 0; k < cells; ++k) {

@@ -80,7 +80,8 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
   std::vector<PlacedScene> scenes;
   for (std::size_t k = 0; k < input.wheelset.positions(); ++k)
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
-      if (contact.place.patch > 0) scenes.push_back(make_scene(input, std::move(contact)));
+      if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
+        scenes.push_back(make_scene(input, std::move(contact)));
   return scenes;
 }
 
@@ -91,6 +92,12 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchOptions& opt
 void set_rotation_changes(PlacedScene& scene, const Case& input,
                           const std::vector<double>& rotation_changes) {
   set_creepages(scene, input, rotation_changes);
+}
+
+double track_y(const contact::ContactPlace& place, double y) {
+  // y of the patch frame points to the field on the left and to the middle on the right: always
+  // to smaller y_track.
+  return place.y_track - y * std::cos(place.contact_angle);
 }
 
 std::array<double, 2> upwards(const contact::ContactPlace& place) {

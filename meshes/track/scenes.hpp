@@ -40,6 +40,9 @@ std::vector<double> rotation_changes(const contact::Case& input);
 void set_rotation_changes(PlacedScene& scene, const contact::Case& input,
                           const std::vector<double>& rotation_changes);
 
+/// Where a place y (mm) of the patch frame is across the track, mm.
+double track_y(const contact::ContactPlace& place, double y);
+
 /// The vertical in the frame of the patch, upwards on the wheel: NormalLoad::direction of a
 /// vertical force.
 std::array<double, 2> upwards(const contact::ContactPlace& place);

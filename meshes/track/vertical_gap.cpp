@@ -123,4 +123,18 @@ std::array<double, 2> VerticalGap::below(double limit, double y, double lower, d
   return {end_of(false), end_of(true)};
 }
 
+std::array<double, 2> VerticalGap::span_below(double limit, double y, double lower,
+                                              double upper) const {
+  std::array<double, 2> span{y, y};
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (places_[k] < lower || places_[k] > upper || !(values_[k].value < limit)) continue;
+    span[0] = std::min(span[0], places_[k]);
+    span[1] = std::max(span[1], places_[k]);
+  }
+  // The ends lie between knots; a minimum between two knots may be all that is below.
+  span[0] = below(limit, span[0], lower, upper)[0];
+  span[1] = below(limit, span[1], lower, upper)[1];
+  return span;
+}
+
 }  // namespace rollfem::meshes

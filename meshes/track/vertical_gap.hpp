@@ -45,6 +45,10 @@ class VerticalGap {
   /// The interval about `y` in which the gap is below `limit`, kept to [lower, upper].
   std::array<double, 2> below(double limit, double y, double lower, double upper) const;
 
+  /// From the first to the last place in [lower, upper] with a gap below `limit`, whatever is
+  /// between them; {y, y} where there is none. `y`: a place below it, or the nearest to be.
+  std::array<double, 2> span_below(double limit, double y, double lower, double upper) const;
+
   const contact::HeightCurve& rail() const { return rail_; }
   const Silhouette& wheel() const { return wheel_; }
 

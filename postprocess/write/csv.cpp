@@ -1,5 +1,6 @@
 #include "postprocess/write/csv.hpp"
 
+#include "contact/result/patch_parts.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/point_table.hpp"
@@ -177,6 +178,24 @@ std::string contacts_csv(const RunRecord& run) {
     }
   }
   return text;
+}
+
+std::string patches_csv(const RunRecord& run) {
+  std::string text;
+  for (const ModelResult& model : run.models)
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      if (model.points[k].patch_count < 2) continue;
+      int number = 0;
+      for (const auto& part : contact::patch_parts(model.grid, model.points[k].fields))
+        text += fmt::format("{}{},{},{},{},{},{},{},{},{},{},{}\n", place_cells(model), model.name,
+                            k, ++number, part.x, part.y, part.length, part.width, part.normal_force,
+                            part.longitudinal_force, part.lateral_force, part.max_pressure);
+    }
+  if (text.empty()) return text;
+  return place_head(run) +
+         "model,point,region [-],x [mm],y [mm],length [mm],width [mm],normal_force [N],"
+         "longitudinal_force [N],lateral_force [N],max_pressure [MPa]\n" +
+         text;
 }
 
 std::string path_csv(const RunRecord& run, Path path) {

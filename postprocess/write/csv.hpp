@@ -31,6 +31,9 @@ std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k)
 /// load point. Empty without profiles.
 std::string contacts_csv(const RunRecord& run);
 
+/// The regions of contacts that fall into several; empty where none does.
+std::string patches_csv(const RunRecord& run);
+
 /// The one or two rows (or columns) of elements nearest to 0, for elements at first + k * step.
 std::vector<int> middle_lines(double first, double step, int count);
 

@@ -1,5 +1,6 @@
 #include "postprocess/write/summary_json.hpp"
 
+#include "contact/result/patch_parts.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/point_table.hpp"
 
@@ -10,7 +11,18 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json point_json(const contact::PointResult& point) {
+ordered_json part_json(const contact::PatchPart& part) {
+  return {{"x", part.x},
+          {"y", part.y},
+          {"length", part.length},
+          {"width", part.width},
+          {"normal_force", part.normal_force},
+          {"longitudinal_force", part.longitudinal_force},
+          {"lateral_force", part.lateral_force},
+          {"max_pressure", part.max_pressure}};
+}
+
+ordered_json point_json(const contact::ContactGrid& grid, const contact::PointResult& point) {
   ordered_json json;
   for (const contact::Quantity& quantity : contact::quantities()) {
     const std::optional<double> value = quantity.value(point);
@@ -36,6 +48,9 @@ ordered_json point_json(const contact::PointResult& point) {
                                      {"measure", maximum.measure},
                                      {"value", maximum.value},
                                      {"place", maximum.place}});
+  if (point.patch_count > 1)
+    for (const contact::PatchPart& part : contact::patch_parts(grid, point.fields))
+      json["patches"].push_back(part_json(part));
   return json;
 }
 
@@ -55,7 +70,7 @@ ordered_json model_json(const contact::ModelResult& model) {
   json["notes"] = model.notes;
   json["points"] = ordered_json::array();
   for (const contact::PointResult& point : model.points)
-    json["points"].push_back(point_json(point));
+    json["points"].push_back(point_json(model.grid, point));
   return json;
 }
 

@@ -127,32 +127,78 @@ meshes::ProfilePair two_humps(double depth) {
           rollfem::testing::profile_of(z, slope, -40.0, 40.0)};
 }
 
-TEST(Patches, TwoHumpsMergeAsTheApproachGrows) {
+TEST(Patches, TwoHumpsAreOneContactWhetherTheyMeetOrNot) {
   constexpr double depth = 0.03;
   contact::Case input = light_case(0.0, 0.0);
   input.wheelset.roll = {0.0};
   const auto scene = meshes::make_search_scene(input, two_humps(depth));
-  const auto found = [&](double approach) {
-    input.load.approach = approach;
-    return find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
-  };
-  const auto apart = found(0.5 * depth);
-  ASSERT_EQ(apart.size(), 2u);
-  EXPECT_EQ(apart[0].place.patches, 2);
   const double middle = scene.rail_place.shift_y;
-  EXPECT_NEAR(std::abs(-apart[0].place.y_track + apart[0].touching[0][0] - middle), 5.0, 1e-4);
-  // Where z = depth/2: y^2 = 25 (1 +- sqrt(1/2)).
+  for (const double share : {0.5, 1.5}) {
+    input.load.approach = share * depth;
+    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+    ASSERT_EQ(found.size(), 1u) << share;
+    EXPECT_EQ(found[0].touching.size(), 2u);
+    EXPECT_NEAR(std::abs(found[0].place.y_track), middle, 1e-6);
+    EXPECT_NEAR(found[0].place.contact_angle, 0.0, 1e-7);
+    // Where z = share depth: y^2 = 25 (1 +- sqrt(share)).
+    EXPECT_NEAR(found[0].reach[1], 5.0 * std::sqrt(1.0 + std::sqrt(share)), 1e-4);
+    EXPECT_NEAR(found[0].reach[0], -found[0].reach[1], 1e-6);
+    EXPECT_NEAR(found[0].geometry.distance(0.0, 0.0), depth, 1e-9);
+    EXPECT_NEAR(found[0].geometry.distance(0.0, 5.0), 0.0, 1e-9);
+    EXPECT_TRUE(std::isinf(found[0].limits[0]) && std::isinf(found[0].limits[1]));
+  }
+}
+
+TEST(Patches, HumpsOfOtherNormalsAreContactsWithLimits) {
+  constexpr double depth = 0.03;
+  contact::Case input = light_case(0.0, 0.0);
+  input.wheelset.roll = {0.0};
+  input.load.approach = 0.5 * depth;
+  const auto scene = meshes::make_search_scene(input, two_humps(depth));
+  meshes::SearchOptions options;
+  options.merge_angle = -1.0;  // nothing is alike
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true, options);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].place.patches, 2);
+  const double middle = scene.rail_place.shift_y;
+  EXPECT_NEAR(std::abs(-found[0].place.y_track + found[0].touching[0][0] - middle), 5.0, 1e-4);
   const double inner = 5.0 * std::sqrt(1.0 - std::sqrt(0.5));
   const double outer = 5.0 * std::sqrt(1.0 + std::sqrt(0.5));
-  EXPECT_NEAR(apart[0].reach[1] - apart[0].reach[0], outer - inner, 1e-4);
-  EXPECT_TRUE(std::isinf(apart[0].limits[0]) != std::isinf(apart[0].limits[1]));
-  const auto merged = found(1.5 * depth);
-  ASSERT_EQ(merged.size(), 1u);
-  EXPECT_EQ(merged[0].touching.size(), 2u);
-  EXPECT_NEAR(std::abs(merged[0].place.y_track), middle, 1e-6);
-  EXPECT_NEAR(merged[0].reach[1], 5.0 * std::sqrt(1.0 + std::sqrt(1.5)), 1e-4);
-  EXPECT_NEAR(merged[0].geometry.distance(0.0, 0.0), depth, 1e-9);
-  EXPECT_NEAR(merged[0].geometry.distance(0.0, 5.0), 0.0, 1e-9);
+  EXPECT_NEAR(found[0].reach[1] - found[0].reach[0], outer - inner, 1e-4);
+  for (const WheelRailContact& contact : found) {
+    EXPECT_TRUE(std::isinf(contact.limits[0]) != std::isinf(contact.limits[1]));
+    const double limit = std::isinf(contact.limits[0]) ? contact.limits[1] : contact.limits[0];
+    EXPECT_FALSE(contact.geometry.within_limits(limit + (limit > 0.0 ? 0.1 : -0.1)));
+    EXPECT_TRUE(contact.geometry.within_limits(0.0));
+    EXPECT_NEAR(std::abs(limit), 5.0, 0.2);  // half way to the other hump
+  }
+}
+
+TEST(Patches, PlaneIsThatOfTheWholeOverlap) {
+  // A hump of one radius up to its top and of another beyond: the reference is off the top, and the
+  // plane has the mean slope of the surfaces midway, here half of the rail's.
+  const auto z = [](double y) { return y * y / (y < 0.0 ? 100.0 : 600.0); };
+  const auto slope = [](double y) { return 2.0 * y / (y < 0.0 ? 100.0 : 600.0); };
+  const meshes::ProfilePair pair{
+      rollfem::testing::profile_of([](double) { return 0.0; }, [](double) { return 0.0; }, -70.0,
+                                   80.0),
+      rollfem::testing::profile_of(z, slope, -45.0, 45.0)};
+  contact::Case input = light_case(0.0, 0.0);
+  input.wheelset.roll = {0.0};
+  input.load.approach = 0.06;
+  const auto scene = meshes::make_search_scene(input, pair);
+  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  ASSERT_EQ(found.size(), 1u);
+  // Depth^2.5 over 0.06 - z: mean place and slope of one side by Beta functions.
+  const double left = std::sqrt(0.06 * 100.0), right = std::sqrt(0.06 * 600.0);
+  const double zeroth = 0.5 * std::sqrt(3.14159265358979) * std::tgamma(3.5) / std::tgamma(4.0);
+  const double first = 0.5 / 3.5;
+  const double weight = (left + right) * zeroth;
+  const double place = (right * right - left * left) * first / weight;
+  const double mean_slope =
+      0.5 * (2.0 / 600.0 * right * right - 2.0 / 100.0 * left * left) * first / weight;
+  EXPECT_NEAR(-found[0].place.y_track - scene.rail_place.shift_y, place, 1e-3);
+  EXPECT_NEAR(found[0].place.contact_angle, -std::atan(mean_slope), 1e-6);
 }
 
 TEST(Patches, HumpThatDoesNotTouchIsANearMissWithItsSeparation) {

@@ -13,8 +13,17 @@ namespace {
 using namespace rollfem;
 using meshes::PlacedScene;
 
-std::vector<PlacedScene> scenes_of(const contact::Case& input) {
-  return make_scenes(input, meshes::make_search_scene(input, rollfem::testing::manchester_pair()));
+std::vector<PlacedScene> scenes_of(const contact::Case& input,
+                                   const meshes::SearchOptions& options = {}) {
+  return make_scenes(input, meshes::make_search_scene(input, rollfem::testing::manchester_pair()),
+                     options);
+}
+
+/// Tread and flange root of S1002, whose normals differ by 0.16 rad, as contacts of their own.
+meshes::SearchOptions apart() {
+  meshes::SearchOptions options;
+  options.merge_angle = 0.1;
+  return options;
 }
 
 std::vector<contact::Creepage> creepages_of(const PlacedScene& placed) {
@@ -28,7 +37,7 @@ TEST(Scenes, ComeByPositionWheelAndPatch) {
   input.wheelset.side = contact::WheelSide::both;
   input.wheelset.lateral_shift = {0.0, 5.0};
   input.wheelset.yaw = {0.0, 0.012};
-  const auto scenes = scenes_of(input);
+  const auto scenes = scenes_of(input, apart());
   // At 5 mm the right wheel touches twice, tread and flange root.
   ASSERT_EQ(scenes.size(), 5u);
   const char* labels[] = {"left, position 1", "right, position 1", "left, position 2",
@@ -38,6 +47,13 @@ TEST(Scenes, ComeByPositionWheelAndPatch) {
     ASSERT_TRUE(scenes[k].scene.has_profiles());
     EXPECT_TRUE(scenes[k].scene.geometry.surface.profiles->known(0.0));
   }
+}
+
+TEST(Scenes, PatchesOfNearlyOnePlaneAreOneScene) {
+  const auto scenes = scenes_of(rollfem::testing::manchester_case(-5.0, -0.012));
+  ASSERT_EQ(scenes.size(), 1u);
+  EXPECT_EQ(scenes[0].contact.touching.size(), 2u);
+  EXPECT_EQ(*scenes[0].scene.points[0].load.force, 10e3);
 }
 
 TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
@@ -53,7 +69,7 @@ TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
 
 TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
   contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
-  const auto scenes = scenes_of(input);
+  const auto scenes = scenes_of(input, apart());
   ASSERT_EQ(scenes.size(), 2u);
   double sum = 0.0;
   for (const PlacedScene& scene : scenes)
@@ -71,7 +87,7 @@ TEST(Scenes, NormalForceCannotBeSharedByTwoPatches) {
   input.load = {};
   input.load.normal_force = 10e3;
   try {
-    scenes_of(input);
+    scenes_of(input, apart());
     FAIL() << "accepted";
   } catch (const contact::InputError& error) {
     const std::string text = error.what();
@@ -84,7 +100,7 @@ TEST(Scenes, ApproachIsThatOfTheFirstPatchAndOneSinking) {
   contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
   input.load = {};
   input.load.approach = 0.03;
-  const auto scenes = scenes_of(input);
+  const auto scenes = scenes_of(input, apart());
   ASSERT_EQ(scenes.size(), 2u);
   for (const PlacedScene& scene : scenes) {
     EXPECT_FALSE(scene.scene.points[0].load.force);

@@ -1,0 +1,81 @@
+#include "halfspace/model/coverage.hpp"
+
+#include "contact/base/errors.hpp"
+#include "halfspace/model/patch_ridge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+/// Overlaps below this part of the approach are those of the point loads, not of the bodies.
+constexpr double least_overlap = 1e-3;
+
+/// Normal displacement at (x, y) of the grid by pressure elsewhere on it, mm.
+double displacement_at(double x, double y, const ContactGrid& grid, const contact::Field& pressure,
+                       double modulus) {
+  double sum = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      if (const double p = pressure[grid.index(i, j)]; p > 0.0)
+        sum += p / std::hypot(x - grid.x(i), y - grid.y(j));
+  return sum * grid.element_area() / (pi * modulus);
+}
+
+}  // namespace
+
+std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
+                                                    const contact::ChartedGeometry& geometry,
+                                                    const ContactGrid& grid,
+                                                    const contact::PointResult& point) {
+  if (!scene.has_profiles() || !scene.geometry.has_surfaces() || scene.given_pressure) return {};
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  const auto regions = Ridge(profiles).regions(point.approach);
+  std::optional<std::array<double, 2>> touched;
+  const auto look_at = [&](double y) {
+    const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
+    const ContactGrid place{1, 1, grid.dx, grid.dy, x, y};
+    const double climb = geometry.climb(y);
+    const double along_normal =
+        geometry.undeformed_distance(place)[0] +
+        displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus);
+    const double gap = along_normal * std::sqrt(1.0 + climb * climb) - point.approach;
+    if (gap > -least_overlap * point.approach) return;
+    if (!touched) touched = {y, y};
+    (*touched)[0] = std::min((*touched)[0], y);
+    (*touched)[1] = std::max((*touched)[1], y);
+  };
+  for (const RidgeRegion& region : regions) {
+    for (int j = -1; geometry.lateral_place(grid.y(j)) > region.y_lower; --j)
+      if (geometry.lateral_place(grid.y(j)) < region.y_upper) look_at(grid.y(j));
+    for (int j = grid.ny; geometry.lateral_place(grid.y(j)) < region.y_upper; ++j)
+      if (geometry.lateral_place(grid.y(j)) > region.y_lower) look_at(grid.y(j));
+  }
+  return touched;
+}
+
+void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
+                  const ContactGrid& grid, const contact::Field& pressure) {
+  if (!scene.has_profiles()) return;
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = geometry.lateral_place(grid.y(j));
+    if (profiles.within_limits(y - grid.dy) && profiles.within_limits(y + grid.dy)) continue;
+    if (!(pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0)) continue;
+    throw contact::SolveError(fmt::format(
+        "{}the patch reaches y = {:.2f} mm, where a contact of the same wheel with another normal "
+        "begins: both are one conformal contact, of which a plane holds a part only; do: run with "
+        "halfspace.surface = \"curved\", whose surface holds both",
+        scene.patch_prefix(), y));
+  }
+}
+
+}  // namespace rollfem::halfspace

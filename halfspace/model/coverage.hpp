@@ -1,0 +1,26 @@
+// Whether a solved grid holds all of a contact: whether wheel and rail would overlap beyond it, or
+// press on each other up to where another contact of the wheel begins.
+#pragma once
+
+#include "contact/result/result.hpp"
+
+#include <array>
+#include <optional>
+
+namespace rollfem::halfspace {
+
+/// Of a grid's lateral coordinate, mm: from the first to the last place beyond the grid where the
+/// bodies would overlap under this load point, each element of the patch taken as a point load on
+/// the half-space. Nothing for bodies without profiles. Where the undeformed bodies are farther
+/// apart than the approach nothing touches, for displacement only ever opens the gap.
+std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
+                                                    const contact::ChartedGeometry& geometry,
+                                                    const contact::ContactGrid& grid,
+                                                    const contact::PointResult& point);
+
+/// Throws contact::SolveError where pressure reaches a limit of the contact
+/// (PatchGeometry::limits).
+void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
+                  const contact::ContactGrid& grid, const contact::Field& pressure);
+
+}  // namespace rollfem::halfspace
