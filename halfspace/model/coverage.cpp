@@ -1,6 +1,7 @@
 #include "halfspace/model/coverage.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "halfspace/model/patch_ridge.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,6 @@ using contact::ContactGrid;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 /// Overlaps below this part of the approach are those of the point loads, not of the bodies.
 constexpr double least_overlap = 1e-3;
 
@@ -27,7 +27,7 @@ double displacement_at(double x, double y, const ContactGrid& grid, const contac
     for (int i = 0; i < grid.nx; ++i)
       if (const double p = pressure[grid.index(i, j)]; p > 0.0)
         sum += p / std::hypot(x - grid.x(i), y - grid.y(j));
-  return sum * grid.element_area() / (pi * modulus);
+  return sum * grid.element_area() / (contact::pi * modulus);
 }
 
 }  // namespace

@@ -21,7 +21,10 @@ void set_creepages(PlacedScene& placed, const Case& input,
   std::vector<contact::LoadPoint>& points = placed.scene.points;
   for (std::size_t k = 0; k < points.size(); ++k) {
     Creepage& creepage = points[k].creepage;
-    const Creepage moving = creepage_of(placed.contact, motion_of(input, rotation_change[k]));
+    const Motion motion = motion_of(input, rotation_change[k]);
+    const Creepage moving = input.rolling.extra_slip == contact::ExtraSlip::none
+                                ? creepage_on_rail(placed.contact, motion)
+                                : creepage_of(placed.contact, motion);
     if (!input.rolling.given.longitudinal) creepage.longitudinal = moving.longitudinal;
     if (!input.rolling.given.lateral) creepage.lateral = moving.lateral;
     if (!input.rolling.given.spin) creepage.spin = moving.spin;

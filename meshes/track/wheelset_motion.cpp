@@ -32,6 +32,12 @@ Vector3 velocity(const WheelRailContact& contact, const Motion& motion, const Ve
   return sum({1.0, motion.lateral_velocity, 0.0}, cross(angular_velocity(contact, motion), arm));
 }
 
+contact::Creepage creepage_at(const WheelRailContact& contact, const Motion& motion,
+                              const Vector3& place) {
+  const Vector3 slip = slip_at(contact, motion, place);
+  return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal)};
+}
+
 }  // namespace
 
 Motion motion_of(const contact::Case& input, double rotation_change) {
@@ -60,8 +66,11 @@ Vector3 surface_place(const WheelRailContact& contact) {
 }
 
 contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& motion) {
-  const Vector3 slip = slip_at(contact, motion, surface_place(contact));
-  return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal)};
+  return creepage_at(contact, motion, surface_place(contact));
+}
+
+contact::Creepage creepage_on_rail(const WheelRailContact& contact, const Motion& motion) {
+  return creepage_at(contact, motion, {});
 }
 
 double driving_moment(const WheelRailContact& contact, const PatchForce& force) {

@@ -29,8 +29,14 @@ contact::Vector3 slip_at(const WheelRailContact& contact, const Motion& motion,
 contact::Vector3 surface_place(const WheelRailContact& contact);
 
 /// xi, eta, phi of the patch as a plane: slip of the wheel's undeformed surface over the reference
-/// point, and the component of all rotation along the normal.
+/// point, and the component of all rotation along the normal. Where several patches share one plane
+/// the reference point may lie in the valley between them: the wheel's surface there has a rolling
+/// radius of its own, from which the slip of every place follows (ChartedGeometry::rigid_slip).
 contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& motion);
+
+/// The same at the reference point on the rail, as CONTACT takes it: for a plane that knows no slip
+/// but xi, eta and phi (ExtraSlip::none), about what the patches beside a valley have.
+contact::Creepage creepage_on_rail(const WheelRailContact& contact, const Motion& motion);
 
 /// Forces of a patch on the wheel in its frame, and the moment about its normal.
 struct PatchForce {

@@ -64,7 +64,7 @@ class NoisyProfiles : public ::testing::Test {
     input.wheelset.yaw.assign(shifts.size(), 0.0);
     input.wheelset.roll.assign(shifts.size(), 0.0);
     input.rolling.problem = contact::Problem::frictionless;
-    input.contact_grid.elements_across = 24;
+    input.contact_grid.elements_across = 32;
     std::vector<Contact> result;
     for (const meshes::PlacedScene& scene : meshes::make_scenes(input)) {
       EXPECT_EQ(scene.scene.place->patches, 1);  // noise must not tear the patch
