@@ -17,10 +17,7 @@ Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order) {
 
 ContactProblem::ContactProblem(const Compliance& whole, const SolvableCompliance& standin,
                                ContactConditions conditions)
-    : whole_(whole),
-      standin_(standin),
-      conditions_(std::move(conditions)),
-      frame_(vertical_frame(conditions_.shape)) {}
+    : whole_(whole), standin_(standin), conditions_(std::move(conditions)) {}
 
 bool ContactProblem::fitted(Motion motion) const {
   return motion == Motion::rolling && conditions_.upwind_order == UpwindOrder::second &&
@@ -50,7 +47,7 @@ CoupledProblem ContactProblem::coupled_problem(const NormalLoad& load,
   problem.load = load;
   problem.given_pressure = conditions_.given_pressure;
   problem.shape = conditions_.shape;
-  problem.frame = frame_;
+  problem.frame = vertical_frame(conditions_.shape, load.direction);
   if (!friction) return problem;
   problem.friction = conditions_.friction;
   problem.slip_factor = motion.slip_factor;

@@ -98,7 +98,6 @@ class ContactProblem {
   const Compliance& whole_;
   const SolvableCompliance& standin_;
   ContactConditions conditions_;
-  VerticalFrame frame_;
   NormalLoad pressed_load_;
   NormalSolution pressed_;
   std::optional<EdgeFittedRolling> fitted_;

@@ -42,16 +42,19 @@ NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
   return given;
 }
 
-/// Normal contact on the stand-in. `defect`: an extra gap along z, may be empty; `force`: what the
-/// pressure has to carry along z.
+/// Normal contact on the stand-in. `defect`: an extra gap along the load, in the plane along z, may
+/// be empty; `force`: what the pressure has to carry along the same.
 NormalSolution solve_pressure(const NormalOperator& plane, const CoupledProblem& problem,
                               const Field& defect, const std::optional<double>& force,
                               const NormalOptions& options, const Field& start) {
   if (problem.given_pressure.size() != 0) return given_normal(plane.grid(), problem.given_pressure);
   const VerticalFrame& frame = problem.frame;
   NormalProblem normal{problem.undeformed_distance, force, problem.load.approach};
-  if (frame.to_vertical.size() != 0)
+  const double along_z = problem.load.direction[1];
+  if (!frame.plane()) {
     normal.undeformed_distance = normal.undeformed_distance.cwiseProduct(frame.to_vertical).eval();
+    if (normal.approach) *normal.approach /= along_z;
+  }
   if (defect.size() != 0) normal.undeformed_distance += defect;
   NormalSolution solution;
   if (frame.carried.size() == 0) {
@@ -62,21 +65,30 @@ NormalSolution solve_pressure(const NormalOperator& plane, const CoupledProblem&
                             given ? Field(start.cwiseProduct(frame.carried)) : Field());
     solution.pressure = solution.pressure.cwiseQuotient(frame.carried).eval();
   }
-  if (frame.to_vertical.size() != 0)
+  if (!frame.plane()) {
     solution.gap = solution.gap.cwiseQuotient(frame.to_vertical).eval();
+    solution.approach *= along_z;
+  }
   return solution;
 }
 
-/// Force along z that pressure alone has to carry if friction alone were to stay as it is.
+/// Force without friction that the pressure carries: along the load, in the plane along z.
+double frictionless_share(const CoupledProblem& problem) {
+  return *problem.load.force / (problem.frame.plane() ? problem.load.direction[1] : 1.0);
+}
+
+/// The same that pressure alone has to carry if friction alone were to stay as it is.
 double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
                       const StandinSolution& solution) {
   const double wanted = *problem.load.force;
-  const double along_z = problem.load.direction[1];
-  if (solution.normal.pressure.size() != grid.size()) return wanted / along_z;
+  if (solution.normal.pressure.size() != grid.size()) return frictionless_share(problem);
   const Field none = Field::Zero(grid.size());
-  const double pressure =
-      transmitted_force(grid, {none, none, solution.normal.pressure}, problem.shape)[2];
-  return pressure + (wanted - force_along_load(grid, problem, solution)) / along_z;
+  const auto [across, upwards] = problem.load.direction;
+  const auto pressure =
+      transmitted_force(grid, {none, none, solution.normal.pressure}, problem.shape);
+  const double missing = wanted - force_along_load(grid, problem, solution);
+  return problem.frame.plane() ? pressure[2] + missing / upwards
+                               : across * pressure[1] + upwards * pressure[2] + missing;
 }
 
 /// Tractions under the pressure of `solution`, the defect put in as an extra slip.
@@ -101,11 +113,18 @@ void solve_tractions(const Preconditioner& standin, const CoupledProblem& proble
 
 }  // namespace
 
-VerticalFrame vertical_frame(const PatchShape& shape) {
+VerticalFrame vertical_frame(const PatchShape& shape, const std::array<double, 2>& direction) {
   if (shape.climb.size() == 0) return {};
-  if (shape.y.size() == 0) return {shape.stretch, {}};
-  const Field cosine = (1.0 + shape.climb.array().square()).rsqrt();
-  return {cosine.cwiseInverse(), cosine};
+  // A surface along the load carries next to nothing of it.
+  constexpr double least = 0.05;
+  const auto [across, upwards] = direction;
+  Field carried = (upwards - across * shape.climb.array()).max(least);
+  if (shape.y.size() == 0) {
+    const Field to_load = shape.stretch.cwiseQuotient(carried);
+    return {to_load, across == 0.0 && upwards == 1.0 ? Field() : carried};
+  }
+  carried = carried.array() * (1.0 + shape.climb.array().square()).rsqrt();
+  return {carried.cwiseInverse(), carried};
 }
 
 Response zero_response(Eigen::Index n) {
@@ -136,8 +155,8 @@ double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
 
 NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem& problem,
                              const Field& start) {
-  std::optional<double> force = problem.load.force;
-  if (force) *force /= problem.load.direction[1];
+  std::optional<double> force;
+  if (problem.load.force) force = frictionless_share(problem);
   return solve_pressure(normal, problem, {}, force, {}, start);
 }
 
@@ -163,7 +182,7 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
   if (shares) {
     share = pressure_share(grid, problem, solution);
     // A start from another load may be far off.
-    if (!(*share > 0.0)) share = *problem.load.force / problem.load.direction[1];
+    if (!(*share > 0.0)) share = frictionless_share(problem);
   }
   PositiveFixedPoint sharing;
   for (int turn = 0; turn < most_turns; ++turn) {

@@ -7,6 +7,8 @@
 #include "contact/solve/normal.hpp"
 #include "contact/solve/tangential.hpp"
 
+#include <array>
+
 namespace rollfem::contact {
 
 /// What the tangential operator gives: slip of steady rolling or relative displacement.
@@ -27,16 +29,19 @@ struct Preconditioner {
   const TangentialOperator* first_order = nullptr;
 };
 
-/// How local normals stand to z on a curved patch. Approach and load are those along z, distance
-/// and displacement along the normal: a gap along z is `to_vertical` times the one along the
-/// normal, and in terms of q = carried p, whose sum is the force along z, the normal problem stays
-/// symmetric. Both empty in the plane; `carried` empty where the grid is the projection of the
-/// surface, whose elements carry their pressure whole.
+/// How local normals stand to the direction of the load on a curved patch. The bodies approach each
+/// other along it, distance and displacement are along the normal: a gap along the load is
+/// `to_vertical` times the one along the normal, and in terms of q = carried p, whose sum is the
+/// force along the load, the normal problem stays symmetric. So it is the same whichever point of
+/// the surface is the origin. Both empty in the plane; `carried` empty where the grid is the
+/// projection of the surface along the load, whose elements carry their pressure whole.
 struct VerticalFrame {
   Field to_vertical;
   Field carried;
+
+  bool plane() const { return to_vertical.size() == 0; }
 };
-VerticalFrame vertical_frame(const PatchShape& shape);
+VerticalFrame vertical_frame(const PatchShape& shape, const std::array<double, 2>& direction);
 
 /// A problem for any compliance. On a curved patch (`shape`) approach and load are those of the
 /// patch frame, while distance, tractions and displacement are along the local normal and tangents.
@@ -49,7 +54,7 @@ struct CoupledProblem {
   double curvature_weight = 1.0;  ///< of Response::curvature_slip in the slip
   Field given_pressure;           ///< MPa, replaces the normal problem; empty: none
   PatchShape shape;               ///< empty: plane
-  VerticalFrame frame;            ///< of the shape
+  VerticalFrame frame;            ///< of the shape and the direction of the load
 
   bool frictionless() const { return rigid_slip.x.size() == 0 || !friction; }
   /// Friction carries a part of the prescribed force.

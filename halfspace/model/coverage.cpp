@@ -35,7 +35,8 @@ double displacement_at(double x, double y, const ContactGrid& grid, const contac
 std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
                                                     const contact::ChartedGeometry& geometry,
                                                     const ContactGrid& grid,
-                                                    const contact::PointResult& point) {
+                                                    const contact::PointResult& point,
+                                                    const contact::NormalLoad& load) {
   if (!scene.has_profiles() || !scene.geometry.has_surfaces() || scene.given_pressure) return {};
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
   const auto regions = Ridge(profiles).regions(point.approach);
@@ -44,10 +45,15 @@ std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
     const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
     const ContactGrid place{1, 1, grid.dx, grid.dy, x, y};
     const double climb = geometry.climb(y);
-    const double along_normal =
+    const double opening =
         geometry.undeformed_distance(place)[0] +
         displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus);
-    const double gap = along_normal * std::sqrt(1.0 + climb * climb) - point.approach;
+    // The bodies approach along the load, of which the plane knows the part along z.
+    const double along_normal =
+        geometry.curved()
+            ? (1.0 - climb * load.direction[0] / load.direction[1]) / std::sqrt(1.0 + climb * climb)
+            : 1.0;
+    const double gap = opening - point.approach * along_normal;
     if (gap > -least_overlap * point.approach) return;
     if (!touched) touched = {y, y};
     (*touched)[0] = std::min((*touched)[0], y);

@@ -16,7 +16,8 @@ namespace rollfem::halfspace {
 std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
                                                     const contact::ChartedGeometry& geometry,
                                                     const contact::ContactGrid& grid,
-                                                    const contact::PointResult& point);
+                                                    const contact::PointResult& point,
+                                                    const contact::NormalLoad& load);
 
 /// Throws contact::SolveError where pressure reaches a limit of the contact
 /// (PatchGeometry::limits).

@@ -56,9 +56,9 @@ int columns_for_steps(const Scene& scene, double dx) {
 ContactGrid grid_of_all_patches(const Scene& scene, const contact::ChartedGeometry& geometry,
                                 const ContactGrid& grid, const std::vector<PointResult>& points) {
   int below = 0, above = 0;
-  for (const PointResult& point : points) {
-    check_limits(scene, geometry, grid, point.fields.traction.n);
-    const auto beyond = touched_beyond(scene, geometry, grid, point);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    check_limits(scene, geometry, grid, points[k].fields.traction.n);
+    const auto beyond = touched_beyond(scene, geometry, grid, points[k], scene.points[k].load);
     if (!beyond) continue;
     const auto rows = [&](double way) {
       return static_cast<int>(std::ceil(way / grid.dy)) + margin;
@@ -198,7 +198,8 @@ contact::LevelResult solve_level(const Scene& scene, double dx, double dy,
     if (attempt == most_enlargements || scene.contact_grid.extent)
       throw contact::UnfitGrid(fmt::format(
           "the contact patch reaches the border of the potential contact area ({} by {} elements), "
-          "or the bodies touch beyond it: the surfaces conform over more than their curvatures tell; "
+          "or the bodies touch beyond it: the surfaces conform over more than their curvatures "
+          "tell; "
           "do: prescribe a larger contact_grid.extent",
           grid.nx, grid.ny));
     grid = with_margin(grid, grid.nx / 4 + margin, grid.ny / 4 + margin);

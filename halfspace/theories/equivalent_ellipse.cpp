@@ -107,7 +107,7 @@ EquivalentEllipse equivalent_ellipse(const Scene& scene) {
   EquivalentEllipse ellipse;
   ellipse.patch = expected_patch(scene, elements_for_ellipse);
   const ExpectedPatch& patch = ellipse.patch;
-  const double aspect = patch.length() / patch.width();
+  const double aspect = patch.length() / patch.covered_width();
   ellipse.semi_axis_x = std::sqrt(patch.area / pi * aspect);
   ellipse.semi_axis_y = std::sqrt(patch.area / pi / aspect);
   Scene& local = ellipse.scene;
@@ -150,6 +150,11 @@ void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
       "{:.3g}) mm; the half-space patch is {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
       ellipse.semi_axis_x, ellipse.semi_axis_y, x, y, patch.length(), patch.width(),
       patch.max_pressure));
+  if (patch.gaps > 0.0)
+    result.notes.push_back(fmt::format(
+        "the contact falls into several patches with {:.4g} mm of its {:.4g} mm between them: one "
+        "ellipse stands for all; halfspace and strip have each",
+        patch.gaps, patch.width()));
 }
 
 ModelResult run_on_ellipse(const contact::Model& model, const Scene& scene,

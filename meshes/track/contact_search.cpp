@@ -129,7 +129,8 @@ class WheelSearch {
     std::vector<WheelRailContact> found;
     int loaded = 0;
     for (std::size_t k = 0; k < groups.size(); ++k) {
-      WheelRailContact contact = describe(groups[k], sinking, k > 0, k + 1 < groups.size());
+      WheelRailContact contact =
+          describe(groups[k], sinking, k > 0, k + 1 < groups.size(), options.reference_offset);
       contact.reserve = !(contact.normal_force > 0.0);
       if (!contact.reserve) ++loaded;
       found.push_back(std::move(contact));
@@ -158,7 +159,7 @@ class WheelSearch {
     };
     for (const PatchGroup& hump : separate_groups(gap_)) {
       if (hump.stretch.deepest.gap < sinking || of_reserve(hump.stretch.deepest)) continue;
-      WheelRailContact contact = describe(hump, sinking, false, false);
+      WheelRailContact contact = describe(hump, sinking, false, false, 0.0);
       if (contact.place.separation <= farthest) found.push_back(std::move(contact));
     }
   }
@@ -174,9 +175,13 @@ class WheelSearch {
   }
 
   WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
-                            bool neighbour_outside) const {
+                            bool neighbour_outside, double offset) const {
     const GapMinimum& first = group.stretch.deepest;
-    const auto [y, slope] = reference_of(gap_, group.stretch, sinking);
+    auto [y, slope] = reference_of(gap_, group.stretch, sinking);
+    if (offset != 0.0) {
+      y += offset;
+      slope = gap_.rail().at(y).slope - 0.5 * gap_.at(y).slope;
+    }
     const contact::CurveValue rail = gap_.rail().at(y);
     const double angle = -std::atan(slope);
     const PatchAxes axes{y, rail.value, std::cos(angle), std::sin(angle)};

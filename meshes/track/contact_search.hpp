@@ -45,6 +45,9 @@ struct SearchOptions {
   /// degrees, within which a plane costs 2 % of the pressure) or, where the case takes the local
   /// normals of a curved surface, 0.8.
   std::optional<double> merge_angle;
+  /// mm, to the field: takes another point of the overlap for the reference, with the tangent of
+  /// the common surface there, of which true normals make nothing.
+  double reference_offset = 0.0;
   bool with_reserve = false;  ///< scenes of contacts that the load may reach as well (make_scenes)
 };
 

@@ -160,3 +160,32 @@ TEST(JoinedPatches, OfOtherPlanesShareTheLoadOfTheWheel) {
   EXPECT_NEAR(vertical, 60e3, 1e-6 * 60e3);
   EXPECT_NO_THROW(wheelset::check_results(input, results));
 }
+
+TEST(JoinedPatches, ReferenceDoesNotChangeForcesWhereNormalsAreTrue) {
+  // On the common surface with its own normals the reference is a matter of description: forces on
+  // the track are the same 1 mm beside it, where plane and spin are others.
+  contact::Case input = rollfem::testing::hollow_tread(-0.6);
+  input.halfspace.surface = contact::SurfaceForm::curved;
+  const auto on_track = [&](double offset) {
+    meshes::SearchOptions options;
+    options.reference_offset = offset;
+    contact::Scene scene = meshes::make_scenes(input, options).at(0).scene;
+    scene.contact_grid.cell_size = {0.25, 0.2};
+    const auto point = halfspace::run_halfspace(scene, {}).points.at(0);
+    const double angle = scene.place->contact_angle;
+    // Left wheel: y of the patch points to the field.
+    return std::array<double, 4>{
+        point.longitudinal_force,
+        point.lateral_force * std::cos(angle) - point.normal_force * std::sin(angle),
+        meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place),
+        point.max_pressure};
+  };
+  const auto middle = on_track(0.0);
+  EXPECT_NEAR(middle[2], 80e3, 1e-6 * 80e3);
+  for (const double offset : {-1.0, 1.0}) {
+    SCOPED_TRACE(offset);
+    const auto beside = on_track(offset);
+    for (int d = 0; d < 3; ++d) EXPECT_NEAR(beside[d], middle[d], 1e-4 * 80e3) << d;
+    EXPECT_NEAR(beside[3], middle[3], 1e-3 * middle[3]);
+  }
+}
