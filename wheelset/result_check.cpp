@@ -18,7 +18,7 @@ namespace {
 
 /// Relative to the load. Models balance their own load to 1e-6; shares of a wheel are rounded once
 /// more.
-constexpr double load_tolerance = 1e-5;
+constexpr double sum_tolerance = 1e-5;
 
 [[noreturn]] void refuse(const contact::Case& input, const ModelResult& result,
                          const std::string& what) {
@@ -92,7 +92,7 @@ void check_wheel(const contact::Case& input, const std::vector<const ModelResult
       }
     if (known && input.load.vertical_force &&
         std::abs(vertical - *input.load.vertical_force) >
-            load_tolerance * *input.load.vertical_force)
+            sum_tolerance * *input.load.vertical_force)
       refuse(
           input, first,
           fmt::format("the vertical forces of {} contacts add up to {:.6g} N, the load is {:g} N",

@@ -16,7 +16,7 @@ namespace {
 
 using contact::ProfileSource;
 
-constexpr double same_point = 1e-6;  // mm
+constexpr double shortest_distance = 1e-6;  // mm
 constexpr double degree = 3.14159265358979323846 / 180.0;
 /// Marks of corners().
 constexpr char kink = 1, step = 2;
@@ -39,7 +39,7 @@ double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
   const auto along = [&](std::size_t i) {
     const double distance =
         (y * (p.y[i + 1] - p.y[i]) + z * (p.z[i + 1] - p.z[i])) / std::hypot(y, z);
-    return std::max(std::abs(distance), same_point);
+    return std::max(std::abs(distance), shortest_distance);
   };
   const double a = 1.0 / along(k - 1), b = 1.0 / along(k);
   const double deviation = scatter * std::sqrt(a * a + b * b + (a + b) * (a + b));
