@@ -72,6 +72,34 @@ ContactState ContactProblem::solve(const NormalLoad& load, const TangentialMotio
   return state;
 }
 
+ContactState ContactProblem::solve_for_force(const NormalLoad& load, const MotionAt& motion,
+                                             const PrescribedForce& wanted,
+                                             const ForceSearch& search, const ContactState& start,
+                                             const ContactAccuracy& accuracy,
+                                             const OuterCallback& each_iteration) {
+  if (coupled() && !conditions_.same_normal_block) {
+    const TangentialMotion first = motion(search.start);
+    const ForcedSlip forced{wanted, search,
+                            [&](const Eigen::Vector2d& at) { return motion(at).rigid_slip; }};
+    ContactState state =
+        solve_coupled(load, first, &start, accuracy, each_iteration, true, &forced);
+    state.tangential.slip.x *= first.slip_factor;
+    state.tangential.slip.y *= first.slip_factor;
+    return state;
+  }
+  ContactState state = start;
+  int iterations = 0;
+  const ForceLaw law = [&](const Eigen::Vector2d& at) {
+    state = solve(load, motion(at), &state, accuracy, each_iteration);
+    iterations += state.iterations;
+    const auto force = transmitted_force(grid(), state.traction(), conditions_.shape);
+    return TransmittedForce{{force[0], force[1]}, coefficient_of(conditions_.friction) * force[2]};
+  };
+  state.unknowns = find_creepage(law, wanted, search).creepage;
+  state.iterations = iterations;
+  return state;
+}
+
 ContactState ContactProblem::solve_frictionless(const NormalLoad& load,
                                                 const ContactAccuracy& accuracy) {
   return solve_coupled(load, {}, nullptr, accuracy, {}, false);
@@ -106,7 +134,8 @@ ContactState ContactProblem::solve_uncoupled(const NormalLoad& load, const Tange
 ContactState ContactProblem::solve_coupled(const NormalLoad& load, const TangentialMotion& motion,
                                            const ContactState* start,
                                            const ContactAccuracy& accuracy,
-                                           const OuterCallback& each_iteration, bool friction) {
+                                           const OuterCallback& each_iteration, bool friction,
+                                           const ForcedSlip* forced) {
   const bool same_normal = conditions_.same_normal_block;
   const CoupledProblem problem = coupled_problem(load, motion, friction);
   const UpwindOrder order = conditions_.upwind_order;
@@ -123,12 +152,13 @@ ContactState ContactProblem::solve_coupled(const NormalLoad& load, const Tangent
   options.anderson_depth = accuracy.anderson_depth;
   CoupledSolution solution = contact::solve_coupled(
       whole_, standin, problem, options, start ? start->defect : Response(), each_iteration,
-      start && same_normal ? start->traction() : SurfaceField());
+      start && same_normal ? start->traction() : SurfaceField(), forced);
   ContactState state;
   state.normal = std::move(solution.normal);
   state.tangential = std::move(solution.tangential);
   state.displacement = std::move(solution.displacement);
   state.defect = std::move(solution.defect);
+  state.unknowns = solution.unknowns;
   state.iterations = solution.outer_iterations;
   state.residual = solution.residual;
   if (!friction) set_frictionless(grid(), state.tangential, state.normal.pressure, {});

@@ -42,6 +42,7 @@ struct ContactState {
   Response defect;            ///< what the elasticity adds to the stand-in; empty: nothing
   int iterations = 0;         ///< Newton steps, or outer iterations
   double residual = 0.0;
+  Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< creepages (shifts) found for a force
 
   SurfaceField traction() const {
     return {tangential.traction.x, tangential.traction.y, normal.pressure};
@@ -56,6 +57,9 @@ struct TangentialMotion {
   double slip_factor = 1.0;
   double curvature_weight = 1.0;  ///< of Response::curvature_slip in the slip of the problem
 };
+
+/// The motion at creepages (shifts); the rigid slip alone depends on them.
+using MotionAt = std::function<TangentialMotion(const Eigen::Vector2d& unknowns)>;
 
 class ContactProblem {
  public:
@@ -78,6 +82,13 @@ class ContactProblem {
                      const ContactState* start = nullptr, const ContactAccuracy& accuracy = {},
                      const OuterCallback& each_iteration = {});
 
+  /// The same with a prescribed force: finds ContactState::unknowns. Where the elasticity costs
+  /// much the search is within every outer iteration, else around the solutions.
+  ContactState solve_for_force(const NormalLoad& load, const MotionAt& motion,
+                               const PrescribedForce& wanted, const ForceSearch& search,
+                               const ContactState& start, const ContactAccuracy& accuracy,
+                               const OuterCallback& each_iteration);
+
   /// The elasticity's answer to pressure alone: what the first load point begins with.
   ContactState solve_frictionless(const NormalLoad& load, const ContactAccuracy& accuracy);
 
@@ -86,7 +97,8 @@ class ContactProblem {
                                const ContactState* start, const ContactAccuracy& accuracy);
   ContactState solve_coupled(const NormalLoad& load, const TangentialMotion& motion,
                              const ContactState* start, const ContactAccuracy& accuracy,
-                             const OuterCallback& each_iteration, bool friction);
+                             const OuterCallback& each_iteration, bool friction,
+                             const ForcedSlip* forced = nullptr);
   ContactState frictionless(const NormalLoad& load, const TangentialMotion& motion);
   CoupledProblem coupled_problem(const NormalLoad& load, const TangentialMotion& motion,
                                  bool friction) const;

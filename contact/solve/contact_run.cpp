@@ -159,9 +159,8 @@ ContactState ContactRun::start_for(std::size_t k) {
   return start;
 }
 
-ContactState ContactRun::solved(std::size_t k, const Vector2d& unknowns, const ContactState& start,
-                                const ContactAccuracy& accuracy) {
-  const auto each_iteration = [&](const CoupledSolution& state) {
+OuterCallback ContactRun::each_iteration(std::size_t k) {
+  return [this, k](const CoupledSolution& state) {
     if (elasticity_->same_normal_block()) return;
     ProgressEvent event = event_of(k);
     event.iteration = state.outer_iterations;
@@ -170,8 +169,6 @@ ContactState ContactRun::solved(std::size_t k, const Vector2d& unknowns, const C
     event.adhesion_elements = count_adhesion(state.tangential.state);
     tell(event, "rolling", false);
   };
-  return problem_->solve(scene_.points[k].load, motion_->at(k, unknowns), &start, accuracy,
-                         each_iteration);
 }
 
 ForceSearch ContactRun::search_for(std::size_t k) {
@@ -200,6 +197,12 @@ ForceSearch ContactRun::search_for(std::size_t k) {
   return search;
 }
 
+void ContactRun::solve_given(std::size_t k, const Vector2d& unknowns) {
+  const ContactState start = start_for(k);
+  state_ = problem_->solve(scene_.points[k].load, motion_->at(k, unknowns), &start,
+                           options_.accuracy, each_iteration(k));
+}
+
 /// Solves the point with the prescribed force; returns the creepages (shifts) found.
 Vector2d ContactRun::find_force(std::size_t k) {
   const PrescribedForce& wanted = scene_.points[k].force;
@@ -209,18 +212,10 @@ Vector2d ContactRun::find_force(std::size_t k) {
         "creepage, or a friction coefficient above 0");
   refuse_force_beyond_friction(
       wanted, friction_->coefficient() * problem_->press(scene_.points[k].load).normal_force);
-  ContactState start = start_for(k);
-  int iterations = 0;
-  const ForceLaw law = [&](const Vector2d& unknowns) {
-    state_ = solved(k, unknowns, start, options_.force_accuracy);
-    iterations += state_.iterations;
-    start = state_;
-    const auto force = transmitted_force(result_.grid, state_.traction(), shape_);
-    return TransmittedForce{{force[0], force[1]}, friction_->coefficient() * force[2]};
-  };
-  const FoundCreepage found = find_creepage(law, wanted, search_for(k));
-  state_.iterations = iterations;
-  return found.creepage;
+  state_ = problem_->solve_for_force(
+      scene_.points[k].load, [&](const Vector2d& unknowns) { return motion_->at(k, unknowns); },
+      wanted, search_for(k), start_for(k), options_.force_accuracy, each_iteration(k));
+  return state_.unknowns;
 }
 
 /// A load point that an earlier run has solved, with the state from which the next one begins.
@@ -251,7 +246,7 @@ void ContactRun::solve_point(std::size_t k) {
   if (scene_.points[k].force.any())
     unknowns = find_force(k);
   else
-    state_ = solved(k, unknowns, start_for(k), options_.accuracy);
+    solve_given(k, unknowns);
   PointResult point = point_result(k, unknowns);
   remember(k);
   if (!touches_border(result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);

@@ -62,7 +62,7 @@ struct RunOptions {
   std::string model;         ///< in progress events
   std::string stage_prefix;  ///< before the stage names of progress events
   ContactAccuracy accuracy;
-  ContactAccuracy force_accuracy;  ///< of solutions behind a force that is searched for
+  ContactAccuracy force_accuracy;  ///< where a force is prescribed
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
   /// The elasticity has the stand-in's normal block and costs little: pressure without friction is
@@ -98,8 +98,8 @@ class ContactRun {
   bool press(std::size_t k);
   void solve_point(std::size_t k);
   ContactState start_for(std::size_t k);
-  ContactState solved(std::size_t k, const Eigen::Vector2d& unknowns, const ContactState& start,
-                      const ContactAccuracy& accuracy);
+  OuterCallback each_iteration(std::size_t k);
+  void solve_given(std::size_t k, const Eigen::Vector2d& unknowns);
   ForceSearch search_for(std::size_t k);
   Eigen::Vector2d find_force(std::size_t k);
   PointResult point_result(std::size_t k, const Eigen::Vector2d& unknowns);

@@ -92,6 +92,24 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   return residual;
 }
 
+/// Solves the stand-in with the defect held fixed, for the force if one is prescribed: creepage
+/// after creepage, which costs little beside the compliance. The next search begins where this one
+/// ends.
+void solve_standin_with(const Preconditioner& halfspace, const Response& defect, double tolerance,
+                        std::optional<ForcedSlip>& forced, CoupledProblem& problem,
+                        CoupledSolution& solution) {
+  if (!forced) return solve_standin(halfspace, problem, defect, tolerance, solution);
+  ForceSearch& search = forced->search;
+  const ForceLaw law = [&](const Eigen::Vector2d& unknowns) {
+    problem.rigid_slip = forced->rigid_slip(unknowns);
+    solve_standin(halfspace, problem, defect, std::min(tolerance, search.tolerance), solution);
+    const auto force =
+        transmitted_force(halfspace.whole.grid(), tractions(solution), problem.shape);
+    return TransmittedForce{{force[0], force[1]}, coefficient_of(problem.friction) * force[2]};
+  };
+  solution.unknowns = search.start = find_creepage(law, forced->wanted, search).creepage;
+}
+
 /// Shorter steps once the iteration only goes round: pressure, bound and traction at a slipping
 /// edge chase each other when mu times the coupling is large.
 class Damping {
@@ -122,13 +140,16 @@ class Damping {
 }  // namespace
 
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
-                              const CoupledProblem& problem, const OuterOptions& options,
+                              const CoupledProblem& given, const OuterOptions& options,
                               const Response& start_defect, const OuterCallback& each_iteration,
-                              const SurfaceField& start_traction) {
+                              const SurfaceField& start_traction, const ForcedSlip* forced) {
   const Eigen::Index n = halfspace.whole.grid().size();
   Response defect = start_defect;
   if (defect.displacement.n.size() != n) defect = zero_response(n);
 
+  CoupledProblem problem = given;
+  std::optional<ForcedSlip> search;
+  if (forced != nullptr) search = *forced;
   Anderson anderson(options.anderson_depth);
   Damping damping;
   CoupledSolution solution;
@@ -136,7 +157,7 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   solution.tangential.traction = {start_traction.x, start_traction.y};
   double best = std::numeric_limits<double>::infinity();
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
-    solve_standin(halfspace, problem, defect, options.tolerance, solution);
+    solve_standin_with(halfspace, defect, options.tolerance, search, problem, solution);
     const SurfaceField traction = tractions(solution);
     const Response response = compliance.respond(traction);
     solution.displacement = response.displacement;

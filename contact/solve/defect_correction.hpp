@@ -1,8 +1,10 @@
 // Contact on any compliance A by defect correction on the half-space A_half: solve with A_half, put
 // (A - A_half) p in as an extra gap and displacement, repeat with Anderson acceleration. The fixed
-// point is the solution with A; A_half only preconditions. One outer iteration is one A.apply().
+// point is the solution with A; A_half only preconditions. One outer iteration is one A.apply(),
+// also with a prescribed force: the stand-in is solved for that force with the defect held fixed.
 #pragma once
 
+#include "contact/solve/prescribed_force.hpp"
 #include "contact/solve/standin.hpp"
 
 #include <functional>
@@ -20,16 +22,27 @@ struct CoupledSolution : StandinSolution {
   Response defect;            ///< (A - A_half) p: a start for the next load point
   int outer_iterations = 0;
   double residual = 0.0;
+  Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< found for ForcedSlip
+};
+
+/// A prescribed tangential force in place of creepages (shifts).
+struct ForcedSlip {
+  PrescribedForce wanted;
+  ForceSearch search;
+  /// The rigid slip of the problem at creepages (shifts).
+  std::function<TangentialField(const Eigen::Vector2d& unknowns)> rigid_slip;
 };
 
 using OuterCallback = std::function<void(const CoupledSolution&)>;
 
 /// Throws SolveError when the outer iteration does not converge. `start_traction` (may be empty):
-/// pressure and tangential tractions to begin the first solution with the stand-in.
+/// pressure and tangential tractions to begin the first solution with the stand-in. `forced` (may
+/// be null) replaces the rigid slip of the problem; every iteration then meets the force.
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
                               const CoupledProblem& problem, const OuterOptions& options = {},
                               const Response& start_defect = {},
                               const OuterCallback& each_iteration = {},
-                              const SurfaceField& start_traction = {});
+                              const SurfaceField& start_traction = {},
+                              const ForcedSlip* forced = nullptr);
 
 }  // namespace rollfem::contact

@@ -22,8 +22,7 @@ using contact::Scene;
 
 /// A solve of each body for every outer iteration: no sharper than the elements are worth.
 constexpr contact::ContactAccuracy fem_accuracy{1e-6, 1e-4, 40, 3};
-/// Behind a force that is searched for, and how near that force shall be met.
-constexpr contact::ContactAccuracy accuracy_of_force_search{1e-7, 1e-6, 60, 3};
+/// How near a prescribed force is met, relative to mu F_z.
 constexpr double force_tolerance = 1e-5;
 
 class PointsInCheckpoint : public contact::PointStore {
@@ -84,8 +83,7 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   contact::RunOptions run_options;
   run_options.model = "fem";
   run_options.stage_prefix = options.stage_prefix;
-  run_options.accuracy = fem_accuracy;
-  run_options.force_accuracy = accuracy_of_force_search;
+  run_options.accuracy = run_options.force_accuracy = fem_accuracy;
   run_options.force_tolerance = force_tolerance;
   run_options.cheap_pressure = false;
   if (start_known) run_options.first_defect = start.defect;

@@ -107,6 +107,24 @@ TEST(OneDriver, PrescribedForces) {
   expect_alike(input);
 }
 
+TEST(OneDriver, APrescribedForceCostsAsManyAppliesAsItsCreepage) {
+  Case input = small_case();
+  input.rolling.creepages = {{}, {0.0, 0.0, 1e-4}, {}};
+  input.rolling.forces = {{-12e3, {}}, {-9e3, 6e3}, {-26e3, {}}};
+  const contact::ContactGrid grid = halfspace::potential_area(input);
+  const auto forced = run(input, grid, 1.1).points;
+  Case again = input;
+  again.rolling.forces.assign(3, {});
+  for (std::size_t k = 0; k < 3; ++k) again.rolling.creepages[k] = forced[k].creepage;
+  const auto given = run(again, grid, 1.1).points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    SCOPED_TRACE(k);
+    EXPECT_NEAR(given[k].longitudinal_force, forced[k].longitudinal_force, 1e-6 * 27.5e3);
+    EXPECT_NEAR(given[k].lateral_force, forced[k].lateral_force, 1e-6 * 27.5e3);
+    EXPECT_LE(forced[k].iterations, given[k].iterations + 2);
+  }
+}
+
 TEST(OneDriver, ApproachInPlaceOfTheForce) {
   Case input = small_case();
   input.load.normal_force.reset();
