@@ -1,6 +1,7 @@
 // Friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such that
 // p_t = -g w/|w| where it slips, g(p_n, |w|) the bound of the friction law, by a semi-smooth Newton
-// method on p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves.
+// method on p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves, and behind it one
+// with drag, w + c (p - p'), p' the traction before: steps of a rolling that settles.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -17,8 +18,9 @@ struct TangentialProblem {
 };
 
 struct TangentialOptions {
-  double tolerance = 1e-6;  ///< relative to the creepage load, never to mu F
-  int max_newton_steps = 60;
+  double tolerance = 1e-6;         ///< relative to the creepage load, never to mu F
+  int max_newton_steps = 200;      ///< all in all
+  int patience = 25;               ///< Newton steps without drag before drag is tried
   double krylov_tolerance = 0.03;  ///< loosest; tightened as Newton's method converges
   int max_krylov_iterations = 400;
 };

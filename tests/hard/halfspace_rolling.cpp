@@ -278,6 +278,54 @@ TEST(HardRolling, TheModelTakesAnyNumberOfElements) {
   EXPECT_NEAR(given.semi_axis_y, 10.87295, 0.1);
 }
 
+/// Newton steps of a patch with its second-order difference.
+int steps_of(const Patch& patch, const contact::Creepage& creepage) {
+  return patch.solve(creepage).newton_steps;
+}
+
+TEST(HardRolling, CreepageAgainstSpinTakesFewStepsOnFineGrids) {
+  Patch patch;
+  patch.a = 3.5;
+  patch.b = 5.0;
+  for (const int n : {40, 80, 120}) {
+    patch.nx = patch.ny = n;
+    EXPECT_LE(steps_of(patch, {1e-3, 1e-3, 3e-4}), 12) << n;
+    EXPECT_LE(steps_of(patch, {1e-3, -2e-4, 3e-4}), 12) << n;
+  }
+}
+
+TEST(HardRolling, AdhesionBehindASlipZoneIsFoundOnFineGrids) {
+  // Spin and lateral creepage whose pole lies in the patch: rows slip, adhere and slip again.
+  Patch patch;
+  patch.a = 7.0;
+  patch.b = 4.0;
+  patch.p0 = 1200.0;
+  for (const int n : {40, 80, 120}) {
+    patch.nx = patch.ny = n;
+    EXPECT_LE(steps_of(patch, {0.0, -6e-4, 7e-4}), 15) << n;
+  }
+}
+
+TEST(HardRolling, DragLeadsToTheSameSolution) {
+  Patch patch;
+  patch.a = 7.0;
+  patch.b = 4.0;
+  const HalfspaceCompliance compliance(patch.grid(), patch.material());
+  const contact::TangentialOperator& rolling = compliance.rolling(UpwindOrder::second);
+  contact::TangentialOptions hasty;
+  hasty.patience = 3;  // steps before drag is tried
+  for (const contact::Creepage& creepage :
+       {contact::Creepage{0.0, -6e-4, 7e-4}, {1e-3, 1e-3, 3e-4}, {2e-3, 0.0, 0.0}}) {
+    const TangentialSolution usual = solve_tangential(rolling, patch.problem(creepage));
+    const TangentialSolution s = solve_tangential(rolling, patch.problem(creepage), hasty);
+    const double largest =
+        usual.traction.y.cwiseAbs().maxCoeff() + usual.traction.x.cwiseAbs().maxCoeff();
+    EXPECT_LT((s.traction.x - usual.traction.x).cwiseAbs().maxCoeff(), 1e-4 * largest);
+    EXPECT_LT((s.traction.y - usual.traction.y).cwiseAbs().maxCoeff(), 1e-4 * largest);
+    EXPECT_GT(s.newton_steps, usual.newton_steps);
+  }
+}
+
 TEST(HardRolling, FailureIsAnErrorThatSaysHowFarItCame) {
   const Patch patch;
   const HalfspaceCompliance compliance(patch.grid(), patch.material());

@@ -1,0 +1,86 @@
+// How surely and how fast random contacts (tests/support/random_contact.hpp) are solved. Prints one
+// row of the table in docs/accuracy.md for every size, and every contact that is not solved or
+// takes many steps. Call: benchmark_random_contacts SEED FIRST ACROSS:NUMBER ..., e.g. 1 0 20:1000
+// 40:300
+#include <fmt/format.h>
+
+#include "tests/support/random_contact.hpp"
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace rollfem;
+
+constexpr int many_steps = 12;
+
+struct Tally {
+  std::vector<int> steps, krylov;
+  int failed = 0;
+  int beyond = 0;  ///< of more than many_steps
+
+  void add(const testing::RandomOutcome& outcome) {
+    steps.push_back(outcome.newton_steps);
+    krylov.push_back(outcome.krylov_iterations);
+    failed += outcome.solved ? 0 : 1;
+    beyond += outcome.newton_steps > many_steps ? 1 : 0;
+  }
+};
+
+std::string quantiles(std::vector<int> values) {
+  if (values.empty()) return "";
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double part) {
+    const auto place = static_cast<std::size_t>(part * static_cast<double>(values.size()));
+    return values[std::min(place, values.size() - 1)];
+  };
+  return fmt::format("{} / {} / {}", at(0.5), at(0.99), values.back());
+}
+
+void print_row(const std::string& name, const Tally& tally) {
+  fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, tally.steps.size(), tally.failed,
+             quantiles(tally.steps), tally.beyond, quantiles(tally.krylov));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count < 4) {
+    fmt::print(stderr, "call: {} SEED FIRST ACROSS:NUMBER ...\n", words[0]);
+    return 2;
+  }
+  testing::RandomContacts contacts(static_cast<unsigned>(std::atoi(words[1])));
+  auto number = static_cast<unsigned>(std::atoi(words[2]));
+  fmt::print("seed {}, contacts from {} on\n\n", words[1], number);
+  fmt::print(
+      "| across | contacts | failures | Newton steps: median / 99 % / largest | above {} | Krylov "
+      "iterations: median / 99 % / largest |\n|---|---|---|---|---|---|\n",
+      many_steps);
+  Tally all;
+  for (int word = 3; word < count; ++word) {
+    int across = 0;
+    int wanted = 0;
+    if (std::sscanf(words[word], "%d:%d", &across, &wanted) != 2) {
+      fmt::print(stderr, "{}: not of the form ACROSS:NUMBER\n", words[word]);
+      return 2;
+    }
+    Tally tally;
+    for (int k = 0; k < wanted; ++k, ++number) {
+      const testing::RandomContact contact = contacts.contact(number, across);
+      const testing::RandomOutcome outcome = testing::RandomRun(contact).run();
+      tally.add(outcome);
+      all.add(outcome);
+      if (!outcome.solved || outcome.newton_steps > many_steps)
+        fmt::print(stderr, "contact {} at {} across, {}: {} steps, {}\n", number, across,
+                   testing::name_of(contact.kind), outcome.newton_steps,
+                   outcome.solved ? "solved" : outcome.message);
+    }
+    print_row(std::to_string(across), tally);
+  }
+  print_row("all", all);
+  return all.failed == 0 ? 0 : 1;
+}

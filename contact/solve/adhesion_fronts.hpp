@@ -1,0 +1,41 @@
+// Where adhesion ends in a row of elements, Newton's method moves the border back by one element a
+// step when it has put it too far upstream: with the tractions of the slipping elements at their
+// bounds only the first of them has the wrong direction of slip. A few rows that were put wrong in
+// the first steps then cost as many steps as they have elements to go. This looks at the adhesion
+// areas of successive steps and takes such a border further at once.
+#pragma once
+
+#include "contact/base/grid.hpp"
+
+#include <vector>
+
+namespace rollfem::contact {
+
+class AdhesionFronts {
+ public:
+  /// `elements`: grid indices of the contact elements, in the order of `adheres` below.
+  AdhesionFronts(const ContactGrid& grid, const std::vector<Eigen::Index>& elements);
+
+  /// `adheres`: of each contact element, by the iterate. Behind an element that slipped at the last
+  /// call and adheres now, as the one ahead of it does, slipping elements are made to adhere: those
+  /// between two adhering ones of the neighbouring rows, and 1, 3, 7, ... where the row's border
+  /// has moved so at 2, 3, 4, ... calls in turn. Without such a change nothing is done, and at a
+  /// solution nothing changes. True when elements were made to adhere.
+  bool extend(std::vector<char>& adheres);
+
+  /// The next call begins anew.
+  void forget() { before_.clear(); }
+
+ private:
+  enum class State : char { exterior, slip, adhesion };
+
+  State at(const std::vector<State>& states, int i, int j) const;
+  bool extend_row(int j, const std::vector<State>& now, std::vector<char>& adheres);
+
+  ContactGrid grid_;
+  std::vector<int> place_;  ///< of a grid element among the contact elements, -1: none
+  std::vector<State> before_;
+  std::vector<int> moves_;  ///< of a row, in turn
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,57 @@
+// Random contacts of half-spaces (support/random_contact.hpp): the tangential solver has to solve
+// them all, in few steps. benchmarks/random_contacts.cpp runs thousands.
+#include <gtest/gtest.h>
+
+#include "support/random_contact.hpp"
+#include <vector>
+
+namespace rollfem {
+namespace {
+
+using testing::RandomContact;
+using testing::RandomContacts;
+using testing::RandomOutcome;
+
+constexpr unsigned seed = 20;
+
+/// Newton steps of contacts first .. first + count - 1; every one has to be solved.
+std::vector<int> steps_of(unsigned first, unsigned count, int across) {
+  RandomContacts contacts(seed);
+  std::vector<int> steps;
+  for (unsigned k = first; k < first + count; ++k) {
+    const RandomContact contact = contacts.contact(k, across);
+    const RandomOutcome outcome = testing::RandomRun(contact).run();
+    EXPECT_TRUE(outcome.solved) << "seed " << seed << ", contact " << k << " at " << across
+                                << " across, " << testing::name_of(contact.kind) << ": "
+                                << outcome.message;
+    steps.push_back(outcome.newton_steps);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+TEST(RandomContacts, AreAllSolvedInFewSteps) {
+  const std::vector<int> coarse = steps_of(0, 240, 20);
+  EXPECT_LE(coarse.back(), 12);
+  EXPECT_LE(coarse[coarse.size() / 2], 4);
+  const std::vector<int> middle = steps_of(240, 54, 40);
+  EXPECT_LE(middle.back(), 12);
+  EXPECT_LE(middle[middle.size() / 2], 4);
+  EXPECT_LE(steps_of(294, 6, 80).back(), 12);
+}
+
+TEST(RandomContacts, AreMadeAgainFromSeedAndNumber) {
+  RandomContacts one(seed);
+  RandomContacts two(seed);
+  two.contact(4, 20);
+  const RandomContact a = one.contact(7, 20);
+  const RandomContact b = two.contact(7, 40);
+  EXPECT_EQ(a.a, b.a);
+  EXPECT_EQ(a.friction, b.friction);
+  EXPECT_EQ(a.creepage.spin, b.creepage.spin);
+  EXPECT_NE(a.friction, one.contact(8, 20).friction);
+  EXPECT_NE(a.friction, RandomContacts(seed + 1).contact(7, 20).friction);
+}
+
+}  // namespace
+}  // namespace rollfem

@@ -1,0 +1,265 @@
+// Random contact problems of half-spaces, each from a seed and its number, so that any of them can
+// be made again: the tangential solver has to solve them all.
+#pragma once
+
+#include "contact/solve/contact_problem.hpp"
+#include "contact/solve/history.hpp"
+#include "contact/solve/prescribed_force.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/force_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <random>
+#include <string>
+
+namespace rollfem::testing {
+
+enum class RandomKind { rolling, force, shift, transient };
+
+inline const char* name_of(RandomKind kind) {
+  constexpr const char* names[] = {"rolling", "prescribed force", "shift", "transient"};
+  return names[static_cast<int>(kind)];
+}
+
+/// A patch of sqrt(a b) = 5 mm under p_0 = 1000 MPa, which scaling makes any other.
+struct RandomContact {
+  RandomKind kind = RandomKind::rolling;
+  int across = 20;
+  double a = 5.0, b = 5.0;  ///< semi-axes along and across rolling, mm
+  double friction = 0.3;
+  contact::Material wheel, rail;
+  bool given_pressure = true;   ///< Hertz's; false: solved for
+  contact::Creepage creepage;   ///< shifts in mm and rad for RandomKind::shift
+  Eigen::Vector2d force{0, 0};  ///< over mu F_z, on the wheel
+  double step = 0.0;            ///< mm, RandomKind::transient
+
+  static constexpr double max_pressure = 1000.0;
+  double normal_force() const { return 2.0 / 3.0 * M_PI * a * b * max_pressure; }
+  contact::CombinedMaterial material() const { return contact::combine(wheel, rail); }
+  contact::ContactGrid grid() const {
+    return contact::ContactGrid::centred(across + 6, across + 6, 2.0 * a / across,
+                                         2.0 * b / across);
+  }
+};
+
+/// What the tangential solver took for a contact: the largest numbers of any of its problems.
+struct RandomOutcome {
+  bool solved = true;
+  std::string message;  ///< why it is not
+  int problems = 0;
+  int newton_steps = 0;
+  int krylov_iterations = 0;
+
+  void add(const contact::TangentialSolution& solution) {
+    ++problems;
+    newton_steps = std::max(newton_steps, solution.newton_steps);
+    krylov_iterations = std::max(krylov_iterations, solution.krylov_iterations);
+  }
+};
+
+class RandomContacts {
+ public:
+  explicit RandomContacts(unsigned seed) : seed_(seed) {}
+
+  /// Contact `number` of the seed, at this many elements across.
+  RandomContact contact(unsigned number, int across) {
+    generator_.seed(seed_ * 1000003u + number);
+    RandomContact c;
+    c.across = across;
+    const double kind = uniform(0.0, 1.0);
+    c.kind = kind < 0.7    ? RandomKind::rolling
+             : kind < 0.8  ? RandomKind::force
+             : kind < 0.88 ? RandomKind::shift
+                           : RandomKind::transient;
+    const double ratio = log_uniform(1.0 / 30.0, 30.0);
+    c.a = 5.0 * std::sqrt(ratio);
+    c.b = 5.0 / std::sqrt(ratio);
+    c.friction = log_uniform(1e-3, 10.0);
+    c.given_pressure = chance(0.5);
+    c.wheel = c.rail = material(80e3);
+    if (chance(0.2)) {
+      c.rail = material(80e3 * log_uniform(0.1, 10.0));
+      c.given_pressure = false;
+    }
+    move(c);
+    return c;
+  }
+
+ private:
+  double uniform(double from, double to) {
+    // Of the generator's own bits: distributions of the library differ from one to another.
+    return from + (to - from) * (static_cast<double>(generator_()) / 4294967296.0);
+  }
+  double log_uniform(double from, double to) {
+    return std::exp(uniform(std::log(from), std::log(to)));
+  }
+  bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
+  double sign() { return chance(0.5) ? 1.0 : -1.0; }
+
+  contact::Material material(double shear_modulus) {
+    const double nu = uniform(0.0, 0.49);
+    return {2.0 * shear_modulus * (1.0 + nu), nu};
+  }
+
+  /// Creepages from 1e-5 of saturation to 30 times it; the pole of the spin in or near the patch in
+  /// a third.
+  void move(RandomContact& c) {
+    const double size = std::sqrt(c.a * c.b);
+    const double bound = c.friction * c.normal_force();
+    const double shear = c.material().shear_modulus;
+    const bool shifts = c.kind == RandomKind::shift;
+    // About where all of the patch slips: by the stiffness without slip, 4 G a b or 8/3 G c.
+    const double saturation = shifts ? bound / (2.0 * shear * size) : bound / (shear * c.a * c.b);
+    const auto part = [&] { return sign() * log_uniform(1e-5, 30.0); };
+    if (chance(0.8)) c.creepage.spin = saturation / size * part();
+    if (c.creepage.spin != 0.0 && chance(0.4)) {
+      c.creepage.longitudinal = c.creepage.spin * c.b * uniform(-1.5, 1.5);
+      c.creepage.lateral = c.creepage.spin * c.a * uniform(-1.5, 1.5);
+    } else {
+      if (chance(0.8)) c.creepage.longitudinal = saturation * part();
+      if (chance(0.8)) c.creepage.lateral = saturation * part();
+    }
+    if (c.kind == RandomKind::transient) c.step = 2.0 * c.a * log_uniform(0.1, 3.0);
+    if (c.kind != RandomKind::force) return;
+    // Some spin leaves the force free; what all of the spin's slip would need is another problem.
+    c.creepage.spin = chance(0.5) ? 0.0 : saturation / size * sign() * log_uniform(1e-5, 1.0);
+    const double angle = uniform(0.0, 2.0 * M_PI);
+    const double part_of_bound = chance(0.3) ? 1.0 - log_uniform(1e-3, 0.3) : uniform(0.0, 0.9);
+    c.force = part_of_bound * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  }
+
+  unsigned seed_;
+  std::mt19937 generator_;
+};
+
+/// Undeformed distance whose Hertz contact has these semi-axes and this pressure (Johnson 4.26).
+inline contact::Field hertz_distance(const RandomContact& c, const contact::ContactGrid& grid) {
+  const double large = std::max(c.a, c.b);
+  const double small = std::min(c.a, c.b);
+  const double e2 = 1.0 - small * small / (large * large);
+  const double scale = RandomContact::max_pressure / c.material().contact_modulus;
+  double along_large = M_PI * scale / (4.0 * large);
+  double along_small = along_large;
+  if (e2 > 1e-8) {
+    const double e = std::sqrt(e2);
+    const double first = std::comp_ellint_1(e);
+    const double second = std::comp_ellint_2(e);
+    const double factor = scale * small / (e2 * large * large);
+    along_large = factor * (first - second);
+    along_small = factor * (large * large / (small * small) * second - first);
+  }
+  const double along_x = c.a >= c.b ? along_large : along_small;
+  const double along_y = c.a >= c.b ? along_small : along_large;
+  return grid.sample([&](double x, double y) { return along_x * x * x + along_y * y * y; });
+}
+
+/// One random contact, solved.
+class RandomRun {
+ public:
+  explicit RandomRun(const RandomContact& c)
+      : contact_(c), grid_(c.grid()), whole_(grid_, c.material()) {
+    if (c.material().couples())
+      standin_ = std::make_unique<halfspace::HalfspaceCompliance>(grid_, c.material().uncoupled());
+    contact::ContactConditions conditions;
+    conditions.friction = contact::coulomb(c.friction);
+    if (c.given_pressure)
+      conditions.given_pressure = grid_.sample([&](double x, double y) {
+        const double rest = 1.0 - x * x / (c.a * c.a) - y * y / (c.b * c.b);
+        return rest > 0.0 ? RandomContact::max_pressure * std::sqrt(rest) : 0.0;
+      });
+    else
+      conditions.undeformed_distance = hertz_distance(c, grid_);
+    problem_ = std::make_unique<contact::ContactProblem>(whole_, standin_ ? *standin_ : whole_,
+                                                         std::move(conditions));
+    load_.force = c.normal_force();
+  }
+
+  RandomOutcome run() {
+    try {
+      if (contact_.kind == RandomKind::force)
+        find_force();
+      else if (contact_.kind == RandomKind::transient)
+        roll_on();
+      else
+        solve(motion(contact_.creepage), nullptr);
+    } catch (const std::exception& error) {
+      outcome_.solved = false;
+      outcome_.message = error.what();
+    }
+    return outcome_;
+  }
+
+ private:
+  contact::TangentialField rigid(const contact::Creepage& c) const {
+    return contact::uniform_slip(c, grid_);
+  }
+
+  contact::TangentialMotion motion(const contact::Creepage& c) const {
+    contact::TangentialMotion result;
+    result.rigid_slip = rigid(c);
+    if (contact_.kind == RandomKind::shift) result.motion = contact::Motion::shift;
+    return result;
+  }
+
+  contact::ContactState solve(const contact::TangentialMotion& motion,
+                              const contact::ContactState* start) {
+    const contact::ContactState state = problem_->solve(
+        load_, motion, start, {},
+        [this](const contact::CoupledSolution& outer) { outcome_.add(outer.tangential); });
+    if (!standin_) outcome_.add(state.tangential);
+    return state;
+  }
+
+  void find_force() {
+    const double bound = contact_.friction * problem_->press(load_).normal_force;
+    contact::PrescribedForce wanted;
+    wanted.longitudinal = contact_.force.x() * bound;
+    wanted.lateral = contact_.force.y() * bound;
+    contact::ForceSearch search;
+    search.stiffness = halfspace::rolling_stiffness(
+        contact::patch_size(grid_, problem_->press(load_).pressure), contact_.material());
+    search.start = contact::first_creepage(wanted, {0.0, 0.0}, search.stiffness, bound);
+    contact::ContactState state;
+    bool first = true;
+    contact::find_creepage(
+        [&](const Eigen::Vector2d& creepage) {
+          state = solve(motion({creepage.x(), creepage.y(), contact_.creepage.spin}),
+                        first ? nullptr : &state);
+          first = false;
+          return contact::TransmittedForce{
+              grid_.element_area() * Eigen::Vector2d(state.tangential.traction.x.sum(),
+                                                     state.tangential.traction.y.sum()),
+              bound};
+        },
+        wanted, search);
+  }
+
+  /// Three equal steps from the pressure alone.
+  void roll_on() {
+    contact::History history(grid_, contact::UpwindOrder::second);
+    contact::ContactState state;
+    for (int step = 0; step < 3; ++step) {
+      const contact::StepProblem problem =
+          history.rolling_step(rigid(contact_.creepage), contact_.step);
+      contact::TangentialMotion motion;
+      motion.rigid_slip = problem.rigid_slip;
+      motion.motion = contact::Motion::shift;
+      motion.slip_factor = problem.slip_factor;
+      state = solve(motion, step == 0 ? nullptr : &state);
+      history.advance({state.displacement.x, state.displacement.y}, contact_.step);
+    }
+  }
+
+  RandomContact contact_;
+  contact::ContactGrid grid_;
+  halfspace::HalfspaceCompliance whole_;
+  std::unique_ptr<halfspace::HalfspaceCompliance> standin_;  ///< null for like materials
+  std::unique_ptr<contact::ContactProblem> problem_;
+  contact::NormalLoad load_;
+  RandomOutcome outcome_;
+};
+
+}  // namespace rollfem::testing
