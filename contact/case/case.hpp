@@ -148,6 +148,8 @@ struct HalfspaceCase {
 struct StripCase {
   int strips = 100;
   int strip_elements = 100;
+  /// Share of the approach by which the profiles penetrate; not given: as Hertz's ellipse does.
+  std::optional<double> virtual_penetration;
 };
 
 struct CarterCase {

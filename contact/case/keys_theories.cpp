@@ -54,6 +54,14 @@ SectionWithKeys strip_section() {
       "strip", "Model `strip`: strips along rolling, each after Hertz, with brushes", &Case::strip);
   add_strips(keys, 16);
   add_strip_elements(keys);
+  keys.real("virtual_penetration")
+      .between(0.3, 1.0)
+      .otherwise("as Hertz's ellipse of the same depth and volume")
+      .says(
+          "Share of the approach by which the undeformed profiles penetrate, which makes the "
+          "patch; "
+          "0.55 after Kik and Piotrowski.")
+      .into(&StripCase::virtual_penetration);
   return keys;
 }
 

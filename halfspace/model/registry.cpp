@@ -92,7 +92,9 @@ contact::Model elliptic(contact::Model theory, Leaves leaves = {}) {
 }
 
 ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
-  return run_strip(scene, progress, {scene.strip.strips, scene.strip.strip_elements});
+  return run_strip(
+      scene, progress,
+      {scene.strip.strips, scene.strip.strip_elements, scene.strip.virtual_penetration});
 }
 
 /// Without a checkpoint: a theory takes no time.

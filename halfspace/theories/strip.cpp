@@ -48,8 +48,8 @@ StripPatch find_patch(const StripProfile& profile, int first, double level) {
 
 /// Strips of one patch from Hertz's ellipse. The penetration of a parabola B y^2 to the depth g0
 /// has the volume 4/3 g0 sqrt(g0/B): the B of the ellipse is that of the same depth and volume.
-void solve_patch(const StripProfile& profile, double contact_modulus, double level,
-                 StripPatch& patch, StripNormalSolution& solution) {
+void solve_as_hertz(const StripProfile& profile, double contact_modulus, double level,
+                    StripPatch& patch, StripNormalSolution& solution) {
   const double depth = overlap(profile, patch.deepest, level);
   double volume = 0.0;
   for (int j = patch.first; j <= patch.last; ++j)
@@ -76,13 +76,66 @@ void solve_patch(const StripProfile& profile, double contact_modulus, double lev
   }
 }
 
+/// Integral of sqrt(a^2 - x^2) / r over a strip of half length a whose middle is `distance` across
+/// from the place that r is counted from, mm^2; x_m = 0.
+double strip_potential(double a, double distance, double width) {
+  // x = a sin(pi/2 u^2): places are dense at x = 0, where 1/r of the strip of the place itself has
+  // a logarithm, and the root at the ends is smooth.
+  constexpr int places = 32;
+  double sum = 0.0;
+  for (int k = 0; k < places; ++k) {
+    const double u = (k + 0.5) / places;
+    const double angle = 0.5 * pi * u * u;
+    const double x = a * std::sin(angle);
+    const double across =
+        std::asinh((distance + 0.5 * width) / x) - std::asinh((distance - 0.5 * width) / x);
+    sum += u * std::pow(std::cos(angle), 2) * across;
+  }
+  return 2.0 * pi * a * a * sum / places;
+}
+
+/// Strips of one patch from its virtual penetration.
+void solve_by_penetration(const StripProfile& profile, const StripLaw& law, double level,
+                          StripPatch& patch, StripNormalSolution& solution) {
+  const double depth = overlap(profile, patch.deepest, level);
+  const double A = profile.curvature[patch.deepest];
+  patch.semi_axis_y = 0.5 * (patch.y_upper - patch.y_lower);
+  const double B = depth / (patch.semi_axis_y * patch.semi_axis_y);
+  const HertzContact shape = hertz_from_force(A, B, law.contact_modulus, 1.0);
+  patch.semi_axis_x = patch.semi_axis_y * shape.semi_axis_x / shape.semi_axis_y;
+  const double stretch = patch.semi_axis_x / std::sqrt(depth / A);
+  double potential = 0.0;
+  for (int j = patch.first; j <= patch.last; ++j) {
+    const double length = stretch * std::sqrt(overlap(profile, j, level) / profile.curvature[j]);
+    solution.half_length[j] = length;
+    potential += strip_potential(length, profile.y(j) - profile.y(patch.deepest), profile.width);
+  }
+  patch.approach = depth / *law.virtual_penetration;
+  // The displacement of both surfaces under p is 1/(pi E*) times the integral of p / r.
+  const double kappa = patch.approach * pi * law.contact_modulus / potential;
+  patch.max_pressure = kappa * patch.semi_axis_x;
+  for (int j = patch.first; j <= patch.last; ++j) {
+    const double length = solution.half_length[j];
+    solution.max_pressure[j] = kappa * length;
+    solution.normal_force += 0.5 * pi * kappa * length * length * profile.width;
+  }
+}
+
+void solve_patch(const StripProfile& profile, const StripLaw& law, double level, StripPatch& patch,
+                 StripNormalSolution& solution) {
+  if (law.virtual_penetration)
+    solve_by_penetration(profile, law, level, patch, solution);
+  else
+    solve_as_hertz(profile, law.contact_modulus, level, patch, solution);
+}
+
 /// Penetration at which a growing function of the solution reaches `target`.
 template <class Function>
-StripNormalSolution find_penetration(const StripProfile& profile, double contact_modulus,
+StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw& law,
                                      double target, const char* quantity, Function&& value) {
   const double available =
       std::min(profile.distance.front(), profile.distance.back()) - smallest_distance(profile);
-  const auto solve = [&](double g) { return strips_at_penetration(profile, contact_modulus, g); };
+  const auto solve = [&](double g) { return strips_at_penetration(profile, law, g); };
   if (!(available > 0.0) || value(solve(available)) < target)
     throw contact::SolveError(
         fmt::format("strip model: at a {} of {:g} the patch reaches the end of the profiles; give "
@@ -105,7 +158,7 @@ StripNormalSolution find_penetration(const StripProfile& profile, double contact
 
 }  // namespace
 
-StripNormalSolution strips_at_penetration(const StripProfile& profile, double contact_modulus,
+StripNormalSolution strips_at_penetration(const StripProfile& profile, const StripLaw& law,
                                           double penetration) {
   const double level = smallest_distance(profile) + penetration;
   StripNormalSolution solution;
@@ -116,7 +169,7 @@ StripNormalSolution strips_at_penetration(const StripProfile& profile, double co
   for (int j = 0; j < profile.size(); ++j) {
     if (!(overlap(profile, j, level) > 0.0)) continue;
     StripPatch patch = find_patch(profile, j, level);
-    solve_patch(profile, contact_modulus, level, patch, solution);
+    solve_patch(profile, law, level, patch, solution);
     if (overlap(profile, patch.deepest, level) > deepest) {
       deepest = overlap(profile, patch.deepest, level);
       solution.approach = patch.approach;
@@ -127,15 +180,15 @@ StripNormalSolution strips_at_penetration(const StripProfile& profile, double co
   return solution;
 }
 
-StripNormalSolution strips_for_force(const StripProfile& profile, double contact_modulus,
+StripNormalSolution strips_for_force(const StripProfile& profile, const StripLaw& law,
                                      double normal_force) {
-  return find_penetration(profile, contact_modulus, normal_force, "normal force",
+  return find_penetration(profile, law, normal_force, "normal force",
                           [](const StripNormalSolution& s) { return s.normal_force; });
 }
 
-StripNormalSolution strips_for_approach(const StripProfile& profile, double contact_modulus,
+StripNormalSolution strips_for_approach(const StripProfile& profile, const StripLaw& law,
                                         double approach) {
-  return find_penetration(profile, contact_modulus, approach, "approach",
+  return find_penetration(profile, law, approach, "approach",
                           [](const StripNormalSolution& s) { return s.approach; });
 }
 

@@ -46,20 +46,34 @@ struct StripNormalSolution {
   double approach = 0.0;      ///< mm, of the patch with the deepest penetration
 };
 
+/// How the size of a patch follows from the penetration of the profiles.
+struct StripLaw {
+  double contact_modulus = 0.0;  ///< E*, MPa
+  /// Share of the approach by which the undeformed profiles penetrate; not given: Hertz's, of the
+  /// ellipse of the same depth and volume.
+  std::optional<double> virtual_penetration = {};
+};
+
 /// Half length of a strip a(y) = sqrt(g(y)/A'), its pressure p0(y) proportional to A(y) a(y), from
 /// the penetration g of the profiles. The penetration, A' and the factor of the pressure are
 /// Hertz's for the ellipse that stands for each patch, so that an elliptic contact comes out as
 /// Hertz's; a strip alone after line contact would be too soft. `penetration` mm.
-StripNormalSolution strips_at_penetration(const StripProfile& profile, double contact_modulus,
+///
+/// With a virtual penetration (Kik and Piotrowski 1996; Piotrowski and Chollet 2005) the approach
+/// is the penetration over its share, and the pressure kappa sqrt(a(y)^2 - x^2) that which moves
+/// the surfaces by as much where they are deepest: more strips touch than their own shape tells.
+/// The half lengths are scaled so that the extents are in the ratio of Hertz's ellipse of their
+/// width and depth.
+StripNormalSolution strips_at_penetration(const StripProfile& profile, const StripLaw& law,
                                           double penetration);
 
 /// The same for a normal force in N. Throws contact::SolveError when the patch reaches the end of
 /// the profile or no penetration carries the force.
-StripNormalSolution strips_for_force(const StripProfile& profile, double contact_modulus,
+StripNormalSolution strips_for_force(const StripProfile& profile, const StripLaw& law,
                                      double normal_force);
 
 /// The same for an approach in mm, found as that of the patch with the deepest penetration.
-StripNormalSolution strips_for_approach(const StripProfile& profile, double contact_modulus,
+StripNormalSolution strips_for_approach(const StripProfile& profile, const StripLaw& law,
                                         double approach);
 
 /// Half length and pressure at any y by interpolation of their squares, which are linear at edges.
@@ -78,6 +92,7 @@ StripProfile strip_profile(const contact::Scene& scene, int strips);
 struct StripOptions {
   int strips = 100;          ///< across the patch
   int strip_elements = 100;  ///< along each strip
+  std::optional<double> virtual_penetration = {};
 };
 
 /// The model "strip": the bound of a strip is the parabola with the friction force of its pressure,

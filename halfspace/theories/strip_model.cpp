@@ -6,6 +6,8 @@
 #include "halfspace/model/patch_ridge.hpp"
 #include "halfspace/theories/strip.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,17 +28,17 @@ struct StripContact {
   StripNormalSolution normal;
 };
 
-StripContact strip_contact(const contact::Scene& scene, int strips) {
+StripContact strip_contact(const contact::Scene& scene, int strips,
+                           const std::optional<double>& virtual_penetration) {
   StripContact contact{scene,
                        scene.material,
                        contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
                        strip_profile(scene, strips),
                        {}};
-  const double modulus = contact.material.contact_modulus;
+  const StripLaw law{contact.material.contact_modulus, virtual_penetration};
   const contact::NormalLoad load = contact::largest_load(scene);
-  contact.normal = load.force
-                       ? strips_for_force(contact.profile, modulus, *load.force)
-                       : strips_for_approach(contact.profile, modulus, load.approach.value());
+  contact.normal = load.force ? strips_for_force(contact.profile, law, *load.force)
+                              : strips_for_approach(contact.profile, law, load.approach.value());
   return contact;
 }
 
@@ -189,8 +191,8 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
                                const StripOptions& options) {
   if (options.strips < 8 || options.strip_elements < 4)
     throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
-  const StripContact fine = strip_contact(scene, options.strips);
-  const StripContact coarse = strip_contact(scene, options.strips / 2);
+  const StripContact fine = strip_contact(scene, options.strips, options.virtual_penetration);
+  const StripContact coarse = strip_contact(scene, options.strips / 2, options.virtual_penetration);
   const contact::ContactGrid grid = potential_area(scene);
   contact::PointResult normal = normal_part(fine, grid);
   const double coarse_pressure = normal_part(coarse, grid).max_pressure;
@@ -211,6 +213,11 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
   result.notes.push_back(
       "strip model: error estimates are those of the resolution, not of the theory; no gap outside "
       "of the contact");
+  if (options.virtual_penetration)
+    result.notes.push_back(fmt::format(
+        "virtual penetration of {:g} of the approach: an ellipse comes out as Hertz's only where "
+        "that is its own share",
+        *options.virtual_penetration));
   return result;
 }
 
