@@ -8,9 +8,11 @@ namespace rollfem::contact {
 namespace {
 
 /// The stand-in whose second-order difference is fitted to the leading edge of every pressure anew.
-Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order) {
+Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order,
+                        const Compliance* coupled = nullptr) {
   return {standin, standin.normal(), standin.rolling(order),
-          order,   Motion::rolling,  &standin.rolling(UpwindOrder::first)};
+          order,   Motion::rolling,  &standin.rolling(UpwindOrder::first),
+          coupled};
 }
 
 }  // namespace
@@ -141,7 +143,7 @@ ContactState ContactProblem::solve_coupled(const NormalLoad& load, const Tangent
   const UpwindOrder order = conditions_.upwind_order;
   const Preconditioner standin =
       !same_normal && fitted(motion.motion)
-          ? refitted(standin_, order)
+          ? refitted(standin_, order, conditions_.coupled_standin)
           : Preconditioner{
                 standin_, standin_.normal(),
                 tangential_operator(motion.motion, same_normal ? press(load).pressure : Field()),

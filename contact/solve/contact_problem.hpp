@@ -26,6 +26,8 @@ struct ContactConditions {
   /// The elasticity has the stand-in's normal block, as unlike half-spaces have: pressure without
   /// friction needs the stand-in alone, and says where the leading edge is.
   bool same_normal_block = true;
+  /// The stand-in with the coupling of unlike materials; null: like ones, or the elasticity itself.
+  const Compliance* coupled_standin = nullptr;
 };
 
 struct ContactAccuracy {

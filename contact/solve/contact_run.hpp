@@ -23,6 +23,8 @@ class Elasticity {
   virtual const Compliance& whole() const = 0;
   /// The same object, or the half-space that preconditions it.
   virtual const SolvableCompliance& standin() const = 0;
+  /// The stand-in with the coupling of unlike materials (ContactConditions); null: none.
+  virtual const Compliance* coupled_standin() const { return nullptr; }
   /// The normal block is the stand-in's (ContactConditions::same_normal_block).
   virtual bool same_normal_block() const { return true; }
   /// Distance (mm) and slip that this elasticity brings by itself, as the spinning of a wheel does;

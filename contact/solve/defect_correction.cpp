@@ -29,10 +29,26 @@ Response unstacked(const Eigen::VectorXd& all) {
           {all.segment(3 * n, n), all.segment(4 * n, n)}};
 }
 
+/// Adds what the plain difference of the coupling is beyond the fitted one, which the slip of a
+/// defect takes.
+void leave_coupling_unfitted(const Preconditioner& halfspace, const SurfaceField& traction,
+                             const SurfaceField& uncoupled, TangentialField& slip) {
+  const Field weights = halfspace.fitted_weights(traction.n);
+  if (halfspace.coupled == nullptr || weights.size() == 0) return;
+  const ContactGrid& grid = halfspace.whole.grid();
+  const SurfaceField coupled = halfspace.coupled->apply(traction);
+  const TangentialField u{coupled.x - uncoupled.x, coupled.y - uncoupled.y};
+  const TangentialField plain = upwind_difference(grid, u, halfspace.upwind_order);
+  const TangentialField fitted = fitted_difference(grid, u, weights);
+  slip.x += plain.x - fitted.x;
+  slip.y += plain.y - fitted.y;
+}
+
 /// What the preconditioner misses; its normal part as a gap along z.
-Response defect_of(const Response& response, const SurfaceField& halfspace,
-                   const VerticalFrame& frame) {
+Response defect_of(const Response& response, const Preconditioner& standin,
+                   const SurfaceField& traction, const VerticalFrame& frame) {
   const SurfaceField& u = response.displacement;
+  const SurfaceField halfspace = standin.whole.apply(traction);
   Field normal = u.n;
   if (frame.to_vertical.size() != 0) normal = normal.cwiseProduct(frame.to_vertical).eval();
   normal -=
@@ -41,6 +57,7 @@ Response defect_of(const Response& response, const SurfaceField& halfspace,
                   response.curvature_slip};
   if (defect.curvature_slip.x.size() == 0)
     defect.curvature_slip = {Field::Zero(u.n.size()), Field::Zero(u.n.size())};
+  leave_coupling_unfitted(standin, traction, halfspace, defect.curvature_slip);
   return defect;
 }
 
@@ -81,8 +98,9 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
         std::abs(force_along_load(halfspace.whole.grid(), problem, solution) / *problem.load.force -
                  1.0));
   if (problem.frictionless()) return residual;
-  const TangentialField slip = defect_slip(halfspace, problem, image);
-  const TangentialField before = defect_slip(halfspace, problem, defect);
+  const Field& pressure = solution.normal.pressure;
+  const TangentialField slip = defect_slip(halfspace, problem, image, pressure);
+  const TangentialField before = defect_slip(halfspace, problem, defect, pressure);
   const double change = rms_over(mask, TangentialField{slip.x - before.x, slip.y - before.y});
   const double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
   // What is only rounding of the displacements has no relative error.
@@ -161,7 +179,7 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     const SurfaceField traction = tractions(solution);
     const Response response = compliance.respond(traction);
     solution.displacement = response.displacement;
-    solution.defect = defect_of(response, halfspace.whole.apply(traction), problem.frame);
+    solution.defect = defect_of(response, halfspace, traction, problem.frame);
     solution.outer_iterations = iteration;
     solution.residual = defect_residual(halfspace, problem, solution, defect);
     if (each_iteration) each_iteration(solution);

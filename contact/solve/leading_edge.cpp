@@ -88,6 +88,17 @@ double smoothing_across_rows(const ContactGrid& grid) {
   return 0.25 * 0.49 / (1.0 + 0.25 * std::pow(grid.dy / grid.dx, 1.6));
 }
 
+/// D of the differences d_i that a first-order D gives.
+Field weighted(const ContactGrid& grid, const Field& differences, const Field& weights) {
+  Field result = differences;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i + 1 < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      result[k] += weights[k] * (differences[k] - differences[k + 1]);
+    }
+  return result;
+}
+
 }  // namespace
 
 double leading_weight(double beyond_border) {
@@ -117,24 +128,19 @@ Field upwind_weights(const ContactGrid& grid, const Field& pressure) {
   return weights;
 }
 
+TangentialField fitted_difference(const ContactGrid& grid, const TangentialField& displacement,
+                                  const Field& weights) {
+  const TangentialField d = upwind_difference(grid, displacement, UpwindOrder::first);
+  return {weighted(grid, d.x, weights), weighted(grid, d.y, weights)};
+}
+
 EdgeFittedRolling::EdgeFittedRolling(const TangentialOperator& first,
                                      const TangentialOperator& second, Field weights)
     : first_(first), second_(second), weights_(std::move(weights)) {}
 
-Field EdgeFittedRolling::combined(const Field& differences) const {
-  const ContactGrid& on = grid();
-  Field result = differences;
-  for (int j = 0; j < on.ny; ++j)
-    for (int i = 0; i + 1 < on.nx; ++i) {
-      const int k = on.index(i, j);
-      result[k] += weights_[k] * (differences[k] - differences[k + 1]);
-    }
-  return result;
-}
-
 TangentialField EdgeFittedRolling::apply(const TangentialField& traction) const {
   const TangentialField d = first_.apply(traction);
-  return {combined(d.x), combined(d.y)};
+  return {weighted(grid(), d.x, weights_), weighted(grid(), d.y, weights_)};
 }
 
 TangentialField EdgeFittedRolling::precondition(const TangentialField& residual, double r,

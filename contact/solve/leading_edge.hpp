@@ -21,6 +21,10 @@ Field upwind_weights(const ContactGrid& grid, const Field& pressure);
 /// adhesion area has its edge there. From 1.1 at -0.75 to -0.3 at 0.75.
 double leading_weight(double beyond_border);
 
+/// D u with these weights.
+TangentialField fitted_difference(const ContactGrid& grid, const TangentialField& displacement,
+                                  const Field& weights);
+
 /// T = D A_tt with these weights.
 class EdgeFittedRolling : public TangentialOperator {
  public:
@@ -36,8 +40,6 @@ class EdgeFittedRolling : public TangentialOperator {
                                double shift) const override;
 
  private:
-  Field combined(const Field& differences) const;
-
   const TangentialOperator& first_;
   const TangentialOperator& second_;
   Field weights_;

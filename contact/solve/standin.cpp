@@ -91,22 +91,23 @@ double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
                                : across * pressure[1] + upwards * pressure[2] + missing;
 }
 
-/// Tractions under the pressure of `solution`, the defect put in as an extra slip.
+/// Tractions under the pressure of `solution`; `defect` (may be null) put in as an extra slip.
 void solve_tractions(const Preconditioner& standin, const CoupledProblem& problem,
-                     const TangentialField& from_defect, double tolerance,
-                     StandinSolution& solution) {
+                     const Response* defect, double tolerance, StandinSolution& solution) {
   TangentialProblem tangential{solution.normal.pressure, problem.rigid_slip, problem.friction,
                                problem.slip_factor};
-  if (from_defect.x.size() != 0) {
-    tangential.rigid_slip.x += from_defect.x;
-    tangential.rigid_slip.y += from_defect.y;
+  const Field& pressure = solution.normal.pressure;
+  if (defect != nullptr) {
+    const TangentialField slip = defect_slip(standin, problem, *defect, pressure);
+    tangential.rigid_slip.x += slip.x;
+    tangential.rigid_slip.y += slip.y;
   }
   TangentialOptions options;
   options.tolerance = tolerance;
   std::optional<EdgeFittedRolling> fitted;
-  if (standin.first_order && standin.upwind_order == UpwindOrder::second)
-    fitted.emplace(*standin.first_order, standin.rolling,
-                   upwind_weights(standin.whole.grid(), solution.normal.pressure));
+  Field weights = standin.fitted_weights(pressure);
+  if (weights.size() != 0)
+    fitted.emplace(*standin.first_order, standin.rolling, std::move(weights));
   solution.tangential = solve_tangential(fitted ? *fitted : standin.rolling, tangential, options,
                                          solution.tangential.traction);
 }
@@ -131,12 +132,19 @@ Response zero_response(Eigen::Index n) {
   return {{Field::Zero(n), Field::Zero(n), Field::Zero(n)}, {Field::Zero(n), Field::Zero(n)}};
 }
 
+Field Preconditioner::fitted_weights(const Field& pressure) const {
+  if (first_order == nullptr || upwind_order != UpwindOrder::second) return {};
+  return upwind_weights(whole.grid(), pressure);
+}
+
 TangentialField defect_slip(const Preconditioner& standin, const CoupledProblem& problem,
-                            const Response& defect) {
+                            const Response& defect, const Field& pressure) {
+  const ContactGrid& grid = standin.whole.grid();
   const TangentialField u{defect.displacement.x, defect.displacement.y};
-  TangentialField slip = standin.motion == Motion::shift
-                             ? u
-                             : upwind_difference(standin.whole.grid(), u, standin.upwind_order);
+  const Field weights = standin.fitted_weights(pressure);
+  TangentialField slip = standin.motion == Motion::shift ? u
+                         : weights.size() != 0           ? fitted_difference(grid, u, weights)
+                                               : upwind_difference(grid, u, standin.upwind_order);
   if (problem.curvature_weight != 0.0) {
     slip.x += problem.curvature_weight * defect.curvature_slip.x;
     slip.y += problem.curvature_weight * defect.curvature_slip.y;
@@ -174,9 +182,6 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
                    bool pressed, StandinSolution& solution) {
   const ContactGrid& grid = standin.whole.grid();
   const Field gap = defect ? defect->displacement.n : Field();
-  const TangentialField slip = defect && !problem.frictionless()
-                                   ? defect_slip(standin, problem, *defect)
-                                   : TangentialField();
   const bool shares = problem.shares_load();
   std::optional<double> share = problem.load.force;
   if (shares) {
@@ -189,7 +194,7 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
     if (!pressed || shares)
       solution.normal =
           solve_pressure(standin.normal, problem, gap, share, normal, solution.normal.pressure);
-    if (!problem.frictionless()) solve_tractions(standin, problem, slip, tangential, solution);
+    if (!problem.frictionless()) solve_tractions(standin, problem, defect, tangential, solution);
     if (!shares) return;
     const double image = pressure_share(grid, problem, solution);
     if (std::abs(image - *share) <= shared_to * *problem.load.force) return;

@@ -27,6 +27,12 @@ struct Preconditioner {
   /// D A_half,tt of first order: with it a `rolling` of second order is fitted to the leading edge
   /// of every pressure (contact/leading_edge.hpp). Null: `rolling` is used as it is.
   const TangentialOperator* first_order = nullptr;
+  /// A_half with the coupling of unlike materials. What that adds has no kink at the leading edge,
+  /// and is not fitted to it. Null: like materials.
+  const Compliance* coupled = nullptr;
+
+  /// The weights of that fit; empty where `rolling` is used as it is.
+  Field fitted_weights(const Field& pressure) const;
 };
 
 /// How local normals stand to the direction of the load on a curved patch. The bodies approach each
@@ -72,9 +78,10 @@ struct StandinSolution {
 /// Zero of a response.
 Response zero_response(Eigen::Index size);
 
-/// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip.
+/// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip under this
+/// pressure: by the same difference as the stand-in's, so that together it is that of the whole.
 TangentialField defect_slip(const Preconditioner& standin, const CoupledProblem& problem,
-                            const Response& defect);
+                            const Response& defect, const Field& pressure);
 
 /// Force on the wheel along the direction of the load, N.
 double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,

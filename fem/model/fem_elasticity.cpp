@@ -32,6 +32,7 @@ class FemElasticity : public contact::Elasticity {
 
   const contact::Compliance& whole() const override { return *compliance_; }
   const contact::SolvableCompliance& standin() const override { return *half_; }
+  const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
   bool same_normal_block() const override { return false; }
   contact::Field extra_distance() const override {
     return expansion_ ? expansion_->distance : contact::Field();
@@ -64,7 +65,8 @@ class FemElasticity : public contact::Elasticity {
   std::unique_ptr<StressOutput> stresses_;
   std::unique_ptr<FemCompliance> compliance_;
   std::unique_ptr<halfspace::HalfspaceCompliance> half_;
-  std::optional<WheelExpansion> expansion_;  ///< of a wheel that turns fast
+  std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half_;  ///< null: like materials
+  std::optional<WheelExpansion> expansion_;                       ///< of a wheel that turns fast
 };
 
 FemElasticity::FemElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
@@ -136,6 +138,8 @@ void FemElasticity::make_compliance(const RunLayout& layout,
   // The coupling of unlike materials is left to the defect: the stand-in need not know it.
   half_ =
       std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene_.material.uncoupled());
+  if (scene_.material.couples())
+    coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene_.material);
 }
 
 void FemElasticity::spin_wheel(const contact::ChartedGeometry& geometry,
