@@ -198,7 +198,7 @@ def profiles():
                coarse(20, rolling__longitudinal_creepage=None, rolling__longitudinal_force="-20000.0", **NO_SLIP))
     shift = {"wheelset.lateral_shift": "[0.0, 3.0, 7.0]", "wheelset.yaw": "[0.0, 0.0072, 0.0168]"}
     yield Case("manchester", "manchester_A22.toml", "both wheels roll without torque", ["fastsim", "halfspace"],
-               {"contact_grid.cell_size": "[0.4, 0.4]", **shift, **NO_SLIP})
+               {"contact_grid.cell_size": "[0.4, 0.2]", **shift, **NO_SLIP})
     yield Case("manchester_curved", "manchester_A22.toml", "near the flange, along the common surface", ["halfspace"],
                {"contact_grid.cell_size": "[0.4, 0.4]", "load.vertical_force": "80e3",
                 "wheelset.lateral_shift": "-5.0", "wheelset.yaw": "0.0", "wheelset.free_rolling": None, **CURVED})
