@@ -181,6 +181,15 @@ void check_balance(const Examined& at) {
                          carried, *load.force, imbalance, largest_imbalance));
 }
 
+/// Bodies that carry a force have come together since they touched.
+void check_approach(const Examined& at) {
+  const bool touching = at.scene.geometry.has_surfaces() && !at.scene.given_pressure;
+  if (!touching || at.point().approach > 0.0) return;
+  refuse(at, fmt::format("the bodies have come together by {:.4g} mm and carry {:.6g} N; allowed: "
+                         "more than 0; do: report this case, it is a defect of the program",
+                         at.point().approach, at.point().normal_force));
+}
+
 /// The largest of a figure over the load points, for a warning.
 struct Worst {
   double part = 0.0;
@@ -243,6 +252,7 @@ void check_validity(const Scene& scene, const ModelResult& result, const ResultK
     }
     check_bounds(at);
     check_balance(at);
+    check_approach(at);
   }
 }
 

@@ -81,8 +81,8 @@ struct ModelInfo {
   Demands takes = {};    ///< of what a problem may ask for
   ModelRun run = nullptr;
   std::vector<Refinement> refinements = {};  ///< the first unless a study is told otherwise
-  bool bounded = true;        ///< its tractions keep the bound of friction
-  bool half_spaces = true;    ///< its bodies are plane for the elasticity
+  bool bounded = true;                       ///< its tractions keep the bound of friction
+  bool half_spaces = true;                   ///< its bodies are plane for the elasticity
   bool has_stress = false;    ///< solves the elastic problem, and has stress below the surface
   bool keeps_bodies = false;  ///< that stress is stored with the bodies, not summed from tractions
   bool parallel = false;      ///< collective over MPI processes; needs a session (app/session.hpp)

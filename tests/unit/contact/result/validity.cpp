@@ -154,6 +154,11 @@ TEST(Validity, RefusesAForceThatIsNotTheLoad) {
   EXPECT_NO_THROW(check_validity(changing, result()));
 }
 
+TEST(Validity, RefusesBodiesThatHaveNotComeTogether) {
+  expect_said(refusal([](PointResult& p, ModelResult&) { p.approach = -0.011; }),
+              {"load point 2 of 2", "come together by -0.011 mm"});
+}
+
 TEST(Validity, WarnsOfPatchApproachAndPressureWithTheirFigures) {
   ModelResult large = result();
   large.points[1].semi_axis_x = 150.0;
