@@ -73,28 +73,48 @@ struct Found {
   contact::NormalSolution normal;
   contact::PatchSize size;
   ContactGrid grid;
+  std::vector<std::array<double, 2>> loaded;
   double gaps = 0.0;  ///< mm
 };
 
-/// Rows without pressure between the first and the last that carry some.
-int empty_rows(const ContactGrid& grid, const contact::Field& pressure) {
-  int empty = 0, since_last = 0;
-  bool any = false;
+/// Runs of rows with pressure, the outermost ends as found below the element size.
+std::vector<std::array<double, 2>> loaded_rows(const ContactGrid& grid,
+                                               const contact::Field& pressure,
+                                               const contact::PatchSize& size) {
+  std::vector<std::array<double, 2>> runs;
+  bool inside = false;
   for (int j = 0; j < grid.ny; ++j) {
     const bool loaded = pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0;
-    if (loaded && any) empty += since_last;
-    since_last = loaded ? 0 : since_last + 1;
-    any = any || loaded;
+    if (loaded && !inside) runs.push_back({grid.y(j) - 0.5 * grid.dy, 0.0});
+    if (loaded) runs.back()[1] = grid.y(j) + 0.5 * grid.dy;
+    inside = loaded;
   }
-  return empty;
+  if (runs.empty()) return runs;
+  runs.front()[0] = size.y_lower;
+  runs.back()[1] = size.y_upper;
+  return runs;
 }
 
-/// Elements along x and y of a box whose width holds `gaps` (mm) that carry nothing: as many over
-/// what is left of it.
-std::array<int, 2> counts(const Box& box, double gaps, int n = elements_of_box) {
-  constexpr double most_times = 12.0;
+double gaps_between(const std::vector<std::array<double, 2>>& runs) {
+  double gaps = 0.0;
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k) gaps += runs[k + 1][0] - runs[k][1];
+  return gaps;
+}
+
+/// Several patches want their elements each; rough profiles touch at many.
+constexpr int most_to_resolve = 3;
+
+int to_resolve(std::size_t runs) {
+  return std::clamp(static_cast<int>(runs), 1, most_to_resolve);
+}
+
+/// Elements along x and y of a box in which `runs` patches have `gaps` (mm) between them: as many
+/// over each as over one.
+std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs, int n = elements_of_box) {
+  constexpr double most_times = 24.0;
   const double width = box.y_upper - box.y_lower;
-  const double times = std::min(most_times, width / std::max(width - gaps, 1e-3 * width));
+  const double times =
+      std::min(most_times, to_resolve(runs) * width / std::max(width - gaps, 1e-3 * width));
   return {n, static_cast<int>(std::ceil(n * times - 1e-9))};
 }
 
@@ -112,7 +132,8 @@ Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& lo
   options.tolerance = 1e-4;
   found.normal = contact::solve_normal(compliance.normal(), problem, options);
   found.size = contact::patch_size(found.grid, found.normal.pressure);
-  found.gaps = empty_rows(found.grid, found.normal.pressure) * dy;
+  found.loaded = loaded_rows(found.grid, found.normal.pressure, found.size);
+  found.gaps = gaps_between(found.loaded);
   return found;
 }
 
@@ -132,7 +153,8 @@ Box next_box(const Found& found) {
 
 bool fine_enough(const Found& found) {
   return found.size.length >= fewest_across_patch * found.grid.dx &&
-         found.size.width - found.gaps >= fewest_across_patch * found.grid.dy &&
+         found.size.width - found.gaps >=
+             fewest_across_patch * to_resolve(found.loaded.size()) * found.grid.dy &&
          !contact::touches_border(found.grid, found.normal.pressure);
 }
 
@@ -152,6 +174,7 @@ ExpectedPatch summary(const Found& found) {
   patch.max_pressure = pressure.maxCoeff();
   patch.normal_force = found.normal.normal_force;
   patch.area = found.size.area;
+  patch.loaded = found.loaded;
   patch.gaps = found.gaps;
   return patch;
 }
@@ -162,13 +185,14 @@ ExpectedPatch patch_of_points(const Scene& scene, int elements) {
   const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
                 points.y_first + (points.ny - 1) * points.dy};
   const contact::NormalLoad load = contact::largest_load(scene);
-  Found found = solve_in(scene, all, load, counts(all, 0.0));
+  Found found = solve_in(scene, all, load, counts(all, 0.0, 1));
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
     const Box next = next_box(found);
     const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
                      std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
-    found = solve_in(scene, within, load,
-                     counts(within, found.gaps, std::max(elements, elements_of_box)));
+    found = solve_in(
+        scene, within, load,
+        counts(within, found.gaps, found.loaded.size(), std::max(elements, elements_of_box)));
   }
   return summary(found);
 }
@@ -188,7 +212,7 @@ ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
           "{}: no contact: the approach {} mm does not exceed the smallest distance {} mm",
           scene.file, level, ridge.least_distance()));
     const Box box = box_of(regions);
-    return solve_in(scene, box, load, counts(box, gaps_between(regions)));
+    return solve_in(scene, box, load, counts(box, gaps_between(regions), regions.size()));
   };
   Found found = solve_overlap();
   for (int round = 0; round < most_rounds && load.force && found.normal.approach > level; ++round) {
@@ -197,12 +221,12 @@ ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
   }
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
     const Box box = next_box(found);
-    found = solve_in(scene, box, load, counts(box, found.gaps));
+    found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
   if (elements > elements_of_box) {
     const Box box = next_box(found);
-    found = solve_in(scene, box, load, counts(box, found.gaps, elements));
+    found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size(), elements));
   }
   return summary(found);
 }
@@ -231,7 +255,7 @@ ForceLaw::ForceLaw(const Scene& scene, double largest_approach) {
   const auto regions = Ridge(*scene.geometry.surface.profiles).regions(largest_approach);
   if (regions.empty()) return;
   const Box box = box_of(regions);
-  const auto [nx, ny] = counts(box, gaps_between(regions), elements_of_law);
+  const auto [nx, ny] = counts(box, gaps_between(regions), 1, elements_of_law);
   const double dx = (box.x_upper - box.x_lower) / nx, dy = (box.y_upper - box.y_lower) / ny;
   const ContactGrid grid{nx, ny, dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy};
   compliance_ = std::make_unique<HalfspaceCompliance>(grid, scene.material.uncoupled());

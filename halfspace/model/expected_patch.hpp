@@ -5,7 +5,9 @@
 #include "contact/scene/scene.hpp"
 #include "contact/solve/compliance.hpp"
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace rollfem::halfspace {
 
@@ -20,6 +22,9 @@ struct ExpectedPatch {
   double max_pressure = 0.0;              ///< MPa
   double normal_force = 0.0;              ///< N
   double area = 0.0;                      ///< mm^2
+  /// y between which rows carry pressure, mm: the first begins at y_lower, the last ends at
+  /// y_upper.
+  std::vector<std::array<double, 2>> loaded;
   double gaps = 0.0;  ///< mm, of the width: rows between regions that carry nothing
 
   double length() const { return x_upper - x_lower; }

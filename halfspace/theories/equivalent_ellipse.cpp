@@ -69,6 +69,36 @@ double largest_spin(const Scene& scene) {
   return spin;
 }
 
+/// The place of the patches at which the ellipse's row at `y` is: rows that carry nothing are left
+/// out.
+double loaded_place(const EquivalentEllipse& ellipse, double y) {
+  const ExpectedPatch& patch = ellipse.patch;
+  const double share = 0.5 * ((y - patch.y_centre) / ellipse.semi_axis_y + 1.0);
+  double way = share * patch.covered_width();
+  for (const auto& run : patch.loaded) {
+    if (way <= run[1] - run[0] || &run == &patch.loaded.back()) return run[0] + way;
+    way -= run[1] - run[0];
+  }
+  return y;
+}
+
+/// Extra slip on the rows of the patches for those of the ellipse, which its own slip would take
+/// from the valley between them.
+contact::TangentialField slip_of_loaded_rows(const Scene& scene, const EquivalentEllipse& ellipse,
+                                             const contact::ChartedGeometry& geometry,
+                                             const ContactGrid& grid) {
+  contact::TangentialField slip{contact::Field(grid.size()), contact::Field(grid.size())};
+  const double spin = scene.points.front().creepage.spin;
+  for (int j = 0; j < grid.ny; ++j) {
+    const double place = loaded_place(ellipse, grid.y(j));
+    const ContactGrid row{grid.nx, 1, grid.dx, grid.dy, grid.x_first, place};
+    const contact::TangentialField there = geometry.extra_slip({}, row);
+    slip.x.segment(grid.index(0, j), grid.nx) = there.x.array() - spin * (place - grid.y(j));
+    slip.y.segment(grid.index(0, j), grid.nx) = there.y;
+  }
+  return slip;
+}
+
 /// Extra slip of the scene on points in the frame at the middle of its patch that hold the grid and
 /// the ellipse.
 contact::Lattice extra_slip_about(const Scene& scene, const EquivalentEllipse& ellipse,
@@ -84,8 +114,10 @@ contact::Lattice extra_slip_about(const Scene& scene, const EquivalentEllipse& e
       farthest(patch.y_centre, area.y(0), area.y(area.ny - 1), ellipse.semi_axis_y);
   const ContactGrid grid = ContactGrid::centred(
       4, rows, 2.0 * half_x / 3.0, 2.0 * half_y / (rows - 1), patch.x_centre, patch.y_centre);
-  const contact::TangentialField slip =
-      contact::ChartedGeometry(scene.geometry, contact::Chart::plane).extra_slip({}, grid);
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::plane);
+  const contact::TangentialField slip = patch.loaded.size() > 1
+                                            ? slip_of_loaded_rows(scene, ellipse, geometry, grid)
+                                            : geometry.extra_slip({}, grid);
   contact::Lattice lattice{
       "",      4,       rows, grid.x_first - patch.x_centre, grid.y_first - patch.y_centre,
       grid.dx, grid.dy, {}};

@@ -125,3 +125,28 @@ TEST(ExpectedPatch, RefusesAnApproachThatDoesNotTouch) {
   input.load.approach = -0.01;
   EXPECT_THROW(expected_patch(input), contact::SolveError);
 }
+
+TEST(ExpectedPatch, SaysWhichRowsOfSeveralPatchesAreLoaded) {
+  // Two humps of radius 80 mm, 30 mm apart, under a cylinder: each carries half, and is as wide as
+  // Hertz has it under half the load.
+  constexpr double crest = 15.0 * 15.0 / 160.0;
+  const auto rail = rollfem::testing::sampled_curve(-30.0, 30.0, 0.05, [](double y) {
+    const double across = std::abs(y) - 15.0;
+    return rollfem::testing::HeightAndSlope{crest - across * across / 160.0,
+                                            y > 0.0 ? -across / 80.0 : across / 80.0};
+  });
+  const auto wheel = rollfem::testing::sampled_curve(-30.0, 30.0, 1.0, [](double) {
+    return rollfem::testing::HeightAndSlope{405.0, 0.0};
+  });
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+  input.patch = std::make_shared<contact::PatchGeometry>(
+      rail, wheel, contact::Axle{{0.0, 0.0, 405.0 + crest}, {0.0, 1.0, 0.0}}, -30.0, 30.0);
+  const ExpectedPatch patch = expected_patch(input);
+  ASSERT_EQ(patch.loaded.size(), 2U);
+  const auto half = halfspace::hertz_from_force(0.5 / 405.0, 0.5 / 80.0,
+                                                contact::combine({}, {}).contact_modulus, 25e3);
+  EXPECT_NEAR(patch.covered_width(), 4.0 * half.semi_axis_y, 0.03 * 4.0 * half.semi_axis_y);
+  EXPECT_NEAR(patch.loaded[0][0], -15.0 - half.semi_axis_y, 0.05 * half.semi_axis_y);
+  EXPECT_NEAR(patch.loaded[1][0], 15.0 - half.semi_axis_y, 0.08 * half.semi_axis_y);
+  EXPECT_NEAR(patch.max_pressure, half.max_pressure, 0.01 * half.max_pressure);
+}
