@@ -148,12 +148,8 @@ ContactState ContactProblem::solve_coupled(const NormalLoad& load, const Tangent
                 standin_, standin_.normal(),
                 tangential_operator(motion.motion, same_normal ? press(load).pressure : Field()),
                 order, motion.motion};
-  OuterOptions options;
-  options.tolerance = accuracy.coupled;
-  options.max_iterations = accuracy.max_iterations;
-  options.anderson_depth = accuracy.anderson_depth;
   CoupledSolution solution = contact::solve_coupled(
-      whole_, standin, problem, options, start ? start->defect : Response(), each_iteration,
+      whole_, standin, problem, accuracy.outer, start ? start->defect : Response(), each_iteration,
       start && same_normal ? start->traction() : SurfaceField(), forced);
   ContactState state;
   state.normal = std::move(solution.normal);

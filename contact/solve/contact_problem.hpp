@@ -32,9 +32,7 @@ struct ContactConditions {
 
 struct ContactAccuracy {
   double tangential = 1e-6;  ///< residual of Newton's method, relative to the creepage load
-  double coupled = 1e-6;     ///< change of the outer iteration
-  int max_iterations = 100;  ///< of the outer iteration
-  int anderson_depth = 5;
+  OuterOptions outer{1e-6, 100, 5};
 };
 
 struct ContactState {

@@ -64,7 +64,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   state_ = {};
   bool taking_up = store_ != nullptr;
   for (std::size_t k = 0; k < scene_.points.size(); ++k) {
-    if (options_.cheap_pressure) {
+    if (options_.same_normal_block) {
       if (!problem_) prepare(make);
       if (!press(k)) return false;
     }
@@ -94,13 +94,13 @@ void ContactRun::prepare(const MakeElasticity& make) {
   conditions.upwind_order = scene_.upwind_order;
   conditions.shape = shape_;
   conditions.fit_leading_edge = scene_.leading_edge == LeadingEdge::fitted;
-  conditions.same_normal_block = elasticity_->same_normal_block();
+  conditions.same_normal_block = options_.same_normal_block;
   conditions.coupled_standin = elasticity_->coupled_standin();
   problem_ = std::make_unique<ContactProblem>(elasticity_->whole(), elasticity_->standin(),
                                               std::move(conditions));
   motion_->set_extra(elasticity_->extra_slip());
   result_.setup_seconds += setup.seconds();
-  if (!elasticity_->same_normal_block() && result_.points.empty()) find_first_defect();
+  if (!options_.same_normal_block && result_.points.empty()) find_first_defect();
 }
 
 /// The frictionless solution: what the first load point begins with.
@@ -162,7 +162,7 @@ ContactState ContactRun::start_for(std::size_t k) {
 
 OuterCallback ContactRun::each_iteration(std::size_t k) {
   return [this, k](const CoupledSolution& state) {
-    if (elasticity_->same_normal_block()) return;
+    if (options_.same_normal_block) return;
     ProgressEvent event = event_of(k);
     event.iteration = state.outer_iterations;
     event.residual = state.residual;
@@ -239,7 +239,7 @@ void ContactRun::solve_point(std::size_t k) {
   const Stopwatch watch;
   const char* stage = scene_.problem == Problem::shift ? "shift" : "rolling";
   ProgressEvent event = event_of(k);
-  if (elasticity_->same_normal_block()) {
+  if (options_.same_normal_block) {
     event.contact_elements = problem_->press(scene_.points[k].load).contact_elements;
     tell(event, stage, false);
   }
@@ -259,7 +259,7 @@ void ContactRun::solve_point(std::size_t k) {
   event.residual = state_.residual;
   event.contact_elements = state_.normal.contact_elements;
   event.adhesion_elements = count_adhesion(state_.tangential.state);
-  if (state_.tangential.krylov_iterations > 0 && elasticity_->same_normal_block())
+  if (state_.tangential.krylov_iterations > 0 && options_.same_normal_block)
     event.note = fmt::format("{} Krylov iterations", state_.tangential.krylov_iterations);
   tell(event, stage, true);
   result_.contact_elements = state_.normal.contact_elements;

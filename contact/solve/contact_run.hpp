@@ -25,8 +25,6 @@ class Elasticity {
   virtual const SolvableCompliance& standin() const = 0;
   /// The stand-in with the coupling of unlike materials (ContactConditions); null: none.
   virtual const Compliance* coupled_standin() const { return nullptr; }
-  /// The normal block is the stand-in's (ContactConditions::same_normal_block).
-  virtual bool same_normal_block() const { return true; }
   /// Distance (mm) and slip that this elasticity brings by itself, as the spinning of a wheel does;
   /// empty: none.
   virtual Field extra_distance() const { return {}; }
@@ -67,10 +65,10 @@ struct RunOptions {
   ContactAccuracy force_accuracy;  ///< where a force is prescribed
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
-  /// The elasticity has the stand-in's normal block and costs little: pressure without friction is
-  /// solved at every load point, also at those taken up, so that numbers stay the same to the last
-  /// bit.
-  bool cheap_pressure = true;
+  /// The elasticity has the stand-in's normal block (ContactConditions) and costs little: pressure
+  /// without friction is solved at every load point, also at those taken up, so that numbers stay
+  /// the same to the last bit.
+  bool same_normal_block = true;
   Response first_defect;  ///< what an earlier run found without friction; empty: to be found
 };
 

@@ -21,7 +21,7 @@ using contact::PointResult;
 using contact::Scene;
 
 /// A solve of each body for every outer iteration: no sharper than the elements are worth.
-constexpr contact::ContactAccuracy fem_accuracy{1e-6, 1e-4, 40, 3};
+constexpr contact::ContactAccuracy fem_accuracy{1e-6, {1e-4, 40, 3}};
 /// How near a prescribed force is met, relative to mu F_z.
 constexpr double force_tolerance = 1e-5;
 
@@ -85,7 +85,7 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   run_options.stage_prefix = options.stage_prefix;
   run_options.accuracy = run_options.force_accuracy = fem_accuracy;
   run_options.force_tolerance = force_tolerance;
-  run_options.cheap_pressure = false;
+  run_options.same_normal_block = false;
   if (start_known) run_options.first_defect = start.defect;
 
   PointsInCheckpoint store(checkpoint, start_known);

@@ -33,7 +33,6 @@ class FemElasticity : public contact::Elasticity {
   const contact::Compliance& whole() const override { return *compliance_; }
   const contact::SolvableCompliance& standin() const override { return *half_; }
   const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
-  bool same_normal_block() const override { return false; }
   contact::Field extra_distance() const override {
     return expansion_ ? expansion_->distance : contact::Field();
   }

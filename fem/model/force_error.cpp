@@ -1,5 +1,6 @@
 #include "fem/model/force_error.hpp"
 
+#include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 
 #include <algorithm>
@@ -17,24 +18,17 @@ constexpr double traction_share = 3.0;
 
 struct Force {
   const char* name;
-  double PointResult::*value;
-  double sliding;  ///< size of full sliding
   /// The largest traction stands where adhesion ends, within an element of it, and a moment weighs
   /// the edges most: both go with the first power of the element, and no two levels are even.
   bool uneven;
   double share;  ///< of grid_error(): what is believed at least
 };
 
-std::vector<Force> forces_of(const PointResult& point, double friction) {
-  const double force = friction * point.normal_force;
-  const double radius = std::sqrt(point.semi_axis_x * point.semi_axis_y);
-  return {{"traction_coefficient", &PointResult::traction_coefficient, friction, false, 1.0},
-          {"longitudinal_force", &PointResult::longitudinal_force, force, false, 1.0},
-          {"lateral_force", &PointResult::lateral_force, force, false, 1.0},
-          {"spin_moment", &PointResult::spin_moment, force * radius, true, 1.0},
-          {"max_traction_x", &PointResult::max_traction_x, friction * point.max_pressure, true,
-           traction_share}};
-}
+constexpr Force forces[] = {{"traction_coefficient", false, 1.0},
+                            {"longitudinal_force", false, 1.0},
+                            {"lateral_force", false, 1.0},
+                            {"spin_moment", true, 1.0},
+                            {"max_traction_x", true, traction_share}};
 
 /// On fewer elements across than this errors fall with the square of their number, and two levels
 /// agree the more easily by chance (docs/accuracy.md).
@@ -53,10 +47,11 @@ void estimate_force_errors(const contact::Scene& scene, std::vector<ModelResult>
                            std::size_t k, double assumed_order) {
   PointResult& fine = levels.back().points[k];
   const double least = grid_error(fine, levels.back().grid);
-  for (const Force& force : forces_of(fine, scene.friction_coefficient())) {
+  for (const Force& force : forces) {
     std::vector<double> values;
-    for (const ModelResult& level : levels) values.push_back(level.points[k].*force.value);
-    const double scale = std::max(std::abs(values.back()), 0.01 * force.sliding);
+    for (const ModelResult& level : levels)
+      values.push_back(contact::quantity(level.points[k], force.name));
+    const double scale = contact::estimate_scale(scene.friction_coefficient(), fine, force.name);
     if (!(scale > 0.0) || (values.back() == 0.0 && values[values.size() - 2] == 0.0)) continue;
     const bool uneven = force.uneven && fine.adhesion_area > 0.0;
     const double change = contact::estimated_error(values, uneven ? 1.0 : assumed_order);

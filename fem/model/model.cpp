@@ -107,12 +107,7 @@ constexpr int most_halvings = 5;
 /// Halves the cells until the estimated error is what the case asks for, or memory ends.
 ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progress,
                             contact::Checkpoint* checkpoint) {
-  const double default_cell = default_cell_size([&] {
-    Scene plain = scene;
-    plain.fem.cell_size.reset();
-    return plain;
-  }());
-  const double smaller_semi_axis = 8.0 * default_cell;
+  const double smaller_semi_axis = patch_box(scene).smaller();
   double cell = scene.fem.cell_size.value_or(smaller_semi_axis / parts_at_start);
   refuse_beyond_memory(scene, cell);
   const auto solve = [&](double size, bool fields) {

@@ -1,6 +1,7 @@
 #include "halfspace/model/model.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
@@ -79,31 +80,22 @@ double two_level_error(double fine, double coarse, double scale, const Convergen
 }
 
 void estimate_errors(PointResult& fine, const PointResult& coarse, double friction, int across) {
-  const auto set = [&](const char* name, double PointResult::*quantity, double scale,
-                       const Convergence& convergence) {
-    fine.error_estimate[name] =
-        two_level_error(fine.*quantity, coarse.*quantity, scale, convergence, across);
-    fine.richardson[name] = fine.*quantity + (fine.*quantity - coarse.*quantity) /
-                                                 (std::pow(2.0, convergence.order) - 1.0);
+  const auto set = [&](const char* name, const Convergence& convergence) {
+    const double value = contact::quantity(fine, name);
+    const double before = contact::quantity(coarse, name);
+    const double scale =
+        0.01 * contact::full_sliding(contact::quantity_named(name), fine, friction);
+    fine.error_estimate[name] = two_level_error(value, before, scale, convergence, across);
+    fine.richardson[name] = value + (value - before) / (std::pow(2.0, convergence.order) - 1.0);
   };
   // Without an adhesion area tractions are the bound, as smooth as the pressure.
   const Convergence& rolling =
       fine.adhesion_area == 0.0 && coarse.adhesion_area == 0.0 ? smooth : partial_slip;
-  const double sliding = 0.01 * friction * fine.normal_force;
-  const double traction = 0.01 * friction * fine.max_pressure;
-  using Point = PointResult;
-  set("max_pressure", &Point::max_pressure, 0.0, smooth);
-  set("normal_force", &Point::normal_force, 0.0, smooth);
-  set("approach", &Point::approach, 0.0, smooth);
-  set("semi_axis_x", &Point::semi_axis_x, 0.0, patch_size);
-  set("semi_axis_y", &Point::semi_axis_y, 0.0, patch_size);
-  set("contact_area", &Point::contact_area, 0.0, patch_size);
-  set("longitudinal_force", &Point::longitudinal_force, sliding, rolling);
-  set("lateral_force", &Point::lateral_force, sliding, rolling);
-  set("spin_moment", &Point::spin_moment, sliding * std::sqrt(fine.semi_axis_x * fine.semi_axis_y),
-      rolling);
-  set("traction_coefficient", &Point::traction_coefficient, 0.01 * friction, rolling);
-  set("max_traction_x", &Point::max_traction_x, traction, rolling);
+  for (const char* name : {"max_pressure", "normal_force", "approach"}) set(name, smooth);
+  for (const char* name : {"semi_axis_x", "semi_axis_y", "contact_area"}) set(name, patch_size);
+  for (const char* name : {"longitudinal_force", "lateral_force", "spin_moment",
+                           "traction_coefficient", "max_traction_x"})
+    set(name, rolling);
 }
 
 /// Creepages found for a prescribed force carry an error, where given ones do not. Relative to the

@@ -88,10 +88,4 @@ double vertical_force(double normal, double lateral, const contact::ContactPlace
   return normal * std::cos(place.contact_angle) + sign * lateral * std::sin(place.contact_angle);
 }
 
-double normal_force(double vertical, double lateral, const contact::ContactPlace& place) {
-  const double sign = place.left ? 1.0 : -1.0;
-  return (vertical - sign * lateral * std::sin(place.contact_angle)) /
-         std::cos(place.contact_angle);
-}
-
 }  // namespace rollfem::meshes

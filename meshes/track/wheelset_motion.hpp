@@ -55,7 +55,4 @@ double driving_moment(const WheelRailContact& contact, const PatchForce& force);
 /// points to the field, and N cos(angle) - F_y sin(angle) on the right.
 double vertical_force(double normal, double lateral, const contact::ContactPlace& place);
 
-/// The normal force that makes this vertical force, N: the inverse of vertical_force.
-double normal_force(double vertical, double lateral, const contact::ContactPlace& place);
-
 }  // namespace rollfem::meshes

@@ -27,7 +27,6 @@ class Disguised : public contact::Elasticity {
       : whole_(grid, scene.material), standin_(grid, scaled(scene.material, standin_scale)) {}
   const contact::Compliance& whole() const override { return whole_; }
   const contact::SolvableCompliance& standin() const override { return standin_; }
-  bool same_normal_block() const override { return false; }
   Eigen::Vector2d rolling_stiffness(const contact::PatchSize&) const override {
     return Eigen::Vector2d::Constant(2e8);
   }
@@ -54,7 +53,7 @@ contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, d
   options.accuracy = {1e-9, 1e-8, 100, 5};
   options.force_accuracy = options.accuracy;
   options.force_tolerance = 1e-9;
-  options.cheap_pressure = standin == 0.0;
+  options.same_normal_block = standin == 0.0;
   const contact::Progress silent;
   contact::ContactRun run(scene, geometry, options, silent, nullptr);
   const bool inside = run.solve(grid, [&]() -> std::unique_ptr<contact::Elasticity> {
