@@ -49,7 +49,6 @@ class ChartedGeometry {
  public:
   ChartedGeometry(Geometry geometry, Chart chart);
 
-  Chart chart() const { return chart_; }
   const Geometry& geometry() const { return geometry_; }
   bool curved() const { return chart_ != Chart::plane; }
 
