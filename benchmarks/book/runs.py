@@ -10,6 +10,13 @@ from rollfem_figures import style
 from rollfem_figures.reader import read_result
 
 
+def read_run(folder):
+    """The result of a run, whose models tables and figures call by its labels."""
+    result = read_result(folder)
+    style.know({model.name: model.label for model in result.models})
+    return result
+
+
 class BookError(Exception):
     """The book cannot be made: said in one sentence."""
 
@@ -144,7 +151,7 @@ class Bench:
     def run(self, name, case, models=(), settings=None):
         """`rollfem run` of a case, with other settings where given; its Result."""
         options = ["--model", ",".join(models)] if models else []
-        return read_result(self._program("run", name, [case], settings, [*options, "--no-report"]))
+        return read_run(self._program("run", name, [case], settings, [*options, "--no-report"]))
 
     def study(self, name, case, options=(), settings=None):
         """`rollfem study` of a case; study.json as a dict."""
@@ -158,7 +165,7 @@ class Bench:
                                ["--model", ",".join(models), "--no-report"])
         with open(os.path.join(folder, "compare.json"), encoding="utf-8") as file:
             comparison = json.load(file)
-        return comparison, {c["name"]: read_result(os.path.join(folder, c["name"]))
+        return comparison, {c["name"]: read_run(os.path.join(folder, c["name"]))
                             for c in comparison["cases"]}
 
     def test(self, name):
