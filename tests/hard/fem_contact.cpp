@@ -158,7 +158,7 @@ TEST(HardFem, GrazingLoadOnThreeCellsIsWithinItsErrorEstimate) {
   input.rolling.creepages = {{0, 0, 0}};
   const PointResult point = fem::run_fem(input, {}).points[0];
   EXPECT_TRUE(point.converged);
-  EXPECT_NEAR(point.normal_force, 50.0, 1e-9);
+  EXPECT_NEAR(point.normal_force, 50.0, 50.0 * 1e-10) << "what the sharing of the load is ended at";
   EXPECT_NEAR(point.max_pressure / exact.max_pressure, 1.0,
               point.error_estimate.at("max_pressure"));
   EXPECT_NEAR(point.semi_axis_x / exact.semi_axis_x, 1.0, point.error_estimate.at("semi_axis_x"));
