@@ -38,14 +38,19 @@ auto at_position(const Case& input, int position, const Work& work) {
 
 std::vector<std::string> notes_of(const Case& input) {
   std::vector<std::string> notes;
+  const std::string by_the_balance =
+      "by the half-space at 24 elements across: at these creepages other models and grids have a "
+      "small force left";
   if (input.load.vertical_force)
     notes.emplace_back(
         "the vertical force of each wheel includes friction; shares of patches, and lateral forces "
         "in the balance, are from the half-space at 24 elements across");
   if (input.wheelset.free_rolling == FreeRolling::torque)
-    notes.emplace_back("the rotation is that at which the wheelset has no torque about its axle");
+    notes.push_back("the rotation is that at which the wheelset has no torque about its axle, " +
+                    by_the_balance);
   if (input.wheelset.free_rolling == FreeRolling::force)
-    notes.emplace_back("each wheel turns so that it transmits no longitudinal force");
+    notes.push_back("each wheel turns so that it transmits no longitudinal force, " +
+                    by_the_balance);
   return notes;
 }
 
