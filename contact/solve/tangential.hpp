@@ -11,10 +11,10 @@
 namespace rollfem::contact {
 
 struct TangentialProblem {
-  Field pressure;               ///< p_n >= 0, MPa; 0 outside the contact area
-  TangentialField rigid_slip;   ///< s, with any defect of the compliance added
-  Friction friction = nullptr;  ///< null: frictionless
-  double slip_factor = 1.0;     ///< slip as the friction law takes it over w
+  Field pressure;              ///< p_n >= 0, MPa; 0 outside the contact area
+  TangentialField rigid_slip;  ///< s, with any defect of the compliance added
+  Friction friction;           ///< null: frictionless; no default, so that none is forgotten
+  double slip_factor = 1.0;    ///< slip as the friction law takes it over w
 };
 
 struct TangentialOptions {

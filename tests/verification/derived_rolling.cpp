@@ -40,8 +40,8 @@ struct Rolling {
     const contact::TangentialField slip{
         grid.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; }),
         grid.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; })};
-    const contact::TangentialSolution solution =
-        contact::solve_tangential(compliance.rolling(order), {friction * pressure, slip});
+    const contact::TangentialSolution solution = contact::solve_tangential(
+        compliance.rolling(order), {pressure, slip, contact::coulomb(friction)});
     point.fields.traction = {solution.traction.x, solution.traction.y, pressure};
     point.fields.slip = solution.slip;
     return point;

@@ -69,11 +69,12 @@ TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
 
 TEST(SolveTangential, RefusesFieldsOfAnotherGridAndNan) {
   const Springs springs(ContactGrid::centred(3, 1, 1.0, 1.0), 0.01);
-  EXPECT_THROW(solve_tangential(springs, {Field::Ones(2), {Field::Ones(3), Field::Ones(3)}}),
+  EXPECT_THROW(solve_tangential(springs, {Field::Ones(2), {Field::Ones(3), Field::Ones(3)}, {}}),
                SolveError);
-  EXPECT_THROW(solve_tangential(
-                   springs, {Field::Ones(3), {Field::Constant(3, std::nan("")), Field::Ones(3)}}),
-               SolveError);
+  EXPECT_THROW(
+      solve_tangential(springs,
+                       {Field::Ones(3), {Field::Constant(3, std::nan("")), Field::Ones(3)}, {}}),
+      SolveError);
 }
 
 TEST(Gmres, SolvesANonsymmetricSystemAndReportsTheTrueResidual) {
