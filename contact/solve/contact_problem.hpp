@@ -32,7 +32,7 @@ struct ContactConditions {
 
 struct ContactAccuracy {
   double tangential = 1e-6;  ///< residual of Newton's method, relative to the creepage load
-  OuterOptions outer{1e-6, 100, 5};
+  OuterOptions outer{1e-6, 600, 5};
 };
 
 struct ContactState {

@@ -200,7 +200,7 @@ class BroydenSearch {
   bool step() {
     Vector2d d = -jacobian_.partialPivLu().solve(r_);
     if (!d.allFinite()) return false;
-    constexpr int most_halvings = 6;
+    constexpr int most_halvings = 30;
     for (int halving = 0; halving < most_halvings; ++halving, d *= 0.5) {
       const Vector2d trial = residual(c_ + d);
       if (!converged_ && force_.norm() >= sliding * bound_) continue;
