@@ -166,7 +166,7 @@ class BroydenSearch {
     jacobian_ = -(search_.stiffness / bound_).asDiagonal().toDenseMatrix();
     bool fresh = false;
     while (!converged_) {
-      if (step()) {
+      if (step(fresh)) {
         fresh = false;
         continue;
       }
@@ -197,10 +197,11 @@ class BroydenSearch {
     }
   }
 
-  bool step() {
+  /// A matrix that may be stale is soon given up, a fresh one only where no step helps.
+  bool step(bool fresh) {
     Vector2d d = -jacobian_.partialPivLu().solve(r_);
     if (!d.allFinite()) return false;
-    constexpr int most_halvings = 30;
+    const int most_halvings = fresh ? 30 : 6;
     for (int halving = 0; halving < most_halvings; ++halving, d *= 0.5) {
       const Vector2d trial = residual(c_ + d);
       if (!converged_ && force_.norm() >= sliding * bound_) continue;
