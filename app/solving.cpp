@@ -52,7 +52,8 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
   if (scene.place->patches > 1)
     result.notes.push_back(
         "the contacts of this wheel lie in different planes: they share its load by one vertical "
-        "sinking, in which the displacement that one makes under another is left out");
+        "sinking of half-spaces, with friction as 24 elements across give it; the displacement "
+        "that one makes under another is left out");
   for (contact::PointResult& point : result.points)
     point.vertical_force =
         meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);

@@ -42,9 +42,7 @@ std::vector<std::string> notes_of(const Case& input) {
       "by the half-space at 24 elements across: at these creepages other models and grids have a "
       "small force left";
   if (input.load.vertical_force)
-    notes.emplace_back(
-        "the vertical force of each wheel includes friction; shares of patches, and lateral forces "
-        "in the balance, are from the half-space at 24 elements across");
+    notes.emplace_back("the vertical force of each wheel includes friction");
   if (input.wheelset.free_rolling == FreeRolling::torque)
     notes.push_back("the rotation is that at which the wheelset has no torque about its axle, " +
                     by_the_balance);
