@@ -9,7 +9,7 @@ CONTACT_CURVE_A = {0.0005: 0.11562, 0.001: 0.21601, 0.002: 0.37267, 0.003: 0.474
 CONTACT_TRACTION_A = 307.64071
 # -F_x/F_z of case c, CONTACT at 80 and 160 across: (values, values).
 CONTACT_CURVE_C = {0.001: (0.13354435, 0.13300248), 0.002: (0.24488792, 0.24396890)}
-# -F_x/F_z of case e with the extra slip of the rolling radius: CONTACT at 40 across, first-order difference.
+# -F_x/F_z of case e with the rail's drop as extra slip: CONTACT at 40 across, first-order difference.
 CONTACT_CURVE_E = {0.0: -0.07844771, 0.001: 0.14400622, 0.002: 0.33114441, 0.003: 0.45746822,
                    0.004: 0.52678160}
 # The same at 80 across.
