@@ -27,6 +27,9 @@ namespace {
 constexpr int elements_of_box = 30;
 constexpr int elements_of_law = 50;
 constexpr int fewest_across_patch = 20;
+/// Elements over what carries load in the last solution, on a lattice that moves with the origin.
+constexpr int elements_of_lattice = 32;
+constexpr int most_rows = 720;
 constexpr int most_rounds = 12;
 /// On each side of the patch of the round before, relative to its extent.
 constexpr double margin = 0.2;
@@ -118,12 +121,9 @@ std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs, int n =
   return {n, static_cast<int>(std::ceil(n * times - 1e-9))};
 }
 
-Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& load,
-               const std::array<int, 2>& n) {
-  const double dx = (box.x_upper - box.x_lower) / n[0];
-  const double dy = (box.y_upper - box.y_lower) / n[1];
+Found solve_on(const Scene& scene, const ContactGrid& grid, const contact::NormalLoad& load) {
   Found found;
-  found.grid = {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy};
+  found.grid = grid;
   const HalfspaceCompliance compliance(found.grid, scene.material.uncoupled());
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::plane);
   const contact::NormalProblem problem{geometry.undeformed_distance(found.grid), load.force,
@@ -135,6 +135,31 @@ Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& lo
   found.loaded = loaded_rows(found.grid, found.normal.pressure, found.size);
   found.gaps = gaps_between(found.loaded);
   return found;
+}
+
+Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& load,
+               const std::array<int, 2>& n) {
+  const double dx = (box.x_upper - box.x_lower) / n[0];
+  const double dy = (box.y_upper - box.y_lower) / n[1];
+  return solve_on(scene, {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy},
+                  load);
+}
+
+/// mm that a load takes along a line of elements of size h: its extent where it is a parabola.
+double carrying(const contact::Field& load, double h) {
+  const double sum = load.sum();
+  return sum > 0.0 ? 1.2 * h * sum * sum / load.squaredNorm() : 0.0;
+}
+
+std::array<double, 2> carrying_lengths(const Found& found) {
+  const ContactGrid& grid = found.grid;
+  contact::Field columns = contact::Field::Zero(grid.nx), rows = contact::Field::Zero(grid.ny);
+  for (int j = 0; j < grid.ny; ++j) {
+    const auto row = found.normal.pressure.segment(grid.index(0, j), grid.nx);
+    rows[j] = row.sum();
+    columns += row;
+  }
+  return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
 }
 
 /// The patch with a margin.
@@ -149,6 +174,22 @@ Box next_box(const Found& found) {
   grow(next.x_lower, next.x_upper, found.grid.dx);
   grow(next.y_lower, next.y_upper, found.grid.dy);
   return next;
+}
+
+/// Elements with a corner at the origin, `across` of them over what carries load along x and y.
+/// The boxes of the search jump from one place to the next; this lattice moves with the bodies.
+ContactGrid lattice_over(const Found& found, int across) {
+  const Box box = next_box(found);
+  const auto [length, width] = carrying_lengths(found);
+  const double dx = length / across;
+  const double dy = std::max(width / across, (box.y_upper - box.y_lower) / most_rows);
+  const double i = std::floor(box.x_lower / dx), j = std::floor(box.y_lower / dy);
+  return {static_cast<int>(std::ceil(box.x_upper / dx) - i),
+          static_cast<int>(std::ceil(box.y_upper / dy) - j),
+          dx,
+          dy,
+          (i + 0.5) * dx,
+          (j + 0.5) * dy};
 }
 
 bool fine_enough(const Found& found) {
@@ -176,6 +217,9 @@ ExpectedPatch summary(const Found& found) {
   patch.area = found.size.area;
   patch.loaded = found.loaded;
   patch.gaps = found.gaps;
+  const auto [length, width] = carrying_lengths(found);
+  patch.carrying_length = length;
+  patch.carrying_width = width;
   return patch;
 }
 
@@ -224,10 +268,11 @@ ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
     found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  if (elements > elements_of_box) {
-    const Box box = next_box(found);
-    found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size(), elements));
-  }
+  const double extents = 1.0 + 2.0 * margin;
+  found = solve_on(
+      scene,
+      lattice_over(found, std::max(elements_of_lattice, static_cast<int>(elements / extents))),
+      load);
   return summary(found);
 }
 
@@ -248,6 +293,8 @@ ExpectedPatch expected_patch(const Scene& scene, int elements) {
   patch.max_pressure = hertz.max_pressure;
   patch.normal_force = hertz.normal_force;
   patch.area = pi * hertz.semi_axis_x * hertz.semi_axis_y;
+  patch.carrying_length = patch.length();
+  patch.carrying_width = patch.width();
   return patch;
 }
 

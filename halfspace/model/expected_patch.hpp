@@ -26,6 +26,10 @@ struct ExpectedPatch {
   /// y_upper.
   std::vector<std::array<double, 2>> loaded;
   double gaps = 0.0;  ///< mm, of the width: rows between regions that carry nothing
+  /// mm along x and y that the load takes: 6/5 (integral f)^2 / integral f^2 of the load f per mm,
+  /// the axes of an ellipse under Hertz's pressure. Unlike the box they change steadily while
+  /// patches come, join and go.
+  double carrying_length = 0.0, carrying_width = 0.0;
 
   double length() const { return x_upper - x_lower; }
   double width() const { return y_upper - y_lower; }

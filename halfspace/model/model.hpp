@@ -6,8 +6,8 @@
 
 namespace rollfem::halfspace {
 
-/// Extent in which elements_across are counted: that of expected_patch, without the gaps between
-/// several patches; for bodies given point by point that of the potential contact area.
+/// Extent in which elements_across are counted: what of expected_patch carries load, without the
+/// gaps between several patches; for bodies given point by point the potential contact area.
 struct PatchExtent {
   double length = 0.0;  ///< mm, along x
   double width = 0.0;   ///< mm, along y

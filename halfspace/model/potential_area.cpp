@@ -64,7 +64,7 @@ PatchExtent expected_extent(const contact::Scene& scene) {
     return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
   }
   const ExpectedPatch patch = expected_patch(scene);
-  return {patch.length(), patch.covered_width()};
+  return {patch.carrying_length, patch.carrying_width};
 }
 
 ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin) {

@@ -30,7 +30,7 @@ nlohmann::json read(const fs::path& file) {
 TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"study", folder.file("left.toml", wheel_case("left", "2.0", "48")),
+      call(folder, {"study", folder.file("left.toml", wheel_case("left", "2.0", "44")),
                     "--no-report", "-o", "out"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("left wheel, position 1: halfspace, refined in grid"),

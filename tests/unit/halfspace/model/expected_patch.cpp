@@ -4,12 +4,14 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "meshes/track/scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
+#include "support/worn_wheels.hpp"
 
 using namespace rollfem;
 using halfspace::expected_patch;
@@ -36,6 +38,9 @@ void expect_like(const ExpectedPatch& found, const ExpectedPatch& exact) {
   EXPECT_NEAR(found.approach, exact.approach, of_pressure * exact.approach);
   EXPECT_NEAR(found.normal_force, exact.normal_force, 2.0 * of_pressure * exact.normal_force);
   EXPECT_NEAR(found.area, exact.area, of_area * exact.area);
+  // Exact for an ellipse: smoother than the extents, for the border counts little.
+  EXPECT_NEAR(found.carrying_length, exact.length(), of_pressure * exact.length());
+  EXPECT_NEAR(found.carrying_width, exact.width(), of_pressure * exact.width());
 }
 
 }  // namespace
@@ -149,4 +154,24 @@ TEST(ExpectedPatch, SaysWhichRowsOfSeveralPatchesAreLoaded) {
   EXPECT_NEAR(patch.loaded[0][0], -15.0 - half.semi_axis_y, 0.05 * half.semi_axis_y);
   EXPECT_NEAR(patch.loaded[1][0], 15.0 - half.semi_axis_y, 0.08 * half.semi_axis_y);
   EXPECT_NEAR(patch.max_pressure, half.max_pressure, 0.01 * half.max_pressure);
+  EXPECT_NEAR(patch.carrying_width, 4.0 * half.semi_axis_y, 0.005 * 4.0 * half.semi_axis_y);
+}
+
+TEST(ExpectedPatch, WhatCarriesTheLoadChangesSteadily) {
+  // A second patch comes, and the search goes through boxes that jump: elements are counted in
+  // these lengths, and every jump of them would be one of the forces.
+  double length = 0.0, width = 0.0;
+  bool one = false, two = false;
+  for (int k = 0; k <= 20; ++k) {
+    const contact::Case input = rollfem::testing::hollow_tread(-1.05 + 0.01 * k);
+    const ExpectedPatch patch = expected_patch(meshes::make_scenes(input).at(0).scene);
+    if (k > 0) {
+      EXPECT_NEAR(patch.carrying_length, length, 0.01 * length) << k;
+      EXPECT_NEAR(patch.carrying_width, width, 0.02 * width) << k;
+    }
+    length = patch.carrying_length;
+    width = patch.carrying_width;
+    (patch.loaded.size() > 1 ? two : one) = true;
+  }
+  EXPECT_TRUE(one && two);
 }
