@@ -1,6 +1,7 @@
 #include "contact/case/toml_reader.hpp"
 
 #include "contact/case/case_text.hpp"
+#include "contact/case/toml_syntax.hpp"
 #include "contact/case/toml_values.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@ namespace rollfem::contact {
 
 namespace {
 
-// Dotted keys nest without a limit in toml++, and a chain of 100 000 overflows the stack.
 constexpr std::size_t longest_line = 10000;
 
 CaseProblem at(const toml::source_region& source) {
@@ -19,6 +19,14 @@ CaseProblem at(const toml::source_region& source) {
   problem.line = source.begin.line;
   problem.column = source.begin.column;
   return problem;
+}
+
+/// A name in quotes may hold anything: what would upset a terminal is not repeated.
+std::string shown(std::string name) {
+  if (name.size() > 80) name = name.substr(0, 77) + "...";
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+  return name;
 }
 
 bool is_section(const std::string& name) {
@@ -85,15 +93,23 @@ class Reader {
         fail_whole(fmt::format("{}:{}", given_.file, i + 1),
                    fmt::format("the line is longer than {} characters", longest_line),
                    "break it into several; lists may go over many lines");
+    if (const auto fault = find_toml_fault(source_.text()))
+      fail_invalid(fault->line, fault->column, fault->wrong);
     try {
       return toml::parse(source_.text(), given_.file);
     } catch (const toml::parse_error& error) {
-      CaseProblem problem = at(error.source());
-      problem.wrong = fmt::format("not valid TOML in `{}`: {}", source_.line(problem.line),
-                                  error.description());
-      problem.action = "mend this line; `rollfem new-case` prints a valid case file";
-      fail(given_.file, problem);
+      fail_invalid(error.source().begin.line, error.source().begin.column,
+                   std::string(error.description()));
     }
+  }
+
+  [[noreturn]] void fail_invalid(unsigned line, unsigned column, const std::string& wrong) const {
+    CaseProblem problem;
+    problem.line = line;
+    problem.column = column;
+    problem.wrong = fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong);
+    problem.action = "mend this line; `rollfem new-case` prints a valid case file";
+    fail(given_.file, problem);
   }
 
   /// `parent` holds lists of sections, written [[parent.child]].
@@ -135,7 +151,7 @@ class Reader {
   [[noreturn]] void fail_unrepeated(const std::string& section, const toml::source_region& source,
                                     const std::vector<std::string>& names) const {
     CaseProblem problem = at(source);
-    problem.key = section;
+    problem.key = shown(section);
     problem.wrong = "is not a list of sections that is known";
     problem.allowed = "[[subsurface.NAME]] with NAME one of " + joined(names);
     problem.action =
@@ -171,8 +187,7 @@ class Reader {
   [[noreturn]] void fail_unknown(const std::string& section, const std::string& name,
                                  const toml::source_region& source) const {
     CaseProblem problem = at(source);
-    problem.key = section.empty() ? name : section + "." + name;
-    if (problem.key.size() > 80) problem.key = problem.key.substr(0, 77) + "...";
+    problem.key = shown(section.empty() ? name : section + "." + name);
     problem.wrong = "is not a key of a case file";
     std::vector<std::string> here = keys_of(section);
     if (section.empty())

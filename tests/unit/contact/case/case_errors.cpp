@@ -177,7 +177,9 @@ const std::vector<Wrong> wrong_structure{
     {"DuplicateSection", plus("[load]\n"), {"case.toml:10:", "load"}},
     {"NotToml", plus("this is no TOML\n"), {"case.toml:10:", "not valid TOML"}},
     {"OpenString", plus("title = \"open\n"), {"case.toml:10:", "not valid TOML"}},
-    {"NotUtf8", first("title = \"\xff\xfe\""), {"case.toml:1:", "utf-8"}},
+    {"NotUtf8",
+     first("title = \"\xff\xfe\""),
+     {"case.toml:1:10: ", "the file is not UTF-8: found byte 0xFF"}},
     {"Binary",
      std::string("\x7f"
                  "ELF\0\0\1",
@@ -221,7 +223,9 @@ const std::vector<Wrong> wrong_structure{
        return text + "a = 1\n";
      }(),
      {"case.toml:1: the line is longer than"}},
-    {"VeryDeepList", "a = " + std::string(9000, '['), {"case.toml:1:", "depth"}},
+    {"VeryDeepList",
+     "a = " + std::string(9000, '['),
+     {"case.toml:1:70: ", "nested more than 64 deep"}},
     {"LargerThanACase", std::string((1 << 20) + 1, '#'), {"larger than 1 MB"}},
 };
 
