@@ -54,7 +54,8 @@ void write_results(const std::string& directory, const RunRecord& run);
 /// line on failure, empty on success; a longer text of the program goes to report.log in the
 /// folder; results stay whatever happens here. `script_directory` is the Python package
 /// rollfem_figures or the folder that holds it. Python is that of the environment variable
-/// ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH.
+/// ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH; it takes no module from the current
+/// folder.
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
 /// Draws the table of a profile (app/profile.hpp) as a figure beside it, NAME.csv as NAME.svg;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <spawn.h>
+#include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,12 +21,14 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
+/// Absolute where it is a path: Python is started in another folder.
 std::string find_python() {
-  if (const char* chosen = std::getenv("ROLLFEM_PYTHON"); chosen && *chosen) return chosen;
+  if (const char* chosen = std::getenv("ROLLFEM_PYTHON"); chosen && *chosen)
+    return std::strchr(chosen, '/') != nullptr ? fs::absolute(chosen).string() : chosen;
   return ::access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
 }
 
-/// The folder that must be on PYTHONPATH, given the package or the folder that holds it.
+/// The folder from which the package can be run, given the package or the folder that holds it.
 fs::path package_parent(const fs::path& scripts) {
   fs::path path = fs::absolute(scripts);
   if (fs::exists(path / "rollfem_figures" / "__main__.py")) return path;
@@ -68,8 +71,9 @@ std::string read_to_end(int pipe) {
   }
 }
 
-/// Runs a program; returns what it printed when it failed, empty when it did not.
-std::string run(std::vector<std::string> call, std::vector<std::string> environment) {
+/// Runs a program in a folder; returns what it printed when it failed, empty when it did not.
+std::string run(std::vector<std::string> call, std::vector<std::string> environment,
+                const std::string& folder) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return fmt::format("no pipe: {}", std::strerror(errno));
   posix_spawn_file_actions_t actions;
@@ -77,6 +81,7 @@ std::string run(std::vector<std::string> call, std::vector<std::string> environm
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   pid_t child = 0;
   const int error = ::posix_spawnp(&child, call[0].c_str(), &actions, nullptr,
                                    pointers(call).data(), pointers(environment).data());
@@ -112,20 +117,32 @@ std::string one_line(const fs::path& directory, std::string printed) {
          (file ? fmt::format(" (the whole text is in {})", log.string()) : "");
 }
 
-/// Runs the package with these arguments; returns what went wrong, empty when nothing did.
+/// PYTHONPATH without what is relative or empty, which stands for the user's folder.
+std::string python_path() {
+  const char* given = std::getenv("PYTHONPATH");
+  std::istringstream rest(given ? given : "");
+  std::string kept;
+  for (std::string entry; std::getline(rest, entry, ':');)
+    if (fs::path(entry).is_absolute()) kept += (kept.empty() ? "" : ":") + entry;
+  return "PYTHONPATH=" + kept;
+}
+
+/// Runs the package with these arguments, which name files by absolute paths; returns what went
+/// wrong, empty when nothing did. Python looks for modules (and matplotlib for its settings) in the
+/// folder where it is started before any other place: that is the package's, never the user's,
+/// where a numpy.py would be run.
 std::string draw(const fs::path& directory, const std::string& script_directory,
                  const std::vector<std::string>& arguments) {
   const fs::path parent = package_parent(script_directory);
   if (parent.empty())
     return fmt::format("no Python package rollfem_figures in {}", script_directory);
-  std::string python_path = "PYTHONPATH=" + parent.string();
-  if (const char* before = std::getenv("PYTHONPATH"); before && *before)
-    python_path += std::string(":") + before;
   std::vector<std::string> call{find_python(), "-m", "rollfem_figures"};
   call.insert(call.end(), arguments.begin(), arguments.end());
   const std::string printed =
-      run(call, environment_with({python_path, "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
-                                  "PYTHONIOENCODING=utf-8"}));
+      run(call,
+          environment_with({python_path(), "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
+                            "PYTHONIOENCODING=utf-8"}),
+          parent.string());
   return one_line(directory, printed);
 }
 

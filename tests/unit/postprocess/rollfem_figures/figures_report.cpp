@@ -199,6 +199,35 @@ TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
   EXPECT_NE(contents(folder / "report.log").find("Traceback"), std::string::npos);
 }
 
+/// Modules and settings that lie in the user's folder are not the program's.
+TEST_F(FiguresTest, TakeNothingFromTheCurrentFolder) {
+  const fs::path before = fs::current_path();
+  const fs::path hostile = base_ / "hostile";
+  fs::create_directories(hostile / "h5py");
+  const std::string trap = "open('" + (hostile / "ran").string() + "', 'a').write('x')\n";
+  for (const char* name : {"numpy.py", "matplotlib.py", "argparse.py", "h5py/__init__.py",
+                           "sitecustomize.py", "rollfem_figures.py"})
+    std::ofstream(hostile / name) << trap;
+  std::ofstream(hostile / "matplotlibrc") << "svg.fonttype: nonsense\n";
+  // All modules are imported before a folder is looked at that is not there.
+  const std::string message = make_report("/nowhere", scripts);
+  EXPECT_NE(message.find("/nowhere"), std::string::npos) << message;
+  fs::current_path(hostile);
+  // An empty entry of PYTHONPATH stands for the current folder, and comes by accident.
+  for (const char* path : {"", ":/elsewhere", "."}) {
+    ::setenv("PYTHONPATH", path, 1);
+    EXPECT_EQ(make_report("/nowhere", scripts), message);
+  }
+  ::unsetenv("PYTHONPATH");
+  // A Python that is named by a relative path is found from here all the same.
+  fs::create_symlink("/usr/bin/python3", "python-here");
+  ::setenv("ROLLFEM_PYTHON", "./python-here", 1);
+  EXPECT_EQ(make_report("/nowhere", scripts), message);
+  ::unsetenv("ROLLFEM_PYTHON");
+  fs::current_path(before);
+  EXPECT_FALSE(fs::exists(hostile / "ran"));
+}
+
 TEST(MakeReport, SaysWhatIsMissing) {
   EXPECT_NE(make_report("/nowhere", "/nowhere").find("no Python package"), std::string::npos);
   ::setenv("ROLLFEM_PYTHON", "/nowhere/python3", 1);
