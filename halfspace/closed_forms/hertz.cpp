@@ -125,9 +125,12 @@ contact::Curvatures curvatures_of_scene(const contact::Scene& scene) {
     throw contact::InputError(fmt::format(
         "{}: {}Hertz: at the contact point the profiles have the relative curvatures A = {:.4g} "
         "/mm "
-        "along rolling and B = {:.4g} /mm across, which make no ellipse; allowed: both above 0; "
+        "along rolling and B = {:.4g} /mm across, which make no ellipse{}; allowed: both above 0; "
         "do: run with --model halfspace or strip, which take the profiles as they are",
-        scene.file, scene.patch_prefix(), curvatures.A, curvatures.B));
+        scene.file, scene.patch_prefix(), curvatures.A, curvatures.B,
+        curvatures.B > 0.0 ? ""
+                           : ": it lies in a valley, between two patches or on a wave of a "
+                             "measured profile"));
   return curvatures;
 }
 

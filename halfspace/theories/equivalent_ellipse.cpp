@@ -226,26 +226,51 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
 
 namespace {
 
+/// Friction on a tilted plane carries a part of the load. That of a theory without a bound may be
+/// many times mu F_n, and then no F_n has a meaning.
+void check_lift(const Scene& scene, const ModelResult& result) {
+  constexpr double most_beyond_bound = 0.05;  // of the load
+  const contact::NormalLoad& wanted = scene.points.front().load;
+  const PointResult& point = result.points.front();
+  const double bound = scene.friction_coefficient() * point.normal_force;
+  const double beyond = std::abs(point.lateral_force) - bound;
+  if (beyond * std::abs(wanted.direction[0]) <= most_beyond_bound * *wanted.force) return;
+  throw contact::SolveError(fmt::format(
+      "friction, which has no bound in this theory, is {:.4g} N across the rail where mu F_n is "
+      "{:.4g} N, and lifts a wheel on a plane tilted by {:.3g} rad: it would carry {:.3g} of the "
+      "load of {:g} N; do: run with a model that bounds friction (fastsim, strip, halfspace), or "
+      "give load.normal_force",
+      std::abs(point.lateral_force), bound,
+      std::atan2(std::abs(wanted.direction[0]), wanted.direction[1]),
+      wanted.direction[0] * point.lateral_force / *wanted.force, *wanted.force));
+}
+
 /// A model at the one load point of a scene whose load has another direction than z: the force
 /// along z is a fixed point, for friction carries a part of the load.
-ModelResult run_tilted_load(const contact::Model& model, Scene single,
+ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
                             const contact::Progress& progress) {
   constexpr int most_steps = 40;
   constexpr double carried_to = 1e-9;
-  const contact::NormalLoad wanted = single.points.front().load;
-  if (!wanted.force || wanted.direction[0] == 0.0) return model(single, progress);
+  const contact::NormalLoad& wanted = scene.points.front().load;
+  if (!wanted.force || wanted.direction[0] == 0.0) return model(scene, progress);
+  Scene single = scene;
+  ModelResult result;
   const auto [across, upwards] = wanted.direction;
   contact::PositiveFixedPoint search;
   double force = *wanted.force / upwards;
   for (int step = 0; step < most_steps; ++step) {
     single.points.front().load = {force, {}};
-    ModelResult result = model(single, progress);
+    result = model(single, progress);
     const PointResult& point = result.points.front();
     const double missing =
         *wanted.force - across * point.lateral_force - upwards * point.normal_force;
-    if (std::abs(missing) <= carried_to * *wanted.force) return result;
+    if (std::abs(missing) <= carried_to * *wanted.force) {
+      check_lift(scene, result);
+      return result;
+    }
     force = search.next(force, force + missing / upwards);
   }
+  check_lift(scene, result);
   throw contact::SolveError(fmt::format(
       "pressure and friction do not settle to carry {:g} N together in {} steps: friction on the "
       "tilted patch takes up nearly all of the load or more (the limit of Nadal)",
