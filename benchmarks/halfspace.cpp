@@ -100,7 +100,8 @@ void steady_rolling(benchmark::State& state, Scheme scheme) {
     for (int n = first; n <= across; n *= 2) {
       const ContactGrid grid = benchmark9.grid(n);
       const HalfspaceCompliance compliance(grid, testing::Benchmark9::material());
-      const contact::TangentialProblem problem = benchmark9.problem(grid);
+      const contact::TangentialProblem problem = benchmark9.problem(
+          grid, scheme == Scheme::first_order ? UpwindOrder::first : UpwindOrder::second);
       const Field& g = problem.pressure;
       TangentialField start;
       if (n > first)

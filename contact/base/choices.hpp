@@ -14,7 +14,7 @@ enum class Problem {
 
 /// Order of the one-sided difference along the streamline.
 enum class UpwindOrder {
-  first,   ///< (u_i - u_i+1) / dx: what CONTACT does
+  first,   ///< (u_i - u_i+1) / dx, the spin taken dx/6 upstream: what CONTACT does
   second,  ///< (3 u_i - 4 u_i+1 + u_i+2) / (2 dx)
 };
 
@@ -41,7 +41,7 @@ enum class FastsimElements {
   chord,  ///< every strip divided into equal elements: forces of order 2 for the parabolic bound
           ///< without spin, 1.5 for the elliptic one, 1 with spin, which turns the slip
   grid,   ///< elements of the bounding box whose centres lie in the ellipse, the first reached by a
-          ///< whole step, as in CONTACT: order one
+          ///< whole step, the spin a sixth of a step upstream, as in CONTACT: order one
 };
 
 }  // namespace rollfem::contact

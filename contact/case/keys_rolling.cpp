@@ -40,8 +40,9 @@ void add_motion(RollingKeys& keys) {
 void add_difference(RollingKeys& keys) {
   keys.choice("upwind_order")
       .says(
-          "Order of the difference along the streamline; `first` is what CONTACT does and needs "
-          "some ten times finer elements.")
+          "Order of the difference along the streamline; `first` gives the numbers of CONTACT on "
+          "the same elements (it takes the spin a sixth of a step upstream) and needs some ten "
+          "times finer ones.")
       .into(&Rolling::upwind_order,
             {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}});
   keys.choice("leading_edge")

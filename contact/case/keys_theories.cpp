@@ -40,8 +40,8 @@ SectionWithKeys fastsim_section() {
             {{"three", Flexibilities::three}, {"one", Flexibilities::one}});
   keys.choice("elements")
       .says(
-          "`chord` divides every strip equally; `grid` takes elements of a common grid, as CONTACT "
-          "does, which is of first order.")
+          "`chord` divides every strip equally; `grid` takes elements of a common grid and the "
+          "spin a sixth of a step upstream, as CONTACT does, which is of first order.")
       .into(&FastsimOptions::elements,
             {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}});
   add_strips(keys, 8);

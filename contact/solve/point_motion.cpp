@@ -14,8 +14,9 @@ Vector2d PointMotion::given_unknowns(std::size_t k) const {
   return {point.creepage.longitudinal, point.creepage.lateral};
 }
 
-TangentialField PointMotion::rigid_slip(const Creepage& creepage) const {
+TangentialField PointMotion::rigid_slip(const Creepage& creepage, double step) const {
   TangentialField slip = geometry_.rigid_slip(creepage, grid_);
+  slip.y.array() += creepage.spin * upstream_of_spin(scene_.upwind_order, step);
   if (extra_.x.size() != 0) {
     slip.x += extra_.x;
     slip.y += extra_.y;
@@ -30,8 +31,10 @@ TangentialMotion PointMotion::at(std::size_t k, const Vector2d& unknowns) const 
         history_.shift_step(uniform_slip({unknowns.x(), unknowns.y(), point.spin_shift}, grid_));
     return {step.rigid_slip, Motion::shift, step.slip_factor, 0.0};
   }
-  const TangentialField slip = rigid_slip({unknowns.x(), unknowns.y(), point.creepage.spin});
-  if (scene_.problem != Problem::transient) return {slip, Motion::rolling, 1.0, 1.0};
+  const bool steps = scene_.problem == Problem::transient;
+  const TangentialField slip = rigid_slip({unknowns.x(), unknowns.y(), point.creepage.spin},
+                                          steps ? point.step_length : grid_.dx);
+  if (!steps) return {slip, Motion::rolling, 1.0, 1.0};
   const StepProblem step = history_.rolling_step(slip, point.step_length);
   // Curved streamlines strain the material while it rolls; the problem of the step is in mm.
   return {step.rigid_slip, Motion::shift, step.slip_factor, 1.0 / step.slip_factor};

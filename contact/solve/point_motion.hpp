@@ -43,7 +43,8 @@ class PointMotion {
     double longitudinal = 0.0, lateral = 0.0, spin = 0.0, distance = 0.0;
   };
 
-  TangentialField rigid_slip(const Creepage& creepage) const;
+  /// `step`: over how many mm the difference reaches that it is put beside.
+  TangentialField rigid_slip(const Creepage& creepage, double step) const;
 
   const Scene& scene_;
   const ChartedGeometry& geometry_;

@@ -25,4 +25,8 @@ TangentialField upwind_difference(const ContactGrid& grid, const TangentialField
   return {difference(grid, displacement.x, order), difference(grid, displacement.y, order)};
 }
 
+double upstream_of_spin(UpwindOrder order, double step) {
+  return order == UpwindOrder::first ? step / 6.0 : 0.0;
+}
+
 }  // namespace rollfem::contact

@@ -138,11 +138,12 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Cell
 }
 
 void add_notes(const Scene& scene, ModelResult& result) {
+  const bool first = scene.upwind_order == contact::UpwindOrder::first;
   result.notes.push_back(fmt::format(
       "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm with constant tractions; "
-      "{}-order upwind difference along rolling",
-      result.grid.dx, result.grid.dy,
-      scene.upwind_order == contact::UpwindOrder::first ? "first" : "second"));
+      "{}-order upwind difference along rolling{}",
+      result.grid.dx, result.grid.dy, first ? "first" : "second",
+      first ? ", the spin taken a sixth of its step upstream, as CONTACT does" : ""));
   result.notes.push_back(
       "error estimates: 1.5 times the change between this grid and one of twice the cells, divided "
       "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "

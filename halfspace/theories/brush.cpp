@@ -119,9 +119,8 @@ StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& fl
   for (int k = 0; k < elements.count; ++k) {
     const double step = k == 0 ? elements.first_step : elements.step;
     const double x = elements.x_first - k * elements.step;
-    // The rigid slip is linear in x: its value halfway makes adhesion exact for any step.
-    const double rate_y =
-        creepage.lateral / flexible.lateral + creepage.spin * (x + 0.5 * step) / flexible.spin;
+    const double rate_y = creepage.lateral / flexible.lateral +
+                          creepage.spin * (x + elements.spin_at * step) / flexible.spin;
     px -= rate_x * step;
     py -= rate_y * step;
     const double size = std::hypot(px, py);

@@ -50,6 +50,8 @@ struct StripElements {
   double first_step = 0.0;
   double step = 0.0;
   int count = 0;
+  /// Steps upstream of an element at which the spin is taken: halfway adhesion is exact.
+  double spin_at = 0.5;
 };
 
 /// `count` equal elements over the length of the strip. Adhesion is exact; where the direction of

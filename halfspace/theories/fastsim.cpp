@@ -1,6 +1,7 @@
 #include "halfspace/theories/fastsim.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/solve/compliance.hpp"
 
 #include <cmath>
 
@@ -25,18 +26,6 @@ BrushFlexibilities flexibilities_of(const EllipticPatch& patch, const contact::C
                                       : single_flexibility(three, creepage, std::sqrt(a * b));
 }
 
-/// Elements of a box of `count` over 2 a whose centres lie in the strip.
-StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count) {
-  const double step = 2.0 * semi_axis_x / count;
-  StripElements elements{0.0, step, step, 0};
-  for (int i = count - 1; i >= 0; --i) {
-    const double x = -semi_axis_x + (i + 0.5) * step;
-    if (std::abs(x) >= strip.half_length) continue;
-    if (elements.count++ == 0) elements.x_first = x;
-  }
-  return elements;
-}
-
 BrushTotals sum_grid_strips(const BrushProblem& problem, const HertzContact& ellipse,
                             const StripAt& strip_at, int strips) {
   const double width = 2.0 * ellipse.semi_axis_y / strips;
@@ -58,6 +47,18 @@ int convergence_order(const FastsimOptions& options, const contact::Creepage& cr
 }
 
 }  // namespace
+
+StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count) {
+  const double step = 2.0 * semi_axis_x / count;
+  StripElements elements{0.0, step, step, 0,
+                         contact::upstream_of_spin(contact::UpwindOrder::first, 1.0)};
+  for (int i = count - 1; i >= 0; --i) {
+    const double x = -semi_axis_x + (i + 0.5) * step;
+    if (std::abs(x) >= strip.half_length) continue;
+    if (elements.count++ == 0) elements.x_first = x;
+  }
+  return elements;
+}
 
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const FastsimOptions& options) {

@@ -11,6 +11,10 @@ using contact::FastsimElements;
 using contact::Flexibilities;
 using FastsimOptions = contact::FastsimOptions;
 
+/// FastsimElements::grid: those of a box of `count` over 2 a whose middles lie in the strip, with
+/// the spin where CONTACT takes it.
+StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count);
+
 /// Forces and areas of one load point of the case; the extra rigid slip of the case is included.
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const FastsimOptions& options = {});

@@ -63,7 +63,11 @@ struct Benchmark9 {
     return contact::ContactGrid::centred(across + 2 * margin, across + 2 * margin, cell, cell);
   }
 
-  contact::TangentialProblem problem(const contact::ContactGrid& on) const {
+  /// `order`: of the difference that it will be solved with, which says where the spin is taken.
+  contact::TangentialProblem problem(
+      const contact::ContactGrid& on,
+      contact::UpwindOrder order = contact::UpwindOrder::second) const {
+    const double ahead = contact::upstream_of_spin(order, on.dx);
     const double p0 = 1.5 * force / (M_PI * radius * radius);
     contact::TangentialProblem given;
     given.friction = contact::coulomb(friction);
@@ -74,7 +78,7 @@ struct Benchmark9 {
     given.rigid_slip.x =
         on.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; });
     given.rigid_slip.y =
-        on.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
+        on.sample([&](double x, double) { return creepage.lateral + creepage.spin * (x + ahead); });
     return given;
   }
 };

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -138,5 +139,74 @@ TEST(ManchesterBenchmark, LeftWheelAgreesWithContact) {
     }
     expect_creepage(creepage.lateral, row.ceta, "eta");
     expect_creepage(creepage.spin, row.cphi, "spin");
+  }
+}
+
+namespace {
+
+/// Tractions that CONTACT finds on the left wheel with its first-order differences, elements of
+/// 0.2 mm.
+struct FrictionRow {
+  double shift, yaw;  // mm, rad
+  double y_track;     // of the reference point
+  double cksi, ceta, cphi;
+  double along, across;  // force over mu N
+  int contact, adhesion;
+};
+
+const std::vector<FrictionRow> friction_rows{
+    {0.0, 0.0, -751.8726, -5.665E-05, 0.000, -6.302E-05, 9.281E-05, 0.08458, 1291, 943},
+    {0.5, 1.2e-3, -754.2092, -3.708E-04, 1.200E-03, -4.592E-05, 0.2942, -0.7860, 989, 342},
+    {1.0, 2.4e-3, -755.2440, -6.297E-04, 2.400E-03, -3.848E-05, 0.2749, -0.9592, 916, 0},
+    {5.0, 12.0e-3, -757.8958, -3.462E-03, 1.198E-02, -1.990E-05, 0.2785, -0.9604, 692, 0},
+};
+
+/// Its elements, with one in the middle of its reference point, and its creepages there: ours are
+/// those at our reference point, up to 0.024 mm from it.
+rollfem::contact::Scene as_contact_lays_it(rollfem::contact::Scene scene, const FrictionRow& row) {
+  const auto plain = rollfem::halfspace::run_halfspace(scene, {}).points.front();
+  const double cell = 0.2;
+  // The patch's y points to the field, -y of the track.
+  const double reference =
+      (scene.place->y_track - row.y_track) / std::cos(scene.place->contact_angle);
+  const auto odd = [&](double extent) {
+    return cell * (2.0 * std::ceil(0.5 * extent / cell) + 9.0);
+  };
+  scene.contact_grid.cell_size = {cell, cell};
+  scene.contact_grid.extent = {odd(plain.contact_length), odd(plain.contact_width)};
+  scene.contact_grid.middle = {
+      0.0, reference + cell * std::round((plain.patch_y_middle.value() - reference) / cell)};
+  scene.points.front().creepage = {-row.cksi + row.cphi * reference, row.ceta, row.cphi};
+  scene.upwind_order = rollfem::contact::UpwindOrder::first;
+  return scene;
+}
+
+}  // namespace
+
+TEST(ManchesterBenchmark, TractionsAreContactsWhereDifferencesElementsAndReferenceAre) {
+  Case input = benchmark();
+  input.wheelset.lateral_shift.clear();
+  input.wheelset.yaw.clear();
+  for (const FrictionRow& row : friction_rows) {
+    input.wheelset.lateral_shift.push_back(row.shift);
+    input.wheelset.yaw.push_back(row.yaw);
+  }
+  const auto balanced = rollfem::wheelset::balance(input);
+  ASSERT_EQ(balanced.scenes.size(), friction_rows.size());
+  for (std::size_t k = 0; k < friction_rows.size(); ++k) {
+    const FrictionRow& row = friction_rows[k];
+    SCOPED_TRACE(::testing::Message() << "shift " << row.shift);
+    const auto result =
+        rollfem::halfspace::run_halfspace(as_contact_lays_it(balanced.scenes[k], row), {});
+    const auto& point = result.points.front();
+    const double bound = 0.3 * point.normal_force;
+    // Two in the fourth digit. In pure rolling 0.0016 of mu N along: it is a balance about zero of
+    // a patch 16 mm wide, and turns by this where the patch moves by 7 um across.
+    EXPECT_NEAR(point.longitudinal_force / bound, -row.along, row.shift == 0.0 ? 2e-3 : 2e-4);
+    EXPECT_NEAR(point.lateral_force / bound, row.across, 2e-4);
+    EXPECT_NEAR(result.contact_elements, row.contact, 1);
+    const auto& state = point.fields.state;
+    EXPECT_EQ(std::count(state.begin(), state.end(), rollfem::contact::ElementState::adhesion),
+              row.adhesion);
   }
 }

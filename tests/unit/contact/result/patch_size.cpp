@@ -116,5 +116,10 @@ TEST(UpwindDifference, IsExactForItsOrderAndLooksUpstream) {
   EXPECT_GT(w[2], 0.0);
 }
 
+TEST(UpwindDifference, OfFirstOrderHasTheSpinASixthOfItsStepUpstream) {
+  EXPECT_DOUBLE_EQ(upstream_of_spin(UpwindOrder::first, 0.6), 0.1);
+  EXPECT_EQ(upstream_of_spin(UpwindOrder::second, 0.6), 0.0);
+}
+
 }  // namespace
 }  // namespace rollfem::contact
