@@ -73,8 +73,19 @@ struct Wheel {
   int patches = 0;
 };
 
-Wheel solved(double shift) {
-  const contact::Case input = rollfem::testing::hollow_tread(shift);
+/// Left wheel S1002 on UIC60, 100 kN: at -4.4 mm it stands on the tread, at -6 mm on the flange
+/// root.
+contact::Case at_the_root(double shift) {
+  contact::Case input = rollfem::testing::steep_flange(shift);
+  input.load.vertical_force = 100e3;
+  input.wheel.profile = {};
+  input.wheel.profile.name = "S1002";
+  input.wheel.rolling_radius = 450.0;
+  input.rail.profile.name = "UIC60-manchester";
+  return input;
+}
+
+Wheel solved(const contact::Case& input) {
   Wheel wheel;
   for (contact::Scene scene : wheelset::balance(input).scenes) {
     scene.contact_grid.elements_across = 20;
@@ -88,12 +99,35 @@ Wheel solved(double shift) {
   return wheel;
 }
 
-/// The largest change of a force between two positions, relative to the load.
-double change(const Wheel& a, const Wheel& b) {
-  double largest = 0.0;
-  for (int d = 0; d < 3; ++d) largest = std::max(largest, std::abs(a.force[d] - b.force[d]));
-  return largest / 80e3;
-}
+/// A wheel moved sideways.
+struct Sweep {
+  contact::Case (*at)(double shift);
+  double load;  ///< N
+
+  Wheel operator()(double shift) const { return solved(at(shift)); }
+
+  /// The largest change of a force between two positions, relative to the load.
+  double change(const Wheel& a, const Wheel& b) const {
+    double largest = 0.0;
+    for (int d = 0; d < 3; ++d) largest = std::max(largest, std::abs(a.force[d] - b.force[d]));
+    return largest / load;
+  }
+
+  /// From -> to between two positions, within a micrometre: where the number of patches changes.
+  std::array<Wheel, 2> across_event(double from, double to) const {
+    std::array<Wheel, 2> ends{(*this)(from), (*this)(to)};
+    while (to - from > micrometre) {
+      const double middle = 0.5 * (from + to);
+      const Wheel there = (*this)(middle);
+      const bool as_before = there.patches == ends[0].patches;
+      (as_before ? from : to) = middle;
+      ends[as_before ? 0 : 1] = there;
+    }
+    return ends;
+  }
+
+  static constexpr double micrometre = 1e-3;  // mm
+};
 
 }  // namespace
 
@@ -117,28 +151,39 @@ TEST(JoinedPatches, ShareAsHertzAndTheirDistanceSay) {
 }
 
 TEST(JoinedPatches, ForcesAreContinuousAsPatchesComeAndGo) {
-  constexpr double micrometre = 1e-3;  // mm
+  const Sweep sweep{rollfem::testing::hollow_tread, 80e3};
   constexpr double step = 0.2;
   int events = 0;
   double at = -1.2;
-  Wheel last = solved(at);
+  Wheel last = sweep(at);
   for (int k = 0; k < 12; ++k) {
     const double next_at = at + step;
-    const Wheel next = solved(next_at);
-    EXPECT_LT(change(next, solved(next_at + micrometre)), 1e-3) << next_at;
+    const Wheel next = sweep(next_at);
+    EXPECT_LT(sweep.change(next, sweep(next_at + Sweep::micrometre)), 1e-3) << next_at;
     if (next.patches != last.patches) {
-      double before = at, after = next_at;
-      while (after - before > micrometre) {
-        const double middle = 0.5 * (before + after);
-        (solved(middle).patches == last.patches ? before : after) = middle;
-      }
-      EXPECT_LT(change(solved(before), solved(after)), 1e-3) << before;
+      const auto [before, after] = sweep.across_event(at, next_at);
+      EXPECT_LT(sweep.change(before, after), 1e-3) << at;
       ++events;
     }
     at = next_at;
     last = next;
   }
   EXPECT_GE(events, 2);  // the second patch comes, the first goes
+}
+
+TEST(JoinedPatches, ForcesAreContinuousAsPatchesJoinAndPart) {
+  // From the flange root to the tread: a second patch comes, joins the first, parts from it, and
+  // the first goes.
+  const Sweep sweep{at_the_root, 100e3};
+  const std::array<double, 5> places{-6.0, -5.5, -5.2, -4.9, -4.4};
+  const std::array<int, 5> patches{1, 2, 1, 2, 1};
+  for (int k = 0; k < 4; ++k) {
+    SCOPED_TRACE(places[k]);
+    EXPECT_EQ(sweep(places[k]).patches, patches[k]);
+    const auto [before, after] = sweep.across_event(places[k], places[k + 1]);
+    EXPECT_EQ(after.patches, patches[k + 1]);
+    EXPECT_LT(sweep.change(before, after), 1e-3);
+  }
 }
 
 TEST(JoinedPatches, OfOtherPlanesShareTheLoadOfTheWheel) {

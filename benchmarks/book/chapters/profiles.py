@@ -1,10 +1,60 @@
 """True profiles: S1002 on UIC60, and the Manchester benchmark."""
+import json
+import os
+
 from matplotlib import pyplot as plt
 
 from .. import published
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number
 from rollfem_figures import style
+
+
+def _draw_patches_meet(shifts, points, change):
+    """Forces of the patches, friction, and change of a force (% of the load) over the lateral shift."""
+    figure, axes = plt.subplots(1, 3, figsize=(10.2, 3.3))
+    parts = [sorted(points[s].get("patches", []), key=lambda part: part["y"]) for s in shifts]
+    for which, words, ink, marker in ((0, "at the flange root", "#D55E00", "s"), (-1, "on the tread", style.BLUE, "o")):
+        axes[0].plot(shifts, [here[which]["normal_force"] / 1e3 if here else float("nan") for here in parts],
+                     color=ink, marker=marker, markersize=3, linewidth=0.8, label=words)
+    axes[0].plot(shifts, [points[s]["normal_force"] / 1e3 for s in shifts], color="black", label="all", linewidth=1.2)
+    for force, words, ink, dash in (("longitudinal_force", "$F_x$", style.BLUE, "-"),
+                                    ("lateral_force", "$F_y$", "#D55E00", (0, (6, 1.5)))):
+        axes[1].plot(shifts, [points[s][force] / 1e3 for s in shifts], color=ink, linestyle=dash, label=words)
+    axes[2].semilogy(shifts, change, color=style.BLUE, marker="o", markersize=3, linewidth=0.8)
+    axes[2].axhline(0.1, color="black", linewidth=0.8, linestyle="--")
+    for axis, words in zip(axes, ("normal force [kN]", "friction on the wheel [kN]",
+                                  "change of a force over 1 µm [% of $F_z$]")):
+        axis.set_xlabel("lateral shift [mm]")
+        axis.set_ylabel(words)
+    axes[0].legend(fontsize="small")
+    axes[1].legend()
+    figure.tight_layout()
+    return figure
+
+
+def _patches_meet(bench):
+    """The left wheel moved until it stands on its flange root: (rows, (figure, caption), cost).
+
+    A second patch comes, joins the first, parts and stays alone; every position once more 1 micrometre on.
+    """
+    load, micrometre = 100e3, 1e-3
+    shifts = [round(-6 + 0.05 * k, 2) for k in range(35)]
+    result = bench.run("patches_meet", "cases/s1002_uic60_left.toml", ["halfspace"],
+                       {"wheelset.lateral_shift": sorted(shifts + [round(s + micrometre, 3) for s in shifts]),
+                        "rolling.longitudinal_creepage": 0.0, "friction.coefficient": 0.3})
+    with open(os.path.join(bench.folder, "patches_meet", "summary.json"), encoding="utf-8") as file:
+        points = {round(m["place"]["lateral_shift"], 3): m["points"][0] for m in json.load(file)["models"]}
+    change = [max(abs(points[round(s + micrometre, 3)][force] - points[s][force])
+                  for force in ("normal_force", "longitudinal_force", "lateral_force")) for s in shifts]
+    figure = _draw_patches_meet(shifts, points, [100 * c / load for c in change])
+    rows = [Row("left wheel moved by 1 µm: largest change of a force", "N", 0.0, max(change), 0.001, of=load,
+                of_words="F_z", by="half-space, 40 across")]
+    caption = ("The left wheel moved towards its flange (mu = 0.3, xi = 0): from the right, a second patch comes at the "
+               "root, joins that of the tread, parts from it and stays alone. Each change of a force is that to a position "
+               "1 µm on")
+    cost = Cost(f"left wheel at {2 * len(shifts)} positions: Half-space", sum(m.seconds["total"] for m in result.models))
+    return rows, (bench.save(figure, "patches_meet"), caption), cost
 
 
 def wheel_on_rail(bench):
@@ -32,6 +82,9 @@ def wheel_on_rail(bench):
                     for name, values in published.WHEEL_ON_RAIL[side].items()]
         tables.append(Table(f"The {side} wheel by all:", ["by", "p0 in MPa", "length in mm", "width in mm"],
                             [[name, *(number(v, 5) for v in values)] for name, values in entries]))
+    more, figure, seconds = _patches_meet(bench)
+    rows += more
+    cost.append(seconds)
     return Chapter(
         "wheel-on-rail", "S1002 on UIC60 at 100 kN",
         "A wheelset 2 mm to the right, wheel radius 450 mm, mu = 0.55, rails inclined 1:40 "
@@ -40,9 +93,10 @@ def wheel_on_rail(bench):
         "CONTACT rev 2707 on the same profiles (0.05 mm elements on the left; on the right only p0 is at hand). The "
         "thesis's figures stand beside; its lengths cannot carry 100 kN at its pressures "
         "([verification](../verification.md)).",
-        rows, tables=tables, cost=cost,
+        rows, tables=tables, figures=[figure], cost=cost,
         tests=["verification.ProfilePatches.S1002OnUic60HasContactsPatch",
                "verification.ProfilePatches.S1002OnUic60HasContactsCreepCurve",
+               "verification.JoinedPatches.ForcesAreContinuousAsPatchesComeAndGo",
                "verification.FemOnTheStudysLeftWheel.WithBoxesHasPressureAndForcesOfTheHalfSpace"])
 
 
