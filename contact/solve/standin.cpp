@@ -92,8 +92,10 @@ double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
 }
 
 /// Tractions under the pressure of `solution`; `defect` (may be null) put in as an extra slip.
+/// `weights`: Preconditioner::fitted_weights.
 void solve_tractions(const Preconditioner& standin, const CoupledProblem& problem,
-                     const Response* defect, double tolerance, StandinSolution& solution) {
+                     const Response* defect, double tolerance, const Field& weights,
+                     StandinSolution& solution) {
   TangentialProblem tangential{solution.normal.pressure, problem.rigid_slip, problem.friction,
                                problem.slip_factor};
   const Field& pressure = solution.normal.pressure;
@@ -105,9 +107,7 @@ void solve_tractions(const Preconditioner& standin, const CoupledProblem& proble
   TangentialOptions options;
   options.tolerance = tolerance;
   std::optional<EdgeFittedRolling> fitted;
-  Field weights = standin.fitted_weights(pressure);
-  if (weights.size() != 0)
-    fitted.emplace(*standin.first_order, standin.rolling, std::move(weights));
+  if (weights.size() != 0) fitted.emplace(*standin.first_order, standin.rolling, weights);
   solution.tangential = solve_tangential(fitted ? *fitted : standin.rolling, tangential, options,
                                          solution.tangential.traction);
 }
@@ -172,6 +172,10 @@ namespace {
 
 constexpr double shared_to = 1e-10;
 constexpr int most_turns = 40;
+/// Weights at the leading edge jump where an element comes into contact, and forces by 0.1 % of the
+/// load with them: a share between the two sides is met by neither. From this turn on the weights
+/// stay.
+constexpr int turns_until_kept = 12;
 /// Pressure that carries more than this many times the load along z runs away.
 constexpr double largest_share = 30.0;
 
@@ -190,11 +194,14 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
     if (!(*share > 0.0)) share = frictionless_share(problem);
   }
   PositiveFixedPoint sharing;
+  Field weights;
   for (int turn = 0; turn < most_turns; ++turn) {
     if (!pressed || shares)
       solution.normal =
           solve_pressure(standin.normal, problem, gap, share, normal, solution.normal.pressure);
-    if (!problem.frictionless()) solve_tractions(standin, problem, defect, tangential, solution);
+    if (turn < turns_until_kept) weights = standin.fitted_weights(solution.normal.pressure);
+    if (!problem.frictionless())
+      solve_tractions(standin, problem, defect, tangential, weights, solution);
     if (!shares) return;
     const double image = pressure_share(grid, problem, solution);
     if (std::abs(image - *share) <= shared_to * *problem.load.force) return;

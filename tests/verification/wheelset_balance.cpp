@@ -125,6 +125,23 @@ TEST(WheelsetBalance, CreepagesThatAreGivenStand) {
   }
 }
 
+TEST(WheelsetBalance, FrictionOnTheFlangeSettlesWhereAnElementComesIntoContact) {
+  // Which elements touch depends on what friction carries, and friction on which elements touch: at
+  // these places each of the two sides asks for the other.
+  constexpr double heavy = 80e3;
+  for (const double shift : {-7.32, -7.321, -8.51}) {
+    SCOPED_TRACE(shift);
+    Case input = scene_at(shift, 0.0);
+    input.load.vertical_force = heavy;
+    input.wheel.material = input.rail.material = {209920.0, 0.28};
+    input.wheelset.side = WheelSide::left;
+    input.wheelset.roll = {0.0};
+    const auto wheels = solved(wheelset::balance(input).scenes);
+    ASSERT_EQ(wheels.size(), 1U);
+    EXPECT_NEAR(wheels.at(true).vertical, heavy, 1e-6 * heavy);
+  }
+}
+
 TEST(WheelsetBalance, FrictionThatCarriesTheWheelUpIsSaid) {
   // A flange at 54 degrees that slides down is carried upwards by friction: cos - mu sin < 0.
   Case input = scene_at(8.0, 0.02);
