@@ -56,7 +56,10 @@ StepProblem History::rolling_step(const TangentialField& rigid_slip, double step
         fmt::format("transient rolling: a step of {} mm; allowed: above 0", step_length));
   const TangentialField one{upstream(grid_, last_.x, step_length),
                             upstream(grid_, last_.y, step_length)};
-  const bool equal_steps = std::abs(step_length - last_step_) <= 1e-9 * step_length;
+  const auto equals = [&](double other) {
+    return std::abs(step_length - other) <= 1e-9 * step_length;
+  };
+  const bool equal_steps = equals(last_step_) && equals(before_last_step_);
   if (order_ == UpwindOrder::first || !equal_steps)
     return {{step_length * rigid_slip.x - one.x, step_length * rigid_slip.y - one.y},
             1.0 / step_length};
@@ -71,6 +74,7 @@ StepProblem History::rolling_step(const TangentialField& rigid_slip, double step
 void History::advance(const TangentialField& displacement, double step_length) {
   before_last_ = last_;
   last_ = displacement;
+  before_last_step_ = last_step_;
   last_step_ = step_length;
 }
 

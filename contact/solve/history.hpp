@@ -18,9 +18,11 @@ struct StepProblem {
 /// Displacements of the last two steps, in the frame of the contact.
 class History {
  public:
-  /// `order`: of the difference in time of transient rolling. First: (u - u') over the step. Second
-  /// (from the second of equal steps on): (3 u - 4 u' + u'')/2, which tends to the steady solution
-  /// of second-order upwind differences. Shifts always compare with the step before.
+  /// `order`: of the difference in time of transient rolling. First: (u - u') over the step.
+  /// Second: (3 u - 4 u' + u'')/2, which tends to the steady solution of second-order upwind
+  /// differences; from the third of equal steps on, since the displacement may jump in the first (a
+  /// force that is there at once) and u'' before the jump would throw the second step beyond.
+  /// Shifts always compare with the step before.
   History(const ContactGrid& grid, UpwindOrder order);
 
   /// A shift by `rigid_shift` (mm): w = W + u - u'.
@@ -38,7 +40,8 @@ class History {
   UpwindOrder order_;
   TangentialField last_;
   TangentialField before_last_;
-  double last_step_ = 0.0;  ///< mm rolled in the last step
+  double last_step_ = 0.0;         ///< mm rolled in the last step
+  double before_last_step_ = 0.0;  ///< and in the one before
 };
 
 /// Values at `distance` >= 0 upstream (+x) of every element, by cubics between the four nearest
