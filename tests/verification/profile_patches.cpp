@@ -9,7 +9,6 @@
 
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
-#include <chrono>
 
 using namespace rollfem;
 using contact::ModelResult;
@@ -161,16 +160,12 @@ TEST(ProfilePatches, S1002OnUic60HasContactsCreepCurve) {
   }
 }
 
-TEST(ProfilePatches, FourThousandElementsTakeHalfASecond) {
+TEST(ProfilePatches, FourThousandElementsTakeFewSteps) {
   rollfem::testing::PatchCase input = s1002_left();
   input.rolling.creepages = {{1.4e-3, 0.0, 3.6e-5}};
-  const auto begin = std::chrono::steady_clock::now();
   const ModelResult result = run("halfspace", input);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   EXPECT_GT(result.contact_elements, 3800);
-  // 0.13 s on a quiet machine.
-  EXPECT_LT(seconds, 0.5);
+  EXPECT_LE(result.points.at(0).iterations, 6);
 }
 
 TEST(ProfilePatches, StripModelIsNearTheHalfSpace) {
