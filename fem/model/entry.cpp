@@ -3,15 +3,24 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <array>
 #include <memory>
+#include <string>
 
 namespace {
 
 std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
 
 void start(int& argc, char**& argv) {
+  if (session) return;
+  // PETSc, which deal.II starts too, reads options from .petscrc of the current folder (one of them
+  // starts a program) and from the call, unless it is told not to.
+  static std::string program = argc > 0 ? argv[0] : "rollfem", option = "-skip_petscrc";
+  static std::array<char*, 3> call{program.data(), option.data(), nullptr};
+  int count = 2;
+  char** own = call.data();
   // One thread in deal.II: the cores go to MPI processes and to the two bodies solved side by side.
-  if (!session) session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
+  session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(count, own, 1);
 }
 
 void stop() {

@@ -78,6 +78,40 @@ TEST(MeshCommand, RefusesBadMeshesAndWritesNothing) {
   EXPECT_TRUE(folder.made().empty());
 }
 
+TEST(MeshCommand, RunsNoScriptOfTheUsersFolders) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", plus(coarse + "mesh = \"gmsh\"\n"));
+  ASSERT_EQ(call(folder, {"mesh", file, "-o", "made"}).status, 0);
+  // gmsh would run the first beside the mesh, and the others at its start.
+  const std::string script = "SystemCall \"touch " + folder.path("ran") + "\";\n";
+  for (const char* name :
+       {"work/made/wheel.msh.opt", "work/made/rail.msh.opt", "work/.gmshrc", "work/.gmsh-options",
+        "work/gmsh-options", "home/.gmshrc", "home/.gmsh-options", "home/.gmshrc.opt"})
+    folder.file(name, script);
+  folder.file("work/.petscrc", "-help\n");  // PETSc would print its options, or start a debugger
+  const std::string own = folder.file(
+      "own.toml",
+      with("rolling_radius = 405.0", "rolling_radius = 405.0\nmesh = \"work/made/wheel.msh\"") +
+          coarse + "mesh = \"gmsh\"\n");
+  const Outcome outcome =
+      call(folder, {"mesh", own, "-o", "again"}, {"HOME=" + folder.path("home")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder.path("ran")));
+  EXPECT_EQ(outcome.out.find("petsc"), std::string::npos) << outcome.out.substr(0, 300);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(MeshCommand, RefusesNumbersThatCannotBe) {
+  const Folder folder;
+  ASSERT_EQ(call(folder, {"mesh", folder.file("a.toml", plus(coarse)), "-o", "made"}).status, 0);
+  std::string text = contents(folder.work() / "made" / "wheel.msh");
+  const std::size_t line = text.rfind('\n', text.find("\n$EndElements") - 1);
+  text.insert(text.find(' ', line) + 1, "-");
+  folder.file("negative.msh", text);
+  expect_refused(call(folder, {"mesh", folder.file("b.toml", with_mesh("negative.msh"))}),
+                 "a node of an element is -");
+}
+
 TEST(MeshCommand, SparesTheMeshThatTheCaseNames) {
   const Folder folder;
   folder.file("wheel.msh", "$MeshFormat\n");
