@@ -61,7 +61,7 @@ TEST(DamagedMeshes, AreReadOrRefusedInOneMessage) {
           std::all_of(said.begin(), said.end(), [](char c) { return c >= ' ' && c <= '~'; }))
           << k << ": " << said;
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1)) << k;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << k;
   }
   // What passes has another coordinate, another box of an entity, a comment or a blank.
   EXPECT_GT(refused, files / 2);
