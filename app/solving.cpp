@@ -41,14 +41,39 @@ std::string parts_note(const contact::ContactPlace& place, const contact::ModelR
   return text;
 }
 
+/// What one plane leaves out where its patches have other normals: their pressure along y. Empty
+/// where it is small.
+std::string normals_note(const contact::Scene& scene, const contact::ModelResult& result) {
+  constexpr double worth_a_note = 0.01;  // of the normal force
+  if (scene.surface_form != contact::SurfaceForm::planar || result.name != "halfspace") return {};
+  const contact::HeightCurve& rail = scene.geometry.surface.profiles->rail();
+  double along_y = 0.0, least = contact::infinity, largest = -contact::infinity;
+  for (const auto& part : contact::patch_parts(result.grid, result.points.front().fields)) {
+    const double slope = rail.at(part.y).slope;
+    along_y -= part.normal_force * slope;
+    least = std::min(least, std::atan(slope));
+    largest = std::max(largest, std::atan(slope));
+  }
+  if (std::abs(along_y) <= worth_a_note * result.points.front().normal_force) return {};
+  return fmt::format(
+      "the normals of these patches differ by {:.3g} rad: each on its own they would press {:.4g} "
+      "N "
+      "along y more than the plane has it; do: run with halfspace.surface = \"curved\", whose "
+      "surface has their normals",
+      largest - least, along_y);
+}
+
 /// What the result of a patch says beyond what the model knows.
 void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
             contact::ModelResult& result) {
   if (!scene.place) return;
   result.place = scene.place;
   result.notes.insert(result.notes.end(), notes.begin(), notes.end());
-  if (!result.points.empty() && result.points.front().patch_count > 1)
+  if (!result.points.empty() && result.points.front().patch_count > 1) {
     result.notes.push_back(parts_note(*scene.place, result));
+    if (const std::string note = normals_note(scene, result); !note.empty())
+      result.notes.push_back(note);
+  }
   if (scene.place->patches > 1)
     result.notes.push_back(
         "the contacts of this wheel lie in different planes: they share its load by one vertical "

@@ -27,8 +27,9 @@ namespace {
 constexpr int elements_of_box = 30;
 constexpr int elements_of_law = 50;
 constexpr int fewest_across_patch = 20;
-/// Elements over what carries load in the last solution, on a lattice that moves with the origin.
-constexpr int elements_of_lattice = 32;
+/// Elements over what carries load in the last solution, on a lattice that moves with the origin:
+/// as many as keep it steady where several waves of a rough profile carry the load.
+constexpr int elements_of_lattice = 64;
 constexpr int most_rows = 720;
 constexpr int most_rounds = 12;
 /// On each side of the patch of the round before, relative to its extent.
@@ -269,10 +270,8 @@ ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
   const double extents = 1.0 + 2.0 * margin;
-  found = solve_on(
-      scene,
-      lattice_over(found, std::max(elements_of_lattice, static_cast<int>(elements / extents))),
-      load);
+  const int across = std::max(elements_of_lattice, static_cast<int>(elements / extents));
+  found = solve_on(scene, lattice_over(found, across), load);
   return summary(found);
 }
 

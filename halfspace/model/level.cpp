@@ -40,14 +40,14 @@ ContactGrid with_margin(const ContactGrid& grid, int columns, int rows) {
 }
 
 /// Transient rolling looks up to two steps upstream.
-int columns_for_steps(const Scene& scene, double dx) {
+int columns_for_steps(const Scene& scene, const AreaOfPatch& area, double dx) {
   if (scene.problem != contact::Problem::transient || scene.contact_grid.extent ||
       scene.geometry.distance_values)
     return 0;
   double longest = 0.0;
   for (const contact::LoadPoint& point : scene.points)
     longest = std::max(longest, point.step_length);
-  const double extent = expected_extent(scene).length;
+  const double extent = area.extent().length;
   return static_cast<int>(std::ceil(std::min(2.0 * longest, extent) / dx));
 }
 
@@ -169,7 +169,7 @@ contact::Chart halfspace_chart(const Scene& scene) {
   return contact::Chart::arc;
 }
 
-contact::LevelResult solve_level(const Scene& scene, double dx, double dy,
+contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, double dx, double dy,
                                  const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,
                                  contact::Checkpoint* checkpoint) {
@@ -179,8 +179,7 @@ contact::LevelResult solve_level(const Scene& scene, double dx, double dy,
   options.stage_prefix = stage_prefix;
   options.force_accuracy = accuracy_of_force_search;
   options.coarser = coarser;
-  ContactGrid grid =
-      with_margin(potential_area(scene, dx, dy, margin), columns_for_steps(scene, dx), 0);
+  ContactGrid grid = with_margin(area.grid(dx, dy, margin), columns_for_steps(scene, area, dx), 0);
   constexpr int most_enlargements = 4;
   for (int attempt = 0;; ++attempt) {
     std::optional<GridStore> store;

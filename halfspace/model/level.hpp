@@ -4,6 +4,7 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/contact_run.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <memory>
 #include <string>
@@ -19,11 +20,11 @@ std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& 
 contact::Chart halfspace_chart(const contact::Scene& scene);
 
 /// Solves all load points with cells of dx by dy, on a larger grid when the patch reaches its
-/// border. `coarser` may be null. `stage_prefix` stands before the stage names of the progress
-/// events. With a `checkpoint` (may be null) load points that it holds are taken up and others are
-/// kept there.
-contact::LevelResult solve_level(const contact::Scene& scene, double dx, double dy,
-                                 const contact::LevelResult* coarser,
+/// border. `area`: of this scene. `coarser` may be null. `stage_prefix` stands before the stage
+/// names of the progress events. With a `checkpoint` (may be null) load points that it holds are
+/// taken up and others are kept there.
+contact::LevelResult solve_level(const contact::Scene& scene, const AreaOfPatch& area, double dx,
+                                 double dy, const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,
                                  contact::Checkpoint* checkpoint = nullptr);
 

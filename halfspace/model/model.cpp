@@ -44,8 +44,8 @@ struct Cell {
   int across;  ///< elements along the smaller side of the patch
 };
 
-Cell finest_cell(const Scene& scene) {
-  const auto [length, width] = expected_extent(scene);
+Cell finest_cell(const Scene& scene, const AreaOfPatch& area) {
+  const auto [length, width] = area.extent();
   if (scene.contact_grid.cell_size) {
     const auto& [dx, dy] = *scene.contact_grid.cell_size;
     return {dx, dy, static_cast<int>(std::min(length / dx, width / dy))};
@@ -56,8 +56,8 @@ Cell finest_cell(const Scene& scene) {
 
 /// The finest level last. There are always two, for the error estimate; a history gains nothing
 /// from more, for its steps start from each other.
-std::vector<Cell> cells_of_levels(const Scene& scene) {
-  std::vector<Cell> cells{finest_cell(scene)};
+std::vector<Cell> cells_of_levels(const Scene& scene, const AreaOfPatch& area) {
+  std::vector<Cell> cells{finest_cell(scene, area)};
   while (cells.size() < 2 ||
          (!scene.is_history() && cells.back().across / 2 >= fewest_elements_across)) {
     const Cell& fine = cells.back();
@@ -124,12 +124,15 @@ Scene with_room(Scene scene, const Cell& cell) {
 }
 
 /// A level that only helps the finer ones: none where its elements do not fit.
-std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Cell& cell,
+std::optional<contact::LevelResult> coarser_level(const Scene& scene, const AreaOfPatch& area,
+                                                  const Cell& cell,
                                                   const contact::LevelResult* start,
                                                   const std::string& prefix,
                                                   const contact::Progress& progress) {
   try {
-    return solve_level(with_room(scene, cell), cell.dx, cell.dy, start, prefix, progress, nullptr);
+    const Scene roomy = with_room(scene, cell);
+    return solve_level(roomy, scene.contact_grid.extent ? AreaOfPatch(roomy) : area, cell.dx,
+                       cell.dy, start, prefix, progress, nullptr);
   } catch (const contact::UnfitGrid&) {
     return {};
   } catch (const contact::InputError&) {
@@ -204,9 +207,10 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   const auto begin = std::chrono::steady_clock::now();
   std::optional<contact::LevelResult> coarse;
   std::optional<contact::LevelResult> fine;
-  std::vector<Cell> cells = cells_of_levels(scene);
+  const AreaOfPatch area(scene);
+  std::vector<Cell> cells = cells_of_levels(scene, area);
   // A grid too large to have is refused before the coarser ones are computed.
-  static_cast<void>(potential_area(scene, cells.back().dx, cells.back().dy, 0));
+  static_cast<void>(area.grid(cells.back().dx, cells.back().dy, 0));
   ModelResult result;
   result.name = "halfspace";
   for (std::size_t level = 0; level < cells.size(); ++level) {
@@ -216,8 +220,8 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     const std::string prefix =
         last && !scene.accuracy.relative ? "" : fmt::format("{} across: ", cell.across);
     const contact::LevelResult* start = coarse ? &*coarse : nullptr;
-    fine = last ? solve_level(scene, cell.dx, cell.dy, start, prefix, progress, checkpoint)
-                : coarser_level(scene, cell, start, prefix, progress);
+    fine = last ? solve_level(scene, area, cell.dx, cell.dy, start, prefix, progress, checkpoint)
+                : coarser_level(scene, area, cell, start, prefix, progress);
     if (!fine) continue;
     result.seconds["setup"] += fine->setup_seconds;
     result.seconds["normal"] += fine->normal_seconds;

@@ -3,6 +3,9 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/model.hpp"
+#include "halfspace/model/expected_patch.hpp"
+
+#include <optional>
 
 namespace rollfem::halfspace {
 
@@ -13,6 +16,22 @@ struct PatchExtent {
   double width = 0.0;   ///< mm, along y
 };
 PatchExtent expected_extent(const contact::Scene& scene);
+
+/// Lays grids over one scene, for which the expected patch is looked for once.
+class AreaOfPatch {
+ public:
+  /// The scene must outlive this.
+  explicit AreaOfPatch(const contact::Scene& scene) : scene_(scene) {}
+  PatchExtent extent() const;  ///< expected_extent
+  /// potential_area of elements of dx by dy.
+  contact::ContactGrid grid(double dx, double dy, int margin) const;
+
+ private:
+  const ExpectedPatch& patch() const;
+
+  const contact::Scene& scene_;
+  mutable std::optional<ExpectedPatch> patch_;
+};
 
 /// Potential contact area from the case: the box of expected_patch plus a margin, with elements by
 /// [contact_grid]; or as many elements as fit into contact_grid.extent, or into the points of the

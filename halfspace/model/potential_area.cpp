@@ -57,37 +57,47 @@ int elements_within(double extent, double cell) {
 
 }  // namespace
 
-PatchExtent expected_extent(const contact::Scene& scene) {
-  if (const auto& values = scene.geometry.distance_values) {
-    if (scene.contact_grid.extent)
-      return {(*scene.contact_grid.extent)[0], (*scene.contact_grid.extent)[1]};
-    return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
-  }
-  const ExpectedPatch patch = expected_patch(scene);
-  return {patch.carrying_length, patch.carrying_width};
+const ExpectedPatch& AreaOfPatch::patch() const {
+  if (!patch_) patch_ = expected_patch(scene_);
+  return *patch_;
 }
 
-ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin) {
-  const contact::GridOptions& options = scene.contact_grid;
-  const auto& values = scene.geometry.distance_values;
-  if (!options.extent && !values) {
-    const ExpectedPatch patch = expected_patch(scene);
-    const PatchExtent extent{patch.length(), patch.width()};
-    check_cells(scene, extent, dx, dy, margin);
-    if (scene.has_profiles()) return anchored_grid(patch, options.middle, dx, dy, margin);
-    return ContactGrid::centred(
-        elements(extent.length, dx, margin), elements(extent.width, dy, margin), dx, dy,
-        options.middle[0] + patch.x_middle(), options.middle[1] + patch.y_middle());
+PatchExtent AreaOfPatch::extent() const {
+  if (const auto& values = scene_.geometry.distance_values) {
+    if (scene_.contact_grid.extent)
+      return {(*scene_.contact_grid.extent)[0], (*scene_.contact_grid.extent)[1]};
+    return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
   }
-  const PatchExtent extent = options.extent
-                                 ? PatchExtent{(*options.extent)[0], (*options.extent)[1]}
-                                 : expected_extent(scene);
+  return {patch().carrying_length, patch().carrying_width};
+}
+
+PatchExtent expected_extent(const contact::Scene& scene) {
+  return AreaOfPatch(scene).extent();
+}
+
+ContactGrid AreaOfPatch::grid(double dx, double dy, int margin) const {
+  const contact::GridOptions& options = scene_.contact_grid;
+  const auto& values = scene_.geometry.distance_values;
+  if (!options.extent && !values) {
+    const PatchExtent box{patch().length(), patch().width()};
+    check_cells(scene_, box, dx, dy, margin);
+    if (scene_.has_profiles()) return anchored_grid(patch(), options.middle, dx, dy, margin);
+    return ContactGrid::centred(elements(box.length, dx, margin), elements(box.width, dy, margin),
+                                dx, dy, options.middle[0] + patch().x_middle(),
+                                options.middle[1] + patch().y_middle());
+  }
+  const PatchExtent extent =
+      options.extent ? PatchExtent{(*options.extent)[0], (*options.extent)[1]} : this->extent();
   std::array<double, 2> middle = options.middle;
   if (values && !options.extent)
     middle = {values->x_first + 0.5 * extent.length, values->y_first + 0.5 * extent.width};
-  check_cells(scene, extent, dx, dy, 0);
+  check_cells(scene_, extent, dx, dy, 0);
   return ContactGrid::centred(elements_within(extent.length, dx), elements_within(extent.width, dy),
                               dx, dy, middle[0], middle[1]);
+}
+
+ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin) {
+  return AreaOfPatch(scene).grid(dx, dy, margin);
 }
 
 ContactGrid potential_area(const contact::Scene& scene, int margin) {
@@ -96,11 +106,12 @@ ContactGrid potential_area(const contact::Scene& scene, int margin) {
     throw contact::InputError(
         fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", scene.file,
                     options.elements_across));
-  const PatchExtent extent = expected_extent(scene);
+  const AreaOfPatch area(scene);
+  const PatchExtent extent = area.extent();
   const double across = options.elements_across;
   const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;
   const double dy = options.cell_size ? (*options.cell_size)[1] : extent.width / across;
-  return potential_area(scene, dx, dy, margin);
+  return area.grid(dx, dy, margin);
 }
 
 }  // namespace rollfem::halfspace
