@@ -155,6 +155,18 @@ std::optional<double> known_normal_force(const Case& input, std::size_t k) {
   return input.load.normal_force;
 }
 
+/// Below, squares of tractions end at the smallest numbers there are; and nothing is left of them
+/// beside the pressure.
+constexpr double least_friction = 1e-12;
+
+void check_friction(const GivenCase& given, const Case& input) {
+  const double mu = input.friction_coefficient;
+  if (mu == 0.0 || mu >= least_friction) return;
+  fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"),
+          "is too small to be told from none", fmt::format("0, or {:g} to 1000", least_friction),
+          "give 0 for no friction");
+}
+
 void check_friction_limit(const GivenCase& given, const Case& input) {
   const auto& forces = input.rolling.forces;
   for (std::size_t k = 0; k < forces.size(); ++k) {
@@ -321,6 +333,7 @@ void complete(const GivenCase& given, Case& input) {
 
 void check_values(const GivenCase& given, const Case& input) {
   check_rigid(given, input);
+  check_friction(given, input);
   check_friction_limit(given, input);
   check_inertia(given, input);
   check_places(given, input);

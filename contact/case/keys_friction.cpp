@@ -8,7 +8,9 @@ SectionWithKeys friction_section() {
       .symbol("mu")
       .between(0.0, 1000.0)
       .required("0.55")
-      .says("Coulomb's coefficient of friction, the same for adhesion and slip; 0 is frictionless.")
+      .says(
+          "Coulomb's coefficient of friction, the same for adhesion and slip; 0 is frictionless, "
+          "otherwise at least 1e-12.")
       .into(&Case::friction_coefficient);
   return keys;
 }
