@@ -72,7 +72,11 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
     if (!taking_up) {
       if (!problem_) prepare(make);
       const Stopwatch watch;
-      solve_point(k);
+      try {
+        solve_point(k);
+      } catch (const UnfitGrid&) {
+        return false;
+      }
       result_.tangential_seconds += watch.seconds();
     }
     if (touches_border(grid, state_.normal.pressure)) return false;
@@ -149,14 +153,11 @@ ContactState ContactRun::start_for(std::size_t k) {
   if (scene_.is_history()) start.tangential.traction = state_.tangential.traction;
   const LevelResult* coarser = options_.coarser;
   if (!coarser || k >= coarser->relative_traction.size()) return start;
-  const TangentialField& relative = coarser->relative_traction[k];
-  const Field inside = (coarser->pressure.array() > 0.0).cast<double>();
-  const Field bound = traction_bound(friction_, start.normal.pressure);
-  const auto scaled = [&](const Field& values) -> Field {
-    const Field here = interpolated(coarser->grid, values, result_.grid, inside);
-    return here.cwiseProduct(bound);
-  };
-  start.tangential.traction = {scaled(relative.x), scaled(relative.y)};
+  start.tangential.traction =
+      finer_tractions(coarser->grid, coarser->pressure, coarser->relative_traction[k], result_.grid,
+                      traction_bound(friction_, start.normal.pressure));
+  // The defect of these tractions, not of another load point.
+  if (options_.same_normal_block) start.defect = {};
   return start;
 }
 
@@ -270,11 +271,9 @@ void ContactRun::solve_point(std::size_t k) {
 void ContactRun::remember(std::size_t k) {
   motion_->advance(k, {state_.displacement.x, state_.displacement.y});
   if (scene_.is_history()) return;
-  const Field inverse_bound =
-      traction_bound(friction_, state_.normal.pressure, state_.tangential.slip)
-          .unaryExpr([](double g) { return g > 0.0 ? 1.0 / g : 0.0; });
-  result_.relative_traction.push_back({state_.tangential.traction.x.cwiseProduct(inverse_bound),
-                                       state_.tangential.traction.y.cwiseProduct(inverse_bound)});
+  result_.relative_traction.push_back(
+      relative_to_bound(state_.tangential.traction,
+                        traction_bound(friction_, state_.normal.pressure, state_.tangential.slip)));
 }
 
 PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {

@@ -1,6 +1,7 @@
 #include "contact/solve/defect_correction.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/patch_size.hpp"
 #include "contact/solve/anderson.hpp"
 #include "contact/solve/leading_edge.hpp"
 
@@ -128,31 +129,66 @@ void solve_standin_with(const Preconditioner& halfspace, const Response& defect,
   solution.unknowns = search.start = find_creepage(law, forced->wanted, search).creepage;
 }
 
-/// Shorter steps once the iteration only goes round: pressure, bound and traction at a slipping
-/// edge chase each other when mu times the coupling is large.
-class Damping {
+/// From a defect and its image to the next defect: Anderson's method while it leads on. Where mu
+/// times the coupling is large it only goes round: at a slipping edge pressure, bound and traction
+/// chase each other with a gain of i mu K/(1 - nu), and the edge moves with every step. Then short
+/// plain steps, which contract as long as omega < 2/(1 + gain^2), and every few of them an
+/// extrapolation (alternating Anderson-Richardson: Pratapa, Suryanarayana & Pask, J. Comput. Phys.
+/// 306 (2016)).
+class OuterSteps {
  public:
-  double factor() const { return factor_; }
+  explicit OuterSteps(int depth) : anderson_(depth), rare_(depth_of_rare) {}
 
-  /// True when the step has just been shortened.
-  bool after(double residual) {
-    if (residual < 0.7 * best_) {
-      best_ = residual;
-      in_vain_ = 0;
-      return false;
-    }
-    if (++in_vain_ < patience || factor_ <= least) return false;
-    in_vain_ = 0;
-    factor_ *= 0.5;
-    return true;
+  /// Takes the residual of a defect. True when it has not fallen for long.
+  bool goes_round(double residual) {
+    const bool in_vain = went_in_vain(residual);
+    // A changed active set can make the history misleading: begin it anew rather than follow it.
+    if (in_vain || residual > 2.0 * best_) anderson_.restart();
+    best_ = std::min(best_, residual);
+    given_up_ = in_vain && factor_ <= least;
+    if (in_vain) factor_ = std::max(least, factor_ * (factor_ > longest_plain ? 0.25 : 0.5));
+    if (in_vain) rare_.restart();
+    return in_vain;
+  }
+
+  /// The shortest steps were in vain as well.
+  bool given_up() const { return given_up_; }
+
+  Eigen::VectorXd next(const Eigen::VectorXd& defect, const Eigen::VectorXd& image) {
+    if (factor_ > longest_plain) return anderson_.next(defect, image);
+    const Eigen::VectorXd plain = defect + factor_ * (image - defect);
+    const Eigen::VectorXd extrapolated = rare_.next(defect, plain);
+    return ++plain_steps_ % period == 0 ? extrapolated : plain;
   }
 
  private:
   static constexpr int patience = 8;
-  static constexpr double least = 0.1;
-  double best_ = std::numeric_limits<double>::infinity();
+  static constexpr int patience_when_plain = 40;
+  static constexpr double longest_plain = 0.25;
+  static constexpr double least = 0.03125;
+  static constexpr int period = 5;
+  static constexpr int depth_of_rare = 10;
+
+  /// True when the residual has not fallen to 0.7 of its last mark for long.
+  bool went_in_vain(double residual) {
+    if (residual < 0.7 * mark_) {
+      mark_ = residual;
+      vain_ = 0;
+      return false;
+    }
+    if (++vain_ < (factor_ > longest_plain ? patience : patience_when_plain)) return false;
+    vain_ = 0;
+    return true;
+  }
+
+  Anderson anderson_;
+  Anderson rare_;
   double factor_ = 1.0;
-  int in_vain_ = 0;
+  bool given_up_ = false;
+  int plain_steps_ = 0;
+  double best_ = std::numeric_limits<double>::infinity();
+  double mark_ = std::numeric_limits<double>::infinity();
+  int vain_ = 0;
 };
 
 }  // namespace
@@ -163,17 +199,19 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
                               const SurfaceField& start_traction, const ForcedSlip* forced) {
   const Eigen::Index n = halfspace.whole.grid().size();
   Response defect = start_defect;
-  if (defect.displacement.n.size() != n) defect = zero_response(n);
+  if (defect.displacement.n.size() != n)
+    defect = start_traction.x.size() == n ? defect_of(compliance.respond(start_traction), halfspace,
+                                                      start_traction, given.frame)
+                                          : zero_response(n);
 
   CoupledProblem problem = given;
   std::optional<ForcedSlip> search;
   if (forced != nullptr) search = *forced;
-  Anderson anderson(options.anderson_depth);
-  Damping damping;
+  OuterSteps steps(options.anderson_depth);
+  bool may_restart = start_traction.x.size() == n && start_defect.displacement.n.size() != n;
   CoupledSolution solution;
   solution.normal.pressure = start_traction.n;
   solution.tangential.traction = {start_traction.x, start_traction.y};
-  double best = std::numeric_limits<double>::infinity();
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     solve_standin_with(halfspace, defect, options.tolerance, search, problem, solution);
     const SurfaceField traction = tractions(solution);
@@ -185,13 +223,19 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     if (each_iteration) each_iteration(solution);
     if (solution.residual <= options.tolerance) return solution;
 
-    // A changed active set can make the history misleading: begin it anew rather than follow it.
-    if (solution.residual > 2.0 * best) anderson.restart();
-    if (damping.after(solution.residual)) anderson.restart();
-    best = std::min(best, solution.residual);
-    const Eigen::VectorXd iterate = stacked(defect);
-    const Eigen::VectorXd step = stacked(solution.defect) - iterate;
-    defect = unstacked(anderson.next(iterate, iterate + damping.factor() * step));
+    // Friction can carry the patch of unlike bodies out of the grid that its pressure alone needs:
+    // cut off there it has the pressure of a punch, and no state may be found.
+    if (steps.goes_round(solution.residual) && touches_border(halfspace.whole.grid(), traction.n))
+      throw UnfitGrid("the contact patch reaches the border of the grid");
+    if (steps.given_up() && may_restart) {
+      may_restart = false;
+      // There may be several states, and none near where it goes round: once more from nothing.
+      defect = zero_response(n);
+      solution.tangential.traction = {};
+      steps = OuterSteps(options.anderson_depth);
+      continue;
+    }
+    defect = unstacked(steps.next(stacked(defect), stacked(solution.defect)));
   }
   throw SolveError("the outer contact iteration did not converge: relative residual " +
                    std::to_string(solution.residual) + " after " +

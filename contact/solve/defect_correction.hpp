@@ -35,7 +35,8 @@ struct ForcedSlip {
 
 using OuterCallback = std::function<void(const CoupledSolution&)>;
 
-/// Throws SolveError when the outer iteration does not converge. `start_traction` (may be empty):
+/// Throws SolveError when the outer iteration does not converge, UnfitGrid when it does not while
+/// the patch reaches the border of the grid. `start_traction` (may be empty):
 /// pressure and tangential tractions to begin the first solution with the stand-in. `forced` (may
 /// be null) replaces the rigid slip of the problem; every iteration then meets the force.
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,

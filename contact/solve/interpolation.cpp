@@ -27,4 +27,17 @@ Field interpolated(const ContactGrid& from, const Field& values, const ContactGr
   return to.sample(at);
 }
 
+TangentialField relative_to_bound(const TangentialField& traction, const Field& bound) {
+  const Field inverse = bound.unaryExpr([](double g) { return g > 0.0 ? 1.0 / g : 0.0; });
+  return {traction.x.cwiseProduct(inverse), traction.y.cwiseProduct(inverse)};
+}
+
+TangentialField finer_tractions(const ContactGrid& coarse, const Field& pressure,
+                                const TangentialField& relative, const ContactGrid& fine,
+                                const Field& bound) {
+  const Field inside = (pressure.array() > 0.0).cast<double>();
+  return {interpolated(coarse, relative.x, fine, inside).cwiseProduct(bound),
+          interpolated(coarse, relative.y, fine, inside).cwiseProduct(bound)};
+}
+
 }  // namespace rollfem::contact

@@ -27,9 +27,6 @@ namespace {
 /// Elements kept free around the patch; second-order upwind looks two columns upstream.
 constexpr int margin = 3;
 
-/// Solutions behind a force that is searched for must be sharper than the search.
-constexpr contact::ContactAccuracy accuracy_of_force_search{1e-8, {1e-7, 600, 5}};
-
 ContactGrid with_margin(const ContactGrid& grid, int columns, int rows) {
   return {grid.nx + 2 * columns,
           grid.ny + 2 * rows,
