@@ -1,7 +1,7 @@
 // How surely and how fast random contacts (tests/support/random_contact.hpp) are solved. Prints one
 // row of the table in docs/accuracy.md for every size, and every contact that is not solved or
-// takes many steps. Call: benchmark_random_contacts SEED FIRST ACROSS:NUMBER ..., e.g. 1 0 20:1000
-// 40:300
+// takes many steps. Every grid begins on coarser ones as in the models, or from scratch. Call:
+// benchmark_random_contacts [scratch] SEED FIRST ACROSS:NUMBER ..., e.g. 1 0 20:1000 40:300
 #include <fmt/format.h>
 
 #include "tests/support/random_contact.hpp"
@@ -19,12 +19,14 @@ constexpr int many_steps = 12;
 
 struct Tally {
   std::vector<int> steps, krylov;
+  std::vector<int> outer;  ///< of unlike materials only
   int failed = 0;
   int beyond = 0;  ///< of more than many_steps
 
   void add(const testing::RandomOutcome& outcome) {
     steps.push_back(outcome.newton_steps);
     krylov.push_back(outcome.krylov_iterations);
+    if (outcome.outer_iterations > 0) outer.push_back(outcome.outer_iterations);
     failed += outcome.solved ? 0 : 1;
     beyond += outcome.newton_steps > many_steps ? 1 : 0;
   }
@@ -41,24 +43,32 @@ std::string quantiles(std::vector<int> values) {
 }
 
 void print_row(const std::string& name, const Tally& tally) {
-  fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, tally.steps.size(), tally.failed,
-             quantiles(tally.steps), tally.beyond, quantiles(tally.krylov));
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", name, tally.steps.size(), tally.failed,
+             quantiles(tally.steps), tally.beyond, quantiles(tally.krylov), quantiles(tally.outer));
   std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
+  auto start = testing::RandomStart::nested;
+  if (count > 1 && std::string(words[1]) == "scratch") {
+    start = testing::RandomStart::scratch;
+    --count;
+    ++words;
+  }
   if (count < 4) {
-    fmt::print(stderr, "call: {} SEED FIRST ACROSS:NUMBER ...\n", words[0]);
+    fmt::print(stderr, "call: benchmark_random_contacts [scratch] SEED FIRST ACROSS:NUMBER ...\n");
     return 2;
   }
   testing::RandomContacts contacts(static_cast<unsigned>(std::atoi(words[1])));
   auto number = static_cast<unsigned>(std::atoi(words[2]));
-  fmt::print("seed {}, contacts from {} on\n\n", words[1], number);
+  fmt::print("seed {}, contacts from {} on, {}\n\n", words[1], number,
+             start == testing::RandomStart::nested ? "on coarser grids first" : "from scratch");
   fmt::print(
       "| across | contacts | failures | Newton steps: median / 99 % / largest | above {} | Krylov "
-      "iterations: median / 99 % / largest |\n|---|---|---|---|---|---|\n",
+      "iterations: median / 99 % / largest | outer iterations of unlike materials: median / 99 % / "
+      "largest |\n|---|---|---|---|---|---|---|\n",
       many_steps);
   Tally all;
   for (int word = 3; word < count; ++word) {
@@ -71,7 +81,7 @@ int main(int count, char** words) {
     Tally tally;
     for (int k = 0; k < wanted; ++k, ++number) {
       const testing::RandomContact contact = contacts.contact(number, across);
-      const testing::RandomOutcome outcome = testing::RandomRun(contact).run();
+      const testing::RandomOutcome outcome = testing::run_random(contact, start);
       tally.add(outcome);
       all.add(outcome);
       if (!outcome.solved || outcome.newton_steps > many_steps)

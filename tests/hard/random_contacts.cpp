@@ -20,7 +20,7 @@ std::vector<int> steps_of(unsigned first, unsigned count, int across) {
   std::vector<int> steps;
   for (unsigned k = first; k < first + count; ++k) {
     const RandomContact contact = contacts.contact(k, across);
-    const RandomOutcome outcome = testing::RandomRun(contact).run();
+    const RandomOutcome outcome = testing::run_random(contact, testing::RandomStart::nested);
     EXPECT_TRUE(outcome.solved) << "seed " << seed << ", contact " << k << " at " << across
                                 << " across, " << testing::name_of(contact.kind) << ": "
                                 << outcome.message;
@@ -38,6 +38,27 @@ TEST(RandomContacts, AreAllSolvedInFewSteps) {
   EXPECT_LE(middle.back(), 12);
   EXPECT_LE(middle[middle.size() / 2], 4);
   EXPECT_LE(steps_of(294, 6, 80).back(), 12);
+}
+
+/// Pressure and friction feed each other by mu K/(1 - nu).
+double gain(const RandomContact& contact) {
+  const contact::CombinedMaterial material = contact.material();
+  return contact.friction * std::abs(material.difference) / (1.0 - material.poisson_ratio);
+}
+
+TEST(RandomContacts, UnlikeMaterialsUnderMuchFriction) {
+  // Plain steps of more than 2/(1 + gain^2) go round for ever here, and so did Anderson's.
+  const RandomContact strong = RandomContacts(2).contact(5689, 40);
+  EXPECT_GT(gain(strong), 3.0);
+  const RandomOutcome outcome = run_random(strong, testing::RandomStart::nested);
+  EXPECT_TRUE(outcome.solved) << outcome.message;
+  EXPECT_LE(outcome.outer_iterations, 150);
+  // Friction carries the patch out of the grid that the pressure alone needs.
+  const RandomContact shifted = RandomContacts(3).contact(2667, 40);
+  EXPECT_GT(gain(shifted), 1.0);
+  EXPECT_TRUE(run_random(shifted, testing::RandomStart::nested).solved);
+  // Both forces prescribed, to 1e-6 of mu F_z.
+  EXPECT_TRUE(run_random(RandomContacts(2).contact(3737, 20), testing::RandomStart::nested).solved);
 }
 
 TEST(RandomContacts, AreMadeAgainFromSeedAndNumber) {

@@ -2,11 +2,14 @@
 // be made again: the tangential solver has to solve them all.
 #pragma once
 
+#include "contact/base/errors.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/history.hpp"
+#include "contact/solve/interpolation.hpp"
 #include "contact/solve/prescribed_force.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/force_search.hpp"
+#include "halfspace/model/level.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +17,8 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rollfem::testing {
 
@@ -28,6 +33,7 @@ inline const char* name_of(RandomKind kind) {
 struct RandomContact {
   RandomKind kind = RandomKind::rolling;
   int across = 20;
+  int margin = 3;           ///< elements around the patch of Hertz
   double a = 5.0, b = 5.0;  ///< semi-axes along and across rolling, mm
   double friction = 0.3;
   contact::Material wheel, rail;
@@ -40,18 +46,19 @@ struct RandomContact {
   double normal_force() const { return 2.0 / 3.0 * M_PI * a * b * max_pressure; }
   contact::CombinedMaterial material() const { return contact::combine(wheel, rail); }
   contact::ContactGrid grid() const {
-    return contact::ContactGrid::centred(across + 6, across + 6, 2.0 * a / across,
-                                         2.0 * b / across);
+    const int elements = across + 2 * margin;
+    return contact::ContactGrid::centred(elements, elements, 2.0 * a / across, 2.0 * b / across);
   }
 };
 
-/// What the tangential solver took for a contact: the largest numbers of any of its problems.
+/// What the solver took for a contact on one grid: the largest numbers of any of its problems.
 struct RandomOutcome {
   bool solved = true;
   std::string message;  ///< why it is not
   int problems = 0;
   int newton_steps = 0;
   int krylov_iterations = 0;
+  int outer_iterations = 0;  ///< between pressure and friction of unlike materials
 
   void add(const contact::TangentialSolution& solution) {
     ++problems;
@@ -156,11 +163,16 @@ inline contact::Field hertz_distance(const RandomContact& c, const contact::Cont
   return grid.sample([&](double x, double y) { return along_x * x * x + along_y * y * y; });
 }
 
-/// One random contact, solved.
-class RandomRun {
+/// How a grid of steady rolling begins: as in the models, on grids of twice the cells, down to 10
+/// elements across; or with nothing known. Steps of a history begin on the step before.
+enum class RandomStart { nested, scratch };
+
+/// One random contact on one grid.
+class RandomLevel {
  public:
-  explicit RandomRun(const RandomContact& c)
-      : contact_(c), grid_(c.grid()), whole_(grid_, c.material()) {
+  /// `coarser` (may be null): the same contact on a coarser grid, solved.
+  RandomLevel(const RandomContact& c, const RandomLevel* coarser)
+      : contact_(c), grid_(c.grid()), whole_(grid_, c.material()), coarser_(coarser) {
     if (c.material().couples())
       standin_ = std::make_unique<halfspace::HalfspaceCompliance>(grid_, c.material().uncoupled());
     contact::ContactConditions conditions;
@@ -184,12 +196,19 @@ class RandomRun {
       else if (contact_.kind == RandomKind::transient)
         roll_on();
       else
-        solve(motion(contact_.creepage), nullptr);
+        solve(motion(contact_.creepage), first_state());
+    } catch (const contact::UnfitGrid&) {
+      unfit_ = true;
     } catch (const std::exception& error) {
       outcome_.solved = false;
       outcome_.message = error.what();
     }
     return outcome_;
+  }
+
+  /// Under much friction unlike materials carry their patch to where Hertz has none.
+  bool reaches_border() const {
+    return unfit_ || (outcome_.solved && contact::touches_border(grid_, state_.normal.pressure));
   }
 
  private:
@@ -204,43 +223,64 @@ class RandomRun {
     return result;
   }
 
-  contact::ContactState solve(const contact::TangentialMotion& motion,
-                              const contact::ContactState* start) {
-    const contact::ContactState state = problem_->solve(
-        load_, motion, start, {},
-        [this](const contact::CoupledSolution& outer) { outcome_.add(outer.tangential); });
-    if (!standin_) outcome_.add(state.tangential);
-    return state;
+  /// As contact::ContactRun begins.
+  contact::ContactState first_state() {
+    contact::ContactState start;
+    const bool nested = coarser_ != nullptr;
+    start.normal = problem_->press(
+        load_, nested
+                   ? contact::interpolated(coarser_->grid_, coarser_->state_.normal.pressure, grid_)
+                   : contact::Field());
+    const bool steady = contact_.kind == RandomKind::rolling || contact_.kind == RandomKind::force;
+    if (!nested || !steady) return start;
+    const contact::Friction friction = contact::coulomb(contact_.friction);
+    const contact::Field& pressure = coarser_->state_.normal.pressure;
+    start.tangential.traction = contact::finer_tractions(
+        coarser_->grid_, pressure,
+        contact::relative_to_bound(coarser_->state_.tangential.traction,
+                                   contact::traction_bound(friction, pressure)),
+        grid_, contact::traction_bound(friction, start.normal.pressure));
+    return start;
+  }
+
+  void solve(const contact::TangentialMotion& motion, const contact::ContactState& start,
+             const contact::ContactAccuracy& accuracy = {}) {
+    state_ = problem_->solve(load_, motion, &start, accuracy,
+                             [this](const contact::CoupledSolution& outer) { count(outer); });
+    if (!standin_) outcome_.add(state_.tangential);
+  }
+
+  void count(const contact::CoupledSolution& outer) {
+    outcome_.add(outer.tangential);
+    outcome_.outer_iterations = std::max(outcome_.outer_iterations, outer.outer_iterations);
   }
 
   void find_force() {
-    const double bound = contact_.friction * problem_->press(load_).normal_force;
+    state_ = first_state();
+    const double bound = contact_.friction * state_.normal.normal_force;
     contact::PrescribedForce wanted;
     wanted.longitudinal = contact_.force.x() * bound;
     wanted.lateral = contact_.force.y() * bound;
     contact::ForceSearch search;
     search.stiffness = halfspace::rolling_stiffness(
-        contact::patch_size(grid_, problem_->press(load_).pressure), contact_.material());
-    search.start = contact::first_creepage(wanted, {0.0, 0.0}, search.stiffness, bound);
-    contact::ContactState state;
-    bool first = true;
-    contact::find_creepage(
-        [&](const Eigen::Vector2d& creepage) {
-          state = solve(motion({creepage.x(), creepage.y(), contact_.creepage.spin}),
-                        first ? nullptr : &state);
-          first = false;
-          return contact::TransmittedForce{
-              grid_.element_area() * Eigen::Vector2d(state.tangential.traction.x.sum(),
-                                                     state.tangential.traction.y.sum()),
-              bound};
-        },
-        wanted, search);
+        contact::patch_size(grid_, state_.normal.pressure), contact_.material());
+    search.start = coarser_ ? coarser_->found_
+                            : contact::first_creepage(wanted, {0.0, 0.0}, search.stiffness, bound);
+    const contact::ForceLaw law = [&](const Eigen::Vector2d& creepage) {
+      solve(motion({creepage.x(), creepage.y(), contact_.creepage.spin}),
+            contact::ContactState(state_), halfspace::accuracy_of_force_search);
+      return contact::TransmittedForce{
+          grid_.element_area() * Eigen::Vector2d(state_.tangential.traction.x.sum(),
+                                                 state_.tangential.traction.y.sum()),
+          bound};
+    };
+    found_ = contact::find_creepage(law, wanted, search).creepage;
   }
 
   /// Three equal steps from the pressure alone.
   void roll_on() {
     contact::History history(grid_, contact::UpwindOrder::second);
-    contact::ContactState state;
+    state_ = first_state();
     for (int step = 0; step < 3; ++step) {
       const contact::StepProblem problem =
           history.rolling_step(rigid(contact_.creepage), contact_.step);
@@ -248,8 +288,8 @@ class RandomRun {
       motion.rigid_slip = problem.rigid_slip;
       motion.motion = contact::Motion::shift;
       motion.slip_factor = problem.slip_factor;
-      state = solve(motion, step == 0 ? nullptr : &state);
-      history.advance({state.displacement.x, state.displacement.y}, contact_.step);
+      solve(motion, contact::ContactState(state_));
+      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step);
     }
   }
 
@@ -257,9 +297,45 @@ class RandomRun {
   contact::ContactGrid grid_;
   halfspace::HalfspaceCompliance whole_;
   std::unique_ptr<halfspace::HalfspaceCompliance> standin_;  ///< null for like materials
+  const RandomLevel* coarser_;
   std::unique_ptr<contact::ContactProblem> problem_;
   contact::NormalLoad load_;
+  contact::ContactState state_;
+  Eigen::Vector2d found_ = Eigen::Vector2d::Zero();  ///< creepages of the force
+  bool unfit_ = false;                               ///< no state on this grid, which is too small
   RandomOutcome outcome_;
 };
+
+/// Solves a random contact. The outcome is that of its own grid; a coarser one that is not solved
+/// counts as not solved, since the models end there.
+inline RandomOutcome run_random(const RandomContact& contact, RandomStart start) {
+  std::vector<int> sizes{contact.across};
+  while (start == RandomStart::nested && sizes.back() / 2 >= 10) sizes.push_back(sizes.back() / 2);
+  std::unique_ptr<RandomLevel> level;
+  RandomOutcome outcome;
+  while (!sizes.empty()) {
+    RandomContact on_grid = contact;
+    on_grid.across = sizes.back();
+    sizes.pop_back();
+    auto finer = std::make_unique<RandomLevel>(on_grid, level.get());
+    outcome = finer->run();
+    constexpr int most_enlargements = 4;
+    for (int k = 0; k < most_enlargements && finer->reaches_border(); ++k) {
+      on_grid.margin += on_grid.across / 4 + 3;
+      finer = std::make_unique<RandomLevel>(on_grid, level.get());
+      outcome = finer->run();
+    }
+    if (outcome.solved && finer->reaches_border()) {
+      outcome.solved = false;
+      outcome.message = "the patch reaches the border of the grid";
+    }
+    level = std::move(finer);
+    if (outcome.solved) continue;
+    if (!sizes.empty())
+      outcome.message += " (on the grid of " + std::to_string(on_grid.across) + " across)";
+    return outcome;
+  }
+  return outcome;
+}
 
 }  // namespace rollfem::testing
