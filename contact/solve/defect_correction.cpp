@@ -82,7 +82,7 @@ SurfaceField tractions(const CoupledSolution& solution) {
 /// elastic displacement (less its mean, which the approach takes up at given force), the tangential
 /// part as slip relative to the creepage load.
 double defect_residual(const Preconditioner& halfspace, const CoupledProblem& problem,
-                       const CoupledSolution& solution, const Response& defect) {
+                       const CoupledSolution& solution, const Response& defect, bool to_the_bound) {
   const Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
   const Response& image = solution.defect;
   Field normal_change = image.displacement.n - defect.displacement.n;
@@ -103,7 +103,10 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   const TangentialField slip = defect_slip(halfspace, problem, image, pressure);
   const TangentialField before = defect_slip(halfspace, problem, defect, pressure);
   const double change = rms_over(mask, TangentialField{slip.x - before.x, slip.y - before.y});
-  const double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
+  double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
+  if (to_the_bound)
+    load = std::min(load, halfspace.rolling.diagonal() *
+                              rms_over(mask, traction_bound(problem.friction, pressure)));
   // What is only rounding of the displacements has no relative error.
   const double unit = halfspace.motion == Motion::shift ? 1.0 : halfspace.whole.grid().dx;
   const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
@@ -219,7 +222,7 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     solution.displacement = response.displacement;
     solution.defect = defect_of(response, halfspace, traction, problem.frame);
     solution.outer_iterations = iteration;
-    solution.residual = defect_residual(halfspace, problem, solution, defect);
+    solution.residual = defect_residual(halfspace, problem, solution, defect, options.to_the_bound);
     if (each_iteration) each_iteration(solution);
     if (solution.residual <= options.tolerance) return solution;
 

@@ -15,6 +15,9 @@ struct OuterOptions {
   double tolerance = 1e-4;  ///< on the defect's change, relative to approach and creepage load
   int max_iterations = 40;
   int anderson_depth = 3;
+  /// Relative to the slip that the bound of friction is worth where that is less than the creepage
+  /// load: what a search for a force needs, which little friction leaves small.
+  bool to_the_bound = false;
 };
 
 struct CoupledSolution : StandinSolution {

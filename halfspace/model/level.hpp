@@ -12,7 +12,7 @@
 namespace rollfem::halfspace {
 
 /// Solutions behind a force that is searched for must be sharper than the search.
-inline constexpr contact::ContactAccuracy accuracy_of_force_search{1e-8, {1e-7, 600, 5}};
+inline constexpr contact::ContactAccuracy accuracy_of_force_search{1e-8, {1e-7, 600, 5, true}};
 
 /// The half-space on a grid, with its stand-in for unlike materials.
 std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& scene,

@@ -123,7 +123,8 @@ Scene with_room(Scene scene, const Cell& cell) {
   return scene;
 }
 
-/// A level that only helps the finer ones: none where its elements do not fit.
+/// A level that only helps the finer ones: none where its elements do not fit, or where no solution
+/// is found on it: the finest one says so if there is none.
 std::optional<contact::LevelResult> coarser_level(const Scene& scene, const AreaOfPatch& area,
                                                   const Cell& cell,
                                                   const contact::LevelResult* start,
@@ -133,7 +134,7 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Area
     const Scene roomy = with_room(scene, cell);
     return solve_level(roomy, scene.contact_grid.extent ? AreaOfPatch(roomy) : area, cell.dx,
                        cell.dy, start, prefix, progress, nullptr);
-  } catch (const contact::UnfitGrid&) {
+  } catch (const contact::SolveError&) {
     return {};
   } catch (const contact::InputError&) {
     return {};  // they may reach beyond the points of a file
@@ -229,7 +230,8 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     if (!last) continue;
     if (!coarse && !scene.accuracy.relative) {
       result.notes.push_back(
-          "no error estimates: elements of twice the size do not hold the patch on the given grid");
+          "no error estimates: elements of twice the size do not hold the patch on the given grid, "
+          "or no solution was found on them");
       break;
     }
     if (coarse) estimate_level(scene, *fine, *coarse, cell.across);

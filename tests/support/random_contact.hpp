@@ -306,34 +306,36 @@ class RandomLevel {
   RandomOutcome outcome_;
 };
 
-/// Solves a random contact. The outcome is that of its own grid; a coarser one that is not solved
-/// counts as not solved, since the models end there.
+/// Solves a contact on one grid, which grows until it holds the patch.
+inline std::unique_ptr<RandomLevel> run_level(RandomContact contact, const RandomLevel* coarser,
+                                              RandomOutcome& outcome) {
+  constexpr int most_enlargements = 4;
+  for (int k = 0;; ++k) {
+    auto level = std::make_unique<RandomLevel>(contact, coarser);
+    outcome = level->run();
+    if (!level->reaches_border()) return level;
+    if (k < most_enlargements) {
+      contact.margin += contact.across / 4 + 3;
+      continue;
+    }
+    outcome.solved = false;
+    outcome.message = "the patch reaches the border of the grid";
+    return level;
+  }
+}
+
+/// Solves a random contact; the outcome is that of its own grid. As in the models, a coarser grid
+/// on which no solution is found helps nobody, and that is all.
 inline RandomOutcome run_random(const RandomContact& contact, RandomStart start) {
   std::vector<int> sizes{contact.across};
   while (start == RandomStart::nested && sizes.back() / 2 >= 10) sizes.push_back(sizes.back() / 2);
-  std::unique_ptr<RandomLevel> level;
+  std::unique_ptr<RandomLevel> coarser;
   RandomOutcome outcome;
-  while (!sizes.empty()) {
+  for (; !sizes.empty(); sizes.pop_back()) {
     RandomContact on_grid = contact;
     on_grid.across = sizes.back();
-    sizes.pop_back();
-    auto finer = std::make_unique<RandomLevel>(on_grid, level.get());
-    outcome = finer->run();
-    constexpr int most_enlargements = 4;
-    for (int k = 0; k < most_enlargements && finer->reaches_border(); ++k) {
-      on_grid.margin += on_grid.across / 4 + 3;
-      finer = std::make_unique<RandomLevel>(on_grid, level.get());
-      outcome = finer->run();
-    }
-    if (outcome.solved && finer->reaches_border()) {
-      outcome.solved = false;
-      outcome.message = "the patch reaches the border of the grid";
-    }
-    level = std::move(finer);
-    if (outcome.solved) continue;
-    if (!sizes.empty())
-      outcome.message += " (on the grid of " + std::to_string(on_grid.across) + " across)";
-    return outcome;
+    std::unique_ptr<RandomLevel> level = run_level(on_grid, coarser.get(), outcome);
+    coarser = outcome.solved ? std::move(level) : nullptr;
   }
   return outcome;
 }
