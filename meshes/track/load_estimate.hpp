@@ -1,5 +1,5 @@
 // How far a wheel sinks under a load, and what each of its patches carries, estimated without
-// solving the contact problem: the patch is where the bodies would overlap at 0.55 of the approach,
+// solving the contact problem: the patch is where the bodies would overlap at 0.57 of the approach,
 // the pressure over it semi-elliptic along rolling. W. Kik and J. Piotrowski, A fast, approximate
 // method to calculate normal load at contact between wheel and rail and creep forces during
 // rolling, 1996. Good to some 5 % of the force; for choosing grids, merging patches and first

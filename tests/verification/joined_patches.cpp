@@ -186,6 +186,26 @@ TEST(JoinedPatches, ForcesAreContinuousAsPatchesJoinAndPart) {
   }
 }
 
+TEST(JoinedPatches, ReferenceMovesSteadilyWhereAnotherPatchBecomesTheDeepest) {
+  std::vector<double> angle, place, root_deepest;
+  for (int k = 0; k <= 40; ++k) {
+    const meshes::PlacedScene placed = meshes::make_scenes(at_the_root(-5.4 + 0.01 * k)).at(0);
+    angle.push_back(placed.contact.place.contact_angle);
+    place.push_back(placed.contact.place.y_track);
+    const auto& humps = placed.contact.touching;
+    const auto deepest =
+        std::min_element(humps.begin(), humps.end(), [](auto& a, auto& b) { return a[1] < b[1]; });
+    root_deepest.push_back(deepest == humps.begin() ? 1.0 : 0.0);
+  }
+  ASSERT_EQ(root_deepest.front(), 1.0);
+  ASSERT_EQ(root_deepest.back(), 0.0);
+  // 0.003 rad and 0.2 mm over 0.01 mm here; they once changed as much at one place.
+  for (std::size_t k = 2; k < angle.size(); ++k) {
+    EXPECT_NEAR(angle[k] - angle[k - 1], angle[k - 1] - angle[k - 2], 2e-4) << k;
+    EXPECT_NEAR(place[k] - place[k - 1], place[k - 1] - place[k - 2], 0.015) << k;
+  }
+}
+
 TEST(JoinedPatches, OfOtherPlanesShareTheLoadOfTheWheel) {
   contact::Case input = rollfem::testing::steep_flange(-4.29);
   input.load.vertical_force = 60e3;
