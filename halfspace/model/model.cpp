@@ -123,8 +123,17 @@ Scene with_room(Scene scene, const Cell& cell) {
   return scene;
 }
 
+/// Friction on a tilted plane carries a part of the load.
+bool shares_load(const Scene& scene) {
+  return std::any_of(scene.points.begin(), scene.points.end(), [](const contact::LoadPoint& point) {
+    return point.load.direction[0] != 0.0;
+  });
+}
+
 /// A level that only helps the finer ones: none where its elements do not fit, or where no solution
-/// is found on it: the finest one says so if there is none.
+/// is found on it: the finest one says so if there is none. Past the limit of Nadal each level says
+/// so itself: without a start from coarser ones the finest may come upon a balance at many times
+/// the load.
 std::optional<contact::LevelResult> coarser_level(const Scene& scene, const AreaOfPatch& area,
                                                   const Cell& cell,
                                                   const contact::LevelResult* start,
@@ -134,7 +143,10 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Area
     const Scene roomy = with_room(scene, cell);
     return solve_level(roomy, scene.contact_grid.extent ? AreaOfPatch(roomy) : area, cell.dx,
                        cell.dy, start, prefix, progress, nullptr);
+  } catch (const contact::UnfitGrid&) {
+    return {};
   } catch (const contact::SolveError&) {
+    if (shares_load(scene)) throw;
     return {};
   } catch (const contact::InputError&) {
     return {};  // they may reach beyond the points of a file
