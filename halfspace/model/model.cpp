@@ -130,10 +130,10 @@ bool shares_load(const Scene& scene) {
   });
 }
 
-/// A level that only helps the finer ones: none where its elements do not fit, or where no solution
-/// is found on it: the finest one says so if there is none. Past the limit of Nadal each level says
-/// so itself: without a start from coarser ones the finest may come upon a balance at many times
-/// the load.
+/// A level that only helps the finer ones: none where its elements do not fit, or where no state
+/// of unlike materials is found on it: the finest one says so if there is none. Past the limit of
+/// Nadal each level says so itself: without a start from coarser ones the finest may come upon a
+/// balance at many times the load.
 std::optional<contact::LevelResult> coarser_level(const Scene& scene, const AreaOfPatch& area,
                                                   const Cell& cell,
                                                   const contact::LevelResult* start,
@@ -146,7 +146,8 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Area
   } catch (const contact::UnfitGrid&) {
     return {};
   } catch (const contact::SolveError&) {
-    if (shares_load(scene)) throw;
+    // Only between unlike materials may one grid have a state that is found and another none.
+    if (shares_load(scene) || !scene.material.couples()) throw;
     return {};
   } catch (const contact::InputError&) {
     return {};  // they may reach beyond the points of a file

@@ -325,7 +325,7 @@ inline std::unique_ptr<RandomLevel> run_level(RandomContact contact, const Rando
 }
 
 /// Solves a random contact; the outcome is that of its own grid. As in the models, a coarser grid
-/// on which no solution is found helps nobody, and that is all.
+/// on which no state of unlike materials is found helps nobody, and that is all.
 inline RandomOutcome run_random(const RandomContact& contact, RandomStart start) {
   std::vector<int> sizes{contact.across};
   while (start == RandomStart::nested && sizes.back() / 2 >= 10) sizes.push_back(sizes.back() / 2);
@@ -335,6 +335,7 @@ inline RandomOutcome run_random(const RandomContact& contact, RandomStart start)
     RandomContact on_grid = contact;
     on_grid.across = sizes.back();
     std::unique_ptr<RandomLevel> level = run_level(on_grid, coarser.get(), outcome);
+    if (!outcome.solved && !contact.material().couples()) break;
     coarser = outcome.solved ? std::move(level) : nullptr;
   }
   return outcome;
