@@ -2,6 +2,7 @@
 
 #include "app/places.hpp"
 #include "app/scenes.hpp"
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "meshes/profiles/built_in_profiles.hpp"
@@ -119,7 +120,7 @@ std::string table(const NamedProfile& profile) {
   };
   const auto joints = meshes::profile_features(curve, profile.wheel).joints;
   const double length = curve.last() - curve.first();
-  const int steps = static_cast<int>(std::ceil(length / 0.1));
+  const int steps = contact::count_of(std::ceil(length / 0.1), "points along a profile");
   auto joint = joints.begin();
   for (int k = 0; k <= steps; ++k) {
     const double parameter = k == steps ? curve.last() : curve.first() + length * k / steps;

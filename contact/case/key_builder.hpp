@@ -22,6 +22,7 @@ using Numbers = std::vector<double>;
 // Radii, forces and moduli have bounds far outside of anything built, which only keep the
 // arithmetic away from overflow and underflow.
 inline constexpr double smallest = 1e-6;
+inline constexpr double smallest_radius = 1e-3;  // mm: of wheels, rails and arcs of profiles
 inline constexpr double largest = 1e9;
 inline constexpr double largest_force = 1e12;
 

@@ -11,7 +11,7 @@ using ProfileKeys = Keys<Profile>;
 void add_formulas(ProfileKeys& keys) {
   keys.reals("radii")
       .unit("mm")
-      .sized(smallest, largest)
+      .sized(smallest_radius, largest)
       .or_inf()
       .otherwise("none, needed for `arcs`")
       .says(
@@ -20,7 +20,7 @@ void add_formulas(ProfileKeys& keys) {
       .into(&Profile::radii);
   keys.reals("ends")
       .unit("mm")
-      .within(1e6)
+      .within(1e3)
       .otherwise("none, needed for `arcs`")
       .says(
           "y at which the arcs end: with symmetric = true one for each radius, from the middle "
@@ -43,7 +43,7 @@ void add_formulas(ProfileKeys& keys) {
       .into(&Profile::coefficients);
   keys.reals("limits")
       .unit("mm")
-      .within(1e6)
+      .within(1e3)
       .otherwise("none, needed for `polynomial`")
       .says(
           "y at which the pieces begin and end, one more than pieces, rising; pieces meet in value "

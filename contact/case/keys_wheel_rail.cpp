@@ -10,7 +10,7 @@ void add_radius(Keys<Body>& keys, const char* symbol, const char* example, const
   keys.real("transverse_radius")
       .symbol(symbol)
       .unit("mm")
-      .sized(smallest, largest)
+      .sized(smallest_radius, largest)
       .or_inf()
       .required(example)
       .says(sentence)
@@ -68,7 +68,7 @@ SectionWithKeys wheel_section() {
   keys.real("rolling_radius")
       .symbol("R")
       .unit("mm")
-      .positive()
+      .between(smallest_radius, largest)
       .required("405.0")
       .says("Radius of the wheel at the running circle.")
       .into(&Wheel::rolling_radius);

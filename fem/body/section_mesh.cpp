@@ -1,5 +1,6 @@
 // Coarse meshes of true sections: the block under the patch as large as fits, swept along the rail
 // or about the axle.
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "fem/body/coarse_mesh.hpp"
 #include "fem/body/profile_shape.hpp"
@@ -23,6 +24,8 @@ constexpr double largest_coarse_cell = 7.0;
 constexpr int deepest_level_of_section = 5;
 /// Cells with sharper corners than this are tried again with smaller ones near the patch.
 constexpr double good_scaled_jacobian = 0.2;
+
+constexpr const char* of_block = "cells under the patch (fem.cell_size, fem.extent)";
 
 double smallest_scaled_jacobian(const HexMesh& mesh) {
   double smallest = 1.0;
@@ -69,12 +72,15 @@ CoarseBody make_true_section_mesh(const meshes::TrueSection& outline, const Surf
     block.cell_size = options.cell_size * std::exp2(level);
     if (level > 0 && block.cell_size > std::min(largest_coarse_cell, options.fine_half_width))
       continue;
-    block.half_columns =
-        std::max(1, static_cast<int>(std::ceil(options.fine_half_width / block.cell_size - 1e-9)));
+    block.half_columns = std::max(
+        1,
+        contact::count_of(std::ceil(options.fine_half_width / block.cell_size - 1e-9), of_block));
     block.rows =
         2 *
-        std::max(1, static_cast<int>(std::ceil(
-                        0.5 * options.fine_depth * options.cell_size / block.cell_size - 1e-9)));
+        std::max(
+            1, contact::count_of(
+                   std::ceil(0.5 * options.fine_depth * options.cell_size / block.cell_size - 1e-9),
+                   of_block));
     if (block.half_columns * block.cell_size > room) continue;
     try {
       const auto along =

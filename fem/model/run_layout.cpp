@@ -1,5 +1,6 @@
 #include "fem/model/run_layout.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "fem/body/case_bodies.hpp"
 #include "fem/solver/solver_choice.hpp"
@@ -26,6 +27,8 @@ constexpr double default_reach = 1.1;
 /// where the profiles are too steep or short for that the bodies are true sections.
 constexpr double least_box_reach = 2.5;
 
+constexpr const char* of_grid = "contact elements across the patch (fem.cell_size)";
+
 /// Elements of the potential contact area beyond the expected patch, each side.
 constexpr int margin = 3;
 
@@ -42,8 +45,8 @@ bool symmetric_about_rolling(const Scene& scene) {
 
 /// On the lattice of the FE faces, an even number of elements each way.
 ContactGrid lattice_grid(const PatchBox& patch, double cell) {
-  const int half_x = static_cast<int>(std::ceil(patch.half_length / cell)) + margin;
-  const int half_y = static_cast<int>(std::ceil(patch.half_width / cell)) + margin;
+  const int half_x = contact::count_of(std::ceil(patch.half_length / cell), of_grid) + margin;
+  const int half_y = contact::count_of(std::ceil(patch.half_width / cell), of_grid) + margin;
   return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell, 0.0, patch.middle);
 }
 

@@ -1,5 +1,6 @@
 #include "halfspace/model/expected_patch.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/result/patch_size.hpp"
@@ -34,6 +35,8 @@ constexpr int most_rows = 720;
 constexpr int most_rounds = 12;
 /// On each side of the patch of the round before, relative to its extent.
 constexpr double margin = 0.2;
+
+constexpr const char* of_search = "elements of the search for the patch";
 
 struct Box {
   double x_lower, x_upper, y_lower, y_upper;
@@ -119,7 +122,7 @@ std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs, int n =
   const double width = box.y_upper - box.y_lower;
   const double times =
       std::min(most_times, to_resolve(runs) * width / std::max(width - gaps, 1e-3 * width));
-  return {n, static_cast<int>(std::ceil(n * times - 1e-9))};
+  return {n, contact::count_of(std::ceil(n * times - 1e-9), of_search)};
 }
 
 Found solve_on(const Scene& scene, const ContactGrid& grid, const contact::NormalLoad& load) {
@@ -185,8 +188,8 @@ ContactGrid lattice_over(const Found& found, int across) {
   const double dx = length / across;
   const double dy = std::max(width / across, (box.y_upper - box.y_lower) / most_rows);
   const double i = std::floor(box.x_lower / dx), j = std::floor(box.y_lower / dy);
-  return {static_cast<int>(std::ceil(box.x_upper / dx) - i),
-          static_cast<int>(std::ceil(box.y_upper / dy) - j),
+  return {contact::count_of(std::ceil(box.x_upper / dx) - i, of_search),
+          contact::count_of(std::ceil(box.y_upper / dy) - j, of_search),
           dx,
           dy,
           (i + 0.5) * dx,

@@ -1,5 +1,6 @@
 #include "halfspace/model/level.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
@@ -45,7 +46,8 @@ int columns_for_steps(const Scene& scene, const AreaOfPatch& area, double dx) {
   for (const contact::LoadPoint& point : scene.points)
     longest = std::max(longest, point.step_length);
   const double extent = area.extent().length;
-  return static_cast<int>(std::ceil(std::min(2.0 * longest, extent) / dx));
+  return contact::count_of(std::ceil(std::min(2.0 * longest, extent) / dx),
+                           "columns for the way of two steps (history.step_length, contact_grid)");
 }
 
 /// The grid, with more rows where the bodies would overlap beyond it. Throws
@@ -58,7 +60,9 @@ ContactGrid grid_of_all_patches(const Scene& scene, const contact::ChartedGeomet
     const auto beyond = touched_beyond(scene, geometry, grid, points[k], scene.points[k].load);
     if (!beyond) continue;
     const auto rows = [&](double way) {
-      return static_cast<int>(std::ceil(way / grid.dy)) + margin;
+      return contact::count_of(std::ceil(way / grid.dy),
+                               "rows up to the next patch (contact_grid)") +
+             margin;
     };
     if ((*beyond)[0] < grid.y_first) below = std::max(below, rows(grid.y_first - (*beyond)[0]));
     const double last = grid.y(grid.ny - 1);

@@ -1,5 +1,6 @@
 #include "halfspace/model/model.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
@@ -48,7 +49,9 @@ Cell finest_cell(const Scene& scene, const AreaOfPatch& area) {
   const auto [length, width] = area.extent();
   if (scene.contact_grid.cell_size) {
     const auto& [dx, dy] = *scene.contact_grid.cell_size;
-    return {dx, dy, static_cast<int>(std::min(length / dx, width / dy))};
+    return {dx, dy,
+            contact::count_of(std::min(length / dx, width / dy),
+                              "elements across the patch (contact_grid.cell_size)")};
   }
   const int across = scene.contact_grid.elements_across;
   return {length / across, width / across, across};
@@ -223,6 +226,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   std::optional<contact::LevelResult> fine;
   const AreaOfPatch area(scene);
   std::vector<Cell> cells = cells_of_levels(scene, area);
+  area.check_shape_of_cells(cells.back().dx, cells.back().dy);
   // A grid too large to have is refused before the coarser ones are computed.
   static_cast<void>(area.grid(cells.back().dx, cells.back().dy, 0));
   ModelResult result;

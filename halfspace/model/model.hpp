@@ -23,11 +23,16 @@ class AreaOfPatch {
   /// The scene must outlive this.
   explicit AreaOfPatch(const contact::Scene& scene) : scene_(scene) {}
   PatchExtent extent() const;  ///< expected_extent
+  /// Throws contact::InputError where elements of dx by dy are many times more one way over the
+  /// extent than the other: solvers are lost in them.
+  void check_shape_of_cells(double dx, double dy) const;
   /// potential_area of elements of dx by dy.
   contact::ContactGrid grid(double dx, double dy, int margin) const;
 
  private:
   const ExpectedPatch& patch() const;
+  void check_extent() const;
+  void check_extent_of_profiles() const;
 
   const contact::Scene& scene_;
   mutable std::optional<ExpectedPatch> patch_;

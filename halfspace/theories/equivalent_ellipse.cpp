@@ -1,5 +1,6 @@
 #include "halfspace/theories/equivalent_ellipse.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/fixed_point.hpp"
 #include "contact/base/pi.hpp"
@@ -30,13 +31,15 @@ constexpr int elements_for_ellipse = 90;
 /// Extents or pressure that differ by more than this from the half-space are said.
 constexpr double worth_a_note = 0.02;
 
+constexpr const char* of_ellipse = "elements across the equivalent ellipse (contact_grid)";
+
 /// A row of `count` elements from `first` on, made longer by whole elements to hold low to high.
 void widen(double low, double high, double cell, double& first, int& count) {
   const double lowest = first - 0.5 * cell;
   const double highest = lowest + count * cell;
-  const int before = std::max(0, static_cast<int>(std::ceil((lowest - low) / cell)));
+  const int before = std::max(0, contact::count_of(std::ceil((lowest - low) / cell), of_ellipse));
   first -= before * cell;
-  count += before + std::max(0, static_cast<int>(std::ceil((high - highest) / cell)));
+  count += before + std::max(0, contact::count_of(std::ceil((high - highest) / cell), of_ellipse));
 }
 
 /// The potential area of the case, which may end within the ellipse where the true patch is shorter

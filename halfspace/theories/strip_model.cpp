@@ -1,4 +1,5 @@
 // The model "strip": a case by the strip theory of strip.hpp.
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "halfspace/model/expected_patch.hpp"
@@ -156,7 +157,8 @@ StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
   const double lower = regions.front().y_lower;
   const double upper = regions.back().y_upper;
   const int count =
-      std::max(4, static_cast<int>(std::lround(strips * (upper - lower) / expected.width())));
+      std::max(4, contact::count_of(std::round(strips * (upper - lower) / expected.width()),
+                                    "strips (strip.strips)"));
   StripProfile profile;
   profile.width = (upper - lower) / count;
   profile.y_first = lower + 0.5 * profile.width;

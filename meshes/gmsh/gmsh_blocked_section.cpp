@@ -1,5 +1,6 @@
 // The mesh of a true section: a block of equal cells under the patch that follows the profile
 // exactly, and free quadrilaterals in the polygon that is left around it.
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "meshes/gmsh/true_section.hpp"
 
@@ -72,7 +73,8 @@ std::vector<SectionPoint> spaced(const std::vector<SectionPoint>& way,
   std::vector<SectionPoint> fine{way.front()};
   for (std::size_t k = 1; k < way.size(); ++k) {
     const double size = distance(way[k - 1], way[k]);
-    const int parts = std::max(1, static_cast<int>(std::ceil(size / 0.25)));
+    const int parts =
+        std::max(1, contact::count_of(std::ceil(size / 0.25), "points around a section"));
     for (int p = 1; p <= parts; ++p)
       fine.push_back({way[k - 1][0] + p * (way[k][0] - way[k - 1][0]) / parts,
                       way[k - 1][1] + p * (way[k][1] - way[k - 1][1]) / parts});
@@ -86,7 +88,8 @@ std::vector<SectionPoint> spaced(const std::vector<SectionPoint>& way,
     measure.push_back(measure.back() + std::max(distance(fine[k - 1], fine[k]) / length(fine[k]),
                                                 turn / largest_turn));
   }
-  const int count = std::max(1, static_cast<int>(std::lround(measure.back())));
+  const int count = std::max(
+      1, contact::count_of(std::round(measure.back()), "points around a section (fem.cell_size)"));
   std::vector<SectionPoint> places{fine.front()};
   std::size_t at = 0;
   for (int k = 1; k < count; ++k) {

@@ -1,6 +1,7 @@
 // The cross-section through gmsh: two surfaces, the transfinite block under the patch and the rest,
 // in quadrilaterals of twice the size, which gmsh then splits into four (or a left-over triangle
 // into three), so that only quadrilaterals remain.
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
 #include "meshes/gmsh/gmsh_session.hpp"
@@ -54,13 +55,16 @@ ProfileNodes profile_nodes(const SectionOptions& options) {
   return nodes;
 }
 
+constexpr const char* of_section = "cells of a cross-section (fem.cell_size, fem.extent)";
+
 /// Points and lines of the section, and which lines mean what.
 class SectionGeometry {
  public:
   explicit SectionGeometry(const SectionOptions& options)
       : options_(options), nodes_(profile_nodes(options)) {
     const double step = 2.0 * options.cell_size;
-    const int rows = std::max(1, static_cast<int>(std::ceil(options.fine_depth / step - 1e-9)));
+    const int rows =
+        std::max(1, contact::count_of(std::ceil(options.fine_depth / step - 1e-9), of_section));
     block_depth_ = rows * step;
     const double highest = options.drop(options.half_width);
     bottom_ = std::max(options.depth, highest + 0.4 * options.depth);
@@ -176,7 +180,7 @@ class SectionGeometry {
   std::vector<int> spaced(double y0, double v0, double y1, double v1, double step, int first,
                           int last) {
     const int count =
-        std::max(2, static_cast<int>(std::lround(std::hypot(y1 - y0, v1 - v0) / step)));
+        std::max(2, contact::count_of(std::round(std::hypot(y1 - y0, v1 - v0) / step), of_section));
     std::vector<int> points;
     for (int k = 0; k <= count; ++k) {
       const double share = static_cast<double>(k) / count;

@@ -1,12 +1,16 @@
 #include "meshes/gmsh/grading.hpp"
 
+#include "contact/base/count.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace rollfem::meshes {
 
 std::vector<double> outward_steps(double first, double fine, double extent, double growth) {
-  const int equal = std::max(1, static_cast<int>(std::ceil(fine / first - 1e-9)));
+  const int equal =
+      std::max(1, contact::count_of(std::ceil(fine / first - 1e-9),
+                                    "cells of a mesh (fem.cell_size, fem.fine_extent)"));
   std::vector<double> steps(equal, first);
   const double rest = extent - equal * first;
   if (rest < 0.5 * first) return steps;

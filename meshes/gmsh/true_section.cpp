@@ -1,6 +1,7 @@
 // Outlines of true sections in the frame of a patch.
 #include "meshes/gmsh/true_section.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 
 #include <fmt/format.h>
@@ -86,7 +87,8 @@ TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand
   TrueSection outline;
   outline.inwards = -1.0;
   const contact::HeightCurve& rail = geometry.rail();
-  const int count = static_cast<int>(std::ceil((rail.last() - rail.first()) / profile_step));
+  const int count = contact::count_of(std::ceil((rail.last() - rail.first()) / profile_step),
+                                      "points along a profile");
   double top = HUGE_VAL;
   for (int k = 0; k <= count; ++k) {
     const double y = rail.first() + (rail.last() - rail.first()) * k / count;
@@ -138,7 +140,8 @@ TrueSection wheel_section(const contact::PatchGeometry& geometry, double rim_thi
   TrueSection outline;
   outline.inwards = 1.0;
   const contact::HeightCurve& wheel = geometry.wheel_radius();
-  const int count = static_cast<int>(std::ceil((wheel.last() - wheel.first()) / profile_step));
+  const int count = contact::count_of(std::ceil((wheel.last() - wheel.first()) / profile_step),
+                                      "points along a profile");
   double smallest = HUGE_VAL;
   for (int k = 0; k <= count; ++k) {
     const double axial = wheel.first() + (wheel.last() - wheel.first()) * k / count;

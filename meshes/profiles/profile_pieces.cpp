@@ -1,5 +1,7 @@
 #include "meshes/profiles/profile_pieces.hpp"
 
+#include "contact/base/count.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,7 +47,9 @@ void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& 
   for (int k = 0; k < parts; ++k)
     length +=
         arc_length(piece, from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
-  const int steps = std::max(2, static_cast<int>(std::ceil(length / distance)));
+  const int steps =
+      std::max(2, contact::count_of(std::ceil(length / distance),
+                                    "points along a profile (ends, limits, coefficients)"));
   double before = from;
   for (int k = 1; k <= steps; ++k) {
     const double here = k == steps ? to : from + (to - from) * k / steps;

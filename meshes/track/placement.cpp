@@ -1,5 +1,6 @@
 #include "meshes/track/placement.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
 
@@ -22,7 +23,8 @@ std::vector<double> samples(const ProfileCurve& curve) {
   std::vector<double> result;
   const auto& knots = curve.knots().parameter;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    const int parts = std::max(1, static_cast<int>(std::ceil((knots[k + 1] - knots[k]) / step)));
+    const int parts = std::max(1, contact::count_of(std::ceil((knots[k + 1] - knots[k]) / step),
+                                                    "points along a profile"));
     for (int i = 0; i < parts; ++i)
       result.push_back(knots[k] + (knots[k + 1] - knots[k]) * i / parts);
   }

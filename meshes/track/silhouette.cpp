@@ -1,5 +1,7 @@
 #include "meshes/track/silhouette.hpp"
 
+#include "contact/base/count.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -71,7 +73,8 @@ std::vector<double> parameters(const ProfileCurve& wheel) {
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     if (!result.empty() && knots[k] - result.back() < least_knot_distance) continue;
     const int parts =
-        std::max(1, static_cast<int>(std::ceil((knots[k + 1] - knots[k]) / knot_distance)));
+        std::max(1, contact::count_of(std::ceil((knots[k + 1] - knots[k]) / knot_distance),
+                                      "points along a profile"));
     for (int i = 0; i < parts; ++i)
       result.push_back(knots[k] + (knots[k + 1] - knots[k]) * i / parts);
   }

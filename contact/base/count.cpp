@@ -1,0 +1,18 @@
+#include "contact/base/count.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+namespace rollfem::contact {
+
+int count_of(double number, const char* what) {
+  // Written so that NaN is refused as well.
+  if (number >= -largest_count && number <= largest_count) return static_cast<int>(number);
+  throw InputError(
+      fmt::format("{}: {:.4g} of them; allowed: at most {:.0e}; do: give larger steps "
+                  "or cells, or a smaller extent",
+                  what, number, largest_count));
+}
+
+}  // namespace rollfem::contact

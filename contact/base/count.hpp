@@ -1,0 +1,15 @@
+// From a number of elements, steps or points that was computed of lengths to an int, which it need
+// not fit into: lengths are what a user gives.
+#pragma once
+
+namespace rollfem::contact {
+
+/// More of anything is a mistake in the input; below it, sums of a few counts still fit into an
+/// int.
+inline constexpr double largest_count = 1e8;
+
+/// A whole number as an int. Throws InputError where it is not finite or beyond `largest_count` in
+/// magnitude; `what` says of what there are so many, and names the keys that make them.
+int count_of(double number, const char* what);
+
+}  // namespace rollfem::contact

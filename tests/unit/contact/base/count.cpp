@@ -1,0 +1,31 @@
+// Counts that do not fit are refused by name; those that do are the number.
+#include "contact/base/count.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace rollfem::contact;
+
+TEST(Count, IsTheWholeNumber) {
+  for (const double number : {0.0, 1.0, -7.0, 1e8, -1e8})
+    EXPECT_EQ(static_cast<double>(count_of(number, "cells")), number);
+}
+
+TEST(Count, IsRefusedWhereAnIntWouldOverflow) {
+  for (const double number : {1.1e8, -1.1e8, 1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    try {
+      count_of(number, "cells of the grid (contact_grid.cell_size)");
+      ADD_FAILURE() << number;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("cells of the grid (contact_grid.cell_size): ", 0),
+                0u);
+    }
+  }
+}
+
+}  // namespace

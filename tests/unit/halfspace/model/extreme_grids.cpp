@@ -1,0 +1,43 @@
+// Grids that cannot hold or resolve the patch are refused by arithmetic, with the key, before a
+// solver is lost in them.
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/scene/scene.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/case_examples.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+using namespace rollfem;
+
+std::string refused(const std::string& grid) {
+  const contact::Case input =
+      contact::parse_case(rollfem::testing::plus("[contact_grid]\n" + grid + "\n"), "case.toml");
+  return rollfem::testing::refusal<contact::InputError>(
+      [&] { halfspace::run_halfspace(contact::Scene(input), {}); });
+}
+
+TEST(ExtremeGrids, AreRefusedAtOnce) {
+  for (const char* extent :
+       {"extent = [1e-6, 2.65e8]", "extent = [2.65e8, 1e-6]", "extent = [20.0, 2.65e8]",
+        "extent = [1e9, 1e9]", "extent = [1e-6, 1e-6]",
+        "extent = [20.0, 50.0]\nmiddle = [20.0, 0.0]", "middle = [1e6, 0.0]"})
+    EXPECT_NE(refused(extent).find("contact_grid.extent"), std::string::npos) << extent;
+  for (const char* cells :
+       {"cell_size = [1e-6, 1e6]", "cell_size = [1e6, 1e-6]", "cell_size = [1e9, 1e9]",
+        "cell_size = [1e-6, 1e-6]", "cell_size = [0.001, 2.0]", "cell_size = [10.0, 10.0]"})
+    EXPECT_NE(refused(cells).find("contact_grid.cell_size"), std::string::npos) << cells;
+}
+
+TEST(ExtremeGrids, AreNoneThatHoldThePatch) {
+  // Hertz's ellipse is 7.58 by 21.75 mm; the middle may be off where the area still holds it.
+  for (const char* grid : {"extent = [10.0, 25.0]\nmiddle = [0.5, -0.5]\ncell_size = [0.5, 1.0]",
+                           "cell_size = [0.1, 2.0]", "middle = [1.0, 0.0]\nelements_across = 10"})
+    EXPECT_EQ(refused(grid), "") << grid;
+}
+
+}  // namespace
