@@ -1,8 +1,15 @@
 #include "contact/base/text_fields.hpp"
 
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace rollfem::contact {
 
@@ -75,6 +82,47 @@ std::optional<double> number_of(std::string_view field, bool decimal_comma) {
 
 std::optional<int> whole_number_of(std::string_view field) {
   return parsed<int>(field);
+}
+
+namespace {
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+}  // namespace
+
+bool looks_like_table(std::string_view text, std::string_view marks) {
+  std::size_t numbers = 0, others = 0;
+  for (TextLines lines(text); lines.next();) {
+    const std::string_view line = without_comment(lines.line(), marks);
+    const auto fields = fields_of(line, " ,;\t");
+    if (fields.empty() || line.find('=') != std::string_view::npos) continue;
+    if (fields.size() == 1 && (ends_with(fields[0], ".begin") || ends_with(fields[0], ".end")))
+      continue;
+    ++(number_of(fields.front()) ? numbers : others);
+  }
+  return numbers >= others && numbers > 0;
+}
+
+std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error && size > largest)
+    throw InputError(
+        fmt::format("{}: has {:.3g} MB; allowed: {:.3g} MB; do: name another file, or "
+                    "give fewer points",
+                    name, 1e-6 * static_cast<double>(size), 1e-6 * static_cast<double>(largest)));
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  // An empty file would set the stream's fail bit.
+  if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+  if (!text || (!stream && !stream.eof()))
+    throw InputError(fmt::format(
+        "{}: cannot be read; do: check the path, which is relative to the case file, and the "
+        "permissions",
+        name));
+  return text.str();
 }
 
 std::string printable(std::string_view field) {

@@ -41,6 +41,16 @@ std::vector<std::string_view> parts_of(std::string_view line, std::string_view s
 std::optional<double> number_of(std::string_view field, bool decimal_comma = false);
 std::optional<int> whole_number_of(std::string_view field);
 
+/// Whether a text is a table of numbers, as far as a message may quote it: at least as many lines
+/// begin with a number as do not; comments after one of `marks`, empty lines, settings with `=`
+/// and the ends of sections (`point.begin`) count for neither. A file of passwords that is named by
+/// mistake is none.
+bool looks_like_table(std::string_view text, std::string_view marks);
+
+/// The whole of a regular file. Throws InputError, which calls it `name`, where it cannot be read
+/// or is larger than `largest` bytes.
+std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest);
+
 /// A field for a message: at most 40 characters, ? in place of what cannot be printed.
 std::string printable(std::string_view field);
 

@@ -10,7 +10,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -62,18 +61,15 @@ Row row_of(const std::vector<std::string_view>& fields, const std::string& file,
   return {numbers[0], numbers[1], {numbers.begin() + 2, numbers.end()}, line};
 }
 
-std::vector<Row> rows_of(const std::string& path, const std::string& shown, int columns) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    fail_at(shown, 0, "there is no such file",
-            "name a file of points; the path is relative to the case file");
-  std::ifstream stream(path, std::ios::binary);
+std::vector<Row> rows_of(std::string_view text, const std::string& shown, int columns) {
+  // What is in a file that is no table at all is nobody's business.
+  if (!looks_like_table(text, "#"))
+    fail_at(shown, 0, "has no points: most of its lines, if any, begin with no number",
+            "name a file with lines of x, y and values");
   std::vector<Row> rows;
-  std::string text;
-  std::size_t line = 0;
-  while (std::getline(stream, text)) {
-    ++line;
-    const auto fields = fields_of(without_comment(text, "#"), " ,;\t\r");
+  for (TextLines lines(text); lines.next();) {
+    const std::size_t line = lines.number();
+    const auto fields = fields_of(without_comment(lines.line(), "#"), " ,;\t\r");
     if (fields.empty()) continue;
     // A line of names may head the table.
     const bool heading = rows.empty() && !number_in(fields.front()) &&
@@ -84,7 +80,6 @@ std::vector<Row> rows_of(const std::string& path, const std::string& shown, int 
               "give a coarser lattice");
     rows.push_back(row_of(fields, shown, line, columns));
   }
-  if (stream.bad()) fail_at(shown, 0, "cannot be read", "check the permissions of the file");
   if (rows.empty()) fail_at(shown, 0, "has no points", "write lines of x, y and values");
   return rows;
 }
@@ -118,7 +113,16 @@ Axis axis_of(std::vector<double> at, const std::string& file, const char* name) 
 }  // namespace
 
 Lattice read_lattice(const std::string& path, const std::string& shown_name, int columns) {
-  const std::vector<Row> rows = rows_of(path, shown_name, columns);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    fail_at(shown_name, 0, "there is no such file",
+            "name a file of points; the path is relative to the case file");
+  constexpr std::size_t largest_file = 1'000'000'000;
+  return parse_lattice(text_of_file(path, shown_name, largest_file), shown_name, columns);
+}
+
+Lattice parse_lattice(std::string_view text, const std::string& shown_name, int columns) {
+  const std::vector<Row> rows = rows_of(text, shown_name, columns);
   std::vector<double> xs;
   std::vector<double> ys;
   for (const Row& row : rows) {

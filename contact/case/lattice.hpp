@@ -6,6 +6,7 @@
 #include "contact/case/case.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace rollfem::contact {
 
@@ -14,6 +15,9 @@ namespace rollfem::contact {
 /// a regular lattice of at least 4 by 4 points. `columns`: how many values follow x and y.
 /// `shown_name` stands in messages and in Lattice::file. Throws InputError with file and line.
 Lattice read_lattice(const std::string& path, const std::string& shown_name, int columns);
+
+/// The same of the text of such a file.
+Lattice parse_lattice(std::string_view text, const std::string& shown_name, int columns);
 
 /// Value of a column at a point within the lattice; beyond it the outermost cubic goes on.
 double lattice_value(const Lattice& lattice, int column, double x, double y);

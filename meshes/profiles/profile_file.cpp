@@ -11,9 +11,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 namespace rollfem::meshes {
 
@@ -293,31 +291,43 @@ std::string ending(const std::string& path) {
   return result;
 }
 
+/// What is in a file that is no profile at all is nobody's business.
+void check_is_table(std::string_view text, const std::string& name) {
+  std::size_t last = 0;
+  for (TextLines lines(text); lines.next();)
+    if (!before_comment(lines.line()).empty()) last = lines.number();
+  if (last == 0 || contact::looks_like_table(text, comment_marks)) return;
+  throw InputError(fmt::format(
+      "{}:{}: is no profile: most of its lines, up to this last one, begin with no number; "
+      "allowed: "
+      "lines of two numbers, y and z, SIMPACK (.prw, .prr) or MiniProf (.whl, .ban, .mpt); do: "
+      "check the path",
+      name, last));
+}
+
+ProfilePoints points_in(std::string_view text, const std::string& name, bool wheel,
+                        const std::string& kind) {
+  if (kind == "prw" || kind == "prr") return read_simpack(text, name, wheel);
+  if (kind == "whl" || kind == "ban" || kind == "mpt") return read_miniprof(text, name);
+  return read_columns(text, name);
+}
+
 }  // namespace
 
 ProfilePoints read_profile_points(const std::string& path, const std::string& name, bool wheel,
                                   contact::LengthUnit unit) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw InputError(
-        fmt::format("{}: cannot be read; do: check the path, which is relative to the "
-                    "case file",
-                    name));
-  std::ostringstream buffer;
-  buffer << stream.rdbuf();
-  const std::string text = buffer.str();
-  if (text.find('\0') != std::string::npos)
+  constexpr std::size_t largest_file = 100'000'000;
+  return parse_profile_points(contact::text_of_file(path, name, largest_file), name, wheel, unit);
+}
+
+ProfilePoints parse_profile_points(std::string_view text, const std::string& name, bool wheel,
+                                   contact::LengthUnit unit) {
+  if (text.find('\0') != std::string_view::npos)
     throw InputError(fmt::format(
         "{}: is a binary file, not a profile; do: give lines of two numbers, y and z", name));
-  const std::string kind = ending(path);
-  ProfilePoints points;
-  const bool simpack = kind == "prw" || kind == "prr";
-  if (simpack)
-    points = read_simpack(text, name, wheel);
-  else if (kind == "whl" || kind == "ban" || kind == "mpt")
-    points = read_miniprof(text, name);
-  else
-    points = read_columns(text, name);
+  check_is_table(text, name);
+  const std::string kind = ending(name);
+  ProfilePoints points = points_in(text, name, wheel, kind);
   points.file = name;
   if (points.y.empty())
     throw InputError(
@@ -327,7 +337,7 @@ ProfilePoints read_profile_points(const std::string& path, const std::string& na
   const double factor = unit == contact::LengthUnit::m      ? 1000.0
                         : unit == contact::LengthUnit::inch ? 25.4
                                                             : 1.0;
-  if (simpack && factor != 1.0)
+  if ((kind == "prw" || kind == "prr") && factor != 1.0)
     throw InputError(fmt::format(
         "{}: unit cannot be set for a SIMPACK file, which names its own (units.len.f); do: remove "
         "`unit`",

@@ -4,6 +4,7 @@
 #include "contact/case/track.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rollfem::meshes {
@@ -21,6 +22,10 @@ struct ProfilePoints {
 /// `name`: how messages call it. Throws contact::InputError with line and value.
 ProfilePoints read_profile_points(const std::string& path, const std::string& name, bool wheel,
                                   contact::LengthUnit unit);
+
+/// The same of the text of such a file; the ending of `name` tells the format.
+ProfilePoints parse_profile_points(std::string_view text, const std::string& name, bool wheel,
+                                   contact::LengthUnit unit);
 
 /// Mends the points as `source` says and refuses what is still wrong. Throws contact::InputError,
 /// which names the key that mends it.

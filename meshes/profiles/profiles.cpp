@@ -38,16 +38,8 @@ ProfileCurve built_in(const BuiltInProfile& profile, bool wheel, const std::stri
   return profile.make();
 }
 
-ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::string& case_file,
-                       ProfileReport& report) {
-  const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw InputError(fmt::format(
-        "{}: profile = \"{}\" is no profile that is known, and no such file is there; allowed: {}, "
-        "arcs, polynomial or a file, its path relative to the case file; do: correct the name",
-        case_file, source.name, built_in_names(wheel)));
-  ProfilePoints points = read_profile_points(path.string(), source.name, wheel, source.unit);
+ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool wheel,
+                     ProfileReport& report) {
   mend_and_check(points, source, wheel);
   report.points = points.y.size();
   report.smoothing.emplace();
@@ -59,6 +51,19 @@ ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::strin
         "scatter of the measured points, some 0.01 mm; do: give a smaller one",
         source.name, source.smoothing));
   }
+}
+
+ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::string& case_file,
+                       ProfileReport& report) {
+  const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InputError(fmt::format(
+        "{}: profile = \"{}\" is no profile that is known, and no such file is there; allowed: {}, "
+        "arcs, polynomial or a file, its path relative to the case file; do: correct the name",
+        case_file, source.name, built_in_names(wheel)));
+  return through(read_profile_points(path.string(), source.name, wheel, source.unit), source, wheel,
+                 report);
 }
 
 ProfileCurve of_source(const ProfileSource& source, bool wheel, const std::string& case_file,
@@ -114,6 +119,12 @@ std::optional<double> flange_tip(const ProfileCurve& curve) {
   const bool ends = std::abs(tip.y - curve.at(curve.first()).y) < 0.5;
   if (ends || tip.z < heights[samples / 2] + lowest_flange) return {};
   return tip.y;
+}
+
+ProfileCurve profile_of_text(const std::string& text, const ProfileSource& source, bool wheel) {
+  ProfileReport report;
+  return through(parse_profile_points(text, source.name, wheel, source.unit), source, wheel,
+                 report);
 }
 
 ProfileCurve make_profile(const ProfileSource& source, bool wheel, const std::string& case_file,

@@ -23,6 +23,10 @@ struct ProfileReport {
 ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,
                           const std::string& case_file, ProfileReport* report = nullptr);
 
+/// The same of the text of a file, which `source` names, as it lies: not turned or shifted.
+ProfileCurve profile_of_text(const std::string& text, const contact::ProfileSource& source,
+                             bool wheel);
+
 /// y of the tip of the flange, mm; nothing where the profile has none.
 std::optional<double> flange_tip(const ProfileCurve& curve);
 

@@ -39,6 +39,15 @@ TEST(TextFields, EndWhereACommentBegins) {
   EXPECT_EQ(without_comment("! all", "#!"), "");
 }
 
+TEST(Tables, AreTextsOfWhichMostLinesBeginWithNumbers) {
+  for (const char* table : {"1 2\n", "y;z\n1,5;2,5\n", "# words\n-1,2\n", "12\n1 2\nmm of y\n",
+                            "type = 1\nunits.len.f = 1000\n 0.5 1\n"})
+    EXPECT_TRUE(looks_like_table(table, "#")) << table;
+  for (const char* other : {"", "#1 2\n", "root:x:0:0:root:/root:/bin/sh\n", "Dear Sir\n",
+                            "TOKEN = 12\n", "a b\nc d\n1 2\n", "\xff\xfe"})
+    EXPECT_FALSE(looks_like_table(other, "#")) << other;
+}
+
 TEST(NumberOfAField, IsAllOfIt) {
   EXPECT_EQ(number_of("1.5"), 1.5);
   EXPECT_EQ(number_of("+1.5e-3"), 1.5e-3);

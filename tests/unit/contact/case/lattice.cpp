@@ -110,6 +110,8 @@ TEST_F(LatticeFile, EveryDefectIsNamedWithItsLine) {
   EXPECT_NE(error_of(points(3, 4, cubic)).find("3 different values of x"), std::string::npos);
   EXPECT_NE(error_of("").find("has no points"), std::string::npos);
   EXPECT_NE(error_of("x,y,h\nonly,words,here\n").find("has no points"), std::string::npos);
+  // Nothing of what is not meant for us is repeated.
+  EXPECT_EQ(error_of("root:x:0:0\nuser:secret:1000\n").find("secret"), std::string::npos);
   EXPECT_THROW(read_lattice("/nowhere/points.csv", "points.csv", 1), InputError);
   for (const std::string& text : {good + "1, 2\n", good + "0.1, 0, 1\n", std::string()})
     EXPECT_NE(error_of(text).find("; do: "), std::string::npos);

@@ -34,7 +34,11 @@ const auto same = [](Points&) {};
 const std::vector<Fault> faults{
     {"Empty", true, "", {"is empty"}, {}},
     {"OnlyComments", true, "# nothing\n\n", {"is empty"}, {}},
-    {"NoProfile", true, "Dear Sir,\nplease find\n", {"profile.txt:2:", "no number"}, {}},
+    {"NoProfile",
+     true,
+     "Dear Sir,\nplease find\n",
+     {"profile.txt:2: is no profile", "begin with no number"},
+     {}},
     {"BadNumber", true, "1 2\n3 x4\n", {"profile.txt:2:", "`x4`"}, {}},
     {"OneColumn", false, "1\n2\n", {"profile.txt:1:", "two columns"}, {}},
     {"NotFinite", false, "1 2\n3 nan\n", {"profile.txt:2:", "`nan`"}, {}},

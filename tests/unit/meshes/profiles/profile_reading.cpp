@@ -73,7 +73,12 @@ TEST(ProfileReading, TextThatMakesNoSenseIsRefusedWithItsLine) {
   expect_said("-36.0 37.x\n" + rows, "a.txt", "a.txt:1: `37.x`");
   expect_said("rail\n-36,0 37,5\n-35,9x 37\n", "a.txt", "a.txt:2: has 4 numbers");
   expect_said("1o.5 3\n" + rows, "a.txt", "a.txt:1: `1o.5`");
-  expect_said("To whom it may concern:\nno list follows\n", "a.txt", "a.txt:2: `no`");
+  expect_said("To whom it may concern:\nno list follows\n", "a.txt", "a.txt:2: is no profile");
+  // Nothing of what is not meant for us is repeated.
+  expect_said("root:x:0:0:root:/root:/bin/sh\nuser:secret:1000\n", "passwd",
+              "passwd:2: is no profile");
+  EXPECT_EQ(refusal("root:x:0:0\nuser:secret:1000\n", false, {}, "a.prr").find("secret"),
+            std::string::npos);
   expect_said("12\n" + rows, "a.txt", "a.txt:1: has one number");
   expect_said("Rail\n-36.0 37..5 0\n" + rows, "a.ban", "a.ban:2: `37..5`");
   expect_said("Rail\n" + rows + "the end\n", "a.mpt",
