@@ -1,0 +1,33 @@
+// A case file: read, checked, said back, and the arithmetic that `rollfem check` does with it.
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/case/plausibility.hpp"
+#include "contact/scene/scene.hpp"
+#include "contact/scene/what_follows.hpp"
+#include "halfspace/model/registry.hpp"
+
+#include "fuzz/target.hpp"
+
+using namespace rollfem;
+
+std::string outcome_of(const std::string& input) {
+  try {
+    const contact::ModelRegistry& models = halfspace::models();
+    contact::ModelWords words;
+    for (const contact::ModelInfo& model : models.all()) words.known.push_back(model.name);
+    words.by_default = {"halfspace"};
+    const contact::Case read = contact::parse_case(input, "case.toml", words);
+    static_cast<void>(contact::describe(read, words));
+    static_cast<void>(contact::what_follows(read));
+    static_cast<void>(contact::implausible_values(read));
+    if (read.has_profiles()) return "";
+    const contact::Scene scene(read);
+    for (const contact::ModelInfo& model : models.all()) static_cast<void>(model.cannot(scene));
+    static_cast<void>(halfspace::run_model("hertz", scene, {}));
+  } catch (const contact::InputError& error) {
+    return error.what();
+  } catch (const contact::SolveError& error) {
+    return std::string("no solution: ") + error.what() + "; do: (status 1)";
+  }
+  return "";
+}

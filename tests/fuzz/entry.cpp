@@ -1,0 +1,15 @@
+// libFuzzer's entry: every refusal is one line, printable, that says what to do.
+#include "fuzz/target.hpp"
+#include <cstdio>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string message = outcome_of(std::string(reinterpret_cast<const char*>(data), size));
+  bool fine = message.empty() || message.find("do: ") != std::string::npos;
+  for (const char c : message) fine = fine && static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+  if (!fine) {
+    std::fprintf(stderr, "not a line that says what to do: %s\n", message.c_str());
+    std::abort();
+  }
+  return 0;
+}
