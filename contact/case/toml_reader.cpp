@@ -21,9 +21,10 @@ CaseProblem at(const toml::source_region& source) {
   return problem;
 }
 
-/// A name in quotes may hold anything: what would upset a terminal is not repeated.
-std::string shown(std::string name) {
-  if (name.size() > 80) name = name.substr(0, 77) + "...";
+/// A name in quotes may hold anything: what would upset a terminal, or end the line of a message,
+/// is not repeated.
+std::string shown(std::string name, std::size_t longest = 80) {
+  if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
   for (char& c : name)
     if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
   return name;
@@ -99,7 +100,7 @@ class Reader {
       return toml::parse(source_.text(), given_.file);
     } catch (const toml::parse_error& error) {
       fail_invalid(error.source().begin.line, error.source().begin.column,
-                   std::string(error.description()));
+                   shown(std::string(error.description()), 200));
     }
   }
 

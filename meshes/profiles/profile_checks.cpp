@@ -279,7 +279,11 @@ void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool whe
   check_direction(points, points.any_direction || source.mirror, wheel);
   if (source.thinning > 0.0) thin(points, source.thinning);
   treat_duplicates(points, source.drop_duplicates, wheel);
-  if (source.drop_zigzag) drop_zigzag(points);
+  if (source.drop_zigzag) {
+    drop_zigzag(points);
+    // What was between two equal points is gone.
+    treat_duplicates(points, true, wheel);
+  }
   check_order(points, wheel);
   check_smoothing(points, source.smoothing, wheel);
   check_gaps(points, source.longest_gap, wheel);

@@ -106,7 +106,7 @@ TEST(HostileFile, IsRefusedByCheckAndRunAlike) {
       {folder.file("empty.toml", ""), "is empty"},
       {folder.file("nan.toml", with("50e3", "nan")), "load.normal_force = nan"},
       {folder.file("huge.toml", with("50e3", "1e400")), "1e400"},
-      {folder.file("deep.toml", "[" + deep + "a]\n" + deep + "b = 1\n"), "is not a key"},
+      {folder.file("deep.toml", "[" + deep + "a]\n" + deep + "b = 1\n"), "nested more than 64 deep"},
       {folder.output("folder.toml").string(), "is a folder"},
       {folder.output("pipe.toml").string(), "is not a regular file"},
       {"/dev/zero", "is not a regular file"},

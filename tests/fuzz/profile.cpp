@@ -5,6 +5,7 @@
 #include "meshes/profiles/profiles.hpp"
 
 #include "fuzz/target.hpp"
+#include <algorithm>
 #include <sstream>
 
 using namespace rollfem;
@@ -39,7 +40,10 @@ std::string outcome_of(const std::string& input) {
   std::string body;
   words >> body;
   contact::ProfileSource source = source_of(words);
-  if (source.name.empty()) source.name = "profile.txt";
+  // As in a case file, where a text has no control characters.
+  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (source.name.empty() || std::any_of(source.name.begin(), source.name.end(), control))
+    source.name = "profile.txt";
   try {
     const bool wheel = body != "rail";
     const meshes::ProfileCurve curve =

@@ -139,4 +139,13 @@ TEST(Toml, WhatKeysInQuotesHoldDoesNotReachTheTerminal) {
   }
 }
 
+TEST(Toml, WhatTheParserQuotesDoesNotEndTheLineOfTheMessage) {
+  try {
+    contact::parse_case("a = i\n", "case.toml");
+    FAIL();
+  } catch (const contact::InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
