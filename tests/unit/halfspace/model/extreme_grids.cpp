@@ -27,9 +27,8 @@ TEST(ExtremeGrids, AreRefusedAtOnce) {
         "extent = [1e9, 1e9]", "extent = [1e-6, 1e-6]",
         "extent = [20.0, 50.0]\nmiddle = [20.0, 0.0]", "middle = [1e6, 0.0]"})
     EXPECT_NE(refused(extent).find("contact_grid.extent"), std::string::npos) << extent;
-  for (const char* cells :
-       {"cell_size = [1e-6, 1e6]", "cell_size = [1e6, 1e-6]", "cell_size = [1e9, 1e9]",
-        "cell_size = [1e-6, 1e-6]", "cell_size = [0.001, 2.0]", "cell_size = [10.0, 10.0]"})
+  for (const char* cells : {"cell_size = [1e-6, 1e6]", "cell_size = [1e6, 1e-6]",
+                            "cell_size = [1e-6, 1e-6]", "cell_size = [0.001, 2.0]"})
     EXPECT_NE(refused(cells).find("contact_grid.cell_size"), std::string::npos) << cells;
 }
 

@@ -179,7 +179,8 @@ TEST(CellStress, HookeAndEquilibriumHold) {
     std::array<LocalState, 3> d;  // fourth-order central differences along x, y, z
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < component_count; ++i) {
-        const auto at = [&](double n) {
+        // By name: clang 14 captures no structured bindings by reference.
+        const auto at = [&, x = x, y = y, z = z](double n) {
           return state(x + (k == 0 ? n * step : 0.0), y + (k == 1 ? n * step : 0.0),
                        z + (k == 2 ? n * step : 0.0))[i];
         };
