@@ -1,10 +1,11 @@
 #include "contact/scene/patch_geometry.hpp"
 
+#include "contact/base/errors.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -90,7 +91,9 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
   for (auto knot = down.rbegin(); knot != down.rend(); ++knot) add(*knot);
   for (std::size_t k = down.empty() ? 0 : 1; k < up.size(); ++k) add(up[k]);
   if (y.size() < 2)
-    throw std::invalid_argument("the wheel has no surface at the contact reference point");
+    throw InputError(
+        "wheel.rolling_radius: the wheel has no surface at the contact reference point; allowed: a "
+        "radius that is large beside the heights of the profile; do: give it in mm");
   return {std::move(y), std::move(z), std::move(slope)};
 }
 

@@ -1,11 +1,11 @@
 #include "meshes/track/silhouette.hpp"
 
 #include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -116,7 +116,10 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
   for (const Seen& point : outer)
     if (all.empty() || point.place[1] > all.back().place[1] + 1e-6) all.push_back(point);
   if (all.size() < 2)
-    throw std::invalid_argument("no part of the wheel's profile about y = 0 can be seen along x");
+    throw contact::InputError(
+        "wheel.profile: no part of it about y = 0 can be seen along x; allowed: a tread at y = 0 "
+        "that faces away from the axle; do: check rotation, shift and mirror under "
+        "[wheel_profile]");
   std::vector<double> y, z, slope, x, profile_y;
   for (const Seen& point : all) {
     y.push_back(point.place[1]);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
 #include <cmath>
 
@@ -154,6 +155,21 @@ TEST(Scenes, PrescribedForceStandsInPlaceOfItsCreepage) {
   const auto creepage = creepages_of(scenes_of(input).at(0)).at(0);
   EXPECT_EQ(creepage.longitudinal, 0.0);
   EXPECT_GT(creepage.lateral, 0.004);
+}
+
+/// What is given makes no wheel that stands on a rail: an input to correct, by its key.
+TEST(MakeScenes, RefuseAWheelWithoutASurfaceAtItsContact) {
+  contact::Case input;
+  input.file = "scene.toml";
+  input.load.vertical_force = 100e3;
+  input.wheel.rolling_radius = 450.0;
+  input.wheel.profile.name = "S1002";
+  input.rail.profile.name = "UIC60-manchester";
+  input.wheelset.roll = {0.0};
+  input.wheel.profile.rotation = -1.55;
+  const std::string said =
+      rollfem::testing::refusal<contact::InputError>([&] { meshes::make_scenes(input); });
+  EXPECT_NE(said.find("[wheel_profile]"), std::string::npos) << said;
 }
 
 }  // namespace
