@@ -1,5 +1,6 @@
 #include "app/command_frame.hpp"
 
+#include "app/interruption.hpp"
 #include "app/models.hpp"
 #include "app/places.hpp"
 #include "app/processes.hpp"
@@ -74,6 +75,10 @@ CommandFrame::CommandFrame(const ComputingRequest& request, const contact::Model
                                         : ProgressDisplay::mode_of_stderr()),
       progress_([this](const contact::ProgressEvent& event) { display_.show(event); }) {}
 
+CommandFrame::~CommandFrame() {
+  remove_nothing_when_interrupted();  // what bears those names from here on is somebody else's
+}
+
 void CommandFrame::say(const std::string& line) {
   display_.clear();
   if (first_ && !request_.quiet) std::cerr << line << '\n';
@@ -91,6 +96,25 @@ postprocess::Provenance CommandFrame::provenance() const {
   return made;
 }
 
+void CommandFrame::own(const fs::path& directory) {
+  if (!first_) return;
+  owned_.push_back(
+      std::make_unique<postprocess::FolderOwner>(directory.string(), request_.command));
+  for (const fs::path& made : owned_.back()->made()) remove_when_interrupted(made.string());
+}
+
+/// What an interruption from now on would leave.
+void CommandFrame::prepare_farewell() const {
+  if (!first_) return;
+  if (!kept_ || kept_->kept() == 0)
+    say_when_interrupted("no finished work was kept and no result written");
+  else
+    say_when_interrupted(
+        fmt::format("{} finished solutions are kept in {}; the same command with --resume takes "
+                    "them up",
+                    kept_->kept(), kept_->folder().string()));
+}
+
 postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
                                                      const contact::Case& input) {
   if (!first_) return nullptr;
@@ -98,6 +122,8 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   kept_ = std::make_unique<postprocess::CheckpointFolder>(
       directory.string(), input, fmt::format("{} ({})", version(), commit()), request_.resume,
       [](const std::string& warning) { std::cerr << warning << '\n'; });
+  kept_->tell([this] { prepare_farewell(); });
+  prepare_farewell();
   const std::string folder = fs::path(kept_->folder()).lexically_proximate(fs::current_path());
   const auto found = kept_->found();
   if (found > 0 && !request_.resume)
@@ -127,6 +153,7 @@ void CommandFrame::tell_of_kept(const std::string& kept) const {
 void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
                            const std::function<void(const Solving&)>& body) {
   check_built(known_, models_, asked_by);
+  prepare_farewell();
   if (parallel_)
     session_ = std::make_unique<ParallelSession>(asked_by, request_.argc, request_.argv);
   try {
@@ -150,6 +177,8 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
 void write_whole(const std::string& directory, const postprocess::RunRecord& record) {
   const SignalsHeld held;
   postprocess::write_results(directory, record);
+  say_when_interrupted("the results are written to " + directory +
+                       ", but not all that belongs to them; the same command makes them again");
 }
 
 void warn_of_doubts(const contact::Case& input) {

@@ -7,6 +7,7 @@
 #include "app/solving.hpp"
 #include "contact/solve/models.hpp"
 #include "postprocess/write/checkpoint_folder.hpp"
+#include "postprocess/write/folder_owner.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <filesystem>
@@ -36,6 +37,7 @@ class CommandFrame {
                std::vector<std::string> models);
   CommandFrame(const CommandFrame&) = delete;
   CommandFrame& operator=(const CommandFrame&) = delete;
+  ~CommandFrame();
 
   /// The process that checks, writes and speaks.
   bool first() const { return first_; }
@@ -49,6 +51,9 @@ class CommandFrame {
   /// Of what is computed now.
   postprocess::Provenance provenance() const;
 
+  /// Nobody else makes this result until the command ends. Throws contact::InputError when somebody
+  /// does. Nothing on other processes than the first.
+  void own(const std::filesystem::path& directory);
   /// Where finished work of a result in `directory` is kept; says what is there already. nullptr on
   /// other processes than the first.
   postprocess::CheckpointFolder* keep_in(const std::filesystem::path& directory,
@@ -64,6 +69,7 @@ class CommandFrame {
 
  private:
   void tell_of_kept(const std::string& kept) const;
+  void prepare_farewell() const;
 
   const ComputingRequest& request_;
   const contact::ModelRegistry& known_;
@@ -74,6 +80,7 @@ class CommandFrame {
   ProgressDisplay display_;
   contact::Progress progress_;
   std::unique_ptr<ParallelSession> session_;
+  std::vector<std::unique_ptr<postprocess::FolderOwner>> owned_;
   std::unique_ptr<postprocess::CheckpointFolder> kept_;
 };
 

@@ -6,7 +6,9 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "postprocess/compare/comparison.hpp"
+#include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/result_folder.hpp"
+#include "postprocess/write/seal.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,12 +51,38 @@ fs::path directory_of(const CompareRequest& request) {
   return fs::path("results") / ("compare_" + fs::path(request.case_files.front()).stem().string());
 }
 
-/// The result of an earlier call stands: the same case, program and models, written to the end.
+/// Whether results.h5 is whole and of this case with these models. A warning says why it is not.
+bool is_sound(const Task& task, const nlohmann::json& summary) {
+  try {
+    const postprocess::ResultsFile file(task.folder.string());
+    const auto& stored = file.models();
+    const auto& named = summary["models"];
+    if (file.sealed() && file.input().text == task.input.text && stored.size() == named.size() &&
+        std::equal(stored.begin(), stored.end(), named.begin(),
+                   [](const auto& a, const auto& b) { return a.name == b.value("name", ""); }))
+      return true;
+    std::cerr << fmt::format("warning: {} is not of this case; the case is computed again\n",
+                             file.path());
+  } catch (const contact::InputError& error) {
+    std::cerr << fmt::format("warning: {}; the case is computed again\n", error.what());
+  }
+  return false;
+}
+
+/// The result of an earlier call stands: the same case, program and models, written to the end, and
+/// not damaged since.
 bool is_done(const Task& task) {
   if (contents(task.folder / "case.toml") != task.input.text) return false;
-  if (!fs::exists(task.folder / "results.h5")) return false;
-  const auto summary =
-      nlohmann::json::parse(contents(task.folder / "summary.json"), nullptr, false);
+  const std::string text = contents(task.folder / "summary.json");
+  if (postprocess::check_json_seal(text) != postprocess::Seal::intact) {
+    if (!text.empty())
+      std::cerr << fmt::format(
+          "warning: {} is damaged or was changed: it does not fit its checksum; the case is "
+          "computed again\n",
+          (task.folder / "summary.json").string());
+    return false;
+  }
+  const auto summary = nlohmann::json::parse(text, nullptr, false);
   if (!summary.is_object() || !summary.contains("program")) return false;
   if (summary["program"].value("version", "") != version() ||
       summary["program"].value("commit", "") != commit())
@@ -65,7 +93,8 @@ bool is_done(const Task& task) {
   return std::all_of(task.input.models.begin(), task.input.models.end(),
                      [&](const std::string& name) {
                        return std::find(there.begin(), there.end(), name) != there.end();
-                     });
+                     }) &&
+         is_sound(task, summary);
 }
 
 /// What an earlier call says about models that cannot take a case: compare.json is written anew
@@ -86,8 +115,10 @@ std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRe
                            const std::vector<std::string>& models) {
   std::vector<Task> tasks;
   std::map<std::string, std::string> names;
-  const auto before =
-      nlohmann::json::parse(contents(directory_of(request) / "compare.json"), nullptr, false);
+  std::string text = contents(directory_of(request) / "compare.json");
+  // What does not fit its checksum is as good as not there: the models are tried again.
+  if (postprocess::check_json_seal(text) != postprocess::Seal::intact) text.clear();
+  const auto before = nlohmann::json::parse(text, nullptr, false);
   for (const std::string& file : request.case_files) {
     Task task;
     task.input = contact::read_case(file, model_words(known));
@@ -260,6 +291,8 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
   if (frame.first())
     for (const Task& task : tasks) warn_of_doubts(task.input);
   if (frame.first()) check_folders(request, tasks);
+  frame.own(directory_of(request));
+  for (const Task& task : tasks) frame.own(task.folder);
   postprocess::ComparisonRecord record;
   record.provenance = frame.provenance();
   record.models = models;

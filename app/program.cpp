@@ -1,16 +1,22 @@
 #include "app/program.hpp"
 
 #include "app/commands.hpp"
+#include "app/interruption.hpp"
 #include "app/processes.hpp"
 #include "app/version.hpp"
 #include "contact/base/errors.hpp"
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <chrono>
+#include <csignal>
+#include <fcntl.h>
 #include <iostream>
 #include <new>
+#include <poll.h>
 #include <thread>
+#include <unistd.h>
 
 namespace rollfem::app {
 
@@ -20,6 +26,20 @@ std::string joined(int argc, char** argv) {
   std::string text;
   for (int i = 0; i < argc; ++i) text += (i > 0 ? " " : "") + std::string(argv[i]);
   return text;
+}
+
+/// Whoever reads the output wants no more of it (`rollfem run ... | head -1`): no failure.
+bool reader_is_gone() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) > 0 && (output.revents & (POLLERR | POLLHUP)) != 0;
+}
+
+/// Files that are opened must not get the number of an output that the caller has closed (`>&-`):
+/// what is printed would go into them. Nor does a pipe whose reader has gone end a computation.
+void guard_outputs() {
+  for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file)
+    if (::fcntl(file, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) < 0) return;
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 /// CLI11 would only say that a command is missing.
@@ -63,7 +83,9 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
     throw contact::InputError(fmt::format("{}; do: rollfem --help", error.what()));
   }
   std::cout.flush();
-  if (!std::cout) throw contact::InputError("the output cannot be written (is the disk full?)");
+  if (!std::cout && !reader_is_gone())
+    throw contact::InputError(
+        "the standard output cannot be written; do: look whether the disk that it goes to is full");
   return 0;
 }
 
@@ -80,6 +102,8 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
 }  // namespace
 
 int run_program(int argc, char** argv, const contact::ModelRegistry& models) {
+  guard_outputs();
+  tell_of_interruptions();
   try {
     return execute(argc, argv, models);
   } catch (const contact::InputError& error) {

@@ -83,6 +83,7 @@ void run(const RunRequest& request, const contact::ModelRegistry& models) {
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(record.input);
   if (frame.first()) check_before(request, record.input, models);
+  frame.own(output_directory(request));
   record.provenance = frame.provenance();
   frame.compute(named ? "--model" : request.case_file + ": models", "load points",
                 [&](Solving how) {

@@ -124,6 +124,11 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   report.yield_shear_stress = yield_shear_stress(request);
 
   const ResultsFile file(request.result);
+  if (!file.sealed())
+    std::cerr
+        << "warning: " << file.path()
+        << " has no checksum (an earlier version or another program wrote it), so that damage "
+           "may go unnoticed; do: run the case again when in doubt\n";
   report.source = file.path();
   report.title = file.input().title;
   report.point_named = request.point || request.creepage;

@@ -230,6 +230,7 @@ void study(const StudyRequest& request, const contact::ModelRegistry& known) {
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(input);
   check_call(request, input, known);
+  frame.own(directory_of(request));
   const Scenes scenes = scenes_of(input, frame.progress());
   const std::vector<std::string> models = models_of(request, scenes, known);
   postprocess::StudyRecord record = record_of(request, input, scenes, frame);

@@ -1,10 +1,13 @@
 """python3 -m book: makes the verification book. Called by `./rollfem book`, which builds first."""
 import argparse
+import contextlib
 import datetime
 import os
 import platform
 import sys
 import time
+
+from .owner import Owned, owner
 
 
 def _parser():
@@ -86,11 +89,13 @@ def main():
     directory = os.path.abspath(options.output or os.path.join(root, "docs", "book"))
     say = (lambda text: None) if options.quiet else (lambda text: print(text, flush=True))
     begin = time.time()
+    results = os.path.abspath(options.results or os.path.join(root, "results", "book"))
+    owned = contextlib.ExitStack()
     try:
+        for folder in sorted({directory, results}):
+            owned.enter_context(owner(folder, " ".join(["./rollfem book", *sys.argv[1:]])))
         os.makedirs(directory, exist_ok=True)
-        bench = Bench(root, options.build or os.path.join(root, "build"),
-                      os.path.abspath(options.results or os.path.join(root, "results", "book")),
-                      options.fresh, say)
+        bench = Bench(root, options.build or os.path.join(root, "build"), results, options.fresh, say)
         style.use()
         bench.figures, bench.png = directory, options.png
         done, left_out, failures = _make(bench, wanted, say)
@@ -98,8 +103,13 @@ def main():
                 "version": bench.version, "host": _machine(), "date": datetime.date.today().isoformat(),
                 "seconds": sum(c.seconds for chapter in done for c in chapter.cost)}
         page.write_book(directory, done, left_out, made)
+    except Owned as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
     except (BookError, OSError) as error:
         sys.exit(f"error: {error}")
+    finally:
+        owned.close()
     beyond = [f"{c.title}: {row.quantity} {row.by}: {page.percent(row.difference)}, allowed "
               f"{page.percent(row.allowed)[1:]}" for c in done for row in c.rows if not row.holds]
     for text in failures + beyond:

@@ -4,6 +4,7 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/hdf5_objects.hpp"
 #include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/seal.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace fs = std::filesystem;
@@ -51,18 +51,17 @@ std::string find_file(const std::string& path) {
   return file.string();
 }
 
-/// HDF5 files begin with eight fixed bytes.
-bool has_signature(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  char bytes[8] = {};
-  file.read(bytes, sizeof bytes);
-  return std::string(bytes, sizeof bytes) == std::string("\x89HDF\r\n\x1a\n", 8);
+/// Whether the file has a checksum. HDF5's library must not see a damaged file: it may crash.
+bool check_seal(const std::string& path) {
+  const Seal seal = check_hdf5_seal(path);
+  if (seal == Seal::broken)
+    throw InputError(
+        fmt::format("{} is cut short or damaged: it does not fit its checksum; {}, or take a copy",
+                    path, again));
+  return seal == Seal::intact;
 }
 
 Handle open_checked(const std::string& path) {
-  if (!has_signature(path))
-    throw InputError(fmt::format(
-        "{} is not a result of rollfem (no HDF5 file); do: name the results.h5 of a run", path));
   try {
     return open_file(path);
   } catch (const std::runtime_error&) {
@@ -243,7 +242,8 @@ PointResult read_point(hid_t group, const contact::ContactGrid& grid,
 
 }  // namespace
 
-ResultsFile::ResultsFile(const std::string& path) : path_(find_file(path)) {
+ResultsFile::ResultsFile(const std::string& path)
+    : path_(find_file(path)), sealed_(check_seal(path_)) {
   const Handle file = open_checked(path_);
   guarded(path_, [&] {
     check_format(file, path_);

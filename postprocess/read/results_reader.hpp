@@ -24,10 +24,13 @@ struct StoredModel {
 class ResultsFile {
  public:
   /// A result folder or its results.h5. Throws contact::InputError that names the file and says
-  /// what to do: none there, not of rollfem, of another format version, cut short, damaged.
+  /// what to do: none there, not of rollfem, of another format version, cut short, damaged
+  /// (told by its checksum, before HDF5 opens it).
   explicit ResultsFile(const std::string& path);
 
   const std::string& path() const { return path_; }
+  /// False: of an earlier version, without a checksum, so that damage may go unnoticed.
+  bool sealed() const { return sealed_; }
   /// Folder that holds the file.
   std::string directory() const;
   /// Title, file, text, friction coefficient, radii and materials of the case; nothing else of it.
@@ -44,6 +47,7 @@ class ResultsFile {
 
  private:
   std::string path_;
+  bool sealed_ = false;
   contact::Case input_;
   std::vector<StoredModel> models_;
 };

@@ -1,5 +1,4 @@
 """compare.html: several models on one or several cases, laid beside each other."""
-import json
 import os
 from html import escape
 from types import SimpleNamespace
@@ -9,7 +8,7 @@ from matplotlib import pyplot as plt
 
 from . import report, style, tables
 from .build import build
-from .reader import ResultError
+from .reader import ResultError, read_json
 
 def _model(name):
     """What style asks a model for."""
@@ -206,8 +205,7 @@ def _asked(comparison):
 
 def build_comparison(directory, png_folder=None):
     """Draws every case of the comparison in `directory` and writes compare.html."""
-    with open(os.path.join(directory, "compare.json"), encoding="utf-8") as file:
-        comparison = json.load(file)
+    comparison = read_json(directory, "compare.json")
     if comparison.get("kind") != "compare" or comparison.get("format") != 2:
         raise ResultError(f"{directory}/compare.json is not a comparison that this program reads")
     style.know(comparison.get("labels", {}))

@@ -3,12 +3,15 @@
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx]; x is the rolling direction,
 material enters the patch at large x. Tractions and forces act on the wheel.
 """
+import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import h5py
 import numpy as np
+
+from .seal import json_is_sound, results_are_sound
 
 FORMAT_VERSION = 1
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
@@ -296,14 +299,35 @@ def _read_file(path, directory):
                       _read_quantities(file), _read_profiles(file))
 
 
+def read_json(directory, name):
+    """compare.json or study.json. Raises ResultError when it does not fit its checksum."""
+    path = os.path.join(directory, name)
+    with open(path, encoding="utf-8", errors="replace") as file:
+        text = file.read()
+    if not json_is_sound(text):
+        raise ResultError(f"{path} is cut short, damaged or was changed: it does not fit its checksum; "
+                          "run the command again")
+    try:
+        return json.loads(text)
+    except ValueError as error:
+        raise ResultError(f"{path} is cut short or damaged: {error}; run the command again") from error
+
+
 def read_result(path):
     """Reads a result folder, or its results.h5. Raises ResultError when it is not a whole one."""
     directory = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
     file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
     if not os.path.exists(file):
         raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
+    try:
+        sound = results_are_sound(file)
+    except OSError as error:
+        raise ResultError(f"{file} cannot be read: {error}") from error
     if not h5py.is_hdf5(file):
         raise ResultError(f"{file} is not a result of rollfem (no HDF5 file)")
+    if not sound:
+        raise ResultError(f"{file} is cut short or damaged: it does not fit its checksum; "
+                          "run the case again, or take a copy")
     try:
         return _read_file(file, directory)
     except OSError as error:

@@ -1,5 +1,4 @@
 """study.html: errors of one case on ever finer grids, against unknowns and seconds."""
-import json
 import os
 from html import escape
 from types import SimpleNamespace
@@ -8,7 +7,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from . import report, style, tables
-from .reader import Quantity, ResultError
+from .reader import Quantity, ResultError, read_json
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
 SMALLEST = 1e-9  # relative; below it an error is nothing that a figure can show
@@ -278,8 +277,7 @@ def _place_parts(study, place, images):
 
 def build_study(directory, png_folder=None):
     """Draws the study in `directory` and writes study.html."""
-    with open(os.path.join(directory, "study.json"), encoding="utf-8") as file:
-        study = json.load(file)
+    study = read_json(directory, "study.json")
     if study.get("kind") != "study" or study.get("format") != 3:
         raise ResultError(f"{directory}/study.json is not a study that this program reads")
     folder = style.figures_folder(directory, png_folder)

@@ -8,14 +8,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fcntl.h>
 #include <fstream>
 #include <sstream>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -25,13 +19,13 @@ namespace {
 using contact::InputError;
 
 /// Of the folder and of the records; to be raised when contact/result/record.cpp changes.
-constexpr int format = 3;
+constexpr int format = 4;
 
 /// Less work than this is not worth a disk access.
 constexpr auto grace = std::chrono::milliseconds(500);
 
 const char* const about_name = "about.txt";
-const char* const lock_name = "lock";
+const char* const lock_name = "lock";  // of earlier versions
 const char* const record_suffix = ".point";
 const char* const part_suffix = ".part";
 
@@ -78,14 +72,18 @@ unsigned long long checksum_of_quantities() {
   return hash;
 }
 
-std::string sealed(const std::string& record) {
-  return fmt::format("{:016x}", contact::checksum(record)) + record;
+/// A record belongs to its folder (`about`: program and case) and its name (scene, model, level,
+/// load point): elsewhere it is as good as damaged.
+std::string seal_of(const std::string& about, const std::string& name, const std::string& record) {
+  const auto bound = contact::checksum(name + '\n', contact::checksum(about));
+  return fmt::format("{:016x}", contact::checksum(record, bound));
 }
 
-std::optional<std::string> opened(const std::string& bytes) {
+std::optional<std::string> opened(const std::string& about, const std::string& name,
+                                  const std::string& bytes) {
   if (bytes.size() < 16) return {};
   std::string record = bytes.substr(16);
-  if (bytes.compare(0, 16, fmt::format("{:016x}", contact::checksum(record))) != 0) return {};
+  if (bytes.compare(0, 16, seal_of(about, name, record)) != 0) return {};
   return record;
 }
 
@@ -114,10 +112,6 @@ CheckpointFolder::CheckpointFolder(const std::string& result_directory, const co
   look_at(input);
 }
 
-CheckpointFolder::~CheckpointFolder() {
-  if (lock_ >= 0) ::close(lock_);
-}
-
 void CheckpointFolder::look_at(const contact::Case& input) {
   std::error_code error;
   if (!fs::exists(folder_, error)) return;
@@ -134,11 +128,6 @@ void CheckpointFolder::look_at(const contact::Case& input) {
   if (error)
     throw InputError(fmt::format("cannot read {}: {}; do: name another folder with -o",
                                  folder_.string(), error.message()));
-  if (!lock())
-    throw InputError(fmt::format(
-        "another run is at work on this result (it keeps its load points in {}); do: wait for it, "
-        "or name another folder with -o",
-        folder_.string()));
   if (!resume_ || found_ == 0) return;
   const std::string about = contents(folder_ / about_name);
   const auto refuse = [&](const std::string& other) {
@@ -157,19 +146,6 @@ void CheckpointFolder::look_at(const contact::Case& input) {
   begun_ = true;
 }
 
-/// False when another process holds it. The lock ends with its process, however that ends.
-bool CheckpointFolder::lock() {
-  if (lock_ >= 0) return true;
-  const int file = ::open((folder_ / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) return true;  // a folder that cannot be written shows when the first record is
-  if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(file);
-    return false;
-  }
-  lock_ = file;
-  return true;
-}
-
 bool CheckpointFolder::holds_records() const {
   if (!begun_) return false;
   std::error_code error;
@@ -184,20 +160,19 @@ std::optional<std::string> CheckpointFolder::find(const std::string& name) {
   const fs::path file = folder_ / (name + record_suffix);
   std::error_code error;
   if (!fs::exists(file, error)) return {};
-  std::optional<std::string> record = opened(contents(file));
+  std::optional<std::string> record = opened(about_, name, contents(file));
   if (!record)
-    warn_(fmt::format("warning: {} is damaged; its load point is computed again", file.string()));
+    warn_(
+        fmt::format("warning: {} is damaged, or of another load point or case; its load point is "
+                    "computed again",
+                    file.string()));
   return record;
 }
 
 /// Makes the folder, or empties that of an earlier run.
 void CheckpointFolder::begin() {
   fs::create_directories(folder_);
-  if (!lock())
-    throw InputError(
-        fmt::format("another run keeps its load points in {} already", folder_.string()));
-  for (const auto& entry : fs::directory_iterator(folder_))
-    if (entry.path().filename() != lock_name) fs::remove(entry.path());
+  for (const auto& entry : fs::directory_iterator(folder_)) fs::remove(entry.path());
   replace_file(folder_ / about_name, about_);
   flush_folder(folder_.parent_path());
   found_ = 0;
@@ -206,7 +181,9 @@ void CheckpointFolder::begin() {
 
 void CheckpointFolder::write(const std::string& name, const std::string& record) {
   if (!begun_) begin();
-  replace_file(folder_ / (name + record_suffix), sealed(record));
+  replace_file(folder_ / (name + record_suffix), seal_of(about_, name, record) + record);
+  ++written_;
+  if (told_) told_();
 }
 
 void CheckpointFolder::keep(const std::string& name, const std::string& record) {

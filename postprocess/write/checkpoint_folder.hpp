@@ -19,18 +19,21 @@ class CheckpointFolder : public contact::Checkpoint {
   /// Records found are given out only with `resume`; otherwise an earlier folder stays until the
   /// first new record is kept. `program`: version and commit, which records are bound to, as they
   /// are to the case. `warn` gets at most one line when records cannot be written (the run goes
-  /// on without). Throws contact::InputError when another run is at work on the folder, when it
-  /// holds other things, and with `resume` when it is of another case or program.
+  /// on without). Nobody else may be at work on the result (FolderOwner). Throws
+  /// contact::InputError when the folder holds other things, and with `resume` when it is of
+  /// another case or program.
   CheckpointFolder(const std::string& result_directory, const contact::Case& input,
                    const std::string& program, bool resume,
                    std::function<void(const std::string&)> warn);
   CheckpointFolder(const CheckpointFolder&) = delete;
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
-  ~CheckpointFolder() override;
 
   const std::filesystem::path& folder() const { return folder_; }
   /// Records of an earlier run that are there, taken up or not.
   int found() const { return found_; }
+  /// Calls `told` whenever one more record is on the disk; how many those are.
+  void tell(std::function<void()> told) { told_ = std::move(told); }
+  int kept() const { return written_ + (resume_ ? found_ : 0); }
   /// Whether a later run finds something.
   bool holds_records() const;
   /// Records whose names begin so are needed no more.
@@ -46,14 +49,14 @@ class CheckpointFolder : public contact::Checkpoint {
   void look_at(const contact::Case& input);
   void begin();
   void write(const std::string& name, const std::string& record);
-  bool lock();
 
   std::filesystem::path folder_;
   std::string about_;  ///< what the folder is bound to, as text
   bool resume_ = false;
   std::function<void(const std::string&)> warn_;
   int found_ = 0;
-  int lock_ = -1;        ///< file descriptor, held while records are written
+  int written_ = 0;  ///< records of this run
+  std::function<void()> told_;
   bool begun_ = false;   ///< the folder is ours
   bool failed_ = false;  ///< nothing more is written
   std::vector<std::pair<std::string, std::string>> held_back_;

@@ -1,5 +1,7 @@
 #include "postprocess/write/hdf5_objects.hpp"
 
+#include "postprocess/write/seal.hpp"
+
 #include <fmt/core.h>
 
 #include <stdexcept>
@@ -65,18 +67,20 @@ Handle create_file_in_memory() {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
   check(H5Pset_fapl_core(access, 1U << 20U, false), "H5Pset_fapl_core");
   // The name is never used on disk, but must not be one of a file that exists.
-  return {H5Fcreate("rollfem-results-in-memory.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access),
-          "H5Fcreate"};
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), "H5Pcreate");
+  check(H5Pset_userblock(creation, seal_size), "H5Pset_userblock");
+  return {H5Fcreate("rollfem-results-in-memory.h5", H5F_ACC_TRUNC, creation, access), "H5Fcreate"};
 }
 
-std::string file_image(hid_t file) {
+std::string sealed_image(hid_t file) {
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "H5Fflush");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   if (size <= 0) throw std::runtime_error("HDF5: H5Fget_file_image failed");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size)
     throw std::runtime_error("HDF5: H5Fget_file_image failed");
-  return bytes;
+  // The image is that of the data, without the user block.
+  return hdf5_seal(bytes) + bytes;
 }
 
 Handle create_group(hid_t parent, const std::string& name, const std::string& comment) {

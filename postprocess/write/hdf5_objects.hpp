@@ -27,9 +27,10 @@ class Handle {
   hid_t id_;
 };
 
-/// A new file in memory, and the bytes it would have on disk.
+/// A new file in memory, and the bytes it has on disk: a user block with its checksum before it
+/// (seal.hpp).
 Handle create_file_in_memory();
-std::string file_image(hid_t file);
+std::string sealed_image(hid_t file);
 
 /// A new group; `comment` is shown by h5dump -H.
 Handle create_group(hid_t parent, const std::string& name, const std::string& comment);

@@ -1,5 +1,7 @@
 #include "postprocess/write/json_head.hpp"
 
+#include "postprocess/write/seal.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace rollfem::postprocess {
@@ -28,7 +30,7 @@ ordered_json headings_json(const std::vector<contact::Quantity>& quantities) {
 }
 
 std::string json_text(const ordered_json& json) {
-  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return sealed_json(json.dump(1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 }  // namespace rollfem::postprocess

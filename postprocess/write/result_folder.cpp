@@ -65,8 +65,9 @@ bool is_result_folder(const fs::path& folder) {
   return summary.is_object() && summary.contains("format") && summary.contains("models");
 }
 
-/// The folder as an absolute path without links and trailing slash.
-fs::path resolve(const std::string& directory) {
+}  // namespace
+
+fs::path resolved_folder(const std::string& directory) {
   if (directory.empty()) throw InputError("the output folder has an empty name; give one with -o");
   std::error_code error;
   fs::path path = fs::weakly_canonical(fs::absolute(directory), error);
@@ -74,6 +75,8 @@ fs::path resolve(const std::string& directory) {
   if (!path.has_filename()) path = path.parent_path();
   return path;
 }
+
+namespace {
 
 void check_target(const fs::path& target) {
   std::error_code error;
@@ -186,7 +189,7 @@ void flush_folder(const fs::path& folder) {
   ::close(file);
 }
 
-ResultFolder::ResultFolder(const std::string& directory) : target_(resolve(directory)) {
+ResultFolder::ResultFolder(const std::string& directory) : target_(resolved_folder(directory)) {
   check_target(target_);
   const fs::path parent = target_.parent_path();
   fs::path missing;

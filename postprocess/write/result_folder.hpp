@@ -33,6 +33,10 @@ class ResultFolder {
   bool committed_ = false;
 };
 
+/// The folder as an absolute path without links and trailing slash. Throws contact::InputError when
+/// it has no name or cannot be looked for.
+std::filesystem::path resolved_folder(const std::string& directory);
+
 /// Writes and flushes one new file. Throws contact::InputError naming file and reason; then nothing
 /// is left of it.
 void write_file(const std::filesystem::path& path, std::string_view content);

@@ -288,7 +288,7 @@ std::string results_hdf5(const RunRecord& run) {
   }
   // Last, so that a reader can tell a whole file from one whose writing was cut short.
   write_attribute(file, "complete", 1L);
-  return file_image(file);
+  return sealed_image(file);
 }
 
 }  // namespace rollfem::postprocess

@@ -3,6 +3,7 @@
 #include "contact/result/patch_parts.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/point_table.hpp"
+#include "postprocess/write/seal.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -85,7 +86,7 @@ std::string summary_json(const RunRecord& run) {
   json["models"] = ordered_json::array();
   for (const contact::ModelResult& model : run.models) json["models"].push_back(model_json(model));
   // A title or file name that is not UTF-8 is shown with replacement characters.
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return sealed_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 }  // namespace rollfem::postprocess

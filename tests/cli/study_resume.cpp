@@ -40,7 +40,7 @@ int levels_kept(const fs::path& unfinished, bool whole) {
 /// study.json without times and without what names the call.
 nlohmann::json timeless(const fs::path& folder) {
   auto all = nlohmann::json::parse(contents(folder / "study.json"));
-  for (const char* name : {"command", "started"}) all.erase(name);
+  for (const char* name : {"command", "started", "checksum"}) all.erase(name);
   for (auto& place : all.at("places"))
     for (auto& series : place.at("series"))
       for (auto& level : series.at("levels")) {

@@ -6,12 +6,14 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/seal.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
 #include <filesystem>
+#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -165,6 +167,42 @@ TEST_F(ResultsReaderTest, RefusesWhatIsNoWholeResult) {
   }
 }
 
+/// Gives a file that was changed on purpose the checksum of what it is now.
+void seal_again(const std::string& path) {
+  const std::string data = testing::contents(path).substr(seal_size);
+  std::ofstream(path, std::ios::binary) << hdf5_seal(data) << data;
+}
+
+TEST_F(ResultsReaderTest, AFileThatWasChangedNoLongerFitsItsChecksum) {
+  const std::string whole = results_hdf5(full_run());
+  for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 60) {
+    std::string damaged = whole;
+    damaged[at] ^= static_cast<char>(1U << (at % 8));
+    const std::string said = refusal(file(damaged));
+    ASSERT_NE(said.find("do: "), std::string::npos) << at << ": " << said;
+  }
+  EXPECT_NE(refusal(file(whole + "x")).find("does not fit its checksum"), std::string::npos);
+}
+
+TEST_F(ResultsReaderTest, AFileWithoutAChecksumIsReadAndSaysSo) {
+  if (!testing::python_can_import("h5py"))
+    GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
+  const std::string path = file(results_hdf5(full_run()));
+  EXPECT_TRUE(ResultsFile(path).sealed());
+  // As versions before the checksum wrote it, or h5repack does: without a user block.
+  EXPECT_EQ(testing::python(R"(
+import sys, h5py
+with h5py.File(sys.argv[1]) as old, h5py.File(sys.argv[1] + '.old', 'w') as new:
+    for name in old: old.copy(name, new)
+    for name, value in old.attrs.items(): new.attrs[name] = value
+)",
+                            path),
+            "");
+  const ResultsFile old(path + ".old");
+  EXPECT_FALSE(old.sealed());
+  EXPECT_EQ(old.models().size(), ResultsFile(path).models().size());
+}
+
 TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
   if (!testing::python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
@@ -173,6 +211,8 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
     const std::string path = file(whole);
     EXPECT_EQ(testing::python("import sys, h5py\nf = h5py.File(sys.argv[1], 'a')\n" + change, path),
               "");
+    EXPECT_NE(refusal(path).find("does not fit its checksum"), std::string::npos);
+    seal_again(path);
     return refusal(path);
   };
   EXPECT_EQ(changed("f.attrs['note'] = 'more of it'"), "it was read");
@@ -230,6 +270,7 @@ with h5py.File(sys.argv[1], 'a') as f:
 )",
                             path),
             "");
+  seal_again(path);
   const ResultsFile read(path);
   const contact::ModelResult model = read.read(read.models()[1]);
   EXPECT_EQ(model.points[3].elastic_energy, 946.0);
@@ -263,6 +304,7 @@ with open(sys.argv[1], 'r+b') as f:
 )",
                             path),
             "");
+  seal_again(path);
   const std::string said = refusal(path);
   EXPECT_NE(said.find("damaged or cut short: dataset pressure"), std::string::npos) << said;
 }
@@ -303,6 +345,7 @@ for b in m['bodies'].values():
 )",
                             path),
             "");
+  seal_again(path);
   const ResultsFile read(path);
   ASSERT_EQ(read.models()[2].points_with_bodies, (std::vector<std::size_t>{6}));
   const contact::ModelResult found = whole(read, read.models()[2]);

@@ -1,0 +1,42 @@
+"""One process at a time makes a folder: the lock beside it, as the program takes it for its results."""
+import contextlib
+import fcntl
+import os
+import socket
+import time
+
+_HEAD = "rollfem makes the result beside this file.\n"
+
+
+class Owned(Exception):
+    """Another process is at work on the folder; says which."""
+
+
+@contextlib.contextmanager
+def owner(folder, command):
+    """Holds DIR.lock. The lock ends with its process; a file that a killed one left is taken over."""
+    path = os.path.realpath(folder) + ".lock"
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    while True:
+        file = open(path, "a+", encoding="utf-8")
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            file.seek(0)
+            who = file.read().removeprefix(_HEAD).strip() or "a process that does not say which"
+            raise Owned(f"another run is at work on {folder}: {who}; do: wait for it, or name other "
+                        "folders with -o and --results") from None
+        # Its owner may have removed the file in between.
+        with contextlib.suppress(FileNotFoundError):
+            if os.path.samestat(os.fstat(file.fileno()), os.stat(path)):
+                break
+        file.close()
+    file.truncate(0)
+    start = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
+    file.write(f"{_HEAD}process {os.getpid()} on {socket.gethostname()}, started {start}: {command}\n")
+    file.flush()
+    try:
+        yield
+    finally:
+        os.unlink(path)
+        file.close()

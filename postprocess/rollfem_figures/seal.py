@@ -1,0 +1,37 @@
+"""Checksums by which a damaged result is told before anything in it is used: what
+postprocess/write/seal.hpp describes. A file without one is of an earlier version."""
+import re
+import zlib
+
+_SEAL = 512  # bytes of the user block before the HDF5 data
+_HDF5 = b"\x89HDF\r\n\x1a\n"
+
+
+def results_are_sound(path):
+    """False when results.h5 does not fit its checksum."""
+    with open(path, "rb") as file:
+        block = file.read(_SEAL)
+        if block.startswith(_HDF5):
+            return True
+        found = re.match(rb"rollfem results\nbytes: (\d+)\ncrc32: ([0-9a-f]{8})\n", block)
+        size, crc = 0, 0
+        while part := file.read(1 << 20):
+            size, crc = size + len(part), zlib.crc32(part, crc)
+    return bool(found) and (int(found[1]), int(found[2], 16)) == (size, crc)
+
+
+def seal_results(path):
+    """Makes the checksum fit again after h5py or another program has changed results.h5."""
+    with open(path, "r+b") as file:
+        data = file.read()[_SEAL:]
+        text = (f"rollfem results\nbytes: {len(data)}\ncrc32: {zlib.crc32(data):08x}\n"
+                f"of the HDF5 data behind this user block of {_SEAL} bytes\n")
+        file.seek(0)
+        file.write(text.ljust(_SEAL, "\n").encode("ascii"))
+
+
+def json_is_sound(text):
+    """False when the text of a JSON file does not fit its checksum."""
+    text = text.encode("utf-8")
+    at = text.rfind(b'"checksum": "crc32 ')
+    return at < 0 or text[at + 19:] == b'%08x"\n}\n' % zlib.crc32(text[:at])

@@ -1,0 +1,134 @@
+#include "postprocess/write/folder_owner.hpp"
+
+#include "contact/base/errors.hpp"
+#include "postprocess/write/result_folder.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+const std::string owner_head = "rollfem makes the result beside this file.\n";
+
+std::string owner_text(const std::string& command) {
+  char host[256] = {};
+  if (::gethostname(host, sizeof host - 1) != 0) std::strcpy(host, "unknown");
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char start[32];
+  std::strftime(start, sizeof start, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return fmt::format("{}process {} on {}, started {}: {}\n", owner_head, ::getpid(), host, start,
+                     command);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// What the owner says of itself; it may be about to write it.
+std::string owner_of(const fs::path& file) {
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    const std::string text = text_of(file);
+    if (text.size() > owner_head.size() && text.back() == '\n')
+      return text.substr(owner_head.size(), text.size() - owner_head.size() - 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return "a process that does not say which";
+}
+
+void remove_made(fs::path folder, const fs::path& topmost) {
+  std::error_code error;
+  if (topmost.empty()) return;
+  while (fs::remove(folder, error) && folder != topmost) folder = folder.parent_path();
+}
+
+}  // namespace
+
+/// False when the file that was locked is no longer the one of that name: its owner has removed it
+/// in between.
+bool FolderOwner::lock() {
+  lock_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (lock_ < 0)
+    throw contact::InputError(
+        fmt::format("cannot write {}: {}; nothing was written, choose another folder with -o",
+                    file_.string(), std::strerror(errno)));
+  // Where the file system has no locks, EWOULDBLOCK does not come, and nobody is refused.
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    lock_ = -1;
+    throw contact::InputError(
+        fmt::format("another run is at work on this result: {}; do: wait for it, or name another "
+                    "folder with -o",
+                    owner_of(file_)));
+  }
+  struct stat here {
+  }, there{};
+  if (::fstat(lock_, &here) == 0 && ::stat(file_.c_str(), &there) == 0 &&
+      here.st_ino == there.st_ino && here.st_dev == there.st_dev)
+    return true;
+  ::close(lock_);
+  lock_ = -1;
+  return false;
+}
+
+FolderOwner::FolderOwner(const std::string& directory, const std::string& command)
+    : file_(resolved_folder(directory).string() + ".lock") {
+  std::error_code error;
+  for (fs::path p = file_.parent_path(); !fs::exists(p, error) && p.has_relative_path();
+       p = p.parent_path())
+    topmost_created_ = p;
+  fs::create_directories(file_.parent_path(), error);
+  try {
+    while (!lock()) continue;
+    const std::string before = text_of(file_), text = owner_text(command);
+    if (!before.empty() && before.rfind(owner_head, 0) != 0)
+      throw contact::InputError(
+          fmt::format("{} is in the way: it is where rollfem notes who makes this result, but not "
+                      "of its making; do: move it, or name another folder with -o",
+                      file_.string()));
+    if (::ftruncate(lock_, 0) != 0 ||
+        ::write(lock_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+      // Others are refused all the same, without being told by whom.
+    }
+  } catch (...) {
+    if (lock_ >= 0) ::close(lock_);
+    remove_made(file_.parent_path(), topmost_created_);
+    throw;
+  }
+}
+
+std::vector<fs::path> FolderOwner::made() const {
+  std::vector<fs::path> all{file_};
+  if (topmost_created_.empty()) return all;
+  for (fs::path p = file_.parent_path(); p.has_relative_path(); p = p.parent_path()) {
+    all.push_back(p);
+    if (p == topmost_created_) break;
+  }
+  return all;
+}
+
+FolderOwner::~FolderOwner() {
+  ::unlink(file_.c_str());  // while it is locked: who waits for it notices
+  ::close(lock_);
+  remove_made(file_.parent_path(), topmost_created_);
+}
+
+}  // namespace rollfem::postprocess

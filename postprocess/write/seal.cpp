@@ -1,0 +1,79 @@
+#include "postprocess/write/seal.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <vector>
+#include <zlib.h>
+
+namespace rollfem::postprocess {
+namespace {
+
+constexpr std::string_view seal_begin = "rollfem results\n";
+constexpr std::string_view hdf5_signature("\x89HDF\r\n\x1a\n", 8);
+constexpr std::string_view json_member = "\"checksum\": \"crc32 ";
+
+uLong crc_of(std::string_view bytes, uLong before = 0) {
+  return crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+}
+
+std::string seal_text(std::size_t bytes, uLong crc) {
+  std::string text = fmt::format(
+      "{}bytes: {}\ncrc32: {:08x}\nof the HDF5 data behind this user block of {} bytes\n",
+      seal_begin, bytes, crc, seal_size);
+  text.resize(seal_size, '\n');
+  return text;
+}
+
+bool begins_with(std::string_view text, std::string_view begin) {
+  return text.substr(0, begin.size()) == begin;
+}
+
+}  // namespace
+
+std::string hdf5_seal(std::string_view data) {
+  return seal_text(data.size(), crc_of(data));
+}
+
+Seal check_hdf5_seal(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw contact::InputError(fmt::format("{} cannot be read; do: check who may read it", path));
+  std::string block(seal_size, '\0');
+  file.read(block.data(), static_cast<std::streamsize>(block.size()));
+  block.resize(static_cast<std::size_t>(file.gcount()));
+  if (begins_with(block, hdf5_signature)) return Seal::none;
+  std::vector<char> buffer(1U << 20U);
+  std::size_t bytes = 0;
+  uLong crc = 0;
+  bool is_hdf5 = begins_with(block, seal_begin);
+  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
+         file.gcount() > 0) {
+    const std::string_view part(buffer.data(), static_cast<std::size_t>(file.gcount()));
+    is_hdf5 = is_hdf5 || (bytes == 0 && begins_with(part, hdf5_signature));
+    crc = crc_of(part, crc);
+    bytes += part.size();
+  }
+  if (!is_hdf5)
+    throw contact::InputError(fmt::format(
+        "{} is not a result of rollfem (no HDF5 file); do: name the results.h5 of a run", path));
+  return block == seal_text(bytes, crc) ? Seal::intact : Seal::broken;
+}
+
+std::string sealed_json(std::string text) {
+  text.erase(text.rfind('}'));
+  text.erase(text.find_last_not_of(" \n") + 1);
+  text += ",\n  ";
+  return text + fmt::format("{}{:08x}\"\n}}\n", json_member, crc_of(text));
+}
+
+Seal check_json_seal(std::string_view text) {
+  const std::size_t at = text.rfind(json_member);
+  if (at == text.npos) return Seal::none;
+  const std::string wanted = fmt::format("{:08x}\"\n}}\n", crc_of(text.substr(0, at)));
+  return text.substr(at + json_member.size()) == wanted ? Seal::intact : Seal::broken;
+}
+
+}  // namespace rollfem::postprocess

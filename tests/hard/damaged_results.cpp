@@ -1,0 +1,90 @@
+// Damaged results and records: none of them is used. ROLLFEM_DAMAGED=10000 tries as many of each.
+#include "contact/base/errors.hpp"
+#include "postprocess/read/results_reader.hpp"
+#include "postprocess/write/checkpoint_folder.hpp"
+#include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/seal.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/damage.hpp"
+#include "support/output_synthetic_run.hpp"
+#include "support/temporary_folder.hpp"
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+namespace {
+
+using namespace rollfem;
+using namespace rollfem::testing;
+namespace fs = std::filesystem;
+
+TEST(DamagedResults, AreRefusedBeforeHdf5SeesThem) {
+  const TemporaryFolder folder;
+  postprocess::RunRecord run = synthetic_run();
+  run.models.resize(1);
+  const std::string sound = postprocess::results_hdf5(run);
+  ASSERT_EQ(postprocess::check_hdf5_seal(folder.file("sound.h5", sound)),
+            postprocess::Seal::intact);
+  for (int k = 0, files = damaged_files(500); k < files; ++k) {
+    Damage damage(static_cast<unsigned long long>(k));
+    fs::remove(folder.path("r.h5"));
+    const std::string path = folder.file("r.h5", damage.of(sound));
+    const std::string said =
+        refusal<contact::InputError>([&] { postprocess::ResultsFile file(path); });
+    EXPECT_NE(said.find("do: "), std::string::npos) << k << ": " << said;
+  }
+}
+
+TEST(DamagedResults, AJsonFileDoesNotFitItsChecksum) {
+  const std::string sound =
+      postprocess::sealed_json("{\n  \"a\": [1, 2.5, {}],\n  \"b\": \"}\"\n}\n");
+  EXPECT_EQ(postprocess::check_json_seal(sound), postprocess::Seal::intact);
+  for (int k = 0, files = damaged_files(2000); k < files; ++k) {
+    Damage damage(static_cast<unsigned long long>(k));
+    EXPECT_NE(postprocess::check_json_seal(damage.of(sound)), postprocess::Seal::intact) << k;
+  }
+}
+
+/// A folder of records of a case.
+postprocess::CheckpointFolder kept_of(const TemporaryFolder& folder, const std::string& name,
+                                      const std::string& case_text, bool resume, int& warnings) {
+  contact::Case input;
+  input.text = case_text;
+  return {folder.path(name), input, "test", resume, [&](const std::string&) { ++warnings; }};
+}
+
+TEST(DamagedResults, RecordsOfAnotherPlaceOrDamagedOnesAreNotTakenUp) {
+  const TemporaryFolder folder;
+  int warnings = 0;
+  const std::string content(3000, 'r');
+  for (const char* name : {"one", "other"}) {
+    auto kept = kept_of(folder, name, name, false, warnings);
+    std::this_thread::sleep_for(std::chrono::milliseconds(550));  // earlier it is held back
+    kept.keep("halfspace-0001", content);
+    kept.keep("halfspace-0002", content);
+  }
+  const fs::path one = folder.path("one.unfinished"), other = folder.path("other.unfinished");
+  const auto found = [&](const std::string& record) {
+    return kept_of(folder, "one", "one", true, warnings).find(record).has_value();
+  };
+  EXPECT_TRUE(found("halfspace-0001"));
+  EXPECT_EQ(warnings, 0);
+  const std::string sound = contents(one / "halfspace-0001.point");
+  for (const fs::path& foreign : {one / "halfspace-0002.point", other / "halfspace-0001.point"}) {
+    fs::copy_file(foreign, one / "halfspace-0001.point", fs::copy_options::overwrite_existing);
+    EXPECT_FALSE(found("halfspace-0001")) << foreign;
+  }
+  EXPECT_EQ(warnings, 2);
+  const int files = damaged_files(500);
+  for (int k = 0; k < files; ++k) {
+    Damage damage(static_cast<unsigned long long>(k));
+    fs::remove(one / "halfspace-0001.point");
+    folder.file("one.unfinished/halfspace-0001.point", damage.of(sound));
+    EXPECT_FALSE(found("halfspace-0001")) << k;
+  }
+  EXPECT_EQ(warnings, 2 + files);
+}
+
+}  // namespace
