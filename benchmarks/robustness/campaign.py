@@ -103,8 +103,9 @@ def fault(status, said, may_succeed):
         return f"signal, status {status}"
     if status not in (0, 1, 2):
         return f"status {status}"
-    if "internal error" in said:
-        return "internal error"
+    for sign in ("internal error", "Traceback"):
+        if sign in said:
+            return sign
     return "" if may_succeed or status != 0 else "damaged, but status 0"
 
 
