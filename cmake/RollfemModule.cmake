@@ -12,8 +12,8 @@ function(rollfem_batches target)
     # Files of one batch see each other's unnamed namespaces, and inlined across files GCC 12 sees
     # overflows in fmt that are none: no fault of theirs.
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    target_compile_options(${target} PRIVATE -Wno-shadow -Wshadow=local -Wno-subobject-linkage
-      -Wno-stringop-overflow)
+    target_compile_options(${target} PRIVATE -Wno-shadow
+      $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local -Wno-subobject-linkage -Wno-stringop-overflow>)
   endif()
 endfunction()
 
