@@ -63,7 +63,8 @@ inline int records(const std::filesystem::path& unfinished, const std::string& b
 inline nlohmann::json timeless_summary(const std::filesystem::path& result) {
   const std::function<void(nlohmann::json&)> strip = [&](nlohmann::json& value) {
     if (value.is_object())
-      for (const char* name : {"seconds", "started", "command", "case_file", "checksum"}) value.erase(name);
+      for (const char* name : {"seconds", "started", "command", "case_file", "checksum"})
+        value.erase(name);
     if (value.is_structured())
       for (nlohmann::json& entry : value) strip(entry);
   };
