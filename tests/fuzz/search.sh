@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Lets libFuzzer look for inputs that break a target: search.sh [SECONDS [TARGET ...]], 20 s for each
-# of case_file, profile and lattice. Needs clang with libFuzzer. Begins with the corpus and the cases
-# of the source; what it finds goes to build-fuzz/found, with the call that shows it again.
+# of case_file, profile and lattice; FUZZ_SEED is libFuzzer's, another every time without it. Needs
+# clang with libFuzzer. Begins with the corpus and the cases of the source; what it finds goes to
+# build-fuzz/found, with the call that shows it again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=${1:-20}
@@ -15,7 +16,7 @@ for target in "${targets[@]}"; do
   seeds=("build-fuzz/seeds/$target" "tests/fuzz/corpus/$target")
   if [ "$target" = case_file ]; then seeds+=(cases); fi
   echo "fuzzing $target for $seconds s"
-  if ! "build-fuzz/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=5 -rss_limit_mb=2048 \
+  if ! "build-fuzz/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -seed="${FUZZ_SEED:-0}" -timeout=5 -rss_limit_mb=2048 \
       -max_len=8000 -artifact_prefix="build-fuzz/found/$target-" "${seeds[@]}" \
       >"build-fuzz/found/$target.log" 2>&1; then
     tail -n 40 "build-fuzz/found/$target.log" >&2
