@@ -95,6 +95,20 @@ std::string line_of(const std::string& text, const std::string& name) {
   return text.substr(value, text.find('\n', value) - value);
 }
 
+/// Removes what is ours, last of all the file that says what the records are of: when a kill comes
+/// between, what is left can still be told.
+void empty(const fs::path& folder, std::error_code& error) {
+  std::vector<fs::path> records;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path name = entry->path().filename();
+    if (is_ours(name) && name != about_name) records.push_back(entry->path());
+  }
+  for (const fs::path& record : records)
+    if (!error) fs::remove(record, error);
+  if (!error) fs::remove(folder / about_name, error);
+}
+
 }  // namespace
 
 CheckpointFolder::CheckpointFolder(const std::string& result_directory, const contact::Case& input,
@@ -129,6 +143,11 @@ void CheckpointFolder::look_at(const contact::Case& input) {
     throw InputError(fmt::format("cannot read {}: {}; do: name another folder with -o",
                                  folder_.string(), error.message()));
   if (!resume_ || found_ == 0) return;
+  if (!fs::exists(folder_ / about_name, error)) {
+    // Nobody can say of what: they are computed again.
+    found_ = 0;
+    return;
+  }
   const std::string about = contents(folder_ / about_name);
   const auto refuse = [&](const std::string& other) {
     throw InputError(fmt::format(
@@ -172,7 +191,9 @@ std::optional<std::string> CheckpointFolder::find(const std::string& name) {
 /// Makes the folder, or empties that of an earlier run.
 void CheckpointFolder::begin() {
   fs::create_directories(folder_);
-  for (const auto& entry : fs::directory_iterator(folder_)) fs::remove(entry.path());
+  std::error_code error;
+  empty(folder_, error);
+  if (error) throw fs::filesystem_error("cannot empty", folder_, error);
   replace_file(folder_ / about_name, about_);
   flush_folder(folder_.parent_path());
   found_ = 0;
@@ -222,9 +243,7 @@ void CheckpointFolder::remove() {
   failed_ = true;
   std::error_code error;
   if (!fs::exists(folder_, error)) return;
-  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
-       entry.increment(error))
-    if (is_ours(entry->path().filename())) fs::remove(entry->path(), error);
+  empty(folder_, error);
   fs::remove(folder_, error);  // stays when someone put a file there
 }
 

@@ -113,6 +113,18 @@ TEST(Resume, ADamagedLoadPointIsComputedAgain) {
   expect_same_results(folder, whole(), folder.work() / "out");
 }
 
+TEST(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
+  // What a kill could leave while a finished run cleaned up.
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_case());
+  leave_unfinished(folder, file, "out");
+  fs::remove(folder.work() / "out.unfinished" / "about.txt");
+  const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  expect_same_results(folder, whole(), folder.work() / "out");
+  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
+}
+
 TEST(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_case());
