@@ -12,8 +12,8 @@ an independent method. References are computed by the book's own formulas (`benc
 with their source (`benchmarks/book/published.py`); what was reached comes from the runs and tests named. *Difference*
 is (reached − reference) in percent of the reference, or of what is said beside it. *Allowed* is what the book holds the
 number to: what the test allows where one of those named holds that very number; where it is empty, the difference is
-shown and not judged. `./rollfem book` makes this page again and fails when a number is beyond. How the numbers came about,
-and what was tried on the way: [verification](../verification.md).
+shown and not judged. `./rollfem book` makes this page again and fails when a number is beyond. What each part must meet
+and which test holds what: [verification](../verification.md).
 """
 
 

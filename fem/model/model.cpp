@@ -25,7 +25,7 @@ namespace {
 using contact::ModelResult;
 using contact::Scene;
 
-/// The order in h that the two-level estimate assumes, measured on case a (docs/verification.md).
+/// The order in h that the two-level estimate assumes, measured on case a (docs/accuracy.md).
 constexpr double assumed_order = 1.5;
 /// Of the orders that three levels show.
 constexpr double least_order = 1.0;

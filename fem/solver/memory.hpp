@@ -20,7 +20,7 @@ struct MemoryDemand {
 };
 
 /// Largest resident memory of one process, bytes. The constants are measured
-/// (tests/verification/fem_memory.cpp, docs/verification.md).
+/// (tests/cli/fem_memory.cpp).
 double predicted_bytes(const MemoryDemand& demand);
 
 /// What this machine still has for this process: MemAvailable of /proc/meminfo, what a cgroup (v1

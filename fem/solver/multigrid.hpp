@@ -13,7 +13,7 @@ struct MultigridOptions {
 };
 
 /// Bodies nearer to incompressible are refused: point smoothing fails on the nearly singular
-/// volumetric part, and iterations grow without bound (docs/verification.md).
+/// volumetric part, and iterations grow without bound.
 inline constexpr double largest_multigrid_poisson_ratio = 0.49;
 
 /// Any number of MPI processes; collective. Throws contact::InputError above that Poisson's ratio.

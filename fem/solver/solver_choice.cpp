@@ -16,7 +16,7 @@ using contact::Scene;
 
 namespace {
 
-/// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/verification.md): a
+/// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/benchmarks.md): a
 /// factorisation and one solve with it, one solve by multigrid. Only their ratio matters.
 double factorisation_seconds(double n) {
   return 8.0 * std::pow(n / 105e3, 2.0);

@@ -86,7 +86,7 @@ TEST(FemCurvedContact, KeepsCoulombAndComplementarityAtEveryElement) {
 TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveAsTheCurvedHalfspaceOnTheSameCells) {
   // Both have distance, slip and local spin of the true surfaces. What is left is elasticity: the
   // strain of a loaded wheel (0.0034) and, on cells of 0.94 mm, an eighth of the patch, the error
-  // of both (docs/verification.md).
+  // of both.
   contact::Case same_cells = study_case("f", {0.0, 0.002});
   same_cells.contact_grid.cell_size = {{0.94, 0.94}};
   same_cells.halfspace.surface = contact::SurfaceForm::curved;

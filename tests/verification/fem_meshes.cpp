@@ -1,5 +1,5 @@
-// The same contact under different meshes: the program's two families, and meshes of a user whose
-// lines follow neither rolling nor the lateral direction.
+// The same contact under different meshes: the program's two families, segments of two sizes, and
+// meshes of a user whose lines follow neither rolling nor the lateral direction.
 #include "contact/case/case_reader.hpp"
 #include "fem/model/contact_run.hpp"
 
@@ -67,4 +67,19 @@ TEST(FemUserMeshes, GiveHertzOnTurnedAndDistortedHexahedra) {
   EXPECT_NEAR(point.max_pressure / 578.967, 1.0, 2e-2);
   EXPECT_NEAR(point.max_pressure / own.max_pressure, 1.0, 5e-3);
   EXPECT_NEAR(point.traction_coefficient, own.traction_coefficient, 5e-3 * 0.55);
+}
+
+TEST(FemSegments, LeaveTheForceWithoutCreepageWhereverTheyEnd) {
+  // Four and eight larger semi-axes. The force is the strain of the wheel's circles under load,
+  // which a perturbation of the half-space puts at 0.0030 of F_z; without -u_n/R it would be
+  // -0.006.
+  contact::Case input = study_case("a", 0.0);
+  double coefficient[2];
+  for (const int k : {0, 1}) {
+    input.fem.extent = k == 0 ? 43.5 : 87.0;
+    const auto point = fem::run_level(input, {1.88, "", false}, {}).points.front();
+    coefficient[k] = point.traction_coefficient;
+  }
+  EXPECT_NEAR(coefficient[0], coefficient[1], 3e-4 * 0.55);
+  EXPECT_NEAR(coefficient[1], 0.0030, 0.0008);
 }

@@ -101,7 +101,7 @@ TEST(FemOnTheStudysLeftWheel, WithBoxesHasPressureAndForcesOfTheHalfSpace) {
       solve(left_wheel(contact::MeshFamily::structured), coarse_cell).points.front();
   const contact::PointResult half = half_space();
   EXPECT_TRUE(fem.converged);
-  // Grid and cells are coarse: both are 1 to 2 % off their limit in p0 (docs/verification.md).
+  // Grid and cells are coarse: both are 1 to 2 % off their limit in p0.
   EXPECT_NEAR(fem.max_pressure / half.max_pressure, 1.0, 0.02);
   EXPECT_NEAR(fem.approach / half.approach, 1.0, 0.01);
   EXPECT_NEAR(fem.longitudinal_force, half.longitudinal_force, 0.02 * 0.55e5);

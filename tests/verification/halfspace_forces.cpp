@@ -54,7 +54,7 @@ TEST(PrescribedForces, WithAnApproachInsteadOfANormalForce) {
   input.load.normal_force.reset();
   input.load.approach = 0.04731083;
   input.rolling.creepages = {{0.0, 0.0, 0.0}};
-  input.rolling.forces = {{-0.37267 * 50e3, {}}};
+  input.rolling.forces = {{-0.37221 * 50e3, {}}};
   const PointResult point = halfspace::run_halfspace(input, {}).points[0];
   EXPECT_NEAR(point.normal_force / 50e3, 1.0, 0.003);
   EXPECT_NEAR(point.creepage.longitudinal / 0.002, 1.0,

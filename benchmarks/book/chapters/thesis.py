@@ -185,7 +185,7 @@ def thesis_cases(bench):
         "thesis-cases", "Cases a to f of the seed study",
         "Wheel radius 405 mm, 50 kN, E = 210 000 MPa, nu = 0.3, mu = 0.55, creepage 0 to 0.6 %; half-space at 40 "
         "across, finite elements on cells of a/8, `rollfem compare cases/thesis_*.toml`.",
-        "Hertz's closed form in a to d; CONTACT rev 2707: case a on 20 to 160 elements across, extrapolated "
+        "Hertz's closed form in a to d; CONTACT rev 2707: case a on 80 and 160 elements across, extrapolated "
         "(+-0.0005), case c on 80 and 160, case e on 40 and 80 with the extra slip of the rail's drop, extrapolated; case e "
         "also at 40 with CONTACT's first-order difference in both programs. FEM less half-space, 0.6 % of mu at small "
         "creepage (next chapter), is inside what is allowed. The thesis (TU Graz 2012) is shown beside, not judged by.",

@@ -189,7 +189,7 @@ TEST(PointLoadBoundary, IsNearlySymmetric) {
 }
 
 TEST(ApproachLeftOut, CoversTheChangesBetweenExtents) {
-  // Changes of the approach up to an extent of 12 semi-axes, mm (docs/verification.md).
+  // Changes of the approach up to an extent of 12 semi-axes, mm.
   const struct {
     const char* name;
     double semi_axes, change;
