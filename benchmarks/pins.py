@@ -45,13 +45,12 @@ def scale_of(name, numbers):
 
     if point.count("/") < 3:  # of a place: mm, rad
         return 1.0
-    if quantity.startswith("error_estimate."):
-        return 1.0
+    estimate, quantity = quantity.startswith("error_estimate."), quantity.split("error_estimate.")[-1]
     quantity = quantity.removeprefix("richardson.")
     length = math.sqrt(of("semi_axis_x") * of("semi_axis_y"))
     if quantity.startswith("stress_maxima."):
         return length if ".place." in quantity else of("max_pressure")
-    return {
+    size = {
         "longitudinal_force": of("normal_force"), "lateral_force": of("normal_force"),
         "spin_moment": of("normal_force") * length, "traction_coefficient": 1.0,
         "longitudinal_creepage": 1e-3, "lateral_creepage": 1e-3, "spin": 1e-4,
@@ -61,6 +60,7 @@ def scale_of(name, numbers):
         # per length rolled: a force times a creepage
         "frictional_work": 1e-3 * of("normal_force"), "creepage_work": 1e-3 * of("normal_force"),
     }.get(quantity, 0.0)
+    return size or of(quantity) if estimate else size  # an estimate may vanish where its quantity does not
 
 
 # --- record -------------------------------------------------------------------------------------------

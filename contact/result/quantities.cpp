@@ -229,6 +229,17 @@ double full_sliding(const Quantity& quantity, const PointResult& point,
   return 0.0;
 }
 
+double whole_of(const Quantity& quantity, const PointResult& point, double friction_coefficient) {
+  if (quantity.scale == ErrorScale::none) return 0.0;
+  if (quantity.of_friction()) return full_sliding(quantity, point, friction_coefficient);
+  return std::abs(quantity.value(point).value_or(0.0));
+}
+
+std::string percent_text(ErrorScale scale, double part) {
+  const std::string number = fmt::format("{:.2g} %", 100.0 * part);
+  return scale > ErrorScale::value ? fmt::format("{} of {}", number, text_of(scale)) : number;
+}
+
 std::vector<std::string> accuracy_words() {
   std::vector<std::string> words;
   for (const Quantity& quantity : quantities())
@@ -238,7 +249,7 @@ std::vector<std::string> accuracy_words() {
 
 std::string quantities_markdown() {
   std::string text =
-      "| key of a point | symbol | unit | meaning | error relative to |\n|---|---|---|---|---|\n";
+      "| key of a point | symbol | unit | meaning | percent of |\n|---|---|---|---|---|\n";
   for (const Quantity& q : quantities())
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", q.name, cell(q.symbol), q.unit, q.meaning,
                         text_of(q.scale));

@@ -10,11 +10,12 @@
 
 namespace rollfem::contact {
 
-/// What the error of a quantity, and the difference between two models, is measured by.
+/// What errors of a quantity, and differences between two models, are parts of wherever they are
+/// given as parts or percent: in messages, tables and figures, `accuracy`, comparisons and studies.
 enum class ErrorScale {
   none,      ///< is given, counted or a place
   value,     ///< the value
-  friction,  ///< these by what full sliding gives: mu
+  friction,  ///< these of what full sliding gives: mu
   force,     ///< mu F_z
   moment,    ///< mu F_z sqrt(a b)
   traction,  ///< mu p_0
@@ -69,8 +70,15 @@ double quantity(const PointResult& point, const std::string& name);
 double full_sliding(const Quantity& quantity, const PointResult& point,
                     double friction_coefficient);
 
+/// What 1, or 100 %, of a quantity is at this load point: full sliding, else the size of the value.
+/// 0 where nothing can be told as a part of it (ErrorScale::none, or a value of 0).
+double whole_of(const Quantity& quantity, const PointResult& point, double friction_coefficient);
+
 /// "mu F_z"; empty for none.
 const char* text_of(ErrorScale scale);
+
+/// Percent of it with two digits: "0.3 %" of a value, "0.3 % of mu F_z". `part` is relative.
+std::string percent_text(ErrorScale scale, double part);
 
 /// The table for docs/results.md.
 std::string quantities_markdown();

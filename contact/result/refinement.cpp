@@ -35,15 +35,6 @@ double estimate_scale(double friction_coefficient, const PointResult& point,
                   0.01 * full_sliding(of, point, friction_coefficient));
 }
 
-double accuracy_scale(double friction_coefficient, const std::vector<PointResult>& points,
-                      std::size_t k, const std::string& name) {
-  double scale = estimate_scale(friction_coefficient, points[k], name);
-  if (quantity_named(name).of_friction())
-    for (const PointResult& point : points)
-      scale = std::max(scale, estimate_scale(friction_coefficient, point, name));
-  return scale;
-}
-
 WorstError worst_error(const AccuracyRequest& asked, double friction_coefficient,
                        const std::vector<PointResult>& points) {
   WorstError worst;
@@ -51,21 +42,25 @@ WorstError worst_error(const AccuracyRequest& asked, double friction_coefficient
     for (const std::string& name : asked.of) {
       const auto estimate = points[k].error_estimate.find(name);
       if (estimate == points[k].error_estimate.end()) continue;
-      const double scale = accuracy_scale(friction_coefficient, points, k, name);
-      if (scale == 0.0) continue;
-      const double error =
-          estimate->second * estimate_scale(friction_coefficient, points[k], name) / scale;
+      const double whole = whole_of(quantity_named(name), points[k], friction_coefficient);
+      if (whole == 0.0) continue;
+      const double error = estimate->second / whole;
       if (error > worst.error) worst = {name, static_cast<int>(k) + 1, error};
     }
   return worst;
 }
 
+std::string WorstError::text() const {
+  if (quantity.empty()) return "0";
+  return fmt::format("{} ({} at load point {})",
+                     percent_text(quantity_named(quantity).scale, error), quantity, point);
+}
+
 std::string shortfall_text(const AccuracyRequest& asked, const WorstError& worst,
                            const std::string& reason) {
   return fmt::format(
-      "accuracy = {:g} was asked for and not reached: the estimated error of {} at load point {} "
-      "is {:.2g}; {}",
-      *asked.relative, worst.quantity, worst.point, worst.error, reason);
+      "accuracy = {:g} was asked for and not reached: the largest estimated error is {}; {}",
+      *asked.relative, worst.text(), reason);
 }
 
 }  // namespace rollfem::contact

@@ -28,25 +28,21 @@ constexpr double uneven_safety = 1.5;
 double estimated_error(const std::vector<double>& values, double assumed_order,
                        double least_order = 1.0);
 
-/// What PointResult::error_estimate is relative to: the value, or a hundredth of full sliding where
-/// that is more.
+/// What a smallest believed error is a part of: the value, or a hundredth of full sliding where
+/// that is more, since a force that vanishes is uncertain, too.
 double estimate_scale(double friction_coefficient, const PointResult& point,
                       const std::string& name);
-
-/// What the error of a quantity at load point k is relative to: its value, or the largest of the
-/// curve for tractions (at least a hundredth of full sliding).
-double accuracy_scale(double friction_coefficient, const std::vector<PointResult>& points,
-                      std::size_t k, const std::string& name);
 
 /// The largest error of what is asked for.
 struct WorstError {
   std::string quantity;
-  int point = 0;  ///< counted from 1
-  double error = 0.0;
+  int point = 0;       ///< counted from 1
+  double error = 0.0;  ///< as part of whole_of()
+  /// "0.3 % of mu F_z (traction_coefficient at load point 2)".
+  std::string text() const;
 };
 
-/// From the error estimates that the points carry (relative to the value, or to a hundredth of
-/// full sliding where that is more).
+/// From the error estimates that the points carry.
 WorstError worst_error(const AccuracyRequest& asked, double friction_coefficient,
                        const std::vector<PointResult>& points);
 

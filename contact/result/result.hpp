@@ -79,8 +79,10 @@ struct PointResult {
   double residual = 0.0;        ///< relative residual at which the iteration stopped
   double seconds = 0.0;
   bool converged = false;
-  std::map<std::string, double> error_estimate;  ///< quantity -> relative error
-  std::map<std::string, double> richardson;      ///< quantity -> value extrapolated to cells of 0
+  /// Bars: quantity -> the estimated error of its value, absolute and in its unit
+  /// (docs/accuracy.md).
+  std::map<std::string, double> error_estimate;
+  std::map<std::string, double> richardson;  ///< quantity -> value extrapolated to cells of 0
   // What not every model gives.
   std::optional<double> elastic_energy;   ///< N mm
   std::optional<double> frictional_work;  ///< N mm per mm rolled; steady rolling only

@@ -152,8 +152,7 @@ void FemElasticity::spin_wheel(const contact::ChartedGeometry& geometry,
 }
 
 void FemElasticity::complete(std::size_t k, PointResult& point) {
-  point.error_estimate["approach"] =
-      approach_left_out(scene_, point.normal_force, start_.reach) / point.approach;
+  point.error_estimate["approach"] = approach_left_out(scene_, point.normal_force, start_.reach);
   if (!stresses_->wanted(k)) return;
   const Stopwatch watch;
   tell({}, "stresses");

@@ -34,7 +34,7 @@ constexpr Force forces[] = {{"traction_coefficient", false, 1.0},
 /// agree the more easily by chance (docs/accuracy.md).
 constexpr double fewest_even = 16.0;
 
-/// What the contact grid alone leaves uncertain in a force, relative.
+/// What the contact grid alone leaves uncertain in a force, as part of it.
 double grid_error(const PointResult& point, const contact::ContactGrid& grid) {
   const double across = 2.0 * std::min(point.semi_axis_x / grid.dx, point.semi_axis_y / grid.dy);
   if (point.adhesion_area == 0.0 || !(across > 0.0)) return 0.0;
@@ -56,7 +56,7 @@ void estimate_force_errors(const contact::Scene& scene, std::vector<ModelResult>
     const bool uneven = force.uneven && fine.adhesion_area > 0.0;
     const double change = contact::estimated_error(values, uneven ? 1.0 : assumed_order);
     fine.error_estimate[force.name] =
-        std::max((uneven ? contact::uneven_safety : 1.0) * change / scale, force.share * least);
+        std::max((uneven ? contact::uneven_safety : 1.0) * change, force.share * least * scale);
   }
 }
 

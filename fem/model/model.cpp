@@ -30,14 +30,14 @@ constexpr double assumed_order = 1.5;
 /// Of the orders that three levels show.
 constexpr double least_order = 1.0;
 
-/// What a size may be off, relative, when its ends are counted by whole elements; else 0.
+/// What a semi-axis may be off when its ends are counted by whole elements; else 0.
 double counting_error(double semi_axis, double element) {
   const double elements = 2.0 * semi_axis / element;
-  return elements < contact::elements_for_edge + 0.5 ? 2.0 / elements : 0.0;
+  return elements < contact::elements_for_edge + 0.5 ? element : 0.0;
 }
 
 /// Of the largest stresses, and of the stresses at the points that the case asks for: the largest
-/// change of a component, relative to the largest pressure.
+/// change of a component.
 void estimate_stress_errors(contact::PointResult& fine, const contact::PointResult& coarse) {
   const auto change = [](double of_fine, double of_coarse) {
     return contact::estimated_error({of_coarse, of_fine}, assumed_order, least_order);
@@ -45,16 +45,14 @@ void estimate_stress_errors(contact::PointResult& fine, const contact::PointResu
   for (std::size_t m = 0; m < fine.stress_maxima.size(); ++m) {
     const contact::StressMaximum& maximum = fine.stress_maxima[m];
     fine.error_estimate[fmt::format("max_{}_{}", maximum.measure, maximum.body)] =
-        change(maximum.value, coarse.stress_maxima[m].value) /
-        std::max(maximum.value, 0.01 * fine.max_pressure);
+        change(maximum.value, coarse.stress_maxima[m].value);
   }
   double largest = 0.0;
   for (std::size_t r = 0; r < fine.subsurface.size(); ++r)
     for (std::size_t k = 0; k < fine.subsurface[r].stress.size(); ++k)
       for (int c = 0; c < 6; ++c)
         largest = std::max(
-            largest, change(fine.subsurface[r].stress[k][c], coarse.subsurface[r].stress[k][c]) /
-                         fine.max_pressure);
+            largest, change(fine.subsurface[r].stress[k][c], coarse.subsurface[r].stress[k][c]));
   if (!fine.subsurface.empty()) fine.error_estimate["subsurface_stress"] = largest;
 }
 
@@ -70,10 +68,7 @@ void estimate_errors(const Scene& scene, std::vector<ModelResult>& levels) {
       std::vector<double> values;
       for (const ModelResult& level : levels)
         values.push_back(contact::quantity(level.points[k], name));
-      const double scale = contact::estimate_scale(scene.friction_coefficient(), point, name);
-      if (scale > 0.0)
-        point.error_estimate[name] +=
-            contact::estimated_error(values, assumed_order, least_order) / scale;
+      point.error_estimate[name] += contact::estimated_error(values, assumed_order, least_order);
     }
     auto& error = point.error_estimate;
     for (const auto& [name, size, element] :
@@ -144,9 +139,9 @@ ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progres
   ModelResult result = std::move(levels.back());
   result.notes.push_back(
       fmt::format("accuracy {:g} asked for: cells were halved to {:.4g} mm; largest estimated "
-                  "error {:.2g} ({} at load point {}), from the changes between the last three "
-                  "levels and the order that they show",
-                  *scene.accuracy.relative, cell, worst.error, worst.quantity, worst.point));
+                  "error {}, from the changes between the last three levels and the order that "
+                  "they show",
+                  *scene.accuracy.relative, cell, worst.text()));
   if (worst.error > *scene.accuracy.relative || levels.size() < fewest_levels)
     result.shortfall = contact::shortfall_text(scene.accuracy, worst, reason);
   return result;

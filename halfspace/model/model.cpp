@@ -70,8 +70,8 @@ std::vector<Cell> cells_of_levels(const Scene& scene, const AreaOfPatch& area) {
   return cells;
 }
 
-/// Discretisation error of the finer of two values, relative to it or to `scale` where that is
-/// larger (a quantity that vanishes has no relative error).
+/// Discretisation error of the finer of two values; the smallest one believed is a part of it, or
+/// of `scale` where that is larger.
 double two_level_error(double fine, double coarse, double scale, const Convergence& convergence,
                        int across) {
   const double reference = std::max(std::abs(fine), scale);
@@ -79,7 +79,7 @@ double two_level_error(double fine, double coarse, double scale, const Convergen
   const double change = std::abs(fine - coarse) / (std::pow(2.0, convergence.order) - 1.0);
   const double floor = convergence.floor /
                        std::pow(static_cast<double>(std::max(across, 1)), convergence.floor_power);
-  return std::max(contact::uneven_safety * change / reference, floor);
+  return std::max(contact::uneven_safety * change, floor * reference);
 }
 
 void estimate_errors(PointResult& fine, const PointResult& coarse, double friction, int across) {
@@ -101,8 +101,7 @@ void estimate_errors(PointResult& fine, const PointResult& coarse, double fricti
     set(name, rolling);
 }
 
-/// Creepages found for a prescribed force carry an error, where given ones do not. Relative to the
-/// larger of the two: one that vanishes by symmetry has no relative error.
+/// Creepages found for a prescribed force carry an error, where given ones do not.
 void estimate_found_creepages(PointResult& fine, const PointResult& coarse,
                               const contact::PrescribedForce& wanted, int across) {
   const contact::Creepage& a = fine.creepage;
@@ -202,10 +201,9 @@ bool refine_further(const Scene& scene, const contact::LevelResult& fine, const 
   const contact::WorstError worst =
       contact::worst_error(scene.accuracy, scene.friction_coefficient(), fine.points);
   if (worst.error <= *scene.accuracy.relative) {
-    result.notes.push_back(fmt::format(
-        "accuracy {:g} asked for: {} elements across; largest estimated error {:.2g} ({} at load "
-        "point {})",
-        *scene.accuracy.relative, cell.across, worst.error, worst.quantity, worst.point));
+    result.notes.push_back(
+        fmt::format("accuracy {:g} asked for: {} elements across; largest estimated error {}",
+                    *scene.accuracy.relative, cell.across, worst.text()));
     return false;
   }
   if (2 * cell.across <= most_elements_across) return true;

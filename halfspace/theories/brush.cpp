@@ -214,17 +214,15 @@ void set_totals(const BrushTotals& totals, contact::PointResult& point) {
 void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int order,
                     contact::PointResult& point) {
   const double divisor = (1 << order) - 1;
-  const double force = std::hypot(totals.forces.longitudinal, totals.forces.lateral);
-  const auto estimate = [&](const char* name, double CreepForces::*member, double scale) {
-    const double value = totals.forces.*member;
-    // What vanishes by symmetry is rounding, of which no relative error can be told.
-    if (std::abs(value) <= 1e-10 * scale) return;
-    point.error_estimate[name] =
-        std::abs(value - coarse.forces.*member) / (divisor * std::abs(value));
+  const auto estimate = [&](const char* name, double CreepForces::*member) {
+    point.error_estimate[name] = std::abs(totals.forces.*member - coarse.forces.*member) / divisor;
   };
-  estimate("longitudinal_force", &CreepForces::longitudinal, force);
-  estimate("lateral_force", &CreepForces::lateral, force);
-  estimate("spin_moment", &CreepForces::spin_moment, force * std::sqrt(totals.contact_area));
+  estimate("longitudinal_force", &CreepForces::longitudinal);
+  estimate("lateral_force", &CreepForces::lateral);
+  estimate("spin_moment", &CreepForces::spin_moment);
+  if (point.normal_force > 0.0)
+    point.error_estimate["traction_coefficient"] =
+        point.error_estimate["longitudinal_force"] / point.normal_force;
 }
 
 }  // namespace rollfem::halfspace

@@ -198,8 +198,7 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
   const contact::ContactGrid grid = potential_area(scene);
   contact::PointResult normal = normal_part(fine, grid);
   const double coarse_pressure = normal_part(coarse, grid).max_pressure;
-  normal.error_estimate["max_pressure"] =
-      std::abs(normal.max_pressure - coarse_pressure) / (3.0 * normal.max_pressure);
+  normal.error_estimate["max_pressure"] = std::abs(normal.max_pressure - coarse_pressure) / 3.0;
   long unknowns = 0;
   const auto fill = [&](contact::PointResult& point) {
     fill_fields(fine, grid, options.strip_elements, point);

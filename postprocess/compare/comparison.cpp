@@ -32,27 +32,18 @@ bool is_named(const Quantity& quantity, const char* name) {
   return std::string(quantity.name) == name;
 }
 
-/// Under which name an estimate of its error may stand, too.
-const char* same_error(const Quantity& quantity) {
-  if (is_named(quantity, "traction_coefficient")) return "longitudinal_force";
-  return is_named(quantity, "lateral_coefficient") ? "lateral_force" : quantity.name;
-}
-
 double value_of(const PointResult& point, const Quantity& quantity) {
   return quantity.value(point).value_or(0.0);
 }
 
-/// Estimates are relative to the value, or to a hundredth of full sliding where that is more
-/// (contact/result/refinement.hpp).
-std::optional<double> error_of(const PointResult& point, const Quantity& quantity,
-                               double friction) {
-  for (const char* name : {quantity.name, same_error(quantity)}) {
-    const auto found = point.error_estimate.find(name);
-    if (found == point.error_estimate.end()) continue;
-    return found->second * std::max(std::abs(value_of(point, quantity)),
-                                    0.01 * contact::full_sliding(quantity, point, friction));
-  }
-  return {};
+/// The bar of a value; that of the lateral coefficient, which no file has, from the force's.
+std::optional<double> error_of(const PointResult& point, const Quantity& quantity) {
+  const bool lateral = is_named(quantity, "lateral_coefficient");
+  const auto found = point.error_estimate.find(lateral ? "lateral_force" : quantity.name);
+  if (found == point.error_estimate.end()) return {};
+  if (!lateral) return found->second;
+  if (point.normal_force == 0.0) return {};
+  return found->second / std::abs(point.normal_force);
 }
 
 bool has_friction(const ModelResult& model) {
@@ -93,8 +84,7 @@ bool is_given(const Quantity& quantity, double value) {
   return quantity.of_friction() || value != 0.0;
 }
 
-ComparedNumber number_of(const ModelResult& model, std::size_t k, const Quantity& quantity,
-                         double friction) {
+ComparedNumber number_of(const ModelResult& model, std::size_t k, const Quantity& quantity) {
   const PointResult& point = model.points[k];
   ComparedNumber number;
   number.patch = patch_label(model);
@@ -105,7 +95,7 @@ ComparedNumber number_of(const ModelResult& model, std::size_t k, const Quantity
   number.spin = point.creepage.spin;
   number.quantity = quantity.name;
   number.value = value_of(point, quantity);
-  number.error = error_of(point, quantity, friction);
+  number.error = error_of(point, quantity);
   return number;
 }
 
@@ -114,13 +104,12 @@ void refer(ComparedNumber& number, const ModelResult& reference, std::size_t k,
   const PointResult& point = reference.points[k];
   const double value = value_of(point, quantity);
   if (!is_given(quantity, value)) return;
-  const double scale =
-      quantity.of_friction() ? contact::full_sliding(quantity, point, friction) : std::abs(value);
+  const double scale = contact::whole_of(quantity, point, friction);
   if (!(scale > 0.0)) return;
   number.scale = scale;
   number.reference = reference.name;
   number.reference_value = value;
-  number.reference_error = error_of(point, quantity, friction).value_or(0.0);
+  number.reference_error = error_of(point, quantity).value_or(0.0);
 }
 
 /// All numbers of the models of one patch.
@@ -140,7 +129,7 @@ void append_patch(std::vector<ComparedNumber>& numbers,
         const bool of_friction = quantity.of_friction();
         if (of_friction && !has_friction(*model)) continue;
         if (is_named(quantity, "lateral_coefficient") && !lateral) continue;
-        ComparedNumber number = number_of(*model, k, quantity, friction);
+        ComparedNumber number = number_of(*model, k, quantity);
         if (!is_given(quantity, number.value)) continue;
         const ModelResult* base = of_friction ? base_friction : base_patch;
         if (base != nullptr && base != model && k < base->points.size())

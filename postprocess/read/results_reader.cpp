@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
+#include "postprocess/read/earlier_errors.hpp"
 #include "postprocess/write/hdf5_objects.hpp"
 #include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/seal.hpp"
@@ -75,9 +76,9 @@ void check_format(hid_t file, const std::string& path) {
     throw InputError(fmt::format(
         "{} is an HDF5 file, but not a result of rollfem; do: name the results.h5 of a run", path));
   const double version = read_number(file, "format_version");
-  if (version != hdf5_format_version)
+  if (version != hdf5_format_version && version != 1.0)
     throw InputError(fmt::format(
-        "{} has format version {}, this program reads {}; do: run the case again with this "
+        "{} has format version {}, this program reads 1 and {}; do: run the case again with this "
         "version of rollfem, or read it with that which wrote it ({})",
         path, version, hdf5_format_version, read_text(open_group(file, "provenance"), "version")));
   if (!has_attribute(file, "complete") || read_number(file, "complete") != 1.0)
@@ -229,14 +230,26 @@ std::vector<contact::StressMaximum> read_maxima(hid_t point) {
   return maxima;
 }
 
-PointResult read_point(hid_t group, const contact::ContactGrid& grid,
-                       const std::set<std::string>& stored) {
+/// What stands once in a file and all its load points are read with.
+struct FileTraits {
+  std::set<std::string> quantities;  ///< that are stored
+  bool relative_errors = false;      ///< of format version 1
+  double friction_coefficient = 0.0;
+};
+
+FileTraits traits_of(hid_t file, const contact::Case& input) {
+  return {stored_quantities(file), read_number(file, "format_version") == 1.0,
+          input.friction_coefficient};
+}
+
+PointResult read_point(hid_t group, const contact::ContactGrid& grid, const FileTraits& traits) {
   PointResult point;
-  read_quantities(group, stored, point);
+  read_quantities(group, traits.quantities, point);
   point.error_estimate = read_by_quantity(group, "error_estimate");
   point.richardson = read_by_quantity(group, "richardson");
   read_fields(group, grid, point.fields);
   point.stress_maxima = read_maxima(group);
+  if (traits.relative_errors) make_errors_absolute(point, traits.friction_coefficient);
   return point;
 }
 
@@ -274,10 +287,10 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
       result.place->patch = model.patch;
     }
     result.grid = read_grid(group);
-    const std::set<std::string> stored = stored_quantities(file);
+    const FileTraits traits = traits_of(file, input_);
     const Handle points = open_group(group, "points");
     for (const std::string& number : members(points))
-      result.points.push_back(read_point(open_group(points, number), result.grid, stored));
+      result.points.push_back(read_point(open_group(points, number), result.grid, traits));
     result.bodies = postprocess::read_bodies(group);
     return result;
   });

@@ -8,18 +8,9 @@ from . import published, selection, style
 from .outline import extent, loaded_runs
 
 
-def relative_error(point, *quantities):
-    """The first estimate among `quantities`, or None."""
-    for quantity in quantities:
-        if quantity in point.errors:
-            return abs(point.errors[quantity])
-    return None
-
-
-def absolute_error(point, value, sliding, *quantities):
-    """The error bar of a value from the first estimate among `quantities`, 0 without one. Estimates
-    are relative to the value, or to a hundredth of full sliding where that is more."""
-    return (relative_error(point, *quantities) or 0.0) * max(abs(value), 0.01 * sliding)
+def bar(point, quantity):
+    """The error bar of a quantity, 0 without one."""
+    return point.errors.get(quantity, 0.0)
 
 
 def _draw_published(panel, result, models):
@@ -35,6 +26,10 @@ def _draw_published(panel, result, models):
                        label=row["name"])
 
 
+def _coefficient(point, force):
+    return -point[force] / point["normal_force"] if point["normal_force"] else math.nan
+
+
 def creep_curve(result):
     """-F_x/F_z of every model with friction, and below the difference to the reference model. None
     when no model has two load points."""
@@ -47,9 +42,6 @@ def creep_curve(result):
     force = "lateral_force" if lateral else "longitudinal_force"
     ratio = r"$-F_y/F_z$" if lateral else r"$-F_x/F_z$"
     many = len(models) > 4
-
-    def coefficient(point):
-        return -point[force] / point["normal_force"] if point["normal_force"] else math.nan
 
     reference = selection.reference_for_forces(result)
     compare = len(models) > 1 and reference in models
@@ -65,16 +57,16 @@ def creep_curve(result):
     for model in models:
         points = model.points if by_step else sorted(model.points, key=lambda p: p[scalar])
         at = np.array([factor * p[scalar] for p in points])
-        values = np.array([coefficient(p) for p in points])
+        values = np.array([_coefficient(p, force) for p in points])
         bounded += [v for v in values if model.has_bound]
-        errors = [absolute_error(p, v, friction, "traction_coefficient", force)
-                  for v, p in zip(values, points)]
+        errors = [bar(p, force) / (abs(p["normal_force"]) or 1) if lateral else bar(p, "traction_coefficient")
+                  for p in points]
         top.errorbar(at, values, yerr=errors if any(errors) else None, capsize=2, elinewidth=0.8,
                      marker=style.marker(model), markersize=4.5, label=style.label(model),
                      **style.line(model))
         if compare and model is not reference:
             pairs = [(a, v, reference.at(p.key)) for a, v, p in zip(at, values, points)]
-            pairs = [(a, 100 * (v - coefficient(r)) / friction) for a, v, r in pairs if r]
+            pairs = [(a, 100 * (v - _coefficient(r, force)) / friction) for a, v, r in pairs if r]
             if pairs:
                 gaps += [g for _, g in pairs if model.has_bound]
                 axes[1, 0].plot(*zip(*pairs), marker=style.marker(model), markersize=4.5,

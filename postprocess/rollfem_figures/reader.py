@@ -4,6 +4,7 @@ Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx]; x is the ro
 material enters the patch at large x. Tractions and forces act on the wheel.
 """
 import json
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -13,7 +14,7 @@ import numpy as np
 
 from .seal import json_is_sound, results_are_sound
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
 
 
@@ -67,7 +68,7 @@ class Point:
     `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in
     summary.json. `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y,
     gap (mm), state (0 exterior, 1 adhesion, 2 slip), ...; what the model does not give is missing.
-    `errors`: estimated relative error by quantity.
+    `errors`: bars, the estimated error by quantity in its unit.
     """
 
     scalars: dict
@@ -160,6 +161,7 @@ class Quantity:
     symbol: str  # "F_x", "xi"; empty where there is none
     unit: str  # "-" where it has none
     meaning: str = ""
+    percent_of: str = ""  # what errors and differences are given in percent of: "value", "mu F_z", ...
 
 
 @dataclass
@@ -242,6 +244,40 @@ def _read_point(group, number, by_number, nodes):
                  below, _read_maxima(group), bodies)
 
 
+# What errors and differences are given in percent of; of the value where there is no entry.
+PERCENT_OF = {"traction_coefficient": "mu", "longitudinal_force": "mu F_z", "lateral_force": "mu F_z",
+              "spin_moment": "mu F_z sqrt(ab)", "max_traction": "mu p_0", "max_traction_x": "mu p_0"}
+
+
+def full_sliding(point, percent_of, friction):
+    """What full sliding gives of a quantity whose errors are in percent of `percent_of`; 0 of others."""
+    if not percent_of.startswith("mu"):
+        return 0.0
+    size = {"mu": 1.0, "mu F_z": point["normal_force"], "mu p_0": point["max_pressure"],
+            "mu F_z sqrt(ab)": point["normal_force"] * math.sqrt(point["semi_axis_x"] * point["semi_axis_y"])}
+    return friction * abs(size[percent_of])
+
+
+def _make_errors_absolute(point, friction):
+    """Those of format version 1: relative to the value, or to a hundredth of full sliding where that was
+    more."""
+    found = math.hypot(*point.creepages[:2])
+    largest = {f"max_{m['measure']}_{m['body']}": m["value"] for m in point.stress_maxima}
+    for name, error in point.errors.items():
+        if name == "subsurface_stress":
+            size = point["max_pressure"]
+        elif name in largest:
+            size = max(largest[name], 0.01 * point["max_pressure"])
+        elif name in point.scalars:
+            least = found if name.endswith("creepage") else full_sliding(point, PERCENT_OF.get(name, ""), friction)
+            size = max(abs(point[name]), 0.01 * least)
+        else:  # the energy norm, which is relative to this day
+            size = 1.0
+        point.errors[name] = size * error
+    if "longitudinal_force" in point.errors and point["normal_force"]:
+        point.errors.setdefault("traction_coefficient", point.errors["longitudinal_force"] / point["normal_force"])
+
+
 def _read_model(key, group, by_number):
     grid = group["grid"]
     name = _plain(group.attrs.get("model", key))
@@ -269,14 +305,17 @@ def _read_profiles(file):
 
 def _read_quantities(file):
     if "quantities" in file:
-        columns = [_texts(file["quantities"][n]) for n in ("name", "title", "symbol", "unit", "meaning")]
-        return {name: Quantity(*row) for name, *row in zip(*columns)}
+        table = file["quantities"]
+        columns = [_texts(table[n]) for n in ("name", "title", "symbol", "unit", "meaning")]
+        of = _texts(table["percent_of"]) if "percent_of" in table else [
+            PERCENT_OF.get(name, "value") for name in columns[0]]
+        return {name: Quantity(*row) for name, *row in zip(*columns, of)}
     found = {}  # format_minor 2 and before: "name [unit]: meaning"
     for line in _texts(file["documentation"]):
         name, rest = line.split(" [", 1)
         unit, meaning = rest.split("]: ", 1)
         if "/" not in name:
-            found[name] = Quantity(name.replace("_", " "), "", unit, meaning)
+            found[name] = Quantity(name.replace("_", " "), "", unit, meaning, PERCENT_OF.get(name, "value"))
     return found
 
 
@@ -285,17 +324,20 @@ def _read_file(path, directory):
         if _plain(file.attrs.get("format", "")) != "rollfem results":
             raise ResultError(f"{path} is not a result of rollfem")
         version = _plain(file.attrs.get("format_version", 0))
-        if version != FORMAT_VERSION:
-            raise ResultError(f"{path} has format version {version}, this program reads {FORMAT_VERSION}")
+        if version not in (1, FORMAT_VERSION):
+            raise ResultError(f"{path} has format version {version}, this program reads 1 and {FORMAT_VERSION}")
         if _plain(file.attrs.get("complete", 0)) != 1:
             raise ResultError(f"{path} is incomplete: its writing was cut short; run the case again")
         groups = sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))
         case = _attributes(file["case"])
         by_number = bool(case.get("problem", "steady") in ("shift", "transient")
                          or case.get("prescribed_forces", ""))
+        models = [_read_model(name, group, by_number) for name, group in groups]
+        if version == 1:
+            for point in (point for model in models for point in model.points):
+                _make_errors_absolute(point, case["friction_coefficient"])
         return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
-                      case, _attributes(file["provenance"]),
-                      [_read_model(name, group, by_number) for name, group in groups],
+                      case, _attributes(file["provenance"]), models,
                       _read_quantities(file), _read_profiles(file))
 
 

@@ -108,7 +108,6 @@ def _forces(result, creep_curve):
     reference = selection.reference_for_forces(result)
     if reference is None:
         return ""
-    friction = result.case["friction_coefficient"]
     models = selection.friction_models(result)
     points = [p for m in models for p in m.points]
     shared = tables.shared_creepage(models)
@@ -118,18 +117,13 @@ def _forces(result, creep_curve):
                 "sliding (μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow.")
     hint = f"<p class=hint>{note}{shared}</p>" if note or shared else ""
     html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
-            tables.creepage_table(result, lambda p: p["traction_coefficient"],
-                                  ("traction_coefficient", "longitudinal_force"), lambda p: friction),
-            hint, creep_curve,
+            tables.creepage_table(result, "traction_coefficient"), hint, creep_curve,
             "<h2>Largest tangential traction |p<sub>x</sub>| [MPa]</h2>",
-            tables.creepage_table(result, lambda p: p["max_traction_x"],
-                                  ("max_traction_x", "max_traction"),
-                                  lambda p: friction * p["max_pressure"])]
+            tables.creepage_table(result, "max_traction_x")]
     largest = max(abs(p["normal_force"]) for p in points)
     if any(abs(p["lateral_force"]) > 1e-4 * largest for p in points):
         html += ["<h2>Lateral force F<sub>y</sub> [N]</h2>",
-                 tables.creepage_table(result, lambda p: p["lateral_force"], ("lateral_force",),
-                                       lambda p: friction * abs(p["normal_force"]))]
+                 tables.creepage_table(result, "lateral_force")]
     return "".join(html)
 
 

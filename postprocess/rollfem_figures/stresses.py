@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from . import selection, style
-from .tables import cell, number, plain, table
+from .tables import measured, number, plain, table
 
 
 def measures(stress):
@@ -107,7 +107,7 @@ NAMES = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orth
 
 
 def _largest(model, body, measure):
-    """(value, place, relative error, point) of the load point where it is largest, or None."""
+    """(value, place, error, point) of the load point where it is largest, or None."""
     found = [(m["value"], m["place"], p.errors.get(f"max_{measure}_{body}"), p)
              for p in model.points for m in p.stress_maxima
              if m["body"] == body and m["measure"] == measure]
@@ -130,7 +130,7 @@ def maxima_table(result):
                     continue
                 value, place, error, point = best
                 at = ", ".join(number(round(float(x), 2) + 0.0, 3) for x in place)
-                html = cell(value, error, digits=4) + f"<br><span class=d>at ({at}) mm"
+                html = measured(value, error, digits=4) + f"<br><span class=d>at ({at}) mm"
                 if len(model.points) > 1:
                     html += (f", load point {plain(point.key[0])}" if point.by_number
                              else f", ξ = {plain(100 * point['longitudinal_creepage'])} %")

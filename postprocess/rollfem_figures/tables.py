@@ -3,9 +3,8 @@ import math
 import re
 from html import escape
 
-from . import published, selection, style
-from .curves import absolute_error
-from .reader import place_label
+from . import curves, published, selection, style
+from .reader import full_sliding, place_label
 
 
 def number(value, digits=5):
@@ -34,11 +33,6 @@ def percent(value):
         return ""
     text = f"{value:+.2f}"
     return ("0.00" if float(text) == 0 else text).replace("-", "−") + " %"
-
-
-def cell(value, error=None, difference=None, digits=5):
-    """value ± error (relative), and the difference to the reference under it."""
-    return measured(value, abs(value) * error if error else 0.0, difference, digits)
 
 
 def measured(value, bar, difference=None, digits=5, beyond=False):
@@ -99,8 +93,14 @@ def _beyond(value, bar, base, base_bar):
     return abs(value - base) > bar + base_bar + 1e-9 * abs(base)
 
 
-# Under which other name the relative error of a size stands.
-SAME_ERROR = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
+# Sizes whose error is twice that of another.
+TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
+
+
+def _bar(point, quantity):
+    if quantity not in point.errors and quantity in TWICE:
+        return 2 * curves.bar(point, TWICE[quantity])
+    return curves.bar(point, quantity)
 
 
 def _tells(result, quantity):
@@ -124,14 +124,12 @@ def patch_table(result):
         row = [heading(result.quantities[quantity])]
         for model in models:
             point = model.points[0]
-            names = (quantity, SAME_ERROR.get(quantity, quantity))
-            bar = absolute_error(point, point[quantity], 0.0, *names)
+            bar = _bar(point, quantity)
             against, beyond = None, False
             if model is not reference and reference and reference.points:
                 base = reference.points[0]
                 against = _difference(point[quantity], base[quantity])
-                beyond = _beyond(point[quantity], bar, base[quantity],
-                                 absolute_error(base, base[quantity], 0.0, *names))
+                beyond = _beyond(point[quantity], bar, base[quantity], _bar(base, quantity))
             row.append(measured(point[quantity], bar, against, 6, beyond))
         rows.append(row)
     return table(["first load point"] + [escape(style.label(m)) for m in models], rows)
@@ -183,16 +181,13 @@ def shared_creepage(models):
     return f" All at {', '.join(said)}." if said else ""
 
 
-def creepage_table(result, value, quantities, sliding):
-    """`value(point)` of every model with friction at every creepage. Differences to the reference are
-    in percent of `sliding(point)`, its value in full sliding, of the reference."""
+def creepage_table(result, quantity):
+    """A quantity of friction of every model that has friction at every creepage. Differences to the
+    reference are in percent of what full sliding gives in the reference."""
     models = selection.friction_models(result)
     reference = selection.reference_for_forces(result)
     columns = _creepage_head(models)
-
-    def bar(point):
-        return absolute_error(point, value(point), sliding(point), *quantities)
-
+    percent_of = result.quantities[quantity].percent_of
     rows = []
     for creepages in selection.all_keys(models):
         row = [", ".join(plain(creepages[k] * factor) for _, k, factor in columns)]
@@ -202,11 +197,13 @@ def creepage_table(result, value, quantities, sliding):
             if point is None:
                 row.append("–")
             elif model is reference or base is None:
-                row.append(measured(value(point), bar(point)))
+                row.append(measured(point[quantity], _bar(point, quantity)))
             else:
-                row.append(measured(value(point), bar(point),
-                                    _difference(value(point), value(base), sliding(base) or None),
-                                    beyond=_beyond(value(point), bar(point), value(base), bar(base))))
+                sliding = full_sliding(base, percent_of, result.case["friction_coefficient"])
+                row.append(measured(point[quantity], _bar(point, quantity),
+                                    _difference(point[quantity], base[quantity], sliding or None),
+                                    beyond=_beyond(point[quantity], _bar(point, quantity),
+                                                   base[quantity], _bar(base, quantity))))
         rows.append(row)
     head = [", ".join(c[0] for c in columns)] + [escape(style.label(m)) for m in models]
     return table(head, rows)

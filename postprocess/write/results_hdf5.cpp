@@ -94,18 +94,25 @@ void write_documentation(hid_t file) {
 void write_quantities(hid_t file) {
   const Handle group = create_group(
       file, "quantities", "Scalars of a load point: line k of every dataset belongs to one");
-  const auto column = [&](const char* name, const char* comment,
-                          const char* const contact::Quantity::*member) {
+  const auto write_column = [&](const char* name, const char* comment, const auto& text) {
     std::vector<std::string> lines;
     for (const contact::Quantity& quantity : contact::quantities())
-      lines.emplace_back(quantity.*member);
+      lines.emplace_back(text(quantity));
     write_comment(write_dataset(group, name, lines), comment);
+  };
+  const auto column = [&](const char* name, const char* comment,
+                          const char* const contact::Quantity::*member) {
+    write_column(name, comment,
+                 [&](const contact::Quantity& quantity) { return quantity.*member; });
   };
   column("name", "Attribute of /models/NAME/points/NUMBER", &contact::Quantity::name);
   column("title", "For headings", &contact::Quantity::title);
   column("symbol", "F_x, xi, ...; empty where there is none", &contact::Quantity::symbol);
   column("unit", "- where it has none", &contact::Quantity::unit);
   column("meaning", "What it is, with its sign", &contact::Quantity::meaning);
+  write_column("percent_of",
+               "What errors and differences are given in percent of; empty: of nothing",
+               [](const contact::Quantity& quantity) { return contact::text_of(quantity.scale); });
 }
 
 void write_grid(hid_t model, const ContactGrid& grid) {
@@ -214,7 +221,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model) {
                   point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin));
   for (const contact::Quantity& quantity : contact::quantities())
     write_quantity(group, quantity, point);
-  write_by_quantity(group, "error_estimate", "Attributes: estimated relative error by quantity",
+  write_by_quantity(group, "error_estimate", "Attributes: estimated error by quantity, in its unit",
                     point.error_estimate);
   if (!point.richardson.empty())
     write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",

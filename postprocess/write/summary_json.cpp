@@ -79,7 +79,7 @@ ordered_json model_json(const contact::ModelResult& model) {
 
 std::string summary_json(const RunRecord& run) {
   ordered_json json;
-  json["format"] = 1;
+  json["format"] = 2;
   json["title"] = run.input.title;
   json["case_file"] = run.input.file;
   json["program"] = {{"version", run.provenance.version}, {"commit", run.provenance.commit}};

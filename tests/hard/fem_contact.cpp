@@ -159,9 +159,8 @@ TEST(HardFem, GrazingLoadOnThreeCellsIsWithinItsErrorEstimate) {
   const PointResult point = fem::run_fem(input, {}).points[0];
   EXPECT_TRUE(point.converged);
   EXPECT_NEAR(point.normal_force, 50.0, 50.0 * 1e-10) << "what the sharing of the load is ended at";
-  EXPECT_NEAR(point.max_pressure / exact.max_pressure, 1.0,
-              point.error_estimate.at("max_pressure"));
-  EXPECT_NEAR(point.semi_axis_x / exact.semi_axis_x, 1.0, point.error_estimate.at("semi_axis_x"));
+  EXPECT_NEAR(point.max_pressure, exact.max_pressure, point.error_estimate.at("max_pressure"));
+  EXPECT_NEAR(point.semi_axis_x, exact.semi_axis_x, point.error_estimate.at("semi_axis_x"));
 }
 
 TEST(HardFem, PatchAtTheEdgeOfTheMeshIsRefused) {

@@ -174,7 +174,9 @@ inline postprocess::RunRecord synthetic_run() {
                "Far boundaries are clamped: the approach is the least certain number."};
   for (ModelResult* model : {&halfspace, &fem})
     for (PointResult& point : model->points)
-      point.error_estimate = {{"max_pressure", 0.002}, {"longitudinal_force", 0.004}};
+      point.error_estimate = {{"max_pressure", 1.25},
+                              {"longitudinal_force", 50.0},
+                              {"traction_coefficient", 50.0 / point.normal_force}};
   run.models = {hertz, halfspace, fem};
   return run;
 }

@@ -245,9 +245,9 @@ TEST(CreepCurve, ErrorEstimatesCoverTheErrors) {
       const contact::PointResult& point = result.points[k];
       const auto covers = [&](const char* name, double value, double truth, double slack) {
         const double estimate = point.error_estimate.at(name);
-        EXPECT_LE(std::abs(value - truth), estimate * std::abs(truth) + slack)
+        EXPECT_LE(std::abs(value - truth), estimate + slack)
             << name << " at " << xi[k] << ", " << across;
-        EXPECT_LT(estimate, 0.05) << name;
+        EXPECT_LT(estimate, 0.05 * truth) << name;
       };
       covers("max_pressure", point.max_pressure, 578.9674, 0.0);
       covers("approach", point.approach, 0.04731083, 0.0);
@@ -275,7 +275,7 @@ TEST(CreepCurve, ErrorEstimatesCoverTheErrorsWithSpin) {
       input.rolling.creepages = {row.creepage};
       const contact::PointResult point = halfspace::run_halfspace(input, {}).points[0];
       const auto covers = [&](const char* name, double value, double truth) {
-        EXPECT_LE(std::abs(value / truth - 1.0), 1.02 * point.error_estimate.at(name))
+        EXPECT_LE(std::abs(value - truth), point.error_estimate.at(name))
             << name << ", case " << row.name << ", " << across;
       };
       covers("longitudinal_force", point.longitudinal_force, row.fx);

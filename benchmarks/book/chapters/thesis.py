@@ -203,10 +203,8 @@ QUANTITIES = (("max_pressure", "p0", "MPa"), ("semi_axis_x", "a along rolling", 
               ("semi_axis_y", "b across", "mm"), ("contact_area", "area", "mm²"), ("approach", "approach", "mm"))
 
 
-def _with_bar(value, relative):
-    if not relative:
-        return number(value, 5)
-    return f"{number(value, 5)} ± {number(abs(value) * relative, 2)}"
+def _with_bar(value, bar):
+    return f"{number(value, 5)} ± {number(bar, 2)}" if bar else number(value, 5)
 
 
 def _limit_table(letter, result, bent):
@@ -217,7 +215,7 @@ def _limit_table(letter, result, bent):
     def line(words, key, index, scale=None):
         ours, theirs, third = (m.points[index] for m in (half, fem, bent))
         difference = (theirs[key] - ours[key]) / abs(scale or ours[key])
-        bars = (abs(ours[key]) * ours.errors.get(key, 0) + abs(theirs[key]) * theirs.errors.get(key, 0))
+        bars = ours.errors.get(key, 0) + theirs.errors.get(key, 0)
         rows.append([words, _with_bar(ours[key], ours.errors.get(key)), number(third[key], 5),
                      _with_bar(theirs[key], theirs.errors.get(key)), percent(difference),
                      "yes" if abs(theirs[key] - ours[key]) > bars else "no"])

@@ -44,20 +44,28 @@ TEST(Refinement, TwoGridsThatAgreeByChanceAreNotBelieved) {
   EXPECT_GT(estimated_error({1.0, 1.4, 1.3}, 1.5), 0.05);
 }
 
-TEST(Refinement, TractionsAreRelativeToTheLargestOfTheCurve) {
-  const AccuracyRequest asked{{}, {"traction_coefficient"}};
+TEST(Refinement, ErrorsOfFrictionArePartsOfFullSliding) {
+  const AccuracyRequest asked{{}, {"traction_coefficient", "max_pressure"}};
   constexpr double friction = 0.5;
   std::vector<PointResult> points(2);
-  points[0].traction_coefficient = 0.002;                  // less than a hundredth of full sliding
-  points[0].error_estimate["traction_coefficient"] = 0.8;  // of 0.005
+  for (PointResult& point : points) point.max_pressure = 600.0;
+  points[0].traction_coefficient = 0.002;
+  points[0].error_estimate = {{"traction_coefficient", 0.004}, {"max_pressure", 3.0}};
   points[1].traction_coefficient = 0.4;
-  points[1].error_estimate["traction_coefficient"] = 0.02;
-  const WorstError worst = worst_error(asked, friction, points);
+  points[1].error_estimate = {{"traction_coefficient", 0.008}, {"max_pressure", 1.5}};
+  WorstError worst = worst_error(asked, friction, points);
   EXPECT_EQ(worst.point, 2);
-  EXPECT_DOUBLE_EQ(worst.error, 0.02);
-  points[1].error_estimate["traction_coefficient"] = 0.005;
-  EXPECT_EQ(worst_error(asked, friction, points).point, 1);
-  EXPECT_DOUBLE_EQ(worst_error(asked, friction, points).error, 0.8 * 0.005 / 0.4);
+  EXPECT_DOUBLE_EQ(worst.error, 0.016);
+  EXPECT_EQ(worst.text(), "1.6 % of mu (traction_coefficient at load point 2)");
+  points[1].error_estimate["traction_coefficient"] = 0.003;
+  worst = worst_error(asked, friction, points);
+  EXPECT_DOUBLE_EQ(worst.error, 0.008);
+  EXPECT_EQ(worst.text(), "0.8 % of mu (traction_coefficient at load point 1)");
+  points[1].error_estimate["max_pressure"] = 6.0;
+  EXPECT_EQ(worst_error(asked, friction, points).text(), "1 % (max_pressure at load point 2)");
+  EXPECT_NE(shortfall_text({0.001, asked.of}, worst, "do: ask for less")
+                .find("the largest estimated error is 0.8 % of mu (traction_coefficient at load"),
+            std::string::npos);
 }
 
 }  // namespace

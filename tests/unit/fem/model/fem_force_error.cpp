@@ -42,24 +42,26 @@ const double least = 0.15 / 16.0;
 
 TEST(FemForceError, LevelsThatAgreeByChanceKeepWhatTheContactGridLeavesUncertain) {
   const std::vector<contact::ModelResult> equal{level(0.5, 0.2), level(0.25, 0.2)};
-  EXPECT_NEAR(estimate(equal, "traction_coefficient"), least, 1e-12);
-  EXPECT_NEAR(estimate(equal, "longitudinal_force"), least, 1e-12);
-  EXPECT_NEAR(estimate(equal, "max_traction_x"), 3.0 * least, 1e-12);
+  EXPECT_NEAR(estimate(equal, "traction_coefficient"), 0.2 * least, 1e-12);
+  EXPECT_NEAR(estimate(equal, "longitudinal_force"), 200.0 * least, 1e-9);
+  EXPECT_NEAR(estimate(equal, "max_traction_x"), 30.0 * 3.0 * least, 1e-9);
   // 8 across: with the square of their number.
-  EXPECT_NEAR(estimate({level(1.0, 0.2), level(0.5, 0.2)}, "traction_coefficient"), 4.0 * least,
-              1e-12);
+  EXPECT_NEAR(estimate({level(1.0, 0.2), level(0.5, 0.2)}, "traction_coefficient"),
+              0.2 * 4.0 * least, 1e-12);
 }
 
 TEST(FemForceError, AChangeOfTheLevelsIsTheEstimateWhereItIsMore) {
   const std::vector<contact::ModelResult> levels{level(0.5, 0.22, 36.0), level(0.25, 0.2)};
-  EXPECT_NEAR(estimate(levels, "traction_coefficient"), 0.1 / (std::exp2(1.5) - 1.0), 1e-12);
-  EXPECT_NEAR(estimate(levels, "max_traction_x"), 1.5 * 0.2, 1e-12);
+  EXPECT_NEAR(estimate(levels, "traction_coefficient"), 0.02 / (std::exp2(1.5) - 1.0), 1e-12);
+  EXPECT_NEAR(estimate(levels, "max_traction_x"), 1.5 * (36.0 - 30.0), 1e-9);
 }
 
 TEST(FemForceError, AForceThatVanishesIsMeasuredByFullSliding) {
-  // 1e-4 of change against a hundredth of mu.
   EXPECT_NEAR(estimate({level(0.5, 1e-4), level(0.25, 0.0)}, "traction_coefficient"),
-              1e-4 / (0.01 * friction) / (std::exp2(1.5) - 1.0), 1e-12);
+              1e-4 / (std::exp2(1.5) - 1.0), 1e-12);
+  // Levels that agree: what the grid leaves uncertain in a hundredth of mu.
+  EXPECT_NEAR(estimate({level(0.5, 1e-9), level(0.25, 1e-9)}, "traction_coefficient"),
+              least * 0.01 * friction, 1e-12);
   // Nothing lateral on any level: no estimate.
   EXPECT_EQ(estimate({level(0.5, 0.2), level(0.25, 0.2)}, "lateral_force"), -1.0);
 }

@@ -223,7 +223,7 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
   const std::pair<const char*, const char*> changes[] = {
       {"f.attrs['format'] = 'something'", "but not a result of rollfem"},
       {"del f.attrs['format']", "but not a result of rollfem"},
-      {"f.attrs['format_version'] = 2", "format version 2, this program reads 1"},
+      {"f.attrs['format_version'] = 3", "format version 3, this program reads 1 and 2"},
       {"del f.attrs['complete']", "is incomplete: its writing was cut short"},
       {"f.attrs['complete'] = 0", "is incomplete: its writing was cut short"},
       {"del f['case']", "there is no group case"},
@@ -256,7 +256,7 @@ TEST_F(ResultsReaderTest, ReadsFilesOfEarlierVersions) {
   EXPECT_EQ(testing::python(R"(
 import sys, h5py
 with h5py.File(sys.argv[1], 'a') as f:
-    f.attrs['format_minor'] = 2
+    f.attrs['format_version'], f.attrs['format_minor'] = 1, 2
     del f['quantities']
     lines = [l for l in f['documentation'] if not l.startswith(b'distance') and b'energy' not in l]
     del f['documentation']
@@ -276,6 +276,10 @@ with h5py.File(sys.argv[1], 'a') as f:
   EXPECT_EQ(model.points[3].elastic_energy, 946.0);
   EXPECT_EQ(model.points[3].spin_moment, 123.25);
   EXPECT_EQ(model.points[3].distance, 0.0);
+  // Estimates were relative.
+  const PointResult& before = run.models[1].points[3];
+  EXPECT_DOUBLE_EQ(model.points[3].error_estimate.at("max_pressure"),
+                   before.error_estimate.at("max_pressure") * before.max_pressure);
   EXPECT_FALSE(model.points[2].elastic_energy.has_value());
   EXPECT_EQ(testing::python(R"(
 import sys
