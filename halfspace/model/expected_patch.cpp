@@ -34,7 +34,7 @@ constexpr int elements_of_lattice = 64;
 constexpr int most_rows = 720;
 constexpr int most_rounds = 12;
 /// On each side of the patch of the round before, relative to its extent.
-constexpr double margin = 0.2;
+constexpr double box_margin = 0.2;
 
 constexpr const char* of_search = "elements of the search for the patch";
 
@@ -166,12 +166,12 @@ std::array<double, 2> carrying_lengths(const Found& found) {
   return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
 }
 
-/// The patch with a margin.
+/// The patch with a box_margin.
 Box next_box(const Found& found) {
   const auto grow = [](double& lower, double& upper, double step) {
     const double extent = std::max(upper - lower, 2.0 * step);
-    lower -= margin * extent;
-    upper += margin * extent;
+    lower -= box_margin * extent;
+    upper += box_margin * extent;
   };
   const contact::PatchSize& size = found.size;
   Box next{size.x_lower, size.x_upper, size.y_lower, size.y_upper};
@@ -272,7 +272,7 @@ ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
     found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  const double extents = 1.0 + 2.0 * margin;
+  const double extents = 1.0 + 2.0 * box_margin;
   const int across = std::max(elements_of_lattice, static_cast<int>(elements / extents));
   found = solve_on(scene, lattice_over(found, across), load);
   return summary(found);

@@ -1,0 +1,44 @@
+// What a body that curves gently does otherwise than a half-space, to the first order of its height
+// over the tangent plane. The field of the half-space leaves tractions on the true surface; one
+// more half-space solution takes them off (docs/theory.md, "Bodies that curve gently").
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "contact/base/material.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace rollfem::halfspace {
+
+/// A body seen from the contact: x and y of the contact grid, z into the body.
+struct BodySurface {
+  contact::Material material;  ///< elastic
+  /// How far the surface has gone into the body at (x, y), mm; > 0 beside the middle of a convex
+  /// one.
+  std::function<double(double x, double y)> height;
+  /// Slopes dz/dx, dz/dy of the surface whose normal and tangents tractions and displacements have.
+  std::function<double(double x)> slope_x;
+  std::function<double(double y)> slope_y;
+};
+
+/// The first-order correction C of one body: tractions on it (MPa, n > 0 presses it inwards) to
+/// displacement of its surface (mm, n > 0 inwards). Linear and symmetric to rounding.
+class CurvedBody {
+ public:
+  CurvedBody(const contact::ContactGrid& grid, const BodySurface& surface);
+  ~CurvedBody();
+  CurvedBody(CurvedBody&&) noexcept;
+
+  struct Displacement {
+    contact::SurfaceField plane;       ///< of the half-space
+    contact::SurfaceField correction;  ///< what the curved surface adds
+  };
+  Displacement apply(const contact::SurfaceField& traction) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,87 @@
+#include "halfspace/curvature/curved_compliance.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/profile_drop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+using contact::Field;
+using contact::Scene;
+using contact::SurfaceField;
+
+namespace {
+
+/// Far from the contact no body is what its curvature there says: heights stay below this part of
+/// the distance.
+constexpr double steepest_way = 0.5;
+
+void check_known(const Scene& scene) {
+  if (scene.geometry.has_surfaces()) return;
+  throw contact::InputError(
+      fmt::format("{}: halfspace.model_error = true: the bodies are not known, only their "
+                  "undeformed distance; allowed: wheel and rail with radii or profiles; do: give "
+                  "those, or leave model_error out",
+                  scene.file));
+}
+
+}  // namespace
+
+BodySurface body_surface(const Scene& scene, bool wheel) {
+  check_known(scene);
+  const contact::ContactSurface surface = scene.geometry.surface;
+  const double along = wheel ? surface.rolling_radius : contact::infinity;
+  const double sign = wheel ? 1.0 : -1.0;
+  BodySurface body;
+  body.material = (wheel ? scene.wheel : scene.rail).material;
+  body.height = [=](double x, double y) {
+    const double most = steepest_way * std::hypot(x, y);
+    const double height =
+        contact::surface_drop(surface, wheel, 0.0, y) + contact::profile_drop(along, x).value;
+    return std::clamp(height, -most, most);
+  };
+  // Each body has the frame of its own streamline, and both that of the common surface across.
+  body.slope_x = [=](double x) { return std::isfinite(along) ? x / along : 0.0; };
+  body.slope_y = [=](double y) { return sign * surface.climb(y); };
+  return body;
+}
+
+CurvedCompliance::CurvedCompliance(const Scene& scene, const ContactGrid& grid)
+    : half_(grid, scene.material), rolling_radius_(scene.geometry.surface.rolling_radius) {
+  check_known(scene);
+  if (!scene.wheel.material.rigid()) wheel_.emplace(grid, body_surface(scene, true));
+  if (!scene.rail.material.rigid()) rail_.emplace(grid, body_surface(scene, false));
+}
+
+SurfaceField CurvedCompliance::apply(const SurfaceField& traction) const {
+  return respond(traction).displacement;
+}
+
+contact::Response CurvedCompliance::respond(const SurfaceField& traction) const {
+  contact::Response response{half_.apply(traction), {}};
+  SurfaceField& u = response.displacement;
+  const Field zero = Field::Zero(grid().size());
+  response.curvature_slip = {zero, zero};
+  if (wheel_) {
+    const CurvedBody::Displacement own = wheel_->apply(traction);
+    u.x += own.correction.x;
+    u.y += own.correction.y;
+    u.n += own.correction.n;
+    response.curvature_slip.x = own.plane.n / rolling_radius_;
+  }
+  if (rail_) {
+    // Seen from the rail z points the other way: pressure stays, tangential tractions turn.
+    const CurvedBody::Displacement own = rail_->apply({-traction.x, -traction.y, traction.n});
+    u.x -= own.correction.x;
+    u.y -= own.correction.y;
+    u.n += own.correction.n;
+  }
+  return response;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,35 @@
+// The half-space's compliance with the first-order correction of both bodies (curved_body.hpp):
+// what bodies that curve gently do to each other, without a mesh.
+#pragma once
+
+#include "contact/scene/scene.hpp"
+#include "contact/solve/compliance.hpp"
+#include "halfspace/curvature/curved_body.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+
+#include <optional>
+
+namespace rollfem::halfspace {
+
+class CurvedCompliance : public contact::Compliance {
+ public:
+  /// Of the wheel and rail of a scene whose surfaces are known. Throws contact::InputError where a
+  /// quadratic form or a file stands for them.
+  CurvedCompliance(const contact::Scene& scene, const contact::ContactGrid& grid);
+
+  const contact::ContactGrid& grid() const override { return half_.grid(); }
+  contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
+  /// With the slip u_n / R of the wheel's surface along its circles.
+  contact::Response respond(const contact::SurfaceField& traction) const override;
+
+ private:
+  HalfspaceCompliance half_;
+  double rolling_radius_;
+  std::optional<CurvedBody> wheel_;  ///< none: rigid
+  std::optional<CurvedBody> rail_;
+};
+
+/// A body of a scene as CurvedBody takes it.
+BodySurface body_surface(const contact::Scene& scene, bool wheel);
+
+}  // namespace rollfem::halfspace
