@@ -1,0 +1,28 @@
+// What a half-space leaves out, by solving the contact once more on bodies as curved as they are
+// (curved_level.hpp), and across on their common surface.
+#pragma once
+
+#include "contact/base/progress.hpp"
+#include "contact/solve/contact_run.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// Per load point: quantity -> how much the bodies of true curvature would change its value, in its
+/// unit, with the sign. Both solutions are on the same grid, so that what that is off by is in
+/// neither. To the first order of patch size over radius, and of what is of second order the common
+/// surface alone.
+using ModelErrors = std::vector<std::map<std::string, double>>;
+
+/// `plain`: the half-space's solution of the scene on a grid of some 20 across or more; finer ones
+/// change little. None where the patch reaches the border of that grid. Throws
+/// contact::InputError where bodies are not known, contact::SolveError.
+std::optional<ModelErrors> model_errors(const contact::Scene& scene,
+                                        const contact::LevelResult& plain,
+                                        const contact::Progress& progress);
+
+}  // namespace rollfem::halfspace
