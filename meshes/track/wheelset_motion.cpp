@@ -62,7 +62,8 @@ Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vec
 }
 
 Vector3 surface_place(const WheelRailContact& contact) {
-  return {0.0, 0.0, contact.geometry.distance(0.0, 0.0)};
+  // The geometry is sunk until this contact touches, the axle until the first of the wheel does.
+  return {0.0, 0.0, contact.geometry.distance(0.0, 0.0) + contact.place.separation};
 }
 
 contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& motion) {

@@ -24,8 +24,8 @@ Motion motion_of(const contact::Case& input, double rotation_change);
 contact::Vector3 slip_at(const WheelRailContact& contact, const Motion& motion,
                          const contact::Vector3& place);
 
-/// The wheel's surface over the reference point, in the patch frame: (0, 0, undeformed distance).
-/// Its circle has the local rolling radius.
+/// The wheel's surface over the reference point at first contact of the wheel, in the patch frame:
+/// (0, 0, undeformed distance and separation). Its circle has the local rolling radius.
 contact::Vector3 surface_place(const WheelRailContact& contact);
 
 /// xi, eta, phi of the patch as a plane: slip of the wheel's undeformed surface over the reference
