@@ -45,7 +45,7 @@ std::string parts_note(const contact::ContactPlace& place, const contact::ModelR
 /// where it is small.
 std::string normals_note(const contact::Scene& scene, const contact::ModelResult& result) {
   constexpr double worth_a_note = 0.01;  // of the normal force
-  if (scene.surface_form != contact::SurfaceForm::planar || result.name != "halfspace") return {};
+  if (scene.follows_surface > 0.0 || result.name != "halfspace") return {};
   const contact::HeightCurve& rail = scene.geometry.surface.profiles->rail();
   double along_y = 0.0, least = contact::infinity, largest = -contact::infinity;
   for (const auto& part : contact::patch_parts(result.grid, result.points.front().fields)) {
@@ -74,11 +74,15 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
     if (const std::string note = normals_note(scene, result); !note.empty())
       result.notes.push_back(note);
   }
-  if (scene.place->patches > 1)
-    result.notes.push_back(
+  if (scene.place->patches > 1) {
+    std::string text =
         "the contacts of this wheel lie in different planes: they share its load by one vertical "
-        "sinking of half-spaces, with friction as 24 elements across give it; the displacement "
-        "that one makes under another is left out");
+        "sinking of half-spaces, each under what the others displace, with friction as 24 elements "
+        "across give it";
+    if (result.name != "halfspace")
+      text += "; within a contact this model leaves out what the others displace";
+    result.notes.push_back(std::move(text));
+  }
   for (contact::PointResult& point : result.points)
     point.vertical_force =
         meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);

@@ -29,6 +29,7 @@ constexpr double torque_tolerance = 1e-5;
 struct Patch {
   meshes::PlacedScene placed;
   std::vector<meshes::PatchForce> force;  ///< per load point, at the scene as it is
+  double sideways = 0.0;  ///< of the pressure without friction: lateral over normal force
 };
 
 struct Wheel {
@@ -101,23 +102,68 @@ class Position {
                     *input_.load.vertical_force, most_rounds));
   }
 
-  /// Normal forces of all patches of a wheel under its load; returns the largest change relative to
-  /// the load. With friction, the lateral force keeps its ratio to the normal force.
+  /// Normal forces of all patches of a wheel under its load, and what they displace under each
+  /// other; returns the largest change of a force relative to the load. With friction, the
+  /// tangential forces keep their ratio to the normal force.
   double share(Wheel& wheel, bool friction) {
-    if (input_.load.approach) drop_untouched(wheel);
+    if (input_.load.approach) {
+      drop_untouched(wheel);
+      press_at_approach(wheel);
+    }
     if (!shares(wheel)) return 0.0;
     const double load = *input_.load.vertical_force;
     double change = 0.0;
-    std::vector<double> forces;
+    std::vector<halfspace::SharedLoad> shared;
     for (std::size_t k = 0; k < rotation_.size(); ++k) {
-      if (k == 0 || friction) forces = shared_forces(wheel, load, friction ? &k : nullptr);
+      if (k == 0 || friction) shared.push_back(shared_load(wheel, load, friction ? &k : nullptr));
       for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
-        change = std::max(change, std::abs(asked_force(wheel.patches[i], k) - forces[i]) / load);
-        wheel.patches[i].placed.scene.points[k].load = {forces[i], {}};
+        Patch& patch = wheel.patches[i];
+        const halfspace::Share& own = shared.back().shares[i];
+        change = std::max(change, std::abs(asked_force(patch, k) - own.normal_force) / load);
+        patch.placed.scene.points[k].load = {own.normal_force, {}};
       }
     }
+    set_beside(wheel, shared);
     drop_unloaded(wheel, load);
     return change;
+  }
+
+  /// The load points of a scene have one half-space: the mean over them is what loads it beside the
+  /// contact.
+  static void set_beside(Wheel& wheel, const std::vector<halfspace::SharedLoad>& shared) {
+    const double part = 1.0 / static_cast<double>(shared.size());
+    for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+      std::vector<contact::LoadBeside>& all = wheel.patches[i].placed.scene.beside;
+      all.clear();
+      for (std::size_t k = 0; k < shared.size(); ++k)
+        for (std::size_t j = 0; j < wheel.patches.size(); ++j) {
+          const auto& force = wheel.patches[j].force;
+          const bool known = k < force.size() && force[k].normal > 0.0;
+          for (contact::LoadBeside load : shared[k].shares[i].beside[j]) {
+            load.normal *= part;
+            load.longitudinal = known ? force[k].longitudinal / force[k].normal * load.normal : 0.0;
+            load.lateral = known ? force[k].lateral / force[k].normal * load.normal : 0.0;
+            all.push_back(load);
+          }
+        }
+    }
+  }
+
+  /// The wheel sinks as far as the case says; its contacts displace each other all the same.
+  static void press_at_approach(Wheel& wheel) {
+    if (wheel.patches.size() < 2) return;
+    const contact::Scene& first = wheel.patches.front().placed.scene;
+    const auto approach = first.points.front().load.approach;
+    if (!approach) return;
+    const double sinking =
+        (*approach + first.place->separation) / std::cos(first.place->contact_angle);
+    set_beside(wheel, {halfspace::load_at(scenes_of(wheel), sinking)});
+  }
+
+  static std::vector<contact::Scene> scenes_of(const Wheel& wheel) {
+    std::vector<contact::Scene> scenes;
+    for (const Patch& patch : wheel.patches) scenes.push_back(patch.placed.scene);
+    return scenes;
   }
 
   /// The share of each patch becomes a vertical force, of which every model finds the normal force
@@ -154,29 +200,33 @@ class Position {
 
   /// Vertical force that a normal force brings with it, friction at load point k included.
   double lift(const Patch& patch, double normal_force, const std::size_t* k) const {
-    double lateral = 0.0;
+    double lateral = patch.sideways * normal_force;
     if (k != nullptr && *k < patch.force.size() && patch.force[*k].normal > 0.0)
       lateral = patch.force[*k].lateral / patch.force[*k].normal * normal_force;
     return meshes::vertical_force(normal_force, lateral, patch.placed.contact.place);
   }
 
-  /// Normal forces of the patches that add up to `load` vertically.
-  std::vector<double> shared_forces(const Wheel& wheel, double load, const std::size_t* k) const {
-    const auto carried = [&](const std::vector<double>& normal) {
+  /// Shares of the patches that add up to `load` vertically.
+  halfspace::SharedLoad shared_load(Wheel& wheel, double load, const std::size_t* k) const {
+    const auto carried = [&](const halfspace::SharedLoad& shared) {
       double sum = 0.0;
-      for (std::size_t i = 0; i < normal.size(); ++i) sum += lift(wheel.patches[i], normal[i], k);
+      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+        const halfspace::Share& own = shared.shares[i];
+        wheel.patches[i].sideways =
+            own.normal_force > 0.0 ? own.lateral_force / own.normal_force : 0.0;
+        sum += lift(wheel.patches[i], own.normal_force, k);
+      }
       return sum;
     };
     // The sharing is a matter of geometry and elasticity; friction changes what has to be shared.
-    std::vector<contact::Scene> scenes;
-    for (const Patch& patch : wheel.patches) scenes.push_back(patch.placed.scene);
+    const std::vector<contact::Scene> scenes = scenes_of(wheel);
     double to_share = load;
     constexpr int most_steps = 50;
     for (int step = 0; step < most_steps; ++step) {
-      const std::vector<double> normal = halfspace::share_load(scenes, to_share).normal_forces;
-      const double sum = carried(normal);
+      halfspace::SharedLoad shared = halfspace::share_load(scenes, to_share);
+      const double sum = carried(shared);
       if (!(sum > 0.0)) refuse_lift(wheel);
-      if (std::abs(sum - load) < 0.1 * load_tolerance * load) return normal;
+      if (std::abs(sum - load) < 0.1 * load_tolerance * load) return shared;
       to_share *= load / sum;
     }
     throw contact::SolveError(fmt::format("the {} wheel: the load is not shared in {} steps",

@@ -137,12 +137,12 @@ struct FastsimOptions {
   int strip_elements = 100;  ///< along each strip, for `grid` along the longest
 };
 
-/// Where the elements of the model halfspace lie: in the tangent plane, or along the arc of the
-/// common surface across.
-enum class SurfaceForm { planar, curved };
+/// Where the elements of the model halfspace lie: in the tangent plane, along the arc of the common
+/// surface across, or as the spread of the contact's normals asks for.
+enum class SurfaceForm { automatic, planar, curved };
 
 struct HalfspaceCase {
-  SurfaceForm surface = SurfaceForm::planar;
+  SurfaceForm surface = SurfaceForm::automatic;
 };
 
 struct StripCase {

@@ -9,9 +9,12 @@ SectionWithKeys halfspace_section() {
           "`planar` takes the contact in the tangent plane of the contact point; `curved` follows "
           "the common surface of wheel and rail across: distance and forces along local normals, "
           "slip of the local rolling radius. For steady or frictionless rolling of like "
-          "materials.")
-      .into(&HalfspaceCase::surface,
-            {{"planar", SurfaceForm::planar}, {"curved", SurfaceForm::curved}});
+          "materials. `auto` is the plane, but where the normals of a contact of true profiles "
+          "spread by more than 0.03 rad the surface follows them, all the way from 0.06 rad on "
+          "(docs/track.md); without stresses below the surface.")
+      .into(&HalfspaceCase::surface, {{"auto", SurfaceForm::automatic},
+                                      {"planar", SurfaceForm::planar},
+                                      {"curved", SurfaceForm::curved}});
   return keys;
 }
 

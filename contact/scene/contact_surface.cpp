@@ -99,15 +99,19 @@ double stretch_of(double climb) {
 }
 
 double ContactSurface::climb(double y) const {
-  if (profiles) return 0.5 * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);
-  return 0.5 * (profile_drop(wheel_transverse_radius, y).slope -
-                profile_drop(rail_transverse_radius, y).slope);
+  if (profiles)
+    return 0.5 * follows * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);
+  return 0.5 * follows *
+         (profile_drop(wheel_transverse_radius, y).slope -
+          profile_drop(rail_transverse_radius, y).slope);
 }
 
 double ContactSurface::height(double y) const {
-  if (profiles) return 0.5 * (profiles->wheel().at(y).value + profiles->rail().at(y).value);
-  return 0.5 * (profile_drop(wheel_transverse_radius, y).value -
-                profile_drop(rail_transverse_radius, y).value);
+  if (profiles)
+    return 0.5 * follows * (profiles->wheel().at(y).value + profiles->rail().at(y).value);
+  return 0.5 * follows *
+         (profile_drop(wheel_transverse_radius, y).value -
+          profile_drop(rail_transverse_radius, y).value);
 }
 
 double ContactSurface::local_rolling_radius(double y) const {

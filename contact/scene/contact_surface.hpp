@@ -20,6 +20,9 @@ struct ContactSurface {
   double rail_transverse_radius = infinity;   ///< mm, > 0 convex
   /// True profiles: the transverse radii then say nothing.
   std::shared_ptr<const PatchGeometry> profiles = nullptr;
+  /// How far the surface follows the mean of both profiles, whose heights and slopes it has times
+  /// this: 1 all the way, 0 is the plane z = 0. Distances stay those of the bodies themselves.
+  double follows = 1.0;
 
   /// Of true profiles.
   static ContactSurface of(std::shared_ptr<const PatchGeometry> patch);

@@ -90,6 +90,10 @@ struct ContactPlace {
   double contact_angle = 0.0;   ///< rad, of the contact's plane against the track plane, positive
                                 ///< where it falls towards the middle of the track
   double rolling_radius = 0.0;  ///< mm, of the contact point
+  double x_track = 0.0;         ///< mm, ahead of the axle's middle
+  /// mm along the common surface of wheel and rail across, outward; only differences between
+  /// contacts of one wheel say something.
+  double way_across = 0.0;
   double separation = 0.0;      ///< mm, distance at first contact (0: touches; > 0: near miss)
   double vertical_force = 0.0;  ///< N, of this patch with friction, 0: not known
   /// "left, position 3, patch 1 of 2"; empty parts left out.

@@ -44,7 +44,7 @@ Scene::Scene(const Case& input)
       leading_edge(input.rolling.leading_edge),
       contact_grid(input.contact_grid),
       accuracy{input.accuracy, input.accuracy_of},
-      surface_form(input.halfspace.surface),
+      follows_surface(input.halfspace.surface == SurfaceForm::curved ? 1.0 : 0.0),
       fastsim(input.fastsim),
       strip(input.strip),
       carter(input.carter),

@@ -36,6 +36,13 @@ struct LoadPoint {
   double step_length = 0.0;         ///< mm rolled in this step, Problem::transient
 };
 
+/// A point load of another contact of the same wheel, on the wheel, where it is on the grid of this
+/// one: the surface of both is rolled out flat.
+struct LoadBeside {
+  double x = 0.0, y = 0.0;                                 ///< mm
+  double longitudinal = 0.0, lateral = 0.0, normal = 0.0;  ///< N
+};
+
 /// A body as the models need it beside its surface.
 struct SceneBody {
   Material material;
@@ -50,7 +57,9 @@ struct Scene {
   std::string file;  ///< case file, for messages
   Geometry geometry;
   std::optional<ContactPlace> place;  ///< on the track; with true profiles
-  double rail_inclination = 0.0;      ///< as a tangent; with true profiles
+  /// What presses on the half-space beside this contact, the same at every load point.
+  std::vector<LoadBeside> beside;
+  double rail_inclination = 0.0;  ///< as a tangent; with true profiles
   SceneBody wheel;
   SceneBody rail;
   CombinedMaterial material;
@@ -64,7 +73,9 @@ struct Scene {
   GridOptions contact_grid;
   AccuracyRequest accuracy;
   // What single models are asked for.
-  SurfaceForm surface_form = SurfaceForm::planar;
+  /// How far the half-space's surface follows that of wheel and rail (ContactSurface::follows): as
+  /// the case asks for, or as the normals of a placed contact do.
+  double follows_surface = 0.0;
   FastsimOptions fastsim;
   StripCase strip;
   CarterCase carter;

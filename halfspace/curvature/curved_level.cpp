@@ -1,6 +1,7 @@
 #include "halfspace/curvature/curved_level.hpp"
 
 #include "halfspace/curvature/curved_compliance.hpp"
+#include "halfspace/model/beside.hpp"
 #include "halfspace/model/force_search.hpp"
 #include "halfspace/model/level.hpp"
 
@@ -25,6 +26,12 @@ class CurvedElasticity : public contact::Elasticity {
   Eigen::Vector2d shift_stiffness(const contact::PatchSize& patch) const override {
     return halfspace::shift_stiffness(patch, scene_.material);
   }
+  contact::Field extra_distance() const override {
+    return displacement_beside(scene_.beside, scene_.material, standin_.grid());
+  }
+  contact::TangentialField extra_slip() const override {
+    return slip_beside(scene_.beside, scene_.material, standin_.grid());
+  }
 
  private:
   const contact::Scene& scene_;
@@ -39,7 +46,7 @@ std::optional<contact::LevelResult> solve_curved_level(const contact::Scene& sce
                                                        const contact::ContactGrid& grid,
                                                        const std::string& stage_prefix,
                                                        const contact::Progress& progress) {
-  const contact::ChartedGeometry geometry(scene.geometry, halfspace_chart(scene));
+  const contact::ChartedGeometry geometry = halfspace_geometry(scene);
   contact::RunOptions options;
   options.model = "halfspace";
   options.stage_prefix = stage_prefix;

@@ -11,7 +11,7 @@ namespace {
 contact::Scene on_common_surface(contact::Scene scene) {
   scene.subsurface.clear();
   scene.output.stress_maxima = false;
-  if (!scene.given_pressure) scene.surface_form = contact::SurfaceForm::curved;
+  if (!scene.given_pressure) scene.follows_surface = 1.0;
   return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
+#include "halfspace/model/beside.hpp"
 #include "halfspace/model/patch_ridge.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +48,8 @@ std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
     const double climb = geometry.climb(y);
     const double opening =
         geometry.undeformed_distance(place)[0] +
-        displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus);
+        displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus) +
+        displacement_beside(scene.beside, scene.material, x, y);
     // The bodies approach along the load, of which the plane knows the part along z.
     const double along_normal =
         geometry.curved()

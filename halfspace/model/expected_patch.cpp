@@ -26,7 +26,6 @@ namespace {
 
 /// Elements across the box of a search, and across the patch that it must find at least.
 constexpr int elements_of_box = 30;
-constexpr int elements_of_law = 50;
 constexpr int fewest_across_patch = 20;
 /// Elements over what carries load in the last solution, on a lattice that moves with the origin:
 /// as many as keep it steady where several waves of a rough profile carry the load.
@@ -298,28 +297,6 @@ ExpectedPatch expected_patch(const Scene& scene, int elements) {
   patch.carrying_length = patch.length();
   patch.carrying_width = patch.width();
   return patch;
-}
-
-ForceLaw::ForceLaw(const Scene& scene, double largest_approach) {
-  const auto regions = Ridge(*scene.geometry.surface.profiles).regions(largest_approach);
-  if (regions.empty()) return;
-  const Box box = box_of(regions);
-  const auto [nx, ny] = counts(box, gaps_between(regions), 1, elements_of_law);
-  const double dx = (box.x_upper - box.x_lower) / nx, dy = (box.y_upper - box.y_lower) / ny;
-  const ContactGrid grid{nx, ny, dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy};
-  compliance_ = std::make_unique<HalfspaceCompliance>(grid, scene.material.uncoupled());
-  distance_ =
-      contact::ChartedGeometry(scene.geometry, contact::Chart::plane).undeformed_distance(grid);
-}
-
-double ForceLaw::normal_force(double approach) {
-  if (!compliance_ || !(approach > distance_.minCoeff())) return 0.0;
-  contact::NormalOptions options;
-  options.tolerance = 1e-6;
-  const contact::NormalSolution solution =
-      contact::solve_normal(compliance_->normal(), {distance_, {}, approach}, options, pressure_);
-  pressure_ = solution.pressure;
-  return solution.normal_force;
 }
 
 void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {

@@ -3,10 +3,8 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
-#include "contact/solve/compliance.hpp"
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -48,21 +46,5 @@ ExpectedPatch expected_patch(const contact::Scene& scene, int elements = 0);
 /// Throws contact::InputError "profile too short for the contact" when one of the profiles of the
 /// patch ends between y_lower and y_upper, mm.
 void check_profiles_reach(const contact::Scene& scene, double y_lower, double y_upper);
-
-/// Normal force over approach, without friction, of a scene with profiles on one grid that holds
-/// every patch up to a largest approach: one continuous function, good to some 0.5 % there and less
-/// at a small part of it.
-class ForceLaw {
- public:
-  /// Throws as expected_patch does. `largest_approach` in mm along z.
-  ForceLaw(const contact::Scene& scene, double largest_approach);
-  /// N; 0 at an approach at which nothing touches.
-  double normal_force(double approach);
-
- private:
-  std::unique_ptr<const contact::SolvableCompliance> compliance_;
-  contact::Field distance_;
-  contact::Field pressure_;  ///< of the last approach
-};
 
 }  // namespace rollfem::halfspace

@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/model/beside.hpp"
 #include "halfspace/model/coverage.hpp"
 #include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/force_search.hpp"
@@ -26,7 +27,7 @@ using contact::Scene;
 namespace {
 
 /// Elements kept free around the patch; second-order upwind looks two columns upstream.
-constexpr int margin = 3;
+constexpr int free_elements = 3;
 
 ContactGrid with_margin(const ContactGrid& grid, int columns, int rows) {
   return {grid.nx + 2 * columns,
@@ -62,7 +63,7 @@ ContactGrid grid_of_all_patches(const Scene& scene, const contact::ChartedGeomet
     const auto rows = [&](double way) {
       return contact::count_of(std::ceil(way / grid.dy),
                                "rows up to the next patch (contact_grid)") +
-             margin;
+             free_elements;
     };
     if ((*beyond)[0] < grid.y_first) below = std::max(below, rows(grid.y_first - (*beyond)[0]));
     const double last = grid.y(grid.ny - 1);
@@ -95,6 +96,12 @@ class HalfspaceElasticity : public contact::Elasticity {
   }
   Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
     return halfspace::shift_stiffness(patch, scene_.material);
+  }
+  contact::Field extra_distance() const override {
+    return displacement_beside(scene_.beside, scene_.material, whole_->grid());
+  }
+  contact::TangentialField extra_slip() const override {
+    return slip_beside(scene_.beside, scene_.material, whole_->grid());
   }
   void check_patch(const PatchSize& patch) const override {
     check_profiles_reach(scene_, geometry_.lateral_place(patch.y_lower),
@@ -164,23 +171,26 @@ std::unique_ptr<contact::Elasticity> halfspace_elasticity(const Scene& scene,
   return std::make_unique<HalfspaceElasticity>(scene, geometry, grid);
 }
 
-contact::Chart halfspace_chart(const Scene& scene) {
-  if (scene.surface_form == contact::SurfaceForm::planar) return contact::Chart::plane;
+contact::ChartedGeometry halfspace_geometry(const Scene& scene) {
+  if (!(scene.follows_surface > 0.0)) return {scene.geometry, contact::Chart::plane};
   check_curved(scene);
-  return contact::Chart::arc;
+  contact::Geometry geometry = scene.geometry;
+  geometry.surface.follows = scene.follows_surface;
+  return {std::move(geometry), contact::Chart::arc};
 }
 
 contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, double dx, double dy,
                                  const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,
                                  contact::Checkpoint* checkpoint) {
-  const contact::ChartedGeometry geometry(scene.geometry, halfspace_chart(scene));
+  const contact::ChartedGeometry geometry = halfspace_geometry(scene);
   contact::RunOptions options;
   options.model = "halfspace";
   options.stage_prefix = stage_prefix;
   options.force_accuracy = accuracy_of_force_search;
   options.coarser = coarser;
-  ContactGrid grid = with_margin(area.grid(dx, dy, margin), columns_for_steps(scene, area, dx), 0);
+  ContactGrid grid =
+      with_margin(area.grid(dx, dy, free_elements), columns_for_steps(scene, area, dx), 0);
   constexpr int most_enlargements = 4;
   for (int attempt = 0;; ++attempt) {
     std::optional<GridStore> store;
@@ -202,7 +212,7 @@ contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, do
           "tell; "
           "do: prescribe a larger contact_grid.extent",
           grid.nx, grid.ny));
-    grid = with_margin(grid, grid.nx / 4 + margin, grid.ny / 4 + margin);
+    grid = with_margin(grid, grid.nx / 4 + free_elements, grid.ny / 4 + free_elements);
   }
 }
 

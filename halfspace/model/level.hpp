@@ -19,8 +19,8 @@ std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& 
                                                           const contact::ChartedGeometry& geometry,
                                                           const contact::ContactGrid& grid);
 
-/// How the contact grid of the model lies on the scene.
-contact::Chart halfspace_chart(const contact::Scene& scene);
+/// The scene as the contact grid of the model lies on it.
+contact::ChartedGeometry halfspace_geometry(const contact::Scene& scene);
 
 /// Solves all load points with cells of dx by dy, on a larger grid when the patch reaches its
 /// border. `area`: of this scene. `coarser` may be null. `stage_prefix` stands before the stage

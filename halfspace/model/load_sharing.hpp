@@ -1,5 +1,5 @@
-// How several separate patches of one wheel share its load: the wheel sinks vertically by one way,
-// of which every patch feels the part along its own normal.
+// How several separate contacts of one wheel share its load: the wheel sinks vertically by one way,
+// of which every contact feels the part along its own normal, less what the others displace there.
 #pragma once
 
 #include "contact/scene/scene.hpp"
@@ -8,17 +8,31 @@
 
 namespace rollfem::halfspace {
 
-struct SharedLoad {
-  double sinking = 0.0;               ///< mm, vertical, from first contact of the wheel
-  std::vector<double> normal_forces;  ///< N, one for each scene, 0 where it does not touch
+/// What one contact carries of it, without friction.
+struct Share {
+  double normal_force = 0.0;   ///< N, along z of the patch; 0 where it does not touch
+  double lateral_force = 0.0;  ///< N, of the pressure along y: not 0 on a curved surface
+  /// The loads of each of the other contacts, without friction, as Scene::beside has them; by the
+  /// index of the scene, its own none.
+  std::vector<std::vector<contact::LoadBeside>> beside;
 };
 
-/// Normal forces N_i with sum N_i cos(delta_i) = vertical_force (N), at the approaches
-/// w cos(delta_i) - separation_i of one sinking w. `scenes`: patches with a `place`, of
-/// which contact angle and separation (along the normal) are taken; their loads are not read.
-/// Friction and the elastic influence of one scene on another are left out. Forces at an approach
-/// are those of ForceLaw. Throws contact::SolveError when no sinking carries the load,
-/// contact::InputError for a scene without profiles or place or a force that is not positive.
+struct SharedLoad {
+  double sinking = 0.0;       ///< mm, vertical, from first contact of the wheel
+  std::vector<Share> shares;  ///< one for each scene
+};
+
+/// Shares whose forces have the sum `vertical_force` (N) along the vertical, at the approaches
+/// w cos(delta_i) - separation_i of one sinking w. `scenes`: patches with a `place`, of which
+/// contact angle, separation (along the normal) and place on the surface are taken; neither their
+/// loads nor their loads beside are read. Contacts act on each other through the half-space as the
+/// patches of one contact do, at the distance along the common surface. Friction is left out.
+/// Forces at an approach are those of ForceLaw. Throws contact::SolveError when no sinking carries
+/// the load, contact::InputError for a scene without profiles or place or a force that is not
+/// positive.
 SharedLoad share_load(const std::vector<contact::Scene>& scenes, double vertical_force);
+
+/// The same at a given sinking, mm.
+SharedLoad load_at(const std::vector<contact::Scene>& scenes, double sinking);
 
 }  // namespace rollfem::halfspace

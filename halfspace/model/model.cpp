@@ -167,12 +167,19 @@ void add_notes(const Scene& scene, ModelResult& result) {
       "error estimates: 1.5 times the change between this grid and one of twice the cells, divided "
       "by 3 for pressure, force and approach (order 2), by 1 for the rest (order 1); for the "
       "forces of partial slip at least 0.15 over the number of elements across");
-  if (scene.surface_form == contact::SurfaceForm::curved)
+  if (scene.follows_surface > 0.0 && scene.follows_surface < 1.0)
+    result.notes.push_back(fmt::format(
+        "the normals of this contact spread too much for one plane and little for a curved "
+        "surface: it lies on a surface between both, with {:.2f} of the slopes of the common "
+        "surface",
+        scene.follows_surface));
+  if (scene.follows_surface > 0.0)
     result.notes.push_back(
-        "curved contact: y of the contact grid and contact_width are arc lengths along the common "
-        "surface, tractions along its local tangents and normal, forces along x, y, z; compliance "
-        "of the surface rolled out flat; normal_force holds the part of the tangential tractions "
-        "along z, which the given force leaves out");
+        "curved contact, as halfspace.surface or the spread of the normals asks for: y of the "
+        "contact grid and contact_width are arc lengths along the common surface, tractions along "
+        "its local tangents and normal, forces along x, y, z; compliance of the surface rolled out "
+        "flat; normal_force holds the part of the tangential tractions along z, which the given "
+        "force leaves out");
   const double difference = scene.material.difference;
   if (std::abs(difference) > 1e-12)
     result.notes.push_back(fmt::format(

@@ -136,7 +136,7 @@ Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double si
   // The overlap of depth d is as long as sqrt(d), which makes d^2.5 along y.
   constexpr int cells = 800;
   const double dy = (reach[1] - reach[0]) / cells;
-  double weights = 0.0, places = 0.0, slopes = 0.0;
+  double weights = 0.0, places = 0.0, slopes = 0.0, angles = 0.0, squares = 0.0;
   for (int k = 0; k < cells; ++k) {
     const double y = reach[0] + (k + 0.5) * dy;
     const contact::CurveValue here = gap.at(y);
@@ -145,9 +145,14 @@ Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double si
     const double weight = depth * depth * std::sqrt(depth);
     weights += weight;
     places += weight * y;
-    slopes += weight * (gap.rail().at(y).slope - 0.5 * here.slope);
+    const double slope = gap.rail().at(y).slope - 0.5 * here.slope;
+    slopes += weight * slope;
+    angles += weight * std::atan(slope);
+    squares += weight * std::pow(std::atan(slope), 2);
   }
-  return weights > 0.0 ? Reference{places / weights, slopes / weights} : lowest;
+  if (!(weights > 0.0)) return lowest;
+  const double variance = squares / weights - std::pow(angles / weights, 2);
+  return {places / weights, slopes / weights, std::sqrt(std::max(0.0, variance))};
 }
 
 }  // namespace rollfem::meshes

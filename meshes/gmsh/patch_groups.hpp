@@ -43,6 +43,7 @@ std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, d
 struct Reference {
   double y = 0.0;
   double slope = 0.0;
+  double spread = 0.0;  ///< rad, standard deviation of the normals from that of the plane
 };
 
 /// Mean place of the overlap at a sinking and mean slope of the common surface there, which lies

@@ -177,7 +177,7 @@ class WheelSearch {
   WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
                             bool neighbour_outside, double offset) const {
     const GapMinimum& first = group.stretch.deepest;
-    auto [y, slope] = reference_of(gap_, group.stretch, sinking);
+    auto [y, slope, spread] = reference_of(gap_, group.stretch, sinking);
     if (offset != 0.0) {
       y += offset;
       slope = gap_.rail().at(y).slope - 0.5 * gap_.at(y).slope;
@@ -188,6 +188,7 @@ class WheelSearch {
     const OutlinePoint touch = gap_.wheel().at(y);
     WheelRailContact contact;
     contact.pose = pose_;
+    contact.spread_of_normals = spread;
     contact.approach = std::max(0.0, approach_of(group.stretch, sinking));
     contact.normal_force = estimate_force(gap_, group.stretch, contact.approach, modulus_);
     fill_place(contact.place, group.stretch, axes, touch);
@@ -224,7 +225,24 @@ class WheelSearch {
     place.y_wheel = touch.profile_y;
     place.contact_angle = std::atan2(axes.sine, axes.cosine);
     place.rolling_radius = touch.radius;
+    place.x_track = touch.x;
+    place.way_across = way_across(axes.y0);
     place.separation = stretch.deepest.gap * axes.cosine;
+  }
+
+  /// Length of the common surface outward to y, mm, from the middle of what is known of it.
+  double way_across(double y) const {
+    constexpr double step = 0.05;  // mm
+    const double start = 0.5 * (gap_.first() + gap_.last());
+    const int pieces = 1 + static_cast<int>(std::abs(y - start) / step);
+    const double dy = (y - start) / pieces;
+    double way = 0.0;
+    for (int k = 0; k < pieces; ++k) {
+      const double at = start + (k + 0.5) * dy;
+      const double slope = gap_.rail().at(at).slope - 0.5 * gap_.at(at).slope;
+      way += dy * std::sqrt(1.0 + slope * slope);
+    }
+    return way;
   }
 
   void fill_frames(WheelRailContact& contact, const PatchAxes& axes,

@@ -35,6 +35,9 @@ struct WheelRailContact {
   std::array<double, 2> reach{};
   /// y of the patch frame beyond which another contact begins; infinite where there is none.
   std::array<double, 2> limits{};
+  /// How much the normals of the common surface differ over the overlap: their standard deviation,
+  /// rad, with the weights of the reference.
+  double spread_of_normals = 0.0;
   /// Lowest points within the overlap: y of the patch frame, separation along the normal.
   std::vector<std::array<double, 2>> touching;
 };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -50,11 +51,30 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
   return {load.normal_force, {}};
 }
 
+/// Normals that differ by less (rad, standard deviation) are those of a plane: forces are within
+/// 0.3 % of the load of those on the surface. From twice that on they are all their own.
+constexpr double spread_on_plane = 0.03;
+
+/// How far the surface of a half-space follows that of the bodies: from the plane to the surface as
+/// the spread of the normals grows, so that forces change steadily from one to the other. Stresses
+/// below the surface are those of a plane half-space.
+double follows_surface(const PlacedScene& placed) {
+  const contact::Scene& scene = placed.scene;
+  if (!scene.geometry.has_surfaces() || scene.given_pressure || !scene.subsurface.empty() ||
+      scene.output.stress_maxima.value_or(false))
+    return 0.0;
+  const double part =
+      std::clamp(placed.contact.spread_of_normals / spread_on_plane - 1.0, 0.0, 1.0);
+  return part * part * (3.0 - 2.0 * part);
+}
+
 PlacedScene make_scene(const Case& input, WheelRailContact contact) {
   PlacedScene placed{contact::Scene(input), std::move(contact)};
   const auto patch = std::make_shared<const contact::PatchGeometry>(placed.contact.geometry);
   placed.scene.geometry.surface = contact::ContactSurface::of(patch);
   placed.scene.place = placed.contact.place;
+  if (input.halfspace.surface == contact::SurfaceForm::automatic)
+    placed.scene.follows_surface = follows_surface(placed);
   for (std::size_t k = 0; k < placed.scene.points.size(); ++k) {
     const bool by_step =
         k < input.history.size() && (input.history[k].normal_force || input.history[k].approach);

@@ -1,8 +1,11 @@
 // Wheels of tangent arcs that touch their rails at two places: on a hollow tread, whose rims lie in
-// nearly one plane, and at tread and flange, whose normals differ by 67 degrees.
+// nearly one plane, at tread and flange, whose normals differ by 67 degrees, and at tread and root,
+// whose normals differ by 20.
 #pragma once
 
 #include "contact/case/case.hpp"
+
+#include <cmath>
 
 namespace rollfem::testing {
 
@@ -46,6 +49,19 @@ inline contact::Case steep_flange(double lateral_shift) {
   input.track.inclination = 1.0 / 40.0;
   input.wheelset.lateral_shift = {lateral_shift};
   input.wheelset.roll = {0.0};
+  return input;
+}
+
+/// The same, 80 kN, with a root of radius 37 mm and a flange of 60 degrees. At a shift of -13.9 mm
+/// it touches at the tread and in the root, whose normals are 0.35 rad apart.
+inline contact::Case shallow_root(double lateral_shift) {
+  contact::Case input = steep_flange(lateral_shift);
+  input.file = "shallow root";
+  input.load.vertical_force = 80e3;
+  constexpr double tread_end = -26.0, radius = 37.0, flange = 1.0471975511965976;
+  const double root_end = tread_end - radius * (std::sin(flange) - std::sin(std::atan(0.05)));
+  input.wheel.profile.radii = {12.0, contact::infinity, -radius, contact::infinity};
+  input.wheel.profile.ends = {root_end - 18.0, root_end - 3.0, root_end, tread_end, 60.0};
   return input;
 }
 

@@ -48,7 +48,7 @@ class Disguised : public contact::Elasticity {
 /// `standin`: constants of the half-space that preconditions over the true ones; 0: the half-space
 /// is solved with directly.
 contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, double standin) {
-  const contact::ChartedGeometry geometry(scene.geometry, halfspace::halfspace_chart(scene));
+  const contact::ChartedGeometry geometry = halfspace::halfspace_geometry(scene);
   contact::RunOptions options;
   options.accuracy = {1e-9, 1e-8, 100, 5};
   options.force_accuracy = options.accuracy;
