@@ -12,6 +12,17 @@ class Owned(Exception):
     """Another process is at work on the folder; says which."""
 
 
+def _owner_of(file):
+    """What the owner says of itself; it may be about to write it."""
+    for _ in range(10):
+        file.seek(0)
+        text = file.read()
+        if text.startswith(_HEAD) and text.endswith("\n") and text != _HEAD:
+            return text.removeprefix(_HEAD).strip()
+        time.sleep(0.05)
+    return "a process that does not say which"
+
+
 @contextlib.contextmanager
 def owner(folder, command):
     """Holds DIR.lock. The lock ends with its process; a file that a killed one left is taken over."""
@@ -22,9 +33,7 @@ def owner(folder, command):
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            file.seek(0)
-            who = file.read().removeprefix(_HEAD).strip() or "a process that does not say which"
-            raise Owned(f"another run is at work on {folder}: {who}; do: wait for it, or name other "
+            raise Owned(f"another run is at work on {folder}: {_owner_of(file)}; do: wait for it, or name other "
                         "folders with -o and --results") from None
         # Its owner may have removed the file in between.
         with contextlib.suppress(FileNotFoundError):

@@ -1,8 +1,10 @@
 """Runs of the program and of its tests, for the chapters; kept, so that a second call takes them up."""
+import ctypes
 import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import time
 
@@ -63,6 +65,11 @@ def _write(path, text):
         file.write(text)
 
 
+def _end_with_the_book():
+    """In a child: it does not outlive a book that is killed, whose next call would find the result taken."""
+    ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG
+
+
 def _remove(path):
     if os.path.isdir(path):
         shutil.rmtree(path)
@@ -102,7 +109,8 @@ class Bench:
         """Runs a command in the source folder; checks that it ended well and made what it should."""
         begin = time.time()
         done = subprocess.run(command, cwd=self.root, capture_output=True, text=True, check=False,
-                              env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+                              env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                              preexec_fn=_end_with_the_book)
         if done.returncode != 0:
             last = (done.stderr or done.stdout).strip().split("\n")[-1]
             raise RunFailed(f"{name}: {' '.join(command)} ended with {done.returncode}: {last}")

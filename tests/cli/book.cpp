@@ -1,7 +1,7 @@
 // The verification book: what `./rollfem book` calls once the program is built.
 #include <nlohmann/json.hpp>
 
-#include "support/program.hpp"
+#include "support/resume.hpp"
 #include <cmath>
 
 namespace {
@@ -9,24 +9,36 @@ namespace {
 using rollfem::testing::contents;
 using rollfem::testing::execute;
 using rollfem::testing::Folder;
+using rollfem::testing::kill_when;
 using rollfem::testing::Outcome;
 
 const std::string source = ROLLFEM_SOURCE_DIR;
 const std::string build =
     std::filesystem::path(ROLLFEM_PROGRAM).parent_path().parent_path().string();
 
-/// Calls the book in the folder with results and output of its own; `script` runs before its main.
-Outcome book(const Folder& folder, std::vector<std::string> options,
-             const std::string& script = "") {
+/// The call of the book with results and output in the folder where it is started; `script` runs
+/// before its main.
+std::vector<std::string> book_call(const std::vector<std::string>& options,
+                                   const std::string& script) {
   const std::string code = "import sys; from book import published\n" + script +
                            "\nfrom book.__main__ import main; sys.exit(main())";
-  std::vector<std::string> call{
-      "/usr/bin/python3", "-c",      code, "--root", source, "--build", build,
-      "--results",        "results", "-o", "out"};
+  std::vector<std::string> call{"/usr/bin/env",
+                                "PYTHONPATH=" + source + "/benchmarks:" + source + "/postprocess",
+                                "PYTHONDONTWRITEBYTECODE=1",
+                                "/usr/bin/python3",
+                                "-c",
+                                code,
+                                "--root=" + source,
+                                "--build=" + build,
+                                "--results=results",
+                                "--output=out"};
   call.insert(call.end(), options.begin(), options.end());
-  return execute(folder, call,
-                 {"PYTHONPATH=" + source + "/benchmarks:" + source + "/postprocess",
-                  "PYTHONDONTWRITEBYTECODE=1"});
+  return call;
+}
+
+Outcome book(const Folder& folder, const std::vector<std::string>& options,
+             const std::string& script = "") {
+  return execute(folder, book_call(options, script));
 }
 
 TEST(Book, HoldsClosedFormNumberReachedAndTestOfEveryChapterAskedFor) {
@@ -71,6 +83,36 @@ TEST(Book, TakesUpRunsOfTheSameProgramAndCase) {
   // A result that was cut short is not taken for one.
   std::filesystem::remove(folder.work() / "results/fastsim.stamp");
   EXPECT_EQ(book(folder, {"--only", "fastsim"}).out.find("kept"), std::string::npos);
+}
+
+/// Makes the book's first chapter one run on a grid of so many elements.
+std::string chapter_of(int elements) {
+  return "from book import chapters\ndef one(bench):\n  bench.run('one', 'cases/thesis_a.toml', "
+         "['halfspace'], {'contact_grid.elements_across': " +
+         std::to_string(elements) + "})\n  return chapters.fastsim(bench)\nchapters.ALL[0] = one\n";
+}
+
+TEST(Book, HasOneOwnerWhoseRunsEndWithIt) {
+  const Folder folder;
+  Outcome second;
+  bool at_work = false;
+  const auto killed = kill_when(folder, book_call({"--only", "one"}, chapter_of(400)), [&] {
+    if (contents(folder.work() / "results/one.lock").empty()) return false;
+    second = book(folder, {"--only", "fastsim"});
+    at_work = std::filesystem::exists(folder.work() / "results/one.lock");
+    return true;
+  });
+  ASSERT_TRUE(killed.killed) << killed.err;
+  EXPECT_TRUE(at_work) << "the second waited for the first";
+  EXPECT_EQ(second.status, 2) << second.err;
+  for (const char* part : {"error: another run is at work on ", "out: process ", ", started 20",
+                           "--only one; do: wait for it"})
+    EXPECT_NE(second.err.find(part), std::string::npos) << second.err;
+  // The book was killed, and with it the run that it had called: its folder can be had.
+  const Outcome third = book(folder, {"--only", "one"}, chapter_of(10));
+  EXPECT_EQ(third.status, 0) << third.err;
+  for (const char* lock : {"out.lock", "results.lock", "results/one.lock"})
+    EXPECT_FALSE(std::filesystem::exists(folder.work() / lock)) << lock;
 }
 
 TEST(Book, SaysWhatIsWrongWithACall) {
