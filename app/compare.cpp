@@ -7,6 +7,7 @@
 #include "contact/case/case_reader.hpp"
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/read/results_reader.hpp"
+#include "postprocess/write/checkpoint_folder.hpp"
 #include "postprocess/write/result_folder.hpp"
 #include "postprocess/write/seal.hpp"
 
@@ -162,6 +163,7 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, Solving how) {
   compared.case_file = task.input.file;
   compared.friction = task.input.friction_coefficient;
   if (task.done) {
+    if (how.first) postprocess::remove_records(task.folder.string());
     compared.summary = contents(task.folder / "summary.json");
     compared.missing = task.missing;
     return compared;

@@ -95,6 +95,12 @@ std::string line_of(const std::string& text, const std::string& name) {
   return text.substr(value, text.find('\n', value) - value);
 }
 
+fs::path folder_of_records(const std::string& result_directory) {
+  fs::path results = fs::absolute(result_directory).lexically_normal();
+  if (!results.has_filename()) results = results.parent_path();
+  return results.string() + ".unfinished";
+}
+
 /// Removes what is ours, last of all the file that says what the records are of: when a kill comes
 /// between, what is left can still be told.
 void empty(const fs::path& folder, std::error_code& error) {
@@ -109,15 +115,20 @@ void empty(const fs::path& folder, std::error_code& error) {
   if (!error) fs::remove(folder / about_name, error);
 }
 
+void remove_folder(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  empty(folder, error);
+  fs::remove(folder, error);  // stays when someone put a file there
+}
+
 }  // namespace
 
 CheckpointFolder::CheckpointFolder(const std::string& result_directory, const contact::Case& input,
                                    const std::string& program, bool resume,
                                    std::function<void(const std::string&)> warn)
     : resume_(resume), warn_(std::move(warn)) {
-  fs::path results = fs::absolute(result_directory).lexically_normal();
-  if (!results.has_filename()) results = results.parent_path();
-  folder_ = results.string() + ".unfinished";
+  folder_ = folder_of_records(result_directory);
   about_ = fmt::format(
       "Load points of an unfinished run of rollfem. The same command with --resume takes them up; "
       "without it they are replaced. The folder may be deleted.\n"
@@ -241,10 +252,11 @@ void CheckpointFolder::drop(const std::string& begin) {
 void CheckpointFolder::remove() {
   held_back_.clear();
   failed_ = true;
-  std::error_code error;
-  if (!fs::exists(folder_, error)) return;
-  empty(folder_, error);
-  fs::remove(folder_, error);  // stays when someone put a file there
+  remove_folder(folder_);
+}
+
+void remove_records(const std::string& result_directory) {
+  remove_folder(folder_of_records(result_directory));
 }
 
 }  // namespace rollfem::postprocess

@@ -63,4 +63,8 @@ class CheckpointFolder : public contact::Checkpoint {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Removes the records beside a result that stands: a kill came when it was written and they had
+/// not gone yet.
+void remove_records(const std::string& result_directory);
+
 }  // namespace rollfem::postprocess

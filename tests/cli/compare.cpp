@@ -147,12 +147,15 @@ TEST(Compare, ResumeKeepsWhatIsDone) {
   first.insert(first.end(), models.begin(), models.end());
   ASSERT_EQ(call(folder, first).status, 0);
   const auto before = fs::last_write_time(folder.work() / "out" / "one" / "results.h5");
+  // What a kill leaves that comes when the result is written and its records have not gone yet.
+  folder.file("work/out/one.unfinished/halfspace-0001.point", "record");
   std::vector<std::string> second{"compare", one, two, "--resume"};
   second.insert(second.end(), models.begin(), models.end());
   const Outcome outcome = call(folder, second);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("compare: one was done before"), std::string::npos) << outcome.err;
   EXPECT_EQ(fs::last_write_time(folder.work() / "out" / "one" / "results.h5"), before);
+  EXPECT_FALSE(fs::exists(folder.work() / "out" / "one.unfinished"));
   EXPECT_EQ(read(folder.work() / "out" / "compare.json").at("cases").size(), 2U);
 }
 
