@@ -6,11 +6,13 @@
 
 damage: meshes (rollfem mesh; needs finite elements), results (stress, figures), records (run --resume).
 Wrong is a signal, more than 5 s of CPU time, "internal error", a status other than 0, 1, 2, and a damaged result or
-record that is used. kill: run, compare or study, ended by SIGKILL at random moments; wrong is a result
-after --resume that is not the same to the last bit but for times, the call and its checksum.
+record that is used. kill: run, compare, study or book, ended by SIGKILL at random moments, with its children or alone; wrong is
+a result after --resume (of the book: the same call) that is not the same to the last bit but for times, the call and
+its checksum.
 Every file and moment follows from --seed. Status 1 when anything went wrong; what did is kept in --folder."""
 import argparse
 import json
+import math
 import os
 import random
 import resource
@@ -47,7 +49,9 @@ elements_across = {across}
 cell_size = 1.88
 """
 NUMBERS = [b"-1", b"0", b"2147483648", b"-2147483649", b"4294967297", b"18446744073709551616", b"1e308", b"nan"]
-TIMES = {"seconds", "started", "command", "case_file", "checksum", "host"}
+TIMES = {"seconds", "started", "command", "case_file", "checksum", "host", "date", "time", "timestamp"}
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+CHAPTERS = ["hertz", "carter"]  # runs and a test, a second in all
 
 
 def damaged(data, chance):
@@ -83,10 +87,8 @@ def call(command, folder, limit=LIMIT):
     """(status, what was printed); status None beyond the limit, negative for a signal."""
     def bound():
         resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
-    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
-                   "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     try:
-        done = subprocess.run(command, cwd=folder, capture_output=True, check=False, env=environment,
+        done = subprocess.run(command, cwd=folder, capture_output=True, check=False,
                               timeout=max(limit, WAITING), preexec_fn=bound)
     except subprocess.TimeoutExpired:
         return None, ""
@@ -144,7 +146,7 @@ class Results:
         write(os.path.join(folder, "a.toml"), CASE.format(wheel="", across=20))
         call([program, "run", "a.toml", "-o", "r", "--no-report"], folder, 300)
         self.sound = read(os.path.join(folder, "r", "results.h5"))
-        self.source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "postprocess")
+        self.source = os.path.join(ROOT, "postprocess")
 
     def trial(self, chance):
         write(os.path.join(self.folder, "r", "results.h5"), damaged(self.sound, chance))
@@ -217,6 +219,20 @@ def fields(path):
     return found
 
 
+def lines(path):
+    """Those of a file but, of a page, what tells times."""
+    timed = ("Made by `", "| [", "Cost: ") if path.endswith(".md") else ()
+    text = read(path).decode("utf-8", "replace")
+    return [line for line in text.split("\n") if not any(sign in line for sign in timed)]
+
+
+def left_over(folder):
+    """What a finished call leaves neither in its result nor beside it."""
+    beside = [name for name in os.listdir(folder) if name.startswith("r.")]
+    return beside + [name for _, folders, names in os.walk(os.path.join(folder, "r")) for name in folders + names
+                     if name.endswith((".unfinished", ".lock", ".begun")) or ".partial-" in name]
+
+
 def differences(one, other):
     """Files of two result folders that differ in more than times."""
     found = []
@@ -233,8 +249,9 @@ def differences(one, other):
             elif name == "results.h5":
                 if fields(first) != fields(second):
                     found.append(second)
-            elif name.startswith("path_") and read(first) != read(second):
-                found.append(second)
+            elif name.startswith("path_") or name.endswith((".md", ".svg")):
+                if lines(first) != lines(second):
+                    found.append(second)
     return found
 
 
@@ -254,38 +271,95 @@ def damage(options, folder):
     return wrong
 
 
+class Command:
+    """A command of the program that is killed, and taken up with --resume."""
+
+    def __init__(self, options, folder):
+        write(os.path.join(folder, "a.toml"), CASE.format(wheel="", across=options.across))
+        write(os.path.join(folder, "b.toml"), CASE.format(wheel="", across=options.across - 2))
+        command = {"run": ["run", "a.toml"], "compare": ["compare", "a.toml", "b.toml", "-m", "hertz", "halfspace"],
+                   "study": ["study", "a.toml", "--levels", "4"]}[options.command]
+        self.command, self.again = [options.program, *command, "--no-report"], ["--resume"]
+
+    def into(self, name):
+        return [*self.command, "-o", name]
+
+    def took_up(self, said):
+        return "solutions of an earlier run" in said or "was done before" in said
+
+
+class Book:
+    """The verification book, whose same call takes runs up."""
+
+    def __init__(self, options, folder):
+        build = os.path.dirname(os.path.dirname(options.program))
+        os.environ["PYTHONPATH"] = os.pathsep.join(os.path.join(ROOT, name) for name in ("benchmarks", "postprocess"))
+        os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
+        self.command = ["/usr/bin/python3", "-m", "book", "--root", ROOT, "--build", build, "--only", *CHAPTERS]
+        self.again = []
+
+    def into(self, name):
+        return [*self.command, "--results", os.path.join(name, "results"), "-o", os.path.join(name, "book")]
+
+    def took_up(self, said):
+        return ": kept" in said
+
+
+def work_of(process):
+    """CPU time of a process, its children and those that it has waited for, s."""
+    try:
+        ticks = sum(int(field) for field in read(f"/proc/{process}/stat").rsplit(b")", 1)[1].split()[11:15])
+        children = read(f"/proc/{process}/task/{process}/children").split()
+    except OSError:
+        return 0.0
+    return ticks / os.sysconf("SC_CLK_TCK") + sum(work_of(int(child)) for child in children)
+
+
+def kill_at(command, folder, work, alone):
+    """Kills a call that has used so much CPU time, with its children as the end of a session does, or `alone`.
+    Returns the CPU time of the call where it ended before, else None."""
+    step = 0.01  # s, of the clock of CPU time
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          start_new_session=True) as child:
+        used = work_of(child.pid)
+        while used < work:
+            time.sleep(0.5 * step)
+            if os.waitid(os.P_PID, child.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT):
+                return work_of(child.pid)
+            used = work_of(child.pid)
+        time.sleep(work % step)
+        child.kill() if alone else os.killpg(child.pid, signal.SIGKILL)
+    return None
+
+
 def kill(options, folder):
-    write(os.path.join(folder, "a.toml"), CASE.format(wheel="", across=70))
-    write(os.path.join(folder, "b.toml"), CASE.format(wheel="", across=64))
-    command = {"run": ["run", "a.toml"], "compare": ["compare", "a.toml", "b.toml", "-m", "hertz", "halfspace"],
-               "study": ["study", "a.toml", "--levels", "4"]}[options.command]
-    command = [options.program, *command, "--no-report", "-o"]
-    begin = time.time()
-    status, said = call([*command, "whole"], folder, 600)
-    lasts = time.time() - begin
+    kind = (Book if options.command == "book" else Command)(options, folder)
+    status, said = call(kind.into("whole"), folder, 600)
     if status != 0:
         sys.exit(f"the sound call ended with {status}: {said}")
-    wrong, taken, ended = [], 0, 0
-    for number in range(options.count):
+    lasts = kill_at(kind.into("r"), folder, math.inf, False)
+    wrong, killed, taken, ended, number = [], 0, 0, 0, 0
+    while killed < options.count:
+        number += 1
         chance = random.Random(f"{options.seed} {number}")
         for name in os.listdir(folder):
             if name.startswith("r") and os.path.isdir(os.path.join(folder, name)):
                 shutil.rmtree(os.path.join(folder, name))
-        with subprocess.Popen([*command, "r"], cwd=folder, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL) as child:
-            try:
-                child.wait(chance.uniform(0.0, lasts))
-                ended += 1
-            except subprocess.TimeoutExpired:
-                child.kill()
-        status, said = call([*command, "r", "--resume"], folder, 600)
-        taken += "solutions of an earlier run" in said or "was done before" in said
+        if kill_at(kind.into("r"), folder, chance.uniform(0.0, lasts), chance.randrange(2)) is not None:
+            ended += 1
+            continue
+        killed += 1
+        status, said = call([*kind.into("r"), *kind.again], folder, 600)
+        taken += kind.took_up(said)
         text = fault(status, said, True) or ("" if status == 0 else f"status {status}")
         different = differences(os.path.join(folder, "whole"), os.path.join(folder, "r")) if not text else []
-        left = [n for n in os.listdir(folder) if n.startswith("r.")]
+        left = left_over(folder)
         if text or different or left:
             wrong.append(f"{options.command} {number}: {text} {different} {left} {said.strip()[-300:]}")
-    print(f"{options.count} kills of {options.command} ({lasts:.1f} s): {taken} took up work, {ended} had ended before")
+            print(wrong[-1], flush=True)
+        if killed % 10 == 0 or killed == options.count:
+            print(f"{killed} kills of {options.command} ({lasts:.2f} s of CPU time): {taken} took up work, {ended} calls had ended "
+                  f"before, {len(wrong)} wrong", flush=True)
     return wrong
 
 
@@ -294,12 +368,16 @@ def main():
     parser.add_argument("what", choices=["damage", "kill"])
     parser.add_argument("--program", required=True)
     parser.add_argument("--kind", choices=["meshes", "results", "records"], default="results")
-    parser.add_argument("--command", choices=["run", "compare", "study"], default="run")
+    parser.add_argument("--command", choices=["run", "compare", "study", "book"], default="run")
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", default="1")
+    parser.add_argument("--across", type=int, default=70, help="elements across of what is killed; work of the first "
+                        "half second is not kept")
     parser.add_argument("--folder", default="robustness_faults", help="what went wrong is kept there")
     options = parser.parse_args()
     options.program = os.path.abspath(options.program)
+    os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                      OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     with tempfile.TemporaryDirectory() as folder:
         wrong = damage(options, folder) if options.what == "damage" else kill(options, folder)
     for text in wrong:
