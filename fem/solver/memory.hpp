@@ -23,15 +23,6 @@ struct MemoryDemand {
 /// (tests/cli/fem_memory.cpp).
 double predicted_bytes(const MemoryDemand& demand);
 
-/// What this machine still has for this process: MemAvailable of /proc/meminfo, what a cgroup (v1
-/// or v2) leaves, or the environment variable ROLLFEM_MEMORY_GB (GB of 1e9 bytes) in place of both.
-/// Infinite when none can be read. Throws contact::InputError for a value that is not a number.
-double available_bytes();
-
-/// The same from given places, for tests: a folder that stands for /proc and one for
-/// /sys/fs/cgroup.
-double available_bytes(const std::string& proc, const std::string& cgroup);
-
 /// Throws contact::SolveError on every process when the processes of any machine need more than it
 /// has; the text has the figures and what to do. Collective.
 void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm communicator);

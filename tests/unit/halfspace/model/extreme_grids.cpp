@@ -9,6 +9,7 @@
 
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"
+#include <cstdlib>
 
 namespace {
 
@@ -30,6 +31,18 @@ TEST(ExtremeGrids, AreRefusedAtOnce) {
   for (const char* cells : {"cell_size = [1e-6, 1e6]", "cell_size = [1e6, 1e-6]",
                             "cell_size = [1e-6, 1e-6]", "cell_size = [0.001, 2.0]"})
     EXPECT_NE(refused(cells).find("contact_grid.cell_size"), std::string::npos) << cells;
+}
+
+TEST(ExtremeGrids, BeyondTheMemoryOfTheMachineAreRefusedAtOnce) {
+  const contact::Case input = contact::parse_case(
+      rollfem::testing::plus("[contact_grid]\nelements_across = 2000\n"), "case.toml");
+  setenv("ROLLFEM_MEMORY_GB", "5", 1);
+  const std::string text = rollfem::testing::refusal<contact::SolveError>(
+      [&] { halfspace::run_halfspace(contact::Scene(input), {}); });
+  unsetenv("ROLLFEM_MEMORY_GB");
+  // 1.5 kB for each of 4 million.
+  EXPECT_NE(text.find("needs about 6.03 GB and 5 GB are available: 4 million"), std::string::npos)
+      << text;
 }
 
 TEST(ExtremeGrids, AreNoneThatHoldThePatch) {
