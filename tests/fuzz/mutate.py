@@ -1,6 +1,6 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Mutates case files, profiles and lattices and looks for what must not happen: a signal, a hang, an
-'internal error', an exit status other than 0, 1 and 2, a result that is not finite.
+'internal error', an exit status other than 0, 1 and 2, a result that cannot be.
 
     tests/fuzz/mutate.py --build build-halfspace                     the figures of docs/robustness.md
     tests/fuzz/mutate.py --build build-halfspace --cases 1000 --profiles 0 --lattices 0 --runs 0 --checks 0
@@ -10,7 +10,6 @@ targets in one process (fuzz_*_replay --records), some through `rollfem check` a
 kept in a folder, with the seed and the number that make it again. Exit status: 0 nothing failed, 1 something did."""
 import argparse
 import collections
-import json
 import math
 import os
 import pathlib
@@ -23,6 +22,8 @@ import signal
 import subprocess
 import sys
 import time
+
+from sound import unsound
 
 try:
     import tomllib
@@ -165,14 +166,6 @@ class Replay:
         return kind, f"{text} (status {status})"
 
 
-def not_finite(value):
-    if isinstance(value, float):
-        return not math.isfinite(value)
-    if isinstance(value, dict):
-        return any(not_finite(v) for v in value.values())
-    return isinstance(value, list) and any(not_finite(v) for v in value)
-
-
 class Program:
     """`rollfem check` or `run`, a process for each input, in a folder with the files that cases name."""
 
@@ -202,8 +195,9 @@ class Program:
         if done.returncode not in (0, 1, 2) or "internal error" in errors:
             return "odd", f"status {done.returncode}: {errors[-2000:]}"
         if done.returncode == 0 and self.command == "run":
-            if not_finite(json.loads((result / "summary.json").read_text())):
-                return "odd", "status 0 with a number that is not finite"
+            wrong = unsound(result)
+            if wrong:
+                return "odd", f"status 0 with {wrong}"
         return ("taken", "no solution", "refused")[done.returncode], errors
 
 
