@@ -1,5 +1,5 @@
 // Line contact of half-planes against closed forms and CONTACT: Carter, Bentall and Johnson, Spence
-// (reference/benchmarks.md, 2, 4 and 5).
+// (reference/benchmarks.md, 2, 4 and 5), and against quadrature: Nowell and Hills's rollers.
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
@@ -191,6 +191,53 @@ TEST(BentallJohnson, TractiveAndBrakedRolling) {
   rollfem::testing::record("creepage_driven", driven);
   rollfem::testing::record("creepage_braked", braked);
   EXPECT_NEAR(state.normal.pressure.maxCoeff(), 103.2, 0.05);
+}
+
+/// xi and p_max of aluminium on steel by Gauss-Chebyshev quadrature (benchmarks/book/
+/// unlike_cylinders.py, 300 nodes), which has nothing in common with the program's elements.
+struct UnlikeRolling {
+  double friction, ratio;  // F_x over mu P, below 0 braked
+  double creepage, pressure;
+  double allowed;  // of mu a/R, at which like cylinders slide
+};
+
+const UnlikeRolling unlike_rolling[] = {
+    {0.05, 0.5, 4.9802e-4, 103.417, 5e-4},  {0.05, 0.0, 4.2946e-4, 103.627, 5e-4},
+    {0.05, -0.5, 3.1489e-4, 103.426, 5e-4}, {0.1, 0.75, 5.7666e-4, 103.148, 1e-3},
+    {0.1, 0.0, 3.8942e-4, 103.733, 1e-3},   {0.1, -0.5, 2.2727e-4, 104.305, 1e-3},
+    {0.3, 0.5, 6.9800e-4, 102.788, 4e-3},   {0.3, -0.75, -3.0786e-4, 104.105, 4e-3},
+    {0.3, -0.9, -5.8876e-4, 103.315, 4e-3}};
+
+TEST(NowellHills, TractiveRollingOfUnlikeCylindersAsByQuadrature) {
+  for (std::size_t k = 0; k < std::size(unlike_rolling); ++k) {
+    const UnlikeRolling& row = unlike_rolling[k];
+    SCOPED_TRACE(::testing::Message() << "mu " << row.friction << ", F_x " << row.ratio << " mu P");
+    const Roller roller = bentall_johnson(row.friction, 200);
+    ContactState state;
+    const double xi = -roller.creepage_of(row.ratio, &state);
+    EXPECT_NEAR(xi, row.creepage, row.allowed * row.friction * 0.1 / 25.0);
+    EXPECT_NEAR(state.normal.pressure.maxCoeff(), row.pressure, 2e-4 * row.pressure);
+    rollfem::testing::record("creepage_" + std::to_string(k), xi);
+    rollfem::testing::record("pressure_" + std::to_string(k), state.normal.pressure.maxCoeff());
+  }
+}
+
+TEST(NowellHills, FreeRollingOfUnlikeCylindersThatAdhereEverywhere) {
+  // p + i q is the jump of z - i xi - (z - 1)^(1/2 + i e) (z + 1)^(1/2 - i e) across the patch,
+  // with 2 pi e = ln((1 + beta)/(1 - beta)); no force at infinity asks for xi R/b = 2 e, and P
+  // gives b = a/sqrt(1 + 4 e^2). The patch is 0.4 % narrower than Hertz's, that is by half an
+  // element of 200 at either end, which is what the difference comes from: elements touch or not.
+  const double beta = 0.10019 / (1.0 - 0.30343);
+  const double e = std::log((1.0 + beta) / (1.0 - beta)) / (2.0 * M_PI);
+  const double exact = 2.0 * e / std::sqrt(1.0 + 4.0 * e * e) * 0.1 / 25.0;
+  EXPECT_NEAR(exact, 3.6727e-4, 1e-8);  // by quadrature
+  ContactState state;
+  const double xi = -bentall_johnson(10.0, 200).creepage_of(0.0, &state);
+  EXPECT_NEAR(xi / exact, 1.0, 0.016);
+  EXPECT_NEAR(state.normal.pressure.maxCoeff() / 103.145,
+              std::cosh(M_PI * e) / std::sqrt(1.0 + 4.0 * e * e), 2e-4);
+  rollfem::testing::record("creepage", xi);
+  rollfem::testing::record("pressure", state.normal.pressure.maxCoeff());
 }
 
 TEST(Spence, StickRatioOfWeaklyCoupledLineContact) {

@@ -1,0 +1,94 @@
+// Frequency response of transient creep (Knothe and Gross-Thebing 1986) where it has a closed form:
+// line contact, full adhesion, creepage xi e^(i w t). Material that adheres has
+// du/dx - i k u = xi, k = w/V = 2 pi/L, so that u = -xi/(i k) + C e^(i k x); of the tractions that
+// make it, p = sum p_n T_n/(pi sqrt(1 - x^2)), those without a singularity at the leading edge give
+//   F/F_0 = (J_0 + i J_1)/(J_0 + i k a L (J_0 + i J_1)),   L = ln(2 D/a),  J = J(k a),
+// where the half-planes' displacement is relative to that at the distance D (derivation:
+// docs/theory.md). F_0 is Carter's: xi a pi G/(2 (1 - nu)).
+#include "contact/scene/geometry.hpp"
+#include "contact/solve/contact_problem.hpp"
+#include "contact/solve/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/line_compliance.hpp"
+#include "support/recorded.hpp"
+#include <cmath>
+#include <complex>
+
+namespace rollfem {
+namespace {
+
+using contact::ContactGrid;
+using contact::Field;
+using contact::TangentialField;
+using testing::LineCompliance;
+
+constexpr double semi_axis = 1.0;   // mm
+constexpr double reference = 20.0;  // mm
+constexpr double shear_modulus = 82000.0, poisson_ratio = 0.28;
+
+std::complex<double> closed_form(double ka) {
+  const std::complex<double> i(0.0, 1.0);
+  const std::complex<double> edge = std::cyl_bessel_j(0, ka) + i * std::cyl_bessel_j(1, ka);
+  return edge / (std::cyl_bessel_j(0, ka) + i * ka * std::log(2.0 * reference / semi_axis) * edge);
+}
+
+/// F/F_0 of steps of one element over waves of the creepage, when the start is forgotten.
+std::complex<double> rolled(double ka, int across) {
+  contact::CombinedMaterial material;
+  material.shear_modulus = shear_modulus;
+  material.poisson_ratio = poisson_ratio;
+  material.contact_modulus = shear_modulus / (1.0 - poisson_ratio);
+  const double cell = 2.0 * semi_axis / across;
+  const ContactGrid grid = ContactGrid::centred(across + 8, 1, cell, 1.0);
+  const LineCompliance compliance(grid, material, reference);
+  contact::ContactConditions conditions;
+  conditions.given_pressure = grid.sample([](double x, double) {
+    return std::sqrt(std::max(0.0, 1.0 - x * x / (semi_axis * semi_axis)));
+  });
+  conditions.friction = contact::coulomb(1000.0);
+  contact::ContactProblem problem(compliance, compliance, conditions);
+  contact::History history(grid, contact::UpwindOrder::second);
+  const double xi = 1e-5;
+  const double wave = ka / semi_axis;
+  // After 40 lengths of the patch what is left of the start is below 1e-4; then three waves.
+  const int settled = static_cast<int>(std::ceil(40.0 * semi_axis / cell));
+  const int period = static_cast<int>(std::round(2.0 * M_PI / wave / cell));
+  const double step = 2.0 * M_PI / wave / period;
+  std::complex<double> sum = 0.0;
+  contact::ContactState state;
+  const int last = settled + period;
+  for (int k = 1; k <= last; ++k) {
+    const double now = wave * step * k;
+    const TangentialField slip{Field::Constant(grid.size(), xi * std::cos(now)),
+                               Field::Zero(grid.size())};
+    const contact::StepProblem each = history.rolling_step(slip, step);
+    state = problem.solve({1.0, {}}, {each.rigid_slip, contact::Motion::shift, each.slip_factor},
+                          k > 1 ? &state : nullptr, {1e-9, {1e-9, 50, 5}});
+    history.advance({state.displacement.x, state.displacement.y}, step);
+    if (k <= last - period) continue;
+    const double force = -state.tangential.traction.x.sum() * cell;
+    sum += 2.0 / period * force * std::exp(std::complex<double>(0.0, -now));
+  }
+  const double first = xi * semi_axis * M_PI * shear_modulus / (2.0 * (1.0 - poisson_ratio));
+  return sum / first;
+}
+
+}  // namespace
+
+TEST(CreepFrequency, OfLineContactIsTheClosedForm) {
+  for (const double ka : {0.1, 0.3, 1.0, 2.0, 4.0}) {
+    SCOPED_TRACE(ka);
+    const std::complex<double> exact = closed_form(ka);
+    const std::complex<double> coarse = rolled(ka, 40);
+    const std::complex<double> fine = rolled(ka, 80);
+    EXPECT_LT(std::abs(fine - exact), 0.02 * std::abs(exact));
+    EXPECT_LT(std::abs(fine - exact), 0.7 * std::abs(coarse - exact));
+    const std::string at = "_" + fmt::format("{:g}", ka);
+    testing::record("amplitude" + at, std::abs(fine));
+    testing::record("phase" + at, std::arg(fine));
+  }
+}
+
+}  // namespace rollfem
