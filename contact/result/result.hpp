@@ -21,7 +21,7 @@ struct ContactFields {
   SurfaceField traction;      ///< MPa, on the wheel
   TangentialField slip;       ///< w = s + D u, relative to the rolling speed
   Field traction_bound;       ///< g = mu p_n, MPa
-  Field gap;                  ///< deformed distance, mm, >= 0
+  Field gap;                  ///< h + u_n - approach as it is, mm: >= 0 to the tolerance; or empty
   SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty when a theory does not give it
   std::vector<ElementState> state;
 };

@@ -1,6 +1,7 @@
 #include "contact/result/validity.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/contact_residual.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 
@@ -14,8 +15,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Tractions beyond the bound, and pressures below 0, by more than this are no rounding: relative
-/// to the largest bound or pressure.
+/// Pressures below 0 by more than this are no rounding: relative to the largest.
 constexpr double rounding = 1e-6;
 
 /// One load point under the gate.
@@ -147,18 +147,18 @@ void check_bounds(const Examined& at) {
     refuse(at, fmt::format("the pressure falls to {:.4g} MPa; allowed: 0 or more; do: report this "
                            "case, it is a defect of the program",
                            pressure.minCoeff()));
-  const Field& bound = fields.traction_bound;
-  const bool complete = fields.traction.x.size() == bound.size() &&
-                        fields.traction.y.size() == bound.size() && bound.size() != 0;
-  if (!complete || !at.kind.bounded) return;
-  const Field excess =
-      (fields.traction.x.array().square() + fields.traction.y.array().square()).sqrt() -
-      bound.array();
-  if (excess.maxCoeff() > rounding * bound.maxCoeff())
+  const auto [gap, excess] = contact_residual(fields);
+  if (!(gap <= largest_residual.gap))
+    refuse(at, fmt::format("under pressure the bodies stand apart, or beside it overlap, by {:.2g} "
+                           "of the largest displacement; allowed: at most {:g}; do: use another "
+                           "grid or model",
+                           gap, largest_residual.gap));
+  if (at.kind.bounded && !(excess <= largest_residual.excess))
     refuse(at, fmt::format("a tangential traction exceeds the bound of friction by {:.4g} MPa; "
                            "allowed: at most {:.2g} of the largest bound, {:.4g} MPa; do: report "
                            "this case, it is a defect of the program",
-                           excess.maxCoeff(), rounding, bound.maxCoeff()));
+                           excess * fields.traction_bound.maxCoeff(), largest_residual.excess,
+                           fields.traction_bound.maxCoeff()));
 }
 
 /// A model that gives one point for all loads takes the largest.

@@ -29,9 +29,9 @@ inline constexpr double largest_elastic_pressure = 3000.0;
 
 /// Throws SolveError for the first load point that is not converged, has a number that is not
 /// finite, a patch that the grid does not hold or that has fewer than fewest_elements_across
-/// elements along a side, a tensile pressure, a traction beyond its bound, a force that is not
-/// the load asked for, or bodies that carry a force and have not come together. The text names load
-/// point, figure, limit and what to do.
+/// elements along a side, a tensile pressure, a gap under pressure or an overlap beside it, a
+/// traction beyond its bound, a force that is not the load asked for, or bodies that carry a force
+/// and have not come together. The text names load point, figure, limit and what to do.
 void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind = {});
 
 /// "warning: ..." sentences, each of the worst load point: patch or approach that are not small

@@ -34,6 +34,18 @@ const TangentialOperator& ContactProblem::tangential_operator(Motion motion,
                          standin_.rolling(UpwindOrder::second), upwind_weights(grid(), pressure));
 }
 
+void ContactProblem::set_gap(const NormalLoad& load, const Field& displacement,
+                             NormalSolution& normal) const {
+  if (conditions_.given_pressure.size() != 0) return;
+  const VerticalFrame frame = vertical_frame(conditions_.shape, load.direction);
+  Field& gap = normal.gap;
+  gap = conditions_.undeformed_distance + displacement;
+  if (frame.plane())
+    gap.array() -= normal.approach;
+  else
+    gap -= normal.approach / load.direction[1] * frame.to_vertical.cwiseInverse();
+}
+
 const NormalSolution& ContactProblem::press(const NormalLoad& load, const Field& start) {
   if (pressed_.pressure.size() != 0 && load == pressed_load_) return pressed_;
   pressed_ = press_standin(standin_.normal(), coupled_problem(load, {}, false), start);
@@ -71,6 +83,7 @@ ContactState ContactProblem::solve(const NormalLoad& load, const TangentialMotio
     state = solve_uncoupled(load, motion, start, accuracy);
   state.tangential.slip.x *= motion.slip_factor;
   state.tangential.slip.y *= motion.slip_factor;
+  set_gap(load, state.displacement.n, state.normal);
   return state;
 }
 
@@ -87,6 +100,7 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
         solve_coupled(load, first, &start, accuracy, each_iteration, true, &forced);
     state.tangential.slip.x *= first.slip_factor;
     state.tangential.slip.y *= first.slip_factor;
+    set_gap(load, state.displacement.n, state.normal);
     return state;
   }
   ContactState state = start;

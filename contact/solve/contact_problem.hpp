@@ -100,6 +100,9 @@ class ContactProblem {
                              const OuterCallback& each_iteration, bool friction,
                              const ForcedSlip* forced = nullptr);
   ContactState frictionless(const NormalLoad& load, const TangentialMotion& motion);
+  /// The gap that the whole elasticity leaves, not the solver's own account of it: of the
+  /// undeformed distance, this displacement under all tractions and the approach, along the normal.
+  void set_gap(const NormalLoad& load, const Field& displacement, NormalSolution& normal) const;
   CoupledProblem coupled_problem(const NormalLoad& load, const TangentialMotion& motion,
                                  bool friction) const;
   /// Rolling of second order is fitted to the leading edge of this pressure if the conditions say

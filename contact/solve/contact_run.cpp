@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/stopwatch.hpp"
+#include "contact/result/contact_residual.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/solve/interpolation.hpp"
 
@@ -296,7 +297,8 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   point.approach = state_.normal.approach;
   point.iterations = state_.iterations;
   point.residual = state_.residual;
-  point.converged = true;
+  const ContactResidual left = contact_residual(point.fields);
+  point.converged = left.gap <= largest_residual.gap && left.excess <= largest_residual.excess;
   return point;
 }
 

@@ -204,7 +204,7 @@ class BoundConstrainedCg {
   NormalSolution solution(int iterations, double residual) const {
     NormalSolution result;
     result.pressure = p_;
-    result.gap = contact_.select(0.0, gap_.array().cwiseMax(0.0)).matrix();
+    result.gap = gap_;
     result.approach = approach_;
     result.normal_force = p_.sum() * compliance_.grid().element_area();
     result.contact_elements = static_cast<int>(contact_.count());

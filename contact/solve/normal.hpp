@@ -22,7 +22,7 @@ struct NormalOptions {
 
 struct NormalSolution {
   Field pressure;  ///< MPa
-  Field gap;       ///< mm
+  Field gap;       ///< h + A p - approach as it is left, mm: 0 in contact to the tolerance
   double approach = 0.0;
   double normal_force = 0.0;
   int contact_elements = 0;

@@ -36,7 +36,6 @@ class CarriedNormal : public NormalOperator {
 NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
   NormalSolution given;
   given.pressure = pressure;
-  given.gap = Field::Zero(pressure.size());
   given.normal_force = pressure.sum() * grid.element_area();
   given.contact_elements = static_cast<int>((pressure.array() > 0.0).count());
   return given;

@@ -337,11 +337,9 @@ class Newton {
   }
 
   TangentialSolution solution(const Point& point, double residual) const {
-    VectorXd traction = point.traction;
-    project(traction,
-            bound_of(point));  // exactly within the bound; changes it by less than the residual
     TangentialSolution result;
-    result.traction = scattered(traction);
+    // As it is, within the bound to the tolerance: projected it would hide what is left.
+    result.traction = scattered(point.traction);
     const TangentialField displacement = compliance_.apply(result.traction);
     result.slip = {problem_.rigid_slip.x + displacement.x, problem_.rigid_slip.y + displacement.y};
     const Linearisation at = linearised(point);

@@ -38,7 +38,6 @@ contact::ContactFields resting_fields(const contact::ContactGrid& grid,
   fields.traction = {zero, zero, pressure};
   fields.slip = {zero, zero};
   fields.traction_bound = friction * pressure;
-  fields.gap = zero;
   fields.state.assign(grid.size(), contact::ElementState::exterior);
   for (int k = 0; k < grid.size(); ++k)
     if (pressure[k] > 0.0) fields.state[k] = contact::ElementState::adhesion;

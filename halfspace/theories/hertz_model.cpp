@@ -32,8 +32,8 @@ contact::ContactFields sampled_fields(const contact::Scene& scene, const HertzCo
   const Field distance = grid.sample(
       [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
   const auto inside = fields.traction.n.array() > 0.0;
-  fields.gap =
-      inside.select(0.0, (distance + displacement).array() - hertz.approach).cwiseMax(0.0).matrix();
+  fields.gap = distance + displacement;
+  fields.gap.array() -= hertz.approach;
   fields.displacement = {zero, zero, displacement};
   for (Eigen::Index k = 0; k < grid.size(); ++k)
     fields.state.push_back(inside[k] ? contact::ElementState::adhesion

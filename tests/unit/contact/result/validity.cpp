@@ -132,6 +132,24 @@ TEST(Validity, RefusesTensionAndTractionsBeyondTheBound) {
   EXPECT_EQ(refusal(rounded), "");
 }
 
+TEST(Validity, RefusesAGapUnderPressureAndAnOverlapBesideIt) {
+  // An element of the middle and one beyond the patch; 2e-3 of the displacement is allowed.
+  const auto with_gap = [](int i, int j, double gap) {
+    return refusal([&](PointResult& p, ModelResult& r) {
+      p.fields.gap = Field::Zero(r.grid.size());
+      p.fields.displacement.n = Field::Constant(r.grid.size(), 0.05);
+      p.fields.gap[r.grid.index(i, j)] = gap;
+    });
+  };
+  for (const double gap : {2e-4, -2e-4})
+    expect_said(with_gap(7, 8, gap),
+                {"load point 2 of 2", "by 0.004 of the largest displacement", "at most 0.002"});
+  EXPECT_EQ(with_gap(7, 8, 5e-5), "");
+  EXPECT_EQ(with_gap(7, 8, -5e-5), "");
+  EXPECT_EQ(with_gap(0, 0, 1.0), "");
+  EXPECT_NE(with_gap(0, 0, -2e-4), "");
+}
+
 TEST(Validity, RefusesAForceThatIsNotTheLoad) {
   expect_said(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 1e-5; }),
               {"carries 50000.5 N of the 50000 N asked for", "1e-06"});

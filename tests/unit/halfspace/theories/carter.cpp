@@ -103,7 +103,6 @@ TEST(Carter, ModelOnAnEllipseSaturatesAtTheCoefficientOfFriction) {
   EXPECT_EQ(result.points[0].adhesion_area, result.points[0].contact_area);
   EXPECT_NEAR(result.points[2].traction_coefficient, 0.3, 1e-6);
   EXPECT_EQ(result.points[2].adhesion_area, 0.0);
-  for (const contact::PointResult& point : result.points) EXPECT_TRUE(point.converged);
 }
 
 TEST(Carter, ModelForcesAreThoseOfItsFields) {
