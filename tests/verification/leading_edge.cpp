@@ -53,9 +53,11 @@ TEST(LeadingEdge, ForcesConvergeWithOrderOneAndAHalfAtLeast) {
     EXPECT_GT(order(&rollfem::testing::Forces::x, level), 1.5);
     EXPECT_GT(order(&rollfem::testing::Forces::moment, level), 1.4);
   }
-  // The usual difference converges to the same forces, unevenly: 10 245 N at 320 across.
-  EXPECT_NEAR(f[3].x, 10251.0, 0.001 * 10251.0);
-  EXPECT_NEAR(f[3].y, -7073.0, 0.001 * 7073.0);
+  // CONTACT, first order, from 80 and 120 across to elements of 0 (reference/benchmarks.md, 9);
+  // without a fit and with other elements it is good to some 20 N.
+  EXPECT_NEAR(f[3].x, 10230.0, 0.003 * 10230.0);
+  EXPECT_NEAR(f[3].y, -7057.0, 0.003 * 7057.0);
+  EXPECT_NEAR(f[3].moment, -1140.0, 0.05 * 1140.0);
 }
 
 /// Part of a field that alternates from row to row at x = 0, relative to its largest: rms of the
