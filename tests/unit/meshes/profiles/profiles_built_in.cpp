@@ -1,6 +1,7 @@
 // The built-in profiles against their formulas, against points of the Manchester benchmark's lists
 // and, where those files are at hand, against all of them.
 #include "meshes/profiles/built_in_profiles.hpp"
+#include "meshes/profiles/profiles.hpp"
 #include "meshes/profiles/wheel_s1002.hpp"
 
 #include <gtest/gtest.h>
@@ -70,6 +71,27 @@ Points reference_points(const std::string& file) {
 // 1.4e-6 mm of z.
 constexpr double list_tolerance_wheel = 2e-6;
 constexpr double list_tolerance_rail = 5e-5;
+
+TEST(BuiltInProfile, MirroredHasEveryHeightAndTheOppositeSlopeOnTheOtherSide) {
+  for (const char* name : {"S1002", "60E1"}) {
+    SCOPED_TRACE(name);
+    const bool wheel = std::string(name) == "S1002";
+    contact::ProfileSource source;
+    source.name = name;
+    const ProfileCurve curve = make_profile(source, wheel, "");
+    source.mirror = true;
+    const ProfileCurve image = make_profile(source, wheel, "");
+    const double lower = curve.at(curve.first()).y, upper = curve.at(curve.last()).y;
+    EXPECT_NEAR(image.at(image.first()).y, -upper, 1e-12);
+    EXPECT_NEAR(image.at(image.last()).y, -lower, 1e-12);
+    for (const double y : {-25.0, -3.0, 0.5, 11.0, 30.0}) {
+      const ProfilePoint there = curve.at(curve.parameter_at(y));
+      const ProfilePoint here = image.at(image.parameter_at(-y));
+      EXPECT_NEAR(here.z, there.z, 1e-9) << y;
+      EXPECT_NEAR(here.tangent_z / here.tangent_y, -there.tangent_z / there.tangent_y, 1e-9) << y;
+    }
+  }
+}
 
 TEST(BuiltInProfiles, S1002MeetsPointsOfTheManchesterList) {
   // MBench_S1002_v3.prw, y mirrored as its header says.
