@@ -64,8 +64,8 @@ void expect_same(const Both& both, const Case& input, double pressure, double fo
   for (std::size_t k = 0; k < both.fem.size(); ++k) {
     const PointResult& f = both.fem[k];
     const PointResult& h = both.halfspace[k];
-    EXPECT_LT(contact::contact_residual(f.fields).gap, 1e-5) << k;
-    EXPECT_LT(contact::contact_residual(f.fields).excess, 1e-5) << k;
+    EXPECT_LT(contact::contact_residual(f.fields).gap, 1e-4) << k;
+    EXPECT_LT(contact::contact_residual(f.fields).excess, 1e-4) << k;
     EXPECT_NEAR(f.max_pressure / h.max_pressure, 1.0, pressure) << k;
     EXPECT_NEAR(of_bound(f, input, f.longitudinal_force), of_bound(h, input, h.longitudinal_force),
                 force)
