@@ -90,6 +90,18 @@ TEST(Comparison, WhatAModelDoesNotGiveIsNotCompared) {
   }
 }
 
+TEST(Comparison, TheLateralCoefficientRisesAgainstTheForceOnTheWheel) {
+  ComparedCase sideways = example();
+  json summary = json::parse(sideways.summary);
+  // -F_y/F_z of 0.12 and 0.15, as positive lateral creepage makes.
+  summary["models"][1]["points"][1]["lateral_force"] = -120.0;
+  summary["models"][2]["points"][1]["lateral_force"] = -150.0;
+  sideways.summary = summary.dump();
+  const auto force = number(compared_numbers(sideways, ""), "fastsim", 2, "lateral_coefficient");
+  EXPECT_NEAR(force.value, 0.12, 1e-12);
+  EXPECT_NEAR(force.reference_value.value_or(0.0), 0.15, 1e-12);
+}
+
 TEST(Comparison, TheWishedReferenceIsTakenWhereItHasTheNumber) {
   const auto all = compared_numbers(example(), "hertz");
   EXPECT_EQ(number(all, "halfspace", 1, "max_pressure").reference, "hertz");
