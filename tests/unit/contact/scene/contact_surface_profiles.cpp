@@ -75,18 +75,39 @@ TEST(SurfaceOfProfiles, GivenAsCurvesIsThatOfTheRadii) {
 
 TEST(SurfaceOfProfiles, DistanceOfASphereIsTheSameAboutAnyAxle) {
   const double radius = 460.0, rail = 80.0;
-  for (const auto& axle : {direction(0.0, 0.0), direction(0.4, 0.02), direction(1.1, -0.01)}) {
-    const ContactSurface surface = surface_of(sphere_on_circle(radius, rail, axle));
-    for (const double x : {0.0, 3.0, -9.0})
-      for (const double y : {-12.0, 0.0, 7.0}) {
-        const double climb = surface.climb(y), length = std::hypot(1.0, climb);
-        const Vector3 start{x, y, surface.height(y)};
-        const Vector3 normal{0.0, -climb / length, 1.0 / length};
-        const double exact = way_to_sphere(start, normal, {0.0, 0.0, radius}, radius, false) -
-                             way_to_sphere(start, normal, {0.0, 0.0, -rail}, rail, true);
-        EXPECT_NEAR(undeformed_distance(surface, x, y), exact, 1e-9) << x << ' ' << y;
-      }
-  }
+  for (const auto& axle : {direction(0.0, 0.0), direction(0.4, 0.02), direction(1.1, -0.01)})
+    for (const double follows : {1.0, 0.4, 0.0}) {
+      ContactSurface surface = surface_of(sphere_on_circle(radius, rail, axle));
+      surface.follows = follows;
+      for (const double x : {0.0, 3.0, -9.0})
+        for (const double y : {-12.0, 0.0, 7.0}) {
+          const double climb = surface.climb(y), length = std::hypot(1.0, climb);
+          const Vector3 start{x, y, surface.height(y)};
+          const Vector3 normal{0.0, -climb / length, 1.0 / length};
+          const double exact = way_to_sphere(start, normal, {0.0, 0.0, radius}, radius, false) -
+                               way_to_sphere(start, normal, {0.0, 0.0, -rail}, rail, true);
+          EXPECT_NEAR(undeformed_distance(surface, x, y), exact, 1e-9) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(SurfaceOfProfiles, FollowsTheBodiesAsFarAsItIsTold) {
+  ContactSurface surface = surface_of(circle_pair(405.0, -51.282, 50.0));
+  const double climb = surface.climb(7.0), height = surface.height(7.0);
+  surface.follows = 0.25;
+  EXPECT_DOUBLE_EQ(surface.climb(7.0), 0.25 * climb);
+  EXPECT_DOUBLE_EQ(surface.height(7.0), 0.25 * height);
+  // Nothing of them: the plane, with the distance along z and the slip that it has there.
+  surface.follows = 0.0;
+  Geometry geometry;
+  geometry.surface = surface;
+  const ContactGrid grid = ContactGrid::centred(3, 9, 1.0, 2.0);
+  const ChartedGeometry plane(geometry, Chart::plane), arc(geometry, Chart::arc);
+  EXPECT_LT((plane.undeformed_distance(grid) - arc.undeformed_distance(grid)).norm(), 1e-9);
+  const Creepage creepage{0.002, 0.001, 3e-4};
+  EXPECT_LT((plane.rigid_slip(creepage, grid).x - arc.rigid_slip(creepage, grid).x).norm(), 1e-12);
+  EXPECT_LT((plane.rigid_slip(creepage, grid).y - arc.rigid_slip(creepage, grid).y).norm(), 1e-12);
+  EXPECT_EQ(arc.shape(grid).climb.norm(), 0.0);
 }
 
 TEST(SlipOfProfiles, IsThatOfABodyThatTurnsAboutItsTiltedAxle) {

@@ -7,6 +7,7 @@
 
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
+#include "support/worn_wheels.hpp"
 #include <cmath>
 
 namespace {
@@ -55,6 +56,31 @@ TEST(Scenes, PatchesOfNearlyOnePlaneAreOneScene) {
   ASSERT_EQ(scenes.size(), 1u);
   EXPECT_EQ(scenes[0].contact.touching.size(), 2u);
   EXPECT_EQ(*scenes[0].scene.points[0].load.force, 10e3);
+}
+
+TEST(Scenes, FollowTheSurfaceAsFarAsTheirNormalsSpread) {
+  const auto followed = [](const contact::Case& input) {
+    const auto scenes = meshes::make_scenes(input);
+    EXPECT_EQ(scenes.size(), 1u);
+    return scenes.at(0).scene.follows_surface;
+  };
+  contact::Case root = rollfem::testing::shallow_root(-13.88);  // normals 0.35 rad apart
+  EXPECT_EQ(followed(root), 1.0);
+  root.halfspace.surface = contact::SurfaceForm::planar;
+  EXPECT_EQ(followed(root), 0.0);
+  root.halfspace.surface = contact::SurfaceForm::automatic;
+  root.output.stress_maxima = true;
+  EXPECT_EQ(followed(root), 0.0);
+  contact::Case one_rim = rollfem::testing::hollow_tread(1.2);
+  EXPECT_EQ(followed(one_rim), 0.0);
+  one_rim.halfspace.surface = contact::SurfaceForm::curved;
+  EXPECT_EQ(followed(one_rim), 1.0);
+  // Rims of 0.1 rad, the more evenly loaded the farther.
+  const double uneven = followed(rollfem::testing::hollow_tread(-0.4));
+  const double even = followed(rollfem::testing::hollow_tread(-0.1));
+  EXPECT_GT(uneven, 0.0);
+  EXPECT_GT(even, uneven);
+  EXPECT_LT(even, 1.0);
 }
 
 TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
