@@ -104,7 +104,7 @@ TEST(ContactsOfOtherPlanes, FeelEachOtherAsPointLoads) {
                          second = hertzian(80.0, separation, way);
     const auto shared = halfspace::share_load({first, second}, force);
     const double exact = force_on_second(first, second, way, force);
-    // Each by itself: 0.3, 0.7 and 1.8 % of the load less on the second.
+    // Each by itself: 0.4, 0.8 and 1.5 % of the load more on the second.
     EXPECT_NEAR(shared.shares[1].normal_force, exact, 1.5e-3 * force);
     EXPECT_NEAR(shared.shares[0].normal_force + shared.shares[1].normal_force, force, 1e-6 * force);
   }
@@ -125,7 +125,7 @@ TEST(ContactsOfOtherPlanes, AreTheJointSolutionInNearlyOnePlane) {
   ASSERT_EQ(joint.size(), 1U);
   const OnTrack one_grid = on_track({joint[0].scene});
   EXPECT_LT(two_grids.difference(one_grid), 1e-3 * 80e3);
-  // Each by itself has 0.4 % of the load more on the higher rim.
+  // Each by itself: 1.4 % of the load more on the higher rim.
   EXPECT_NEAR(two_grids.normal_force[1], one_grid.normal_force[1], 1e-3 * 80e3);
 }
 
@@ -143,8 +143,8 @@ TEST(ContactsOfOtherPlanes, ForcesPassTwentyDegreesSteadily) {
   constexpr double load = 80e3;
   EXPECT_NEAR(apart.force[2], load, 1e-6 * load);
   EXPECT_NEAR(joint.force[2], load, 1e-6 * load);
-  // The wheel's own change is 0.07 % over a micrometre here. A plane for both had 8 % of the load
-  // less to the side, planes that do not displace each other 1 % more.
+  // The wheel's own change is 0.07 % over a micrometre here. A plane for both has 6 % of the load
+  // less to the side, planes that do not displace each other have 1 % more.
   EXPECT_LT(apart.difference(joint), 1e-3 * load);
   const OnTrack surface = shallow_root(from, contact::SurfaceForm::curved);
   EXPECT_EQ(surface.contacts, 1U);
