@@ -149,3 +149,48 @@ def free_rolling_creepage(friction_free_factor, semi_axis, radius):
         c = (low + high) / 2
         low, high = (c, high) if np.arcsin(c) + c * np.sqrt(1 - c * c) < np.pi / 4 else (low, c)
     return np.sqrt(1 - low * low) / 2 * friction_free_factor * semi_axis / radius
+
+
+def adhesive_free_rolling(beta):
+    """(xi R/a, largest pressure over Hertz's) of unlike cylinders that roll freely and adhere everywhere.
+
+    `beta` is Dundurs' constant of the pair, a Hertz's half width. p + i q is the jump across the patch of
+    z - i xi - (z - 1)^(1/2 + i e) (z + 1)^(1/2 - i e), 2 pi e = ln((1 + beta)/(1 - beta)), which leaves no force along
+    the surface for xi R/b = 2 e; then b = a/sqrt(1 + 4 e^2).
+    """
+    exponent = np.log((1 + beta) / (1 - beta)) / (2 * np.pi)
+    narrower = 1 / np.sqrt(1 + 4 * exponent**2)
+    return 2 * exponent * narrower, np.cosh(np.pi * exponent) * narrower
+
+
+def flat_profile(exponent, semi_axis, edge, modulus):
+    """(force, approach, pressure as a function of r) of h = edge (r/a)^(2n), n = 2 or 3, without friction.
+
+    Steuermann (1939); by Sneddon's integrals with d(t) = t int_0^t h'(r)/sqrt(t^2 - r^2) dr: the approach is d(a), the
+    force 2 E* int_0^a (d(a) - d(t)) dt, the pressure (E*/pi) int_r^a d'(t)/sqrt(t^2 - r^2) dt. For n = 2 the force is
+    64 E* A a^5/15.
+    """
+    depth = edge * {2: 8 / 3, 3: 16 / 5}[exponent]
+
+    def pressure(r):
+        square = np.minimum((np.asarray(r) / semi_axis) ** 2, 1)
+        root = np.sqrt(1 - square)
+        inner = (root**3 / 3 + square * root if exponent == 2
+                 else root**5 / 5 + 2 * square * root**3 / 3 + square**2 * root)
+        return 2 * exponent * depth * modulus / (np.pi * semi_axis) * inner
+    return 4 * exponent / (2 * exponent + 1) * modulus * depth * semi_axis, depth, pressure
+
+
+def _bessel(order, argument):
+    """J_n by its integral; the rule of midpoints is exact to rounding for a periodic function."""
+    t = (np.arange(200) + 0.5) * np.pi / 200
+    return np.mean(np.cos(order * t - argument * np.sin(t)))
+
+
+def creep_response(wave, distance):
+    """F/F_0 of line contact in full adhesion under the creepage xi e^(i w t); `wave` is w a/V.
+
+    Displacements are relative to that at `distance` (over a) from the contact; F_0 is the force of steady creepage.
+    """
+    edge = _bessel(0, wave) + 1j * _bessel(1, wave)
+    return edge / (_bessel(0, wave) + 1j * wave * np.log(2 * distance) * edge)

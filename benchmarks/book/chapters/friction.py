@@ -153,3 +153,41 @@ def transient(bench):
         tests=["verification.TransientRolling.TendsToTheSteadySolutionOfTheSameOrder",
                "verification.TransientRolling.OtherStepsEndWithinTheDiscretisationError",
                "verification.TransientRolling.FromCattaneoToCarterAtConstantForce"])
+
+
+def creep_frequency(bench):
+    """Creepage that oscillates: amplitude and phase of the force"""
+    found = bench.test("verification_creep_frequency:CreepFrequency.OfLineContactIsTheClosedForm")
+    waves, distance, rows = (0.1, 0.3, 1.0, 2.0, 4.0), 20.0, []
+    for wave in waves:
+        exact = closed_forms.creep_response(wave, distance)
+        mine = found[f"amplitude_{wave:g}"], found[f"phase_{wave:g}"]
+        at = f"L/a = {2 * np.pi / wave:.3g}"
+        rows.append(Row(f"amplitude over that of steady creepage, {at}", "", abs(exact), mine[0], 0.01))
+        rows.append(Row(f"phase behind the creepage, {at}", "rad", -np.angle(exact), -mine[1], 0.01, of=1.0,
+                        of_words="1 rad"))
+    figure, axes = plt.subplots(1, 2, figsize=(8.4, 3.3))
+    fine = np.geomspace(0.03, 6, 200)
+    response = np.array([closed_forms.creep_response(wave, distance) for wave in fine])
+    lengths = 2 * np.pi / np.array(waves)
+    axes[0].loglog(2 * np.pi / fine, np.abs(response), color="black", linewidth=1.2, label="closed form")
+    axes[0].loglog(lengths, [found[f"amplitude_{w:g}"] for w in waves], linestyle="none", marker="o", markersize=4,
+                   color="#0072B2", label="in steps, 80 elements")
+    axes[1].semilogx(2 * np.pi / fine, np.degrees(np.angle(response)), color="black", linewidth=1.2)
+    axes[1].semilogx(lengths, [np.degrees(found[f"phase_{w:g}"]) for w in waves], linestyle="none", marker="o",
+                     markersize=4, color="#0072B2")
+    for axis, words in zip(axes, ("force over that of steady creepage", "phase [degrees]")):
+        axis.set_xlabel("wavelength over half the patch, L/a")
+        axis.set_ylabel(words)
+    axes[0].legend()
+    figure.tight_layout()
+    return Chapter(
+        "creep-frequency", "Creepage that oscillates: amplitude and phase of the force",
+        "Line contact in full adhesion, rolled in steps of one element under the creepage xi cos(2 pi s/L) until its start "
+        "is forgotten; 80 elements, displacements relative to those at 20 a.",
+        "a closed form derived here ([theory](../theory.md)), F/F_0 = (J_0 + i J_1)/(J_0 + i k a ln(2 D/a) (J_0 + i J_1)), J = "
+        "J(k a), k = 2 pi/L: the two-dimensional case of Knothe and Gross-Thebing's (1986) transfer functions, whose "
+        "values for ellipses could not be had. Half-planes have no fixed point at infinity, hence the distance D.",
+        rows, figures=[(bench.save(figure, "creep_frequency"), "Amplitude and phase over the wavelength")],
+        cost=[Cost("the test, two grids", found["seconds"])],
+        tests=["verification.CreepFrequency.OfLineContactIsTheClosedForm"])

@@ -1,4 +1,7 @@
-"""Normal contact of half-spaces: Hertz's ellipses, and the order of the discretisation."""
+"""Normal contact of half-spaces: Hertz's ellipses, flatter bodies, and the order of the discretisation."""
+import os
+
+import numpy as np
 from matplotlib import pyplot as plt
 
 from rollfem_figures import style
@@ -83,3 +86,98 @@ def _figure(bench, levels, exact):
     axis.set_ylabel("error against Hertz [%]")
     axis.legend()
     return bench.save(figure, "grid_order")
+
+
+_FLAT = """title = "flat profile: h = {edge} mm (r/a)^{power}, a = {a} mm"
+models = ["halfspace"]
+[load]
+normal_force = {force!r}
+[friction]
+coefficient = 0.0
+[wheel]
+young_modulus = 210e3
+poisson_ratio = 0.3
+[rail]
+young_modulus = 210e3
+poisson_ratio = 0.3
+[undeformed_distance]
+file = "{file}"
+[rolling]
+problem = "frictionless"
+[contact_grid]
+cell_size = [{cell!r}, {cell!r}]
+"""
+
+
+def _flat_run(bench, exponent, across, semi_axis, edge, force):
+    """The half-space on h = edge (r/a)^(2n), given point by point."""
+    name = os.path.join(os.path.abspath(bench.folder), f"flat_{exponent}")
+    places = np.linspace(-1.25, 1.25, 101) * semi_axis
+    with open(name + ".csv", "w", encoding="utf-8") as file:
+        file.writelines(f"{x!r}, {y!r}, {edge * ((x * x + y * y) / semi_axis**2) ** exponent!r}\n"
+                        for y in map(float, places) for x in map(float, places))
+    case = f"{name}_case_{across}.toml"
+    with open(case, "w", encoding="utf-8") as file:
+        file.write(_FLAT.format(edge=edge, power=2 * exponent, a=semi_axis, force=float(force), file=name + ".csv",
+                                cell=2 * semi_axis / across))
+    return bench.run(f"flat_{exponent}_{across}", case).model("halfspace")
+
+
+def steuermann(bench):
+    """Steuermann: bodies flatter than paraboloids"""
+    semi_axis, edge, modulus = 5.0, 1e-3, 210e3 / (2 * (1 - 0.3**2))
+    rows, cost = [], []
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.3))
+    for exponent, ink in ((2, "#0072B2"), (3, "#D55E00")):
+        force, approach, pressure = closed_forms.flat_profile(exponent, semi_axis, edge, modulus)
+        fine = np.linspace(0, semi_axis, 2001)
+        largest = pressure(fine).max()
+        errors = {}
+        for across in (20, 40, 80, 160):
+            model = _flat_run(bench, exponent, across, semi_axis, edge, force)
+            point = model.points[0]
+            middle = point.fields["pressure"][np.abs(model.y) < 0.6 * semi_axis / across * 2][:, model.x > 0]
+            exact = pressure(np.hypot(model.x[model.x > 0], np.abs(model.y).min()))
+            inside = model.x[model.x > 0] < 0.95 * semi_axis
+            errors[across] = (abs(point["approach"] / approach - 1),
+                              np.sqrt(np.mean((middle[0] - exact)[inside] ** 2)) / largest)
+        words = f"h = A r^{2 * exponent}"
+        rows += [Row(f"{words}: approach", "mm", approach, point["approach"], 3e-5, by="160 across"),
+                 Row(f"{words}: largest pressure", "MPa", largest, point["max_pressure"], 5e-4, by="160 across"),
+                 Row(f"{words}: pressure along the middle, root mean square", "", 0.0, errors[160][1], 5e-4, of=1.0,
+                     of_words="the largest", by="160 across"),
+                 Row(f"{words}: radius of the patch", "mm", semi_axis, point["semi_axis_x"], 1.25 / 80, by="160 across"),
+                 Row(f"{words}: order of the approach, 80 to 160 across", "", 2.0,
+                     np.log2(errors[80][0] / errors[160][0]), 0.1)]
+        cost.append(Cost(f"{words}, 160 across", model.seconds["total"], model.unknowns))
+        left.plot(fine, pressure(fine), color=ink, linewidth=1.2, label=f"$r^{2 * exponent}$")
+        coarse = _flat_run(bench, exponent, 40, semi_axis, edge, force)
+        row = np.abs(coarse.y).argmin()
+        left.plot(np.hypot(coarse.x, coarse.y[row])[coarse.x > 0], coarse.points[0].fields["pressure"][row][coarse.x > 0],
+                  linestyle="none", marker="o", markersize=3.5, color=ink)
+        right.loglog(list(errors), [100 * e[0] for e in errors.values()], color=ink, marker="o", markersize=4,
+                     label=f"approach, $r^{2 * exponent}$")
+        right.loglog(list(errors), [100 * e[1] for e in errors.values()], color=ink, marker="s", markersize=4,
+                     linestyle="--", label=f"pressure, $r^{2 * exponent}$")
+    left.set_xlim(0, 1.1 * semi_axis)
+    left.set_xlabel("r [mm]")
+    left.set_ylabel("pressure [MPa]")
+    left.legend()
+    right.set_xticks([20, 40, 80, 160], ["20", "40", "80", "160"])
+    right.minorticks_off()
+    right.set_xlabel("elements across the patch")
+    right.set_ylabel("error [%]")
+    right.legend(fontsize="small")
+    figure.tight_layout()
+    return Chapter(
+        "steuermann", "Steuermann: bodies flatter than paraboloids",
+        "Steel, h = 0.001 mm (r/a)^4 and (r/a)^6 with a = 5 mm, given point by point in a file; the force is that of the "
+        "closed form, P = 64 E* A a^5/15 and 192 E* A a^7/35.",
+        "Steuermann (1939; Johnson 1985, 5.24, from memory), derived again from Sneddon's integrals: approach 8 A a^4/3 and "
+        "16 A a^6/5, pressure 32 E* A sqrt(a^2 - r^2) (a^2 + 2 r^2)/(9 pi) for the fourth power, largest not in the middle but at "
+        "r = a/sqrt(2).",
+        rows, figures=[(bench.save(figure, "steuermann"),
+                        "Pressure over the radius (lines: closed form, marks: 40 across), and errors against the grid")],
+        cost=cost, tests=["verification.Steuermann.ApproachAndPressureConvergeToTheClosedFormWithOrderTwo"],
+        after="The radius is found from the square of the pressure over three elements inside the edge, which is straight "
+              "under Hertz's pressure only: here it is known to an element or so (2 a/n).")
