@@ -66,6 +66,7 @@ class SinkingWheel {
   /// Presses every patch under what the others displace, in turn until all agree.
   void sink(double sinking) {
     for (int round = 0; round < most_turns; ++round) {
+      const std::vector<std::size_t> loaded_before = loaded();
       double change = 0.0, sum = 0.0;
       for (std::size_t i = 0; i < laws_.size(); ++i) {
         const double before = laws_[i].normal_force();
@@ -76,7 +77,10 @@ class SinkingWheel {
         change = std::max(change, std::abs(laws_[i].normal_force() - before));
         sum += laws_[i].normal_force();
       }
-      if (laws_.size() == 1 || change <= settled * sum) return;
+      const std::vector<std::size_t> loaded_now = loaded();
+      const bool alone =
+          loaded_now.size() <= 1 && (loaded_before.empty() || loaded_before == loaded_now);
+      if (alone || change <= settled * sum) return;
     }
     throw contact::SolveError(fmt::format(
         "sharing of the load between patches: what they displace under each other does not settle "
@@ -102,6 +106,14 @@ class SinkingWheel {
   }
 
  private:
+  /// Patches that carry something. One that carries all feels no other, it only keeps them off.
+  std::vector<std::size_t> loaded() const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < laws_.size(); ++i)
+      if (laws_[i].normal_force() > 0.0) found.push_back(i);
+    return found;
+  }
+
   /// What patch j presses beside patch i, where it is on the surface of i rolled out.
   std::vector<LoadBeside> beside(std::size_t i, std::size_t j) const {
     if (i == j) return {};
