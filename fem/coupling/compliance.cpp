@@ -1,6 +1,7 @@
 #include "fem/coupling/compliance.hpp"
 
 #include "fem/coupling/far_field.hpp"
+#include "fem/coupling/middle_displacement.hpp"
 #include "fem/solver/factorisation.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -54,8 +55,13 @@ struct FemCompliance::Implementation {
       coupling[k].emplace(*body, grid, surface);
       loads[k] = make_vector(body->dofs());
       displacements[k] = make_vector(body->dofs());
+      middle[k].emplace(grid, body->material(), shape.stretch, coupling[k]->lattice());
       if (far == FarBoundary::point_load) far_field[k].emplace(*body, *solver, *coupling[k]);
     }
+  }
+
+  static contact::SurfaceField on_body(int k, const contact::SurfaceField& traction) {
+    return {sign_of[k] * traction.x, sign_of[k] * traction.y, sign_of[k] * traction.n};
   }
 
   /// Force on body k.
@@ -70,14 +76,14 @@ struct FemCompliance::Implementation {
     const contact::Field none = contact::Field::Zero(grid.size());
     if (!coupling[k]) return {none, none, none};
     contact::SurfaceField result = coupling[k]->sample(displacements[k]);
+    middle[k]->add(on_body(k, traction), result);
     if (far_field[k]) far_field[k]->add(force_on(k, traction), result);
     return result;
   }
 
   void solve_part(int k, const contact::SurfaceField& traction) {
     if (!coupling[k]) return;
-    coupling[k]->load({sign_of[k] * traction.x, sign_of[k] * traction.y, sign_of[k] * traction.n},
-                      loads[k]);
+    coupling[k]->load(on_body(k, traction), loads[k]);
     parts[k].solver->solve(displacements[k], loads[k]);
   }
 
@@ -106,7 +112,8 @@ struct FemCompliance::Implementation {
   contact::ContactSurface surface;
   contact::PatchShape shape;
   std::optional<SurfaceCoupling> coupling[2];  ///< none: rigid
-  std::optional<FarField> far_field[2];        ///< none: clamped
+  std::optional<MiddleDisplacement> middle[2];
+  std::optional<FarField> far_field[2];  ///< none: clamped
   Vector loads[2];
   Vector displacements[2];
   std::optional<contact::SurfaceField> solved_for;  ///< what `displacements` belong to

@@ -1,14 +1,16 @@
-// The finite-element compliance A = sum over bodies of S^-1 B K^-1 B^T, S the true areas of the
+// The finite-element compliance A = sum over bodies of S^-1 B K^-1 B^T + M, S the true areas of the
 // contact elements: piecewise constant tractions are loaded consistently on the FE faces (B^T,
-// exact), displacement is averaged over the contact element (S^-1 B), so that A is symmetric by
-// construction.
+// exact), displacement is averaged over the contact element (S^-1 B), and M makes it that of the
+// element's middle (middle_displacement.hpp). A is symmetric by construction.
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"
 #include "contact/solve/compliance.hpp"
 #include "fem/body/body.hpp"
+#include "fem/coupling/lattice.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rollfem::fem {
@@ -32,6 +34,8 @@ class SurfaceCoupling {
   void load(const contact::SurfaceField& traction, Vector& b) const;
   /// Mean displacement over each element; the same on every process.
   contact::SurfaceField sample(const Vector& displacement) const;
+  /// The cells under the grid, if every element consists of whole faces of one size.
+  std::optional<Lattice> lattice() const;
 
  private:
   struct Implementation;

@@ -21,6 +21,9 @@ namespace rollfem::fem {
 namespace {
 
 constexpr double lattice_tolerance = 1e-6;
+/// Of faces that make up the elements of a lattice: of a wheel they are a little longer or shorter
+/// beside the running circle.
+constexpr double lattice_misfit = 0.03;
 /// Faces that follow no lattice may be larger than the contact elements by this much.
 constexpr double size_tolerance = 2e-3;
 
@@ -105,6 +108,9 @@ struct SurfaceCoupling::Implementation {
         if (rule.empty()) continue;
         largest_face = {std::max(largest_face[0], chart.s().length()),
                         std::max(largest_face[1], chart.t().length())};
+        lattice_fit = std::max(
+            {lattice_fit, misfit(chart.s(), element_x(i)), misfit(chart.t(), element_y(j))});
+        inwards = std::max(inwards, cell->measure() / cell->face(face)->measure());
         covered[grid.index(i, j)] += shared;
         integrate(cell->get_fe(), face, rule, indices, rows[grid.index(i, j)]);
       }
@@ -120,6 +126,16 @@ struct SurfaceCoupling::Implementation {
       corners[k] = {chart[0], chart[1]};
     }
     return corners;
+  }
+
+  /// Faces along the side of an element when degree and contact grid are those of the model.
+  int faces_along() const { return body.dofs().get_fe().degree == 1 ? 2 : 1; }
+
+  /// How far a face is from one of those faces of an element, in faces.
+  double misfit(const Interval& face, const Interval& element) const {
+    const double size = element.length() / faces_along();
+    const double place = (face.lower - element.lower) / size;
+    return std::max(std::abs(place - std::round(place)), std::abs(face.length() / size - 1.0));
   }
 
   static std::pair<int, int> overlapped(const Interval& face, double first, double step,
@@ -159,6 +175,8 @@ struct SurfaceCoupling::Implementation {
     const MPI_Comm communicator = body.dofs().get_communicator();
     dealii::Utilities::MPI::sum(covered, communicator, covered);
     for (double& size : largest_face) size = dealii::Utilities::MPI::max(size, communicator);
+    lattice_fit = dealii::Utilities::MPI::max(lattice_fit, communicator);
+    inwards = dealii::Utilities::MPI::max(inwards, communicator);
     if (dealii::Utilities::MPI::max(distorted ? 1 : 0, communicator) == 1)
       throw contact::InputError(
           "a face of the finite-element mesh under the contact is not convex in (arc length, "
@@ -196,6 +214,8 @@ struct SurfaceCoupling::Implementation {
   std::vector<double> covered;
   std::array<double, 2> largest_face{0.0, 0.0};
   bool distorted = false;
+  double lattice_fit = 0.0;  ///< largest misfit
+  double inwards = 0.0;      ///< mm, depth of the cells under the grid
 };
 
 SurfaceCoupling::SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
@@ -256,6 +276,16 @@ contact::SurfaceField SurfaceCoupling::sample(const Vector& displacement) const 
     field.n[element] = u[2];
   }
   return field;
+}
+
+std::optional<Lattice> SurfaceCoupling::lattice() const {
+  const auto& coupling = *implementation_;
+  if (coupling.distorted || coupling.lattice_fit > lattice_misfit) return std::nullopt;
+  const int cells = coupling.faces_along();
+  return Lattice{coupling.body.material(),
+                 static_cast<int>(coupling.body.dofs().get_fe().degree),
+                 cells,
+                 {coupling.grid.dx / cells, coupling.grid.dy / cells, coupling.inwards}};
 }
 
 }  // namespace rollfem::fem

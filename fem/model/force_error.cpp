@@ -13,7 +13,7 @@ namespace {
 using contact::ModelResult;
 using contact::PointResult;
 
-/// Of the largest traction, whose place no grid has exactly.
+/// Of the largest traction and the area of adhesion, whose border no grid has exactly.
 constexpr double traction_share = 3.0;
 
 struct Force {
@@ -28,7 +28,9 @@ constexpr Force forces[] = {{"traction_coefficient", false, 1.0},
                             {"longitudinal_force", false, 1.0},
                             {"lateral_force", false, 1.0},
                             {"spin_moment", true, 1.0},
-                            {"max_traction_x", true, traction_share}};
+                            {"max_traction_x", true, traction_share},
+                            {"max_traction", true, traction_share},
+                            {"adhesion_area", true, traction_share}};
 
 /// On fewer elements across than this errors fall with the square of their number, and two levels
 /// agree the more easily by chance (docs/accuracy.md).

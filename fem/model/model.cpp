@@ -63,8 +63,8 @@ void estimate_errors(const Scene& scene, std::vector<ModelResult>& levels) {
   const ModelResult& coarse = levels[levels.size() - 2];
   for (std::size_t k = 0; k < fine.points.size(); ++k) {
     contact::PointResult& point = fine.points[k];
-    for (const char* name :
-         {"max_pressure", "normal_force", "approach", "semi_axis_x", "semi_axis_y"}) {
+    for (const char* name : {"max_pressure", "normal_force", "approach", "semi_axis_x",
+                             "semi_axis_y", "contact_area"}) {
       std::vector<double> values;
       for (const ModelResult& level : levels)
         values.push_back(contact::quantity(level.points[k], name));

@@ -1,0 +1,40 @@
+// Finite elements on a regular lattice of cells as deep as a half-space, under tractions that are
+// constant on every contact element: what they lack of the elastic half-space's mean displacement
+// of the elements. A lattice answers a wave of tractions with a wave (Bloch), so that one column of
+// cells, its sides joined with the wave's phase, has all of it: no mesh, no fit.
+#pragma once
+
+#include "contact/base/material.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Cells under a contact element: `cells` by `cells` of them make one.
+struct Lattice {
+  contact::Material material;
+  int degree = 2;                   ///< of the elements, FE_Q(degree)^3
+  int cells = 1;                    ///< along each side of a contact element
+  std::array<double, 3> cell_size;  ///< mm: along x, along y, inwards
+};
+
+/// Displacements (mm) of one element under unit traction (MPa) on another; not the coupling of
+/// normal and tangential directions.
+struct ElementResponse {
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+  double nn = 0.0;
+};
+
+/// Of elements (i, j) from the loaded one, 0 <= i, j <= lattice_reach, index j * (lattice_reach +
+/// 1)
+/// + i; xy changes its sign with i and with j, the others do not. Beyond it is below 1e-5 of that
+/// of the loaded element itself.
+inline constexpr int lattice_reach = 8;
+
+/// Mean displacement of the half-space less that of the lattice.
+std::vector<ElementResponse> lattice_deficit(const Lattice& lattice);
+
+}  // namespace rollfem::fem
