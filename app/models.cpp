@@ -1,6 +1,7 @@
 #include "app/models.hpp"
 
 #include "app/fem_model.hpp"
+#include "app/hybrid_model.hpp"
 #include "contact/base/errors.hpp"
 #include "halfspace/model/registry.hpp"
 
@@ -15,6 +16,7 @@ using contact::ModelRegistry;
 
 ModelRegistry built_in_models() {
   ModelRegistry models = halfspace::models();
+  models.add(hybrid_model());
   models.add(fem_model());
   return models;
 }

@@ -1,4 +1,5 @@
 // The C entry through which the program reaches this library after opening it at run time.
+#include "fem/correction/smooth_parts.hpp"
 #include "fem/model/model.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -35,8 +36,13 @@ std::string from_first(const std::string& text) {
   return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text);
 }
 
-const rollfem::fem::Entry entry{
-    start, stop, process, from_first, rollfem::fem::run_fem, rollfem::fem::mesh_case};
+const rollfem::fem::Entry entry{start,
+                                stop,
+                                process,
+                                from_first,
+                                rollfem::fem::run_fem,
+                                rollfem::fem::mesh_case,
+                                rollfem::fem::find_smooth_parts};
 
 }  // namespace
 

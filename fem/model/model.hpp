@@ -5,6 +5,7 @@
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/model.hpp"
 #include "fem/body/mesh_report.hpp"
+#include "halfspace/elasticity/smooth_map.hpp"
 
 #include <string>
 
@@ -26,6 +27,8 @@ struct Entry {
   contact::ModelResult (*run)(const contact::Scene&, const contact::Progress&,
                               contact::Checkpoint*);
   std::vector<MeshedBody> (*mesh)(const contact::Scene&);
+  /// Collective: what the bodies add to half-spaces (fem/correction/smooth_parts.hpp).
+  halfspace::SmoothParts (*find_smooth_parts)(const contact::Scene&, const contact::Progress&);
 };
 
 }  // namespace rollfem::fem

@@ -118,8 +118,8 @@ class HalfspaceElasticity : public contact::Elasticity {
 /// Load points of one grid in a checkpoint.
 class GridStore : public contact::PointStore {
  public:
-  GridStore(contact::Checkpoint& checkpoint, const ContactGrid& grid)
-      : checkpoint_(checkpoint), grid_(grid) {}
+  GridStore(contact::Checkpoint& checkpoint, std::string model, const ContactGrid& grid)
+      : checkpoint_(checkpoint), model_(std::move(model)), grid_(grid) {}
 
   bool find(std::size_t k, PointResult& point, ContactState& state) override {
     const std::optional<std::string> bytes = checkpoint_.find(name(k));
@@ -141,10 +141,11 @@ class GridStore : public contact::PointStore {
 
  private:
   std::string name(std::size_t k) const {
-    return fmt::format("halfspace-{}x{}-{:04}", grid_.nx, grid_.ny, k + 1);
+    return fmt::format("{}-{}x{}-{:04}", model_, grid_.nx, grid_.ny, k + 1);
   }
 
   contact::Checkpoint& checkpoint_;
+  std::string model_;
   ContactGrid grid_;
 };
 
@@ -182,10 +183,12 @@ contact::ChartedGeometry halfspace_geometry(const Scene& scene) {
 contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, double dx, double dy,
                                  const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,
-                                 contact::Checkpoint* checkpoint) {
+                                 contact::Checkpoint* checkpoint,
+                                 const GridElasticity& elasticity) {
   const contact::ChartedGeometry geometry = halfspace_geometry(scene);
   contact::RunOptions options;
-  options.model = "halfspace";
+  options.model = elasticity.model;
+  options.same_normal_block = elasticity.same_normal_block;
   options.stage_prefix = stage_prefix;
   options.force_accuracy = accuracy_of_force_search;
   options.coarser = coarser;
@@ -194,10 +197,9 @@ contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, do
   constexpr int most_enlargements = 4;
   for (int attempt = 0;; ++attempt) {
     std::optional<GridStore> store;
-    if (checkpoint) store.emplace(*checkpoint, grid);
+    if (checkpoint) store.emplace(*checkpoint, elasticity.model, grid);
     contact::ContactRun run(scene, geometry, options, progress, store ? &*store : nullptr);
-    const bool inside =
-        run.solve(grid, [&] { return halfspace_elasticity(scene, geometry, grid); });
+    const bool inside = run.solve(grid, [&] { return elasticity.make(scene, geometry, grid); });
     if (inside) {
       contact::LevelResult result = run.take_result();
       const ContactGrid larger = grid_of_all_patches(scene, geometry, grid, result.points);

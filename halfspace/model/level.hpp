@@ -14,11 +14,6 @@ namespace rollfem::halfspace {
 /// Solutions behind a force that is searched for must be sharper than the search.
 inline constexpr contact::ContactAccuracy accuracy_of_force_search{1e-8, {1e-7, 600, 5, true}};
 
-/// The half-space on a grid, with its stand-in for unlike materials.
-std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& scene,
-                                                          const contact::ChartedGeometry& geometry,
-                                                          const contact::ContactGrid& grid);
-
 /// The scene as the contact grid of the model lies on it.
 contact::ChartedGeometry halfspace_geometry(const contact::Scene& scene);
 
@@ -29,6 +24,7 @@ contact::ChartedGeometry halfspace_geometry(const contact::Scene& scene);
 contact::LevelResult solve_level(const contact::Scene& scene, const AreaOfPatch& area, double dx,
                                  double dy, const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,
-                                 contact::Checkpoint* checkpoint = nullptr);
+                                 contact::Checkpoint* checkpoint = nullptr,
+                                 const GridElasticity& elasticity = {});
 
 }  // namespace rollfem::halfspace

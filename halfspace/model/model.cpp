@@ -141,11 +141,12 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Area
                                                   const Cell& cell,
                                                   const contact::LevelResult* start,
                                                   const std::string& prefix,
-                                                  const contact::Progress& progress) {
+                                                  const contact::Progress& progress,
+                                                  const GridElasticity& elasticity) {
   try {
     const Scene roomy = with_room(scene, cell);
     return solve_level(roomy, scene.contact_grid.extent ? AreaOfPatch(roomy) : area, cell.dx,
-                       cell.dy, start, prefix, progress, nullptr);
+                       cell.dy, start, prefix, progress, nullptr, elasticity);
   } catch (const contact::UnfitGrid&) {
     return {};
   } catch (const contact::SolveError&) {
@@ -245,7 +246,7 @@ bool refine_further(const Scene& scene, const contact::LevelResult& fine, const 
 }  // namespace
 
 ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
-                          contact::Checkpoint* checkpoint) {
+                          contact::Checkpoint* checkpoint, const GridElasticity& elasticity) {
   const auto begin = std::chrono::steady_clock::now();
   std::optional<contact::LevelResult> coarse;
   std::optional<contact::LevelResult> fine;
@@ -255,7 +256,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   // A grid too large to have is refused before the coarser ones are computed.
   refuse_beyond_memory(scene, area.grid(cells.back().dx, cells.back().dy, 0));
   ModelResult result;
-  result.name = "halfspace";
+  result.name = elasticity.model;
   for (std::size_t level = 0; level < cells.size(); ++level) {
     const Cell cell = cells[level];
     coarse = std::move(fine);
@@ -263,8 +264,9 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     const std::string prefix =
         last && !scene.accuracy.relative ? "" : fmt::format("{} across: ", cell.across);
     const contact::LevelResult* start = coarse ? &*coarse : nullptr;
-    fine = last ? solve_level(scene, area, cell.dx, cell.dy, start, prefix, progress, checkpoint)
-                : coarser_level(scene, area, cell, start, prefix, progress);
+    fine = last ? solve_level(scene, area, cell.dx, cell.dy, start, prefix, progress, checkpoint,
+                              elasticity)
+                : coarser_level(scene, area, cell, start, prefix, progress, elasticity);
     if (!fine) continue;
     result.seconds["setup"] += fine->setup_seconds;
     result.seconds["normal"] += fine->normal_seconds;

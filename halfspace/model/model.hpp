@@ -2,10 +2,14 @@
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
+#include "contact/solve/contact_run.hpp"
 #include "contact/solve/model.hpp"
 #include "halfspace/model/expected_patch.hpp"
 
+#include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 
 namespace rollfem::halfspace {
 
@@ -46,10 +50,26 @@ contact::ContactGrid potential_area(const contact::Scene& scene, int margin = 3)
 /// The same with square or given elements of dx by dy.
 contact::ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin);
 
+/// The half-space on a grid, with its stand-in for unlike materials.
+std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& scene,
+                                                          const contact::ChartedGeometry& geometry,
+                                                          const contact::ContactGrid& grid);
+
+/// What elasticity the grids of a model have: the half-space's, or one that a half-space
+/// preconditions.
+struct GridElasticity {
+  std::string model = "halfspace";  ///< in progress events and names of records
+  bool same_normal_block = true;    ///< contact::RunOptions
+  std::function<std::unique_ptr<contact::Elasticity>(
+      const contact::Scene&, const contact::ChartedGeometry&, const contact::ContactGrid&)>
+      make = halfspace_elasticity;
+};
+
 /// Solves every load point; enlarges the grid when the patch touches its border; a run at half the
 /// resolution gives the error estimate and the first guess. Load points of the finest grid are kept
 /// in the `checkpoint` and taken up from there (null: none).
 contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::Progress& progress,
-                                   contact::Checkpoint* checkpoint = nullptr);
+                                   contact::Checkpoint* checkpoint = nullptr,
+                                   const GridElasticity& elasticity = {});
 
 }  // namespace rollfem::halfspace

@@ -13,6 +13,7 @@ BLUE = "#0072B2"
 LOOKS = {
     "hertz": ("#000000", (0, (5, 2)), "x"),
     "halfspace": (BLUE, "-", "o"),
+    "hybrid": ("#009E73", (0, (4, 1, 1, 1)), "^"),
     "fem": ("#D55E00", (0, (6, 1.5)), "s"),
     "fastsim": ("#CC79A7", (0, (3, 1)), "v"),
     "strip": ("#E69F00", (0, (2, 1)), "D"),
@@ -21,7 +22,7 @@ LOOKS = {
     "linear": ("#999999", (0, (5, 5)), "+"),
 }
 # Those of other models, in the order in which they are met.
-SPARE_LOOKS = [("#009E73", (0, (4, 1, 1, 1)), "^"), ("#882255", (0, (7, 1, 1, 1)), "<"),
+SPARE_LOOKS = [("#882255", (0, (7, 1, 1, 1)), "<"),
                ("#117733", (0, (3, 1, 1, 1, 1, 1)), ">"), ("#6A3D9A", (0, (2, 2)), "h")]
 LABELS = {}
 ADHESION_COLOUR, SLIP_COLOUR = "#56B4E9", "#E69F00"

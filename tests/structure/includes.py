@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that includes between modules, and between the rooms of contact, run one way.
 
-contact <- halfspace <- fem; meshes knows cases and scenes, no solver; wheelset balances loads and
+contact <- halfspace <- fem; hybrid is of halfspace, and given what fem finds; meshes knows cases and scenes, no solver; wheelset balances loads and
 rotation over the patches that meshes finds and knows halfspace too; postprocess knows results, never
 solvers; app knows all; deal.II is seen in fem only. Inside contact: base <- case <- scene <- result
 <- solve. Call: includes.py SOURCE_DIR
@@ -25,7 +25,8 @@ ALLOWED = {
     "postprocess": {"contact": {"base", "case", "scene", "result"}},
     "wheelset": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
     "fem": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
-    "app": {"contact": ANY, "halfspace": ANY, "meshes": ANY, "wheelset": ANY, "postprocess": ANY,
+    "hybrid": {"contact": ANY, "halfspace": ANY},
+    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "meshes": ANY, "wheelset": ANY, "postprocess": ANY,
             "fem": {"model", "body"}},
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}

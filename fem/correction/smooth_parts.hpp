@@ -1,0 +1,18 @@
+// What wheel and rail add to their half-spaces, found by finite elements: each body less its
+// flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over the
+// patch. What the elements get wrong cancels but for the curvature, so that coarse cells do.
+#pragma once
+
+#include "contact/base/progress.hpp"
+#include "contact/scene/scene.hpp"
+#include "halfspace/elasticity/smooth_map.hpp"
+
+namespace rollfem::fem {
+
+/// For the largest load of the scene. Collective. Throws contact::InputError where a body is not
+/// known by its surface alone (given meshes, true sections, undeformed distances),
+/// contact::SolveError.
+halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
+                                         const contact::Progress& progress);
+
+}  // namespace rollfem::fem

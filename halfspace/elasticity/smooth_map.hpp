@@ -1,0 +1,66 @@
+// The smooth part by which a curved, finite body differs from its half-space, between polynomials
+// over the patch: tractions enter by their moments, displacement leaves as a polynomial. So it is
+// the same on every contact grid, and costs next to nothing there.
+#pragma once
+
+#include "contact/base/grid.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// Where polynomials are scaled to [-1, 1]: x along rolling, y along the common surface of the
+/// bodies (arc length), mm.
+struct SmoothBox {
+  double half_length = 1.0;
+  double half_width = 1.0;
+  double middle = 0.0;  ///< of y
+};
+
+/// Powers i, j of the Chebyshev polynomials T_i(x) T_j(y) of total degree up to `degree`, in the
+/// order of the columns of polynomials().
+std::vector<std::array<int, 2>> polynomial_powers(int degree);
+
+/// Their values at places (x, y), a column each.
+Eigen::MatrixXd polynomials(const SmoothBox& box, int degree, const contact::Field& x,
+                            const contact::Field& y);
+
+/// What one body adds to u_wheel - u_rail under tractions on the wheel.
+struct SmoothMap {
+  SmoothBox loads;   ///< of the moments
+  SmoothBox fields;  ///< of the displacement
+  int load_degree = 0;
+  int field_degree = 0;
+  /// Coefficients (mm) of u_x, u_y, u_n one after the other, from the moments (N) of p_x, p_y, p_n.
+  /// Empty: nothing.
+  Eigen::MatrixXd coefficients;
+
+  bool empty() const { return coefficients.size() == 0; }
+};
+
+/// Of both bodies.
+struct SmoothParts {
+  SmoothMap wheel;
+  SmoothMap rail;
+  long unknowns = 0;               ///< of the finite elements behind them
+  std::vector<std::string> notes;  ///< on what they were found
+};
+
+/// A map with its polynomials at the elements of a grid whose y runs along the common surface.
+class SmoothMapOnGrid {
+ public:
+  SmoothMapOnGrid(const SmoothMap& map, const contact::ContactGrid& grid);
+  /// Displacement, mm, under tractions in MPa.
+  contact::SurfaceField apply(const contact::SurfaceField& traction) const;
+
+ private:
+  Eigen::MatrixXd coefficients_;
+  Eigen::MatrixXd loads_;  ///< polynomials times the area of an element
+  Eigen::MatrixXd fields_;
+};
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,33 @@
+// The hybrid's compliance on a contact grid along the common surface: the half-space's, and what
+// wheel and rail add to it.
+#pragma once
+
+#include "contact/scene/scene.hpp"
+#include "contact/solve/compliance.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/smooth_map.hpp"
+
+#include <memory>
+
+namespace rollfem::hybrid {
+
+class HybridCompliance : public contact::Compliance {
+ public:
+  HybridCompliance(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
+                   const contact::ContactGrid& grid, const halfspace::SmoothParts& parts);
+  const contact::ContactGrid& grid() const override { return half_.grid(); }
+  contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
+  /// With the curvature slip of the wheel.
+  contact::Response respond(const contact::SurfaceField& traction) const override;
+
+ private:
+  contact::SurfaceField wheel_displacement(const contact::SurfaceField& traction) const;
+
+  halfspace::HalfspaceCompliance half_;
+  std::unique_ptr<halfspace::HalfspaceCompliance> wheel_half_;  ///< of the wheel; null: flat
+  std::unique_ptr<halfspace::SmoothMapOnGrid> wheel_;
+  std::unique_ptr<halfspace::SmoothMapOnGrid> rail_;
+  contact::Field towards_axle_n_, towards_axle_y_;  ///< parts over the radius, 1/mm
+};
+
+}  // namespace rollfem::hybrid

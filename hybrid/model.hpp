@@ -1,0 +1,24 @@
+// The model "hybrid": the half-space on a fine contact grid, and what wheel and rail, curved and
+// finite, add to it by a smooth correction. Between the half-space, which leaves that out, and
+// finite elements, whose contact grid is as coarse as their cells.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+#include "contact/solve/model.hpp"
+#include "halfspace/elasticity/smooth_map.hpp"
+
+#include <functional>
+
+namespace rollfem::hybrid {
+
+/// Finds what the bodies of a scene add: by finite elements (fem/correction/smooth_parts.hpp).
+using FindParts =
+    std::function<halfspace::SmoothParts(const contact::Scene&, const contact::Progress&)>;
+
+/// As run_halfspace, on the common surface of the bodies. Error estimates hold what the grid leaves
+/// uncertain and a tenth of what the correction changes. Throws contact::InputError where a body is
+/// not known by its surface, contact::SolveError.
+contact::ModelResult run_hybrid(const contact::Scene& scene, const contact::Progress& progress,
+                                contact::Checkpoint* checkpoint, const FindParts& find);
+
+}  // namespace rollfem::hybrid
