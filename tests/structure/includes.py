@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Checks that includes between modules, and between the rooms of contact, run one way.
 
-contact <- halfspace <- fem; hybrid is of halfspace, and given what fem finds; meshes knows cases and scenes, no solver; wheelset balances loads and
-rotation over the patches that meshes finds and knows halfspace too; postprocess knows results, never
-solvers; app knows all; deal.II is seen in fem only. Inside contact: base <- case <- scene <- result
-<- solve. Call: includes.py SOURCE_DIR
+contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds; meshes knows cases and
+scenes, no solver; wheelset balances loads and rotation over the patches that meshes finds and knows
+halfspace too; postprocess knows results, never solvers; app knows all; deal.II is seen in fem only.
+Inside contact: base <- case <- scene <- result <- solve. Call: includes.py SOURCE_DIR
 """
 
 import pathlib

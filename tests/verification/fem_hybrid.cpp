@@ -19,7 +19,7 @@ using namespace rollfem;
 contact::Case study_case(const std::string& name, std::vector<double> creepages) {
   contact::Case input =
       contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
-  input.contact_grid.elements_across = 20;
+  input.contact_grid.elements_across = 40;
   input.rolling.creepages.clear();
   for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
   return input;
