@@ -2,6 +2,7 @@
 
 #include "contact/base/stopwatch.hpp"
 #include "contact/result/quantities.hpp"
+#include "halfspace/model/beside.hpp"
 #include "halfspace/model/force_search.hpp"
 #include "halfspace/model/model.hpp"
 #include "hybrid/compliance.hpp"
@@ -39,6 +40,14 @@ class HybridElasticity : public contact::Elasticity {
   const contact::Compliance& whole() const override { return whole_; }
   const contact::SolvableCompliance& standin() const override { return half_; }
   const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
+  contact::Field extra_distance() const override {
+    if (scene_.beside.empty()) return {};
+    return halfspace::displacement_beside(scene_.beside, scene_.material, half_.grid());
+  }
+  contact::TangentialField extra_slip() const override {
+    if (scene_.beside.empty()) return {};
+    return halfspace::slip_beside(scene_.beside, scene_.material, half_.grid());
+  }
   Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
     return halfspace::rolling_stiffness(patch, scene_.material);
   }
@@ -67,7 +76,7 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
                        contact::Checkpoint* checkpoint, const FindParts& find) {
   const contact::Stopwatch watch;
   Scene curved = scene;
-  curved.surface_form = contact::SurfaceForm::curved;
+  curved.follows_surface = 1.0;
   curved.subsurface.clear();
   curved.output.stress_maxima = false;
   const halfspace::SmoothParts parts = find(curved, progress);

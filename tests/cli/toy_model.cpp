@@ -34,21 +34,22 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   for (const char* command : {"run", "compare", "study"})
     expect_in(toy(folder, {command, "--help"}).out, "the half-space, its compliance times 0.9");
   expect_in(toy(folder, {"docs", "models"}).out, "| `stiff` | stiff half-space |");
-  expect_in(toy(folder, {"docs", "case-file"}).out, "halfspace, fem, stiff |");
+  expect_in(toy(folder, {"docs", "case-file"}).out, "halfspace, hybrid, fem, stiff |");
   const Outcome checked = toy(folder, {"check", file});
   EXPECT_EQ(checked.status, 0) << checked.err;
   expect_in(checked.out, "stiff                  the half-space, its compliance times 0.9");
-  expect_in(toy(folder, {"run", file, "--model", "stif"}).err, "halfspace, fem, stiff; do: ");
+  expect_in(toy(folder, {"run", file, "--model", "stif"}).err,
+            "halfspace, hybrid, fem, stiff; do: ");
   // Without it the same file is refused, with line, key, value and what is allowed.
   const Outcome without = call(folder, {"check", file});
   expect_refused(without, "q.toml:1:");
   expect_refused(without, "models = [\"stiff\"]: is not known");
-  expect_refused(without, "strip, halfspace, fem");
+  expect_refused(without, "strip, halfspace, hybrid, fem");
   // Others name it where it can and they cannot; it is refused where it cannot.
   const std::string shift = folder.file(
       "s.toml", small_case + "[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.01\n");
   expect_refused(toy(folder, {"run", shift, "--model", "fastsim"}),
-                 "allowed: hertz, halfspace, fem, stiff; do: run with --model halfspace");
+                 "allowed: hertz, halfspace, hybrid, fem, stiff; do: run with --model halfspace");
   const std::string fast =
       folder.file("f.toml", small_case + "[rolling]\nspeed = 5e4\n[fem]\ninertia = true\n");
   expect_refused(toy(folder, {"run", fast, "--model", "stiff"}),

@@ -51,13 +51,14 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
   const std::string shift =
       plus("[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.1\n");
   const std::string force = plus("[rolling]\nlongitudinal_force = 1.0\n");
-  for (const char* model : {"halfspace", "fem"}) {
+  for (const char* model : {"halfspace", "hybrid", "fem"}) {
     EXPECT_EQ(refusal(shift, model), "able");
     EXPECT_EQ(refusal(force, model), "able");
-    EXPECT_EQ(refusal(pressure, model), "able");
+    EXPECT_EQ(refusal(pressure, model) == "able", std::string(model) != "hybrid") << model;
   }
   for (const char* model : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
-    expect_refusal(shift, model, "allowed: hertz, halfspace, fem; do: run with --model halfspace");
+    expect_refusal(shift, model,
+                   "allowed: hertz, halfspace, hybrid, fem; do: run with --model halfspace");
     expect_refusal(force, model, "prescribed tangential force");
     EXPECT_EQ(refusal(rollfem::testing::small_case, model), "able") << model;
   }
@@ -71,10 +72,10 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
 
 TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
   // A speed alone is no more than that, however high.
-  for (const char* model : {"hertz", "carter", "halfspace", "fem"})
+  for (const char* model : {"hertz", "carter", "halfspace", "hybrid", "fem"})
     EXPECT_EQ(refusal(plus("[rolling]\nspeed = 5e6\n"), model), "able") << model;
   EXPECT_EQ(refusal(plus(fast), "fem"), "able");
-  for (const char* model : {"hertz", "carter", "halfspace"})
+  for (const char* model : {"hertz", "carter", "halfspace", "hybrid"})
     expect_refusal(plus(fast), model,
                    "fem.inertia: it cannot take the inertia of moving bodies; allowed: fem; do: "
                    "run with --model fem");
@@ -84,12 +85,12 @@ TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
   const std::string spin = plus("[rolling]\nspin = 1e-4\n");
   expect_refusal(spin, "vermeulen-johnson",
                  "rolling.spin: it cannot take spin; allowed: hertz, linear, fastsim, strip, "
-                 "halfspace, fem; do: run with --model halfspace");
+                 "halfspace, hybrid, fem; do: run with --model halfspace");
   expect_refusal(spin, "carter", "rolling.spin");
   EXPECT_EQ(refusal(spin, "linear"), "able");
   expect_refusal(plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",
                  "rolling.lateral_creepage: it cannot take lateral creepage; allowed: hertz, "
-                 "linear, vermeulen-johnson, fastsim, strip, halfspace, fem");
+                 "linear, vermeulen-johnson, fastsim, strip, halfspace, hybrid, fem");
 }
 
 TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
@@ -98,10 +99,11 @@ TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
   scene.geometry.extra_slip = contact::ExtraSlip::file;
   scene.geometry.extra_slip_values = contact::Lattice{};
   scene.geometry.extra_slip_values->file = "slip.csv";
-  EXPECT_NE(refusal(scene, "linear")
-                .find("rolling.extra_slip: it cannot take extra slip from a file; allowed: hertz, "
-                      "carter, fastsim, strip, halfspace, fem; do: run with --model halfspace"),
-            std::string::npos)
+  EXPECT_NE(
+      refusal(scene, "linear")
+          .find("rolling.extra_slip: it cannot take extra slip from a file; allowed: hertz, "
+                "carter, fastsim, strip, halfspace, hybrid, fem; do: run with --model halfspace"),
+      std::string::npos)
       << refusal(scene, "linear");
 }
 
