@@ -88,8 +88,9 @@ TEST(FemCurvedContact, KeepsCoulombAndComplementarityAtEveryElement) {
 
 TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveAsTheCurvedHalfspaceOnTheSameCells) {
   // Both have distance, slip and local spin of the true surfaces. What is left is elasticity: the
-  // strain of a loaded wheel (0.0034) and, on cells of 0.94 mm, an eighth of the patch, the error
-  // of both.
+  // strain of a loaded wheel, 0.0030 to 0.0034, and on cells of 0.94 mm, an eighth of the patch,
+  // what the cells do, 0.4 % of mu either way. Finite elements without that strain would be 0.0039
+  // below, with its sign turned 0.0073.
   contact::Case same_cells = study_case("f", {0.0, 0.002});
   same_cells.contact_grid.cell_size = {{0.94, 0.94}};
   same_cells.halfspace.surface = contact::SurfaceForm::curved;
@@ -97,8 +98,8 @@ TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveAsTheCurvedHalfspaceOnTheSameCe
   for (const int k : {0, 1}) {
     const double difference = case_f().points[k].traction_coefficient -
                               half.points[static_cast<std::size_t>(k)].traction_coefficient;
-    EXPECT_LT(std::abs(difference), 0.01) << k;
+    EXPECT_GT(difference, -0.0025) << k;
+    EXPECT_LT(difference, 0.0034 + 0.0025) << k;
   }
-  EXPECT_NEAR(case_f().points[0].traction_coefficient / -0.13155, 1.0, 0.1);
   EXPECT_NEAR(case_f().points[0].max_pressure / 578.97, 1.0, 0.02);
 }
