@@ -258,7 +258,7 @@ def differences(one, other):
 def damage(options, folder):
     kind = {"meshes": Meshes, "results": Results, "records": Records}[options.kind](options.program, folder)
     wrong, counts = [], {}
-    for number in range(options.count):
+    for number in range(1, options.count + 1):
         chance = random.Random(f"{options.seed} {number}")
         status, said = kind.trial(chance)
         counts[status] = counts.get(status, 0) + 1
@@ -267,7 +267,9 @@ def damage(options, folder):
             wrong.append(f"{options.kind} {number}: {text}: {said.strip()[-300:]}")
             keep = os.path.join(options.folder, f"{options.kind}_{number}")
             shutil.copytree(folder, keep, dirs_exist_ok=True)
-    print(f"{options.count} {options.kind}: status and how often: {dict(sorted(counts.items(), key=str))}")
+        if number % 10 == 0 or number == options.count:
+            print(f"{number} {options.kind}: status and how often: {dict(sorted(counts.items(), key=str))}, "
+                  f"{len(wrong)} wrong", flush=True)
     return wrong
 
 
