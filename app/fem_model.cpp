@@ -77,6 +77,7 @@ contact::ModelInfo fem_model() {
   fem.half_spaces = false;
   fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_run = fem.in_compare = true;
   fem.built = ROLLFEM_WITH_FEM;
+  fem.no_model_error = "none known: linear elasticity of the bodies as the case has them";
   return fem;
 }
 

@@ -24,6 +24,8 @@ contact::ModelInfo hybrid_model() {
   hybrid.half_spaces = false;
   hybrid.parallel = true;
   hybrid.built = ROLLFEM_WITH_FEM;
+  hybrid.no_model_error =
+      "not estimated: a tenth of what the correction changes is in the error estimates";
   return hybrid;
 }
 

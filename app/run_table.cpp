@@ -1,8 +1,12 @@
 #include "app/run_table.hpp"
 
+#include "contact/result/bars.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rollfem::app {
 
@@ -22,10 +26,23 @@ bool any_creepage(const std::vector<PointResult>& points, double contact::Creepa
                      [&](const PointResult& point) { return point.creepage.*member != 0.0; });
 }
 
+/// Under the values of a model: their bars, or why they have none.
+std::string bar_row(const PointResult& point) {
+  std::string text = fmt::format("{:<19}", "");
+  const std::pair<const char*, int> columns[] = {{"max_pressure", 12},
+                                                 {"semi_axis_x", 13},
+                                                 {"semi_axis_y", 13},
+                                                 {"approach", 15},
+                                                 {"normal_force", 13}};
+  for (const auto& [name, width] : columns)
+    text += fmt::format("{:>{}}", contact::bar_text(point, name), width);
+  return text + "\n";
+}
+
 /// At the largest load, which is that of all points but in a history.
 std::string patch_table(const std::vector<ModelResult>& models) {
   std::string text =
-      fmt::format("{:<19}{:>12}{:>10}{:>10}{:>15}{:>10}{:>10}\n", "model", "p0 in MPa", "a in mm",
+      fmt::format("{:<19}{:>12}{:>13}{:>13}{:>15}{:>13}{:>10}\n", "model", "p0 in MPa", "a in mm",
                   "b in mm", "approach in mm", "F_z in N", "seconds");
   for (const ModelResult& model : models) {
     if (model.points.empty()) continue;
@@ -35,16 +52,22 @@ std::string patch_table(const std::vector<ModelResult>& models) {
         });
     const auto seconds = model.seconds.find("total");
     text +=
-        fmt::format("{:<19}{:>12.3f}{:>10.4f}{:>10.4f}{:>15.7f}{:>10.6g}{:>10.2f}\n", model.name,
+        fmt::format("{:<19}{:>12.3f}{:>13.4f}{:>13.4f}{:>15.7f}{:>13.6g}{:>10.2f}\n", model.name,
                     point.max_pressure, point.semi_axis_x, point.semi_axis_y, point.approach,
                     point.normal_force, seconds == model.seconds.end() ? 0.0 : seconds->second);
+    text += bar_row(point);
   }
   return text;
 }
 
 /// Columns are wide enough for the name over them.
 std::size_t width_of(const ModelResult& model) {
-  return std::max<std::size_t>(12, model.name.size() + 2);
+  return std::max<std::size_t>(22, model.name.size() + 2);
+}
+
+/// "0.21601 +- 0.0012"; rounding must not print as -0.00000.
+std::string barred(double value, const std::string& bar) {
+  return fmt::format("{:.5f} {:<10}", std::abs(value) < 5e-6 ? 0.0 : value, bar);
 }
 
 /// One row a load point, one column a model.
@@ -70,12 +93,19 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
         text += fmt::format("{:>{}}", "-", width_of(*model));
         continue;
       }
-      // Rounding must not print as -0.00000.
-      const double value = quantity(model->points[k]);
-      text += fmt::format("{:>{}.5f}", std::abs(value) < 5e-6 ? 0.0 : value, width_of(*model));
+      text += fmt::format("{:>{}}", quantity(model->points[k]), width_of(*model));
     }
   }
   return text + "\n";
+}
+
+/// -F_y/F_z with the bar of the force.
+std::string lateral_coefficient(const PointResult& point) {
+  const auto bar = point.error_estimate.find("lateral_force");
+  return barred(-point.lateral_force / point.normal_force,
+                bar != point.error_estimate.end()
+                    ? fmt::format("+- {:.2g}", bar->second / point.normal_force)
+                    : contact::bar_text(point, "lateral_force"));
 }
 
 /// Everything about one patch.
@@ -86,13 +116,15 @@ std::string scene_table(const std::vector<ModelResult>& models) {
     if (has_friction(model)) with_friction.push_back(&model);
   if (with_friction.empty()) return text;
   text += curve_table(with_friction, "traction coefficient -F_x/F_z (forces on the wheel)",
-                      [](const PointResult& point) { return point.traction_coefficient; });
+                      [](const PointResult& point) {
+                        return barred(point.traction_coefficient,
+                                      contact::bar_text(point, "traction_coefficient"));
+                      });
   const auto& points = with_friction.front()->points;
   if (any_creepage(points, &contact::Creepage::lateral) ||
       any_creepage(points, &contact::Creepage::spin))
-    text += curve_table(
-        with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
-        [](const PointResult& point) { return -point.lateral_force / point.normal_force; });
+    text += curve_table(with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
+                        [](const PointResult& point) { return lateral_coefficient(point); });
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include "app/scene_checkpoint.hpp"
 #include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
 #include "meshes/track/scenes.hpp"
 #include "wheelset/result_check.hpp"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rollfem::app {
 
@@ -63,6 +65,26 @@ std::string normals_note(const contact::Scene& scene, const contact::ModelResult
       largest - least, along_y);
 }
 
+/// With the bar that follows from those of the two forces; one that is given or exact has none, nor
+/// has the share that the wheelset's balance has found.
+void add_vertical_force(const contact::ContactPlace& place, contact::PointResult& point) {
+  point.vertical_force = meshes::vertical_force(point.normal_force, point.lateral_force, place);
+  const auto bar = [&](const char* name) {
+    const auto found = point.error_estimate.find(name);
+    return found == point.error_estimate.end() ? 0.0 : found->second;
+  };
+  if (place.patches > 1)
+    point.no_bar["vertical_force"] = contact::no_bar::balance;
+  else if (point.error_estimate.count("normal_force") +
+               point.error_estimate.count("lateral_force") >
+           0)
+    point.error_estimate["vertical_force"] =
+        std::abs(meshes::vertical_force(bar("normal_force"), 0.0, place)) +
+        std::abs(meshes::vertical_force(0.0, bar("lateral_force"), place));
+  else
+    point.no_bar["vertical_force"] = point.no_bar["lateral_force"];
+}
+
 /// What the result of a patch says beyond what the model knows.
 void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
             contact::ModelResult& result) {
@@ -83,9 +105,7 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
       text += "; within a contact this model leaves out what the others displace";
     result.notes.push_back(std::move(text));
   }
-  for (contact::PointResult& point : result.points)
-    point.vertical_force =
-        meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
+  for (contact::PointResult& point : result.points) add_vertical_force(*scene.place, point);
 }
 
 /// Runs one model; an error that does not say so gets the name of the model.

@@ -4,15 +4,7 @@
 
 namespace rollfem::wheelset {
 
-namespace {
-
-/// Forces to about half a percent of mu F_z (docs/accuracy.md); what of it enters the balance is
-/// smaller by the sine of the contact angle, and the rotation feels it in both wheels alike.
-constexpr int elements_across = 24;
-
-}  // namespace
-
-std::vector<meshes::PatchForce> patch_forces(const contact::Scene& scene) {
+std::vector<meshes::PatchForce> patch_forces(const contact::Scene& scene, int elements_across) {
   contact::Scene coarse = scene;
   coarse.accuracy.relative.reset();
   coarse.contact_grid = {};

@@ -1,6 +1,7 @@
 #include "wheelset/position.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/refinement.hpp"
 #include "halfspace/model/load_sharing.hpp"
 #include "meshes/track/scenes.hpp"
 #include "meshes/track/wheelset_motion.hpp"
@@ -51,8 +52,9 @@ double largest_force(const Patch& patch) {
 
 class Position {
  public:
-  Position(const Case& input, const std::vector<meshes::PlacedScene>& scenes)
+  Position(const Case& input, const std::vector<meshes::PlacedScene>& scenes, int elements_across)
       : input_(input),
+        elements_across_(elements_across),
         rotation_(meshes::rotation_changes(input)),
         free_(input.wheelset.free_rolling) {
     for (const meshes::PlacedScene& scene : scenes) {
@@ -268,11 +270,12 @@ class Position {
     for (Patch& patch : wheel.patches) meshes::set_rotation_changes(patch.placed, input_, rotation);
   }
 
-  static void solve(std::vector<Wheel>& wheels) {
+  void solve(std::vector<Wheel>& wheels) const {
     for (Wheel& wheel : wheels) solve(wheel);
   }
-  static void solve(Wheel& wheel) {
-    for (Patch& patch : wheel.patches) patch.force = patch_forces(patch.placed.scene);
+  void solve(Wheel& wheel) const {
+    for (Patch& patch : wheel.patches)
+      patch.force = patch_forces(patch.placed.scene, elements_across_);
   }
 
   double torque(const Wheel& wheel, std::size_t k) const {
@@ -333,16 +336,44 @@ class Position {
   }
 
   const Case& input_;
+  int elements_across_;
   std::vector<Wheel> wheels_;
   std::vector<double> rotation_;  ///< relative change per load point
   FreeRolling free_;
 };
 
+/// Errors of the creepages from a balance on half as many elements, 1.5 times the change as of
+/// forces (docs/accuracy.md). None where that finds other patches.
+void add_creepage_errors(const std::vector<contact::Scene>& coarse,
+                         std::vector<contact::Scene>& scenes) {
+  if (coarse.size() != scenes.size()) return;
+  for (std::size_t s = 0; s < scenes.size(); ++s)
+    for (std::size_t k = 0; k < scenes[s].points.size() && k < coarse[s].points.size(); ++k) {
+      const contact::Creepage& a = scenes[s].points[k].creepage;
+      const contact::Creepage& b = coarse[s].points[k].creepage;
+      const auto error = [](double fine, double rough) {
+        return contact::uneven_safety * std::abs(fine - rough);
+      };
+      scenes[s].points[k].creepage_error = {error(a.longitudinal, b.longitudinal),
+                                            error(a.lateral, b.lateral), error(a.spin, b.spin)};
+    }
+}
+
 }  // namespace
 
 std::vector<contact::Scene> balanced_position(const Case& input,
                                               const std::vector<meshes::PlacedScene>& scenes) {
-  return Position(input, scenes).balanced();
+  auto balanced = Position(input, scenes, elements_of_balance).balanced();
+  const bool rolls = input.friction_coefficient > 0.0 &&
+                     input.rolling.problem == contact::Problem::steady &&
+                     input.wheelset.free_rolling != FreeRolling::none;
+  if (!rolls) return balanced;
+  for (contact::Scene& scene : balanced) scene.turns_freely = true;
+  try {
+    add_creepage_errors(Position(input, scenes, elements_of_balance / 2).balanced(), balanced);
+  } catch (const contact::SolveError&) {  // the bars are then said to be none
+  }
+  return balanced;
 }
 
 }  // namespace rollfem::wheelset

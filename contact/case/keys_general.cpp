@@ -29,8 +29,8 @@ SectionWithKeys general_section() {
   keys.choices("accuracy_of")
       .among(accuracy_words())
       .says(
-          "What `accuracy` is asked of: the largest error over all load points, relative to the "
-          "value; of traction_coefficient and max_traction_x to the largest of the creep curve.")
+          "What `accuracy` is asked of: the largest error over all load points, as part of the "
+          "value; of traction_coefficient as part of mu, of max_traction_x of mu p_0.")
       .into(&Case::accuracy_of);
   return keys;
 }

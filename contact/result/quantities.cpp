@@ -1,6 +1,7 @@
 #include "contact/result/quantities.hpp"
 
 #include "contact/base/accuracy.hpp"
+#include "contact/result/bars.hpp"
 
 #include <fmt/format.h>
 
@@ -58,26 +59,26 @@ std::vector<Quantity> of_the_motion() {
       {"longitudinal_creepage", "longitudinal creepage", "xi", "-",
        "longitudinal creepage, as prescribed or as found for a prescribed force; positive brakes "
        "the wheel",
-       Scale::none, Use::stored, at<&P::creepage, &Creepage::longitudinal>()},
+       Scale::none, Use::stored, at<&P::creepage, &Creepage::longitudinal>(), no_bar::given},
       {"lateral_creepage", "lateral creepage", "eta", "-",
        "lateral creepage; positive where the wheel slides towards +y", Scale::none, Use::stored,
-       at<&P::creepage, &Creepage::lateral>()},
+       at<&P::creepage, &Creepage::lateral>(), no_bar::given},
       {"spin", "spin", "phi", "rad/mm",
        "rotation of the wheel against the rail about the normal, per mm rolled", Scale::none,
-       Use::stored, at<&P::creepage, &Creepage::spin>()},
+       Use::stored, at<&P::creepage, &Creepage::spin>(), no_bar::given},
       {"step", "step", "", "-",
        "number of the step in a history (problems `shift`, `transient`), from 1; else 0",
-       Scale::none, Use::stored, at<&P::step>()},
+       Scale::none, Use::stored, at<&P::step>(), no_bar::counted},
       {"longitudinal_shift", "longitudinal shift", "", "mm",
        "rigid shift of the wheel over the rail along x since the beginning", Scale::none,
-       Use::stored, at<&P::longitudinal_shift>()},
+       Use::stored, at<&P::longitudinal_shift>(), no_bar::given},
       {"lateral_shift", "lateral shift", "", "mm",
        "rigid shift of the wheel over the rail along y since the beginning", Scale::none,
-       Use::stored, at<&P::lateral_shift>()},
+       Use::stored, at<&P::lateral_shift>(), no_bar::given},
       {"spin_shift", "rotation", "", "rad", "rotation about the normal since the beginning",
-       Scale::none, Use::stored, at<&P::spin_shift>()},
+       Scale::none, Use::stored, at<&P::spin_shift>(), no_bar::given},
       {"distance", "distance", "", "mm", "distance rolled since the beginning", Scale::none,
-       Use::stored, at<&P::distance>()},
+       Use::stored, at<&P::distance>(), no_bar::given},
   };
 }
 
@@ -130,7 +131,7 @@ std::vector<Quantity> of_the_patch() {
       {"patch_count", "patches", "", "-",
        "regions of the contact that do not touch each other; where there are several, forces are "
        "those of all, and `patches` of `summary.json` and `patches.csv` list each",
-       Scale::none, Use::stored, at<&P::patch_count>()},
+       Scale::none, Use::stored, at<&P::patch_count>(), no_bar::counted},
   };
 }
 
@@ -138,13 +139,13 @@ std::vector<Quantity> of_the_patch() {
 std::vector<Quantity> of_the_solution() {
   return {
       {"iterations", "iterations", "", "-", "outer iterations (FE solves) or Newton steps",
-       Scale::none, Use::stored, at<&P::iterations>()},
+       Scale::none, Use::stored, at<&P::iterations>(), no_bar::counted},
       {"residual", "residual", "", "-", "relative residual at which the iteration stopped",
-       Scale::none, Use::stored, at<&P::residual>()},
+       Scale::none, Use::stored, at<&P::residual>(), no_bar::measured},
       {"seconds", "seconds", "", "s", "time of this load point", Scale::none, Use::stored,
-       at<&P::seconds>()},
+       at<&P::seconds>(), no_bar::measured},
       {"converged", "converged", "", "-", "a point that is not converged must not be used",
-       Scale::none, Use::stored, at<&P::converged>()},
+       Scale::none, Use::stored, at<&P::converged>(), no_bar::counted},
       {"elastic_energy", "elastic energy", "", "N mm",
        "elastic energy of both bodies; half-space only", Scale::value, Use::stored,
        at<&P::elastic_energy>()},

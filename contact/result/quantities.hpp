@@ -47,6 +47,7 @@ struct Quantity {
   ErrorScale scale;
   QuantityUse use;
   QuantityMember member;
+  const char* no_bar = "";  ///< why it never has an error estimate (bars.hpp); empty: it may have
 
   /// None where the model does not give it, of those that may be absent.
   std::optional<double> value(const PointResult& point) const { return member.get(point); }

@@ -75,22 +75,31 @@ void Record::value(std::vector<ElementState>& states) {
   plain(states);
 }
 
-void Record::value(std::map<std::string, double>& numbers) {
-  const std::size_t count = length(numbers.size(), 1);
+template <class Entry>
+void Record::by_name(std::map<std::string, Entry>& entries) {
+  const std::size_t count = length(entries.size(), 1);
   if (reading_) {
-    numbers.clear();
+    entries.clear();
     for (std::size_t i = 0; i < count; ++i) {
       std::string name;
-      double number = 0.0;
-      values(name, number);
-      numbers[name] = number;
+      Entry entry{};
+      values(name, entry);
+      entries[name] = entry;
     }
     return;
   }
-  for (auto& [name, number] : numbers) {
+  for (auto& [name, entry] : entries) {
     std::string copy = name;
-    values(copy, number);
+    values(copy, entry);
   }
+}
+
+void Record::value(std::map<std::string, double>& numbers) {
+  by_name(numbers);
+}
+
+void Record::value(std::map<std::string, std::string>& words) {
+  by_name(words);
 }
 
 void Record::value(SubsurfaceField& field) {
@@ -123,7 +132,7 @@ void Record::value(PointResult& p) {
     value(number);
     if (reading_ && number) quantity.member.set(p, *number);
   }
-  values(p.error_estimate, p.richardson);
+  values(p.error_estimate, p.no_bar, p.model_error, p.richardson);
   ContactFields& f = p.fields;
   values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.state);
   std::size_t requests = length(p.subsurface.size(), 1);

@@ -42,6 +42,7 @@ class Record {
   void value(Response& response);
   void value(std::vector<ElementState>& states);
   void value(std::map<std::string, double>& numbers);
+  void value(std::map<std::string, std::string>& words);
   void value(SubsurfaceField& field);
   void value(BodyValues& values);
   void value(std::vector<BodyField>& bodies);
@@ -59,6 +60,8 @@ class Record {
   std::size_t length(std::size_t size, std::size_t bytes_each);
   template <class Entry>
   void plain(std::vector<Entry>& entries);
+  template <class Entry>
+  void by_name(std::map<std::string, Entry>& entries);
 
   std::string bytes_;
   std::size_t position_ = 0;

@@ -79,9 +79,12 @@ struct PointResult {
   double residual = 0.0;        ///< relative residual at which the iteration stopped
   double seconds = 0.0;
   bool converged = false;
-  /// Bars: quantity -> the estimated error of its value, absolute and in its unit
-  /// (docs/accuracy.md).
+  /// Bars: quantity -> the estimated error of its value, absolute and in its unit: what grid and
+  /// solver leave uncertain (docs/bars.md).
   std::map<std::string, double> error_estimate;
+  std::map<std::string, std::string> no_bar;  ///< quantity -> why it has none (bars.hpp)
+  /// Quantity -> how far the model is from what it stands for, however fine its grid: absolute.
+  std::map<std::string, double> model_error;
   std::map<std::string, double> richardson;  ///< quantity -> value extrapolated to cells of 0
   // What not every model gives.
   std::optional<double> elastic_energy;   ///< N mm
@@ -117,6 +120,8 @@ struct ModelResult {
   std::vector<PointResult> points;
   std::vector<BodyField> bodies;   ///< undeformed, without values (PointResult::bodies); fem only
   std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
+  /// What PointResult::model_error was taken from, or why there is none.
+  std::string model_error_source;
   /// What was asked for and not reached, though the results are sound as far as they go; else
   /// empty. The run then ends with status 1 after they are written.
   std::string shortfall;

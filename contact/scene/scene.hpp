@@ -28,6 +28,8 @@ struct LoadPoint {
   NormalLoad load;
   Creepage creepage;      ///< 0 in a direction whose force is prescribed
   PrescribedForce force;  ///< in place of creepages (shifts)
+  /// Where a wheelset's balance has found creepages: their errors, absolute.
+  std::optional<Creepage> creepage_error;
   // Rigid displacements of the wheel relative to the rail during this step, not since the
   // beginning.
   double longitudinal_shift = 0.0;  ///< mm, Problem::shift
@@ -66,6 +68,7 @@ struct Scene {
   Friction friction_law;  ///< as the case gives it; null where mu is 0
   Problem problem = Problem::steady;
   std::vector<LoadPoint> points;
+  bool turns_freely = false;  ///< a wheelset's balance has found the rotation, and the creepages
   std::optional<GivenPressure> given_pressure;
   double speed = 0.0;  ///< mm/s
   UpwindOrder upwind_order = UpwindOrder::second;

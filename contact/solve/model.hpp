@@ -4,6 +4,7 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/result/bars.hpp"
 #include "contact/result/result.hpp"
 #include "contact/scene/scene.hpp"
 
@@ -89,6 +90,9 @@ struct ModelInfo {
   bool built = true;          ///< this build has it
   bool in_run = false;        ///< `run` computes it where neither call nor case names models
   bool in_compare = false;    ///< the same for `compare`
+  BarRules bars = {};         ///< what it says of values without an error estimate
+  /// Why it gives no PointResult::model_error, where it does not.
+  const char* no_model_error = "not estimated";
 
   /// Why it cannot take this problem; nothing when it can.
   std::optional<std::string> cannot(const ModelInput& input) const {

@@ -98,6 +98,8 @@ ModelResult ModelRegistry::run(const std::string& name, const ModelInput& input,
   check_validity(input, result, kind);
   for (std::string& warning : validity_warnings(input, result, kind))
     result.notes.push_back(std::move(warning));
+  explain_bars(input, model.bars, result);
+  if (result.model_error_source.empty()) result.model_error_source = model.no_model_error;
   return result;
 }
 

@@ -11,8 +11,7 @@ namespace rollfem::fem {
 
 /// Adds the error estimates of the forces (longitudinal_force, lateral_force, spin_moment,
 /// traction_coefficient) and of the largest |p_x| to load point k of the finest level. `levels`:
-/// at least two, the finest last, each of half the cells of the one before. Estimates are relative
-/// to the value, or to a hundredth of full sliding where that is more.
+/// at least two, the finest last, each of half the cells of the one before.
 void estimate_force_errors(const contact::Scene& scene, std::vector<contact::ModelResult>& levels,
                            std::size_t k, double assumed_order);
 

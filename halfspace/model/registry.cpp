@@ -3,6 +3,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/model/model_error.hpp"
 #include "halfspace/model/refinements.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface_fields.hpp"
@@ -97,12 +98,19 @@ ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
       {scene.strip.strips, scene.strip.strip_elements, scene.strip.virtual_penetration});
 }
 
-/// Without a checkpoint: a theory takes no time.
-contact::ModelRun quick(contact::Model model) {
-  return [model = std::move(model)](const Scene& c, const Progress& p, contact::Checkpoint*) {
-    return model(c, p);
+/// Without a checkpoint: a theory takes no time. Its distance from the half-space goes with it.
+contact::ModelRun theory(contact::Model model, bool with_friction = true) {
+  return [model = std::move(model), with_friction](const Scene& c, const Progress& p,
+                                                   contact::Checkpoint*) {
+    ModelResult result = model(c, p);
+    estimate_model_error(c, with_friction, result);
+    return result;
   };
 }
+
+/// A theory on Hertz's ellipse: closed forms to the end, or strips with error estimates.
+constexpr contact::BarRules closed_form{true, contact::no_bar::theory};
+constexpr contact::BarRules strips_on_ellipse{true, contact::no_bar::not_estimated};
 
 /// What every theory of an elliptic patch takes, and `more`.
 Demands of_ellipse(const Demands& more) {
@@ -118,9 +126,12 @@ void add_theories(contact::ModelRegistry& models) {
   hertz.takes = of_ellipse({Demand::history, Demand::tangential_force, Demand::profiles,
                             Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
                             Demand::extra_slip_on_profiles});
-  hertz.run = quick([](const Scene& c, const Progress& p) {
-    return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
-  });
+  hertz.run = theory(
+      [](const Scene& c, const Progress& p) {
+        return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
+      },
+      false);
+  hertz.bars = closed_form;
   hertz.in_run = hertz.in_compare = true;
   models.add(hertz);
 
@@ -128,26 +139,30 @@ void add_theories(contact::ModelRegistry& models) {
                    "Kalker's linear theory: creep forces without the bound of friction"};
   linear.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin});
   linear.bounded = false;
-  linear.run = quick(elliptic(run_linear, {false, true}));
+  linear.run = theory(elliptic(run_linear, {false, true}));
+  linear.bars = closed_form;
   models.add(linear);
 
   ModelInfo vermeulen{"vermeulen-johnson", "Vermeulen-Johnson",
                       "Vermeulen and Johnson's creep forces on an ellipse, without spin"};
   vermeulen.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage});
-  vermeulen.run = quick(elliptic(run_vermeulen_johnson, {true, true}));
+  vermeulen.run = theory(elliptic(run_vermeulen_johnson, {true, true}));
+  vermeulen.bars = closed_form;
   models.add(vermeulen);
 
   ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
   carter.takes = of_ellipse({Demand::extra_slip});
   carter.run =
-      quick([](const Scene& c, const Progress& p) { return run_carter(c, p, c.carter.strips); });
+      theory([](const Scene& c, const Progress& p) { return run_carter(c, p, c.carter.strips); });
+  carter.bars = strips_on_ellipse;
   carter.refinements = {carter_strips()};
   models.add(carter);
 
   ModelInfo fastsim{"fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse"};
   fastsim.takes =
       of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
-  fastsim.run = quick(elliptic(run_fastsim_of_case));
+  fastsim.run = theory(elliptic(run_fastsim_of_case));
+  fastsim.bars = strips_on_ellipse;
   fastsim.refinements = {fastsim_strips()};
   fastsim.in_compare = true;
   models.add(fastsim);
@@ -155,7 +170,7 @@ void add_theories(contact::ModelRegistry& models) {
   ModelInfo strip{"strip", "strip", "strips along rolling, each after Hertz, with brushes"};
   strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
                             Demand::extra_slip, Demand::extra_slip_on_profiles});
-  strip.run = quick(
+  strip.run = theory(
       [](const Scene& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); });
   strip.refinements = {strip_strips()};
   strip.in_compare = true;
@@ -170,6 +185,8 @@ contact::ModelRegistry make_models() {
   halfspace.takes = contact::all_demands_but({Demand::inertia, Demand::beyond_half_space});
   halfspace.run = run_halfspace_with_depth;
   halfspace.refinements = {contact_grid()};
+  halfspace.no_model_error =
+      "not estimated: what half-spaces leave out is seen beside the models hybrid and fem";
   halfspace.has_stress = halfspace.in_run = halfspace.in_compare = true;
   models.add(halfspace);
   return models;

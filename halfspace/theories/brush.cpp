@@ -220,6 +220,15 @@ void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int or
   estimate("longitudinal_force", &CreepForces::longitudinal);
   estimate("lateral_force", &CreepForces::lateral);
   estimate("spin_moment", &CreepForces::spin_moment);
+  // What ends at a border within an element has its whole change.
+  const auto uneven = [&](const char* name, double BrushTotals::*member, double scale) {
+    if (totals.*member > 0.0)
+      point.error_estimate[name] = scale * std::abs(totals.*member - coarse.*member);
+  };
+  uneven("max_traction", &BrushTotals::max_traction, 1.0);
+  uneven("max_traction_x", &BrushTotals::max_traction_x, 1.0);
+  if (totals.contact_area > 0.0)
+    uneven("adhesion_area", &BrushTotals::adhesion_area, point.contact_area / totals.contact_area);
   if (point.normal_force > 0.0)
     point.error_estimate["traction_coefficient"] =
         point.error_estimate["longitudinal_force"] / point.normal_force;

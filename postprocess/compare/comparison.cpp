@@ -96,6 +96,9 @@ ComparedNumber number_of(const ModelResult& model, std::size_t k, const Quantity
   number.quantity = quantity.name;
   number.value = value_of(point, quantity);
   number.error = error_of(point, quantity);
+  if (const auto left_out = point.model_error.find(quantity.name);
+      left_out != point.model_error.end())
+    number.model_error = left_out->second;
   return number;
 }
 

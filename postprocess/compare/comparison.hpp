@@ -47,6 +47,7 @@ struct ComparedNumber {
   std::string quantity;  ///< as in summary.json, or lateral_coefficient = -F_y/F_z
   double value = 0.0;
   std::optional<double> error;  ///< the model's own estimate, absolute; none: it gives no estimate
+  std::optional<double> model_error;  ///< what the model says that it leaves out, absolute
   std::optional<double> reference_value;
   double reference_error = 0.0;  ///< absolute; 0 without an estimate
   /// What differences are relative to: the reference's value, or what full sliding gives.

@@ -23,6 +23,7 @@ ordered_json number_json(const ComparedNumber& number) {
   json["quantity"] = number.quantity;
   json["value"] = number.value;
   if (number.error) json["error"] = *number.error;
+  if (number.model_error) json["model_error"] = *number.model_error;
   if (!number.reference_value) return json;
   json["reference"] = number.reference;
   json["reference_value"] = *number.reference_value;

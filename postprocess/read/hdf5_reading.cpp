@@ -160,14 +160,33 @@ std::string read_text(hid_t object, const std::string& name) {
   return texts.lines().front();
 }
 
-std::map<std::string, double> read_numbers(hid_t object) {
-  const Silence silence;
+namespace {
+
+std::vector<std::string> attribute_names(hid_t object) {
   std::vector<std::string> names;
   hsize_t at = 0;
   if (H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &at, keep_attribute, &names) < 0)
     fail("there is no readable", "list of attributes");
+  return names;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> read_texts(hid_t object) {
+  const Silence silence;
+  std::map<std::string, std::string> texts;
+  for (const std::string& name : attribute_names(object)) {
+    const Handle attribute = open_attribute(object, name);
+    const Handle type(H5Aget_type(attribute), "H5Aget_type");
+    if (!is_number(type)) texts[name] = read_text(object, name);
+  }
+  return texts;
+}
+
+std::map<std::string, double> read_numbers(hid_t object) {
+  const Silence silence;
   std::map<std::string, double> numbers;
-  for (const std::string& name : names) {
+  for (const std::string& name : attribute_names(object)) {
     const Handle attribute = open_attribute(object, name);
     const Handle type(H5Aget_type(attribute), "H5Aget_type");
     if (is_number(type)) numbers[name] = read_number(object, name);

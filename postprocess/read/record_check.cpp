@@ -66,6 +66,8 @@ void check_point(const std::string& where, const contact::ContactGrid& grid,
     require_finite(quantity.value(point).value_or(0.0), fmt::format("{}/{}", where, quantity.name));
   for (const auto& [quantity, error] : point.error_estimate)
     require_finite(error, fmt::format("{}/error_estimate/{}", where, quantity));
+  for (const auto& [quantity, error] : point.model_error)
+    require_finite(error, fmt::format("{}/model_error/{}", where, quantity));
   for (const auto& [quantity, value] : point.richardson)
     require_finite(value, fmt::format("{}/richardson/{}", where, quantity));
   check_fields(where, grid, point.fields);

@@ -246,7 +246,9 @@ PointResult read_point(hid_t group, const contact::ContactGrid& grid, const File
   PointResult point;
   read_quantities(group, traits.quantities, point);
   point.error_estimate = read_by_quantity(group, "error_estimate");
+  point.model_error = read_by_quantity(group, "model_error");
   point.richardson = read_by_quantity(group, "richardson");
+  if (has_member(group, "no_bar")) point.no_bar = read_texts(open_group(group, "no_bar"));
   read_fields(group, grid, point.fields);
   point.stress_maxima = read_maxima(group);
   if (traits.relative_errors) make_errors_absolute(point, traits.friction_coefficient);
@@ -277,6 +279,8 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
     ModelResult result;
     result.name = model.name;
     if (has_attribute(group, "label")) result.label = read_text(group, "label");
+    if (has_attribute(group, "model_error_source"))
+      result.model_error_source = read_text(group, "model_error_source");
     result.unknowns = static_cast<long>(read_number(group, "unknowns"));
     result.contact_elements = static_cast<int>(read_number(group, "contact_elements"));
     result.notes = read_lines(group, "notes");

@@ -16,6 +16,8 @@ contact::PointResult read_point(const json& stored) {
       quantity.member.set(point, found->is_boolean() ? static_cast<double>(found->get<bool>())
                                                      : found->get<double>());
   stored.at("error_estimate").get_to(point.error_estimate);
+  if (stored.contains("no_bar")) stored.at("no_bar").get_to(point.no_bar);
+  if (stored.contains("model_error")) stored.at("model_error").get_to(point.model_error);
   return point;
 }
 

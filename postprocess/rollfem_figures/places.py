@@ -157,9 +157,9 @@ def contact_table(result):
         row += [tables.number(place[k], d) for k, d in
                 (("y_track", 7), ("y_rail", 5), ("y_wheel", 5))]
         row += [tables.number(math.degrees(place["contact_angle"]), 4),
-                tables.number(place["rolling_radius"], 7), tables.number(point["normal_force"], 5)]
+                tables.number(place["rolling_radius"], 7), tables.barred(point, "normal_force")]
         for name in names:
             found = [m for m in scene.models if m.name == name and m.points]
-            row.append(tables.number(found[0].points[0]["max_pressure"], 5) if found else "–")
+            row.append(tables.barred(found[0].points[0], "max_pressure") if found else "–")
         rows.append(row)
     return tables.table(head, rows)

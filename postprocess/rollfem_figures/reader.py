@@ -68,7 +68,8 @@ class Point:
     `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in
     summary.json. `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y,
     gap (mm), state (0 exterior, 1 adhesion, 2 slip), ...; what the model does not give is missing.
-    `errors`: bars, the estimated error by quantity in its unit.
+    `errors`: bars, the estimated error by quantity in its unit; `no_bar`: why a quantity has none
+    ("exact", "given", ...); `model_errors`: what the model leaves out, in the unit of the quantity.
     """
 
     scalars: dict
@@ -82,6 +83,8 @@ class Point:
     stress_maxima: list = field(default_factory=list)
     # {"wheel": Body, "rail": Body}; empty but for finite elements, where the file keeps them
     bodies: Mapping = field(default_factory=dict)
+    no_bar: dict = field(default_factory=dict)
+    model_errors: dict = field(default_factory=dict)
 
     def __getitem__(self, name):
         return self.scalars[name]
@@ -120,6 +123,7 @@ class Model:
     # but for finite elements
     bodies: Mapping = field(default_factory=dict)
     label: str = ""  # what figures call it
+    model_error_source: str = ""  # what the model errors were taken from, or why there are none
 
     @property
     def has_friction(self):
@@ -240,8 +244,10 @@ def _read_point(group, number, by_number, nodes):
     scalars = _attributes(group)
     if "derived" in group:  # format_minor 2 and before
         scalars.update(_attributes(group["derived"]))
-    return Point(scalars, fields, _attributes(group["error_estimate"]), number, by_number,
-                 below, _read_maxima(group), bodies)
+    said = {name: _attributes(group[name]) if name in group else {}
+            for name in ("error_estimate", "no_bar", "model_error")}
+    return Point(scalars, fields, said["error_estimate"], number, by_number, below, _read_maxima(group),
+                 bodies, said["no_bar"], said["model_error"])
 
 
 # What errors and differences are given in percent of; of the value where there is no entry.
@@ -292,7 +298,8 @@ def _read_model(key, group, by_number):
     return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
                  _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
                  grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
-                 points, key, place, bodies, _plain(group.attrs.get("label", "")))
+                 points, key, place, bodies, _plain(group.attrs.get("label", "")),
+                 _plain(group.attrs.get("model_error_source", "")))
 
 
 def _read_profiles(file):

@@ -38,6 +38,11 @@ coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises wit
 −p<sub>x</sub> for the same reason. Slip is that of the wheel's surface relative to the rail."""
 
 
+BARS = ("±: what grid and solver leave uncertain, as the model estimates it, in the unit of the value; the word in its "
+        "place says why there is none (exact: a closed form; theory: one that is no exact solution). "
+        "“model ±”: what the model leaves out whatever its grid; from what it was taken, the notes say.")
+
+
 def image(directory, name, caption):
     """A figure of a folder with its caption, as part of the page."""
     with open(os.path.join(directory, "figures", name), "rb") as file:
@@ -94,8 +99,8 @@ def _numbers(result):
     if reference is None:
         return "<p>No model was run.</p>"
     html = ["<h2>Patch and pressure</h2>", tables.patch_table(result), tables.published_table(result),
-            f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}. "
-            "±: the model's own error estimate. Bold percentages: more than both error bars allow.</p>"]
+            f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}, of its value; "
+            f"bold: more than both error bars allow. {BARS}</p>"]
     failed = [f"{style.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
               for m in result.models for p in m.points if not p["converged"]]
     if failed:
@@ -137,7 +142,8 @@ def _stresses(result, images):
 
 
 def notes(result):
-    said = dict.fromkeys((style.label(m), note) for m in result.models for note in m.notes)
+    said = dict.fromkeys((style.label(m), note) for m in result.models
+                         for note in m.notes + [f"model error: {m.model_error_source}"] * bool(m.model_error_source))
     rows = [f"<li><b>{escape(name)}</b>: {escape(note)}</li>" for name, note in said]
     return "<h2>What to know about the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
 

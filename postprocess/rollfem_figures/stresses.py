@@ -107,8 +107,8 @@ NAMES = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orth
 
 
 def _largest(model, body, measure):
-    """(value, place, error, point) of the load point where it is largest, or None."""
-    found = [(m["value"], m["place"], p.errors.get(f"max_{measure}_{body}"), p)
+    """(value, place, bar or why there is none, point) of the load point where it is largest, or None."""
+    found = [(m["value"], m["place"], p.errors.get(f"max_{measure}_{body}", p.no_bar.get(f"max_{measure}_{body}", "")), p)
              for p in model.points for m in p.stress_maxima
              if m["body"] == body and m["measure"] == measure]
     return max(found, key=lambda row: row[0]) if found else None

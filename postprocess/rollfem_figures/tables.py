@@ -35,16 +35,42 @@ def percent(value):
     return ("0.00" if float(text) == 0 else text).replace("-", "−") + " %"
 
 
-def measured(value, bar, difference=None, digits=5, beyond=False):
-    """value ± bar (absolute), and the difference to the reference in percent under it, bold where it
-    is `beyond` both error bars."""
+ROUNDING = 1e-7  # of a value: a bar below is not worth a line
+
+
+def measured(value, bar, digits=5):
+    """value ± bar, or the word in place of the bar."""
     html = f"<b>{number(value, digits)}</b>"
-    if bar and bar > 1e-7 * abs(value):  # less is rounding
+    if isinstance(bar, str):
+        return html + (f"&nbsp;<span class=e>{escape(bar)}</span>" if bar else "")
+    if bar and bar > ROUNDING * abs(value):
         html += f"&nbsp;<span class=e>±&nbsp;{number(bar, 2)}</span>"
-    if difference is not None:
-        text = f"<b>{percent(difference)}</b>" if beyond else percent(difference)
-        html += f"<br><span class=d>{text}</span>"
     return html
+
+
+def barred(point, quantity, digits=5):
+    """The value of a load point with its bar, or with why it has none."""
+    if quantity not in point.scalars:
+        return "–"
+    bar = _bar(point, quantity) if _has_bar(point, quantity) else point.no_bar.get(quantity, "")
+    return measured(point[quantity], bar, digits)
+
+
+def with_bar(point, quantity, digits=5):
+    """The value of a load point with what is said of its error, and under it what the model leaves out."""
+    html = barred(point, quantity, digits)
+    model_error = point.model_errors.get(quantity)
+    if model_error is not None:
+        html += f"<br><span class=d>model ±&nbsp;{number(model_error, 2)}</span>"
+    return html
+
+
+def differing(difference, beyond):
+    """The difference to the reference in percent, bold where it is `beyond` both error bars."""
+    if difference is None:
+        return ""
+    text = f"<b>{percent(difference)}</b>" if beyond else percent(difference)
+    return f"<br><span class=d>{text}</span>"
 
 
 def table(head, rows, kind=""):
@@ -87,14 +113,19 @@ PATCH = ["max_pressure", "contact_length", "contact_width", "semi_axis_x", "semi
          "approach", "normal_force"]
 
 
-def _beyond(value, bar, base, base_bar):
+def _beyond(point, base, quantity):
     """Whether a number differs from the reference by more than both bars; a theory without an
     estimate has none."""
-    return abs(value - base) > bar + base_bar + 1e-9 * abs(base)
+    return (abs(point[quantity] - base[quantity])
+            > _bar(point, quantity) + _bar(base, quantity) + 1e-9 * abs(base[quantity]))
 
 
 # Sizes whose error is twice that of another.
 TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
+
+
+def _has_bar(point, quantity):
+    return quantity in point.errors or TWICE.get(quantity) in point.errors
 
 
 def _bar(point, quantity):
@@ -124,13 +155,12 @@ def patch_table(result):
         row = [heading(result.quantities[quantity])]
         for model in models:
             point = model.points[0]
-            bar = _bar(point, quantity)
             against, beyond = None, False
             if model is not reference and reference and reference.points:
                 base = reference.points[0]
                 against = _difference(point[quantity], base[quantity])
-                beyond = _beyond(point[quantity], bar, base[quantity], _bar(base, quantity))
-            row.append(measured(point[quantity], bar, against, 6, beyond))
+                beyond = _beyond(point, base, quantity)
+            row.append(with_bar(point, quantity, 6) + differing(against, beyond))
         rows.append(row)
     return table(["first load point"] + [escape(style.label(m)) for m in models], rows)
 
@@ -197,13 +227,12 @@ def creepage_table(result, quantity):
             if point is None:
                 row.append("–")
             elif model is reference or base is None:
-                row.append(measured(point[quantity], _bar(point, quantity)))
+                row.append(with_bar(point, quantity))
             else:
                 sliding = full_sliding(base, percent_of, result.case["friction_coefficient"])
-                row.append(measured(point[quantity], _bar(point, quantity),
-                                    _difference(point[quantity], base[quantity], sliding or None),
-                                    beyond=_beyond(point[quantity], _bar(point, quantity),
-                                                   base[quantity], _bar(base, quantity))))
+                row.append(with_bar(point, quantity)
+                           + differing(_difference(point[quantity], base[quantity], sliding or None),
+                                       _beyond(point, base, quantity)))
         rows.append(row)
     head = [", ".join(c[0] for c in columns)] + [escape(style.label(m)) for m in models]
     return table(head, rows)
@@ -231,7 +260,7 @@ def points_table(result, model):
     names = [n for n in result.quantities
              if n != "converged" and any(p.scalars.get(n) for p in model.points)]
     rows = [[", ".join(plain(p.key[k] * f) for _, k, f in columns)]
-            + [number(p.scalars.get(n)) for n in names] + ["yes" if p["converged"] else "<b>no</b>"]
+            + [barred(p, n) for n in names] + ["yes" if p["converged"] else "<b>no</b>"]
             for p in model.points]
     quantities = [result.quantities[n] for n in names]
     head = [(symbol(q.symbol) or escape(q.title)) + unit(q) for q in quantities]

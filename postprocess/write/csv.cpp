@@ -1,5 +1,6 @@
 #include "postprocess/write/csv.hpp"
 
+#include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
@@ -28,6 +29,25 @@ std::string header(const std::string& name, const std::string& unit) {
 std::string cell(const Quantity& quantity, const PointResult& point) {
   const std::optional<double> value = quantity.value(point);
   return value ? fmt::format(",{}", *value) : ",";
+}
+
+/// What is counted or measured has no column for a bar; what is given may be found instead.
+bool may_have_bar(const Quantity& quantity) {
+  const std::string word = quantity.no_bar;
+  return word.empty() || word == contact::no_bar::given;
+}
+
+/// The bar, or the word in place of it; empty where there is no value.
+std::string bar_cell(const PointResult& point, const std::string& name) {
+  if (const auto bar = point.error_estimate.find(name); bar != point.error_estimate.end())
+    return fmt::format(",{}", bar->second);
+  const auto word = point.no_bar.find(name);
+  return word == point.no_bar.end() ? "," : "," + word->second;
+}
+
+std::string model_error_cell(const PointResult& point, const std::string& name) {
+  const auto error = point.model_error.find(name);
+  return error == point.model_error.end() ? "," : fmt::format(",{}", error->second);
 }
 
 /// With profiles every row says to which patch it belongs; else there are no such columns.
@@ -95,12 +115,20 @@ std::string creep_curve_csv(const RunRecord& run) {
   std::string text = place_head(run) + "model,point";
   for (const Quantity& quantity : contact::quantities())
     text += header(quantity.name, quantity.unit);
+  std::vector<Quantity> with_bar;
+  for (const Quantity& quantity : contact::quantities())
+    if (may_have_bar(quantity)) with_bar.push_back(quantity);
+  for (const char* what : {"error_estimate", "model_error"})
+    for (const Quantity& quantity : with_bar)
+      text += header(fmt::format("{} {}", what, quantity.name), quantity.unit);
   text += '\n';
   for (const ModelResult& model : run.models)
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       const PointResult& point = model.points[k];
       text += fmt::format("{}{},{}", place_cells(model), model.name, k);
       for (const Quantity& quantity : contact::quantities()) text += cell(quantity, point);
+      for (const Quantity& quantity : with_bar) text += bar_cell(point, quantity.name);
+      for (const Quantity& quantity : with_bar) text += model_error_cell(point, quantity.name);
       text += '\n';
     }
   return text;
@@ -164,7 +192,10 @@ std::string contacts_csv(const RunRecord& run) {
   for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
   text += ",model,point";
   for (const char* name : main_results) text += header(name, contact::quantity_named(name).unit);
-  text += ",contact_elements [-]\n";
+  text += ",contact_elements [-]";
+  for (const char* name : main_results)
+    text += header(std::string("error_estimate ") + name, contact::quantity_named(name).unit);
+  text += '\n';
   for (const ModelResult& model : run.models) {
     if (!model.place) continue;
     std::string place = model.place->left ? "left" : "right";
@@ -174,7 +205,9 @@ std::string contacts_csv(const RunRecord& run) {
       text += fmt::format("{},{},{}", place, model.name, k);
       for (const char* name : main_results)
         text += cell(contact::quantity_named(name), model.points[k]);
-      text += fmt::format(",{}\n", model.contact_elements);
+      text += fmt::format(",{}", model.contact_elements);
+      for (const char* name : main_results) text += bar_cell(model.points[k], name);
+      text += '\n';
     }
   }
   return text;

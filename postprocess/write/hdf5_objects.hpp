@@ -86,6 +86,8 @@ double read_number(hid_t object, const std::string& name);
 std::string read_text(hid_t object, const std::string& name);
 /// All attributes that are numbers.
 std::map<std::string, double> read_numbers(hid_t object);
+/// Texts among the attributes, by name.
+std::map<std::string, std::string> read_texts(hid_t object);
 
 /// A dataset of numbers with its shape; integers are converted.
 struct Numbers {

@@ -223,6 +223,13 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model) {
     write_quantity(group, quantity, point);
   write_by_quantity(group, "error_estimate", "Attributes: estimated error by quantity, in its unit",
                     point.error_estimate);
+  const Handle words = create_group(
+      group, "no_bar", "Attributes: why a quantity has no error estimate, docs/bars.md");
+  for (const auto& [quantity, word] : point.no_bar) write_attribute(words, quantity, word);
+  if (!point.model_error.empty())
+    write_by_quantity(group, "model_error",
+                      "Attributes: what the model leaves out, by quantity, in its unit",
+                      point.model_error);
   if (!point.richardson.empty())
     write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",
                       point.richardson);
@@ -246,6 +253,7 @@ void write_model(hid_t models, const ModelResult& model, long order) {
   if (!model.label.empty()) write_attribute(group, "label", model.label);
   if (model.place) write_place(group, *model.place);
   write_attribute(group, "order", order);
+  write_attribute(group, "model_error_source", model.model_error_source);
   write_attribute(group, "unknowns", model.unknowns);
   write_attribute(group, "contact_elements", static_cast<long>(model.contact_elements));
   const Handle seconds = create_group(group, "seconds", "Attributes: seconds by stage");

@@ -43,6 +43,9 @@ ordered_json point_json(const contact::ContactGrid& grid, const contact::PointRe
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, error] : point.error_estimate)
     json["error_estimate"][quantity] = error;
+  json["no_bar"] = ordered_json::object();
+  for (const auto& [quantity, word] : point.no_bar) json["no_bar"][quantity] = word;
+  if (!point.model_error.empty()) json["model_error"] = point.model_error;
   if (!point.richardson.empty()) json["richardson"] = point.richardson;
   for (const contact::StressMaximum& maximum : point.stress_maxima)
     json["stress_maxima"].push_back({{"body", maximum.body},
@@ -69,6 +72,7 @@ ordered_json model_json(const contact::ModelResult& model) {
   json["unknowns"] = model.unknowns;
   json["contact_elements"] = model.contact_elements;
   json["notes"] = model.notes;
+  json["model_error_source"] = model.model_error_source;
   json["points"] = ordered_json::array();
   for (const contact::PointResult& point : model.points)
     json["points"].push_back(point_json(model.grid, point));

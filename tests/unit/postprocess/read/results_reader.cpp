@@ -74,6 +74,7 @@ void expect_same(const contact::ModelResult& found, const contact::ModelResult& 
   EXPECT_EQ(found.key(), written.key());
   EXPECT_EQ(found.unknowns, written.unknowns);
   EXPECT_EQ(found.notes, written.notes);
+  EXPECT_EQ(found.model_error_source, written.model_error_source);
   EXPECT_EQ(found.grid.nx, written.grid.nx);
   EXPECT_EQ(found.grid.dy, written.grid.dy);
   EXPECT_EQ(found.grid.x(found.grid.nx - 1), written.grid.x(found.grid.nx - 1));
@@ -84,6 +85,8 @@ void expect_same(const contact::ModelResult& found, const contact::ModelResult& 
     for (const contact::Quantity& quantity : contact::quantities())
       EXPECT_EQ(quantity.value(a), quantity.value(b)) << quantity.name;
     EXPECT_EQ(a.error_estimate, b.error_estimate);
+    EXPECT_EQ(a.no_bar, b.no_bar);
+    EXPECT_EQ(a.model_error, b.model_error);
     EXPECT_EQ(a.richardson, b.richardson);
     for (const PointField& field : point_fields()) {
       const contact::Field& values = field.value(a.fields);

@@ -58,11 +58,12 @@ TEST(SummaryJson, HasTheDocumentedKeysAndNoOthers) {
   EXPECT_EQ(json["format"], 2);
   EXPECT_EQ(keys(json["program"]), "version commit ");
   const auto& model = json["models"][1];
-  EXPECT_EQ(keys(model), "name label seconds unknowns contact_elements notes points ");
+  EXPECT_EQ(keys(model),
+            "name label seconds unknowns contact_elements notes model_error_source points ");
   std::string scalars;
   for (const contact::Quantity& quantity : contact::quantities())
     if (!quantity.member.may_be_absent) scalars += std::string(quantity.name) + " ";
-  EXPECT_EQ(keys(model["points"][0]), scalars + "error_estimate ");
+  EXPECT_EQ(keys(model["points"][0]), scalars + "error_estimate no_bar ");
 }
 
 TEST(SummaryJson, GivesEveryNumberBackToTheLastBit) {

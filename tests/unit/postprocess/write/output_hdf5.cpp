@@ -58,7 +58,9 @@ TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   EXPECT_NE(printed.find("rollfem results 2 1\nTrue MPa\n"), std::string::npos) << printed;
   EXPECT_NE(printed.find("True\nTrue\n"), std::string::npos) << printed;
   EXPECT_NE(printed.find(" 1 1.25\n"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("['error_estimate', 'pressure']"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("['error_estimate', 'model_error', 'no_bar', 'pressure']"),
+            std::string::npos)
+      << printed;
   EXPECT_NE(printed.find("title = \"thesis case a: conforming plane\" | 2000.0"), std::string::npos)
       << printed;
   EXPECT_NE(printed.find("symmetry plane"), std::string::npos) << printed;

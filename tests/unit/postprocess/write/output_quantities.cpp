@@ -14,6 +14,7 @@
 
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -104,7 +105,7 @@ TEST(EveryQuantity, HasAColumnOfCreepCurveCsvWithItsUnit) {
   std::string head;
   std::getline(text, head);
   const std::vector<std::string> names = cells(head);
-  ASSERT_EQ(names.size(), 2 + quantities().size());  // model, point
+  ASSERT_GT(names.size(), 2 + quantities().size());  // model, point; bars behind
   for (std::size_t k = 0; k < 2; ++k) {
     std::string line;
     std::getline(text, line);
@@ -122,8 +123,33 @@ TEST(EveryQuantity, HasAColumnOfCreepCurveCsvWithItsUnit) {
   }
 }
 
+TEST(EveryQuantity, HasItsBarInCreepCurveCsvOrTheWordInItsPlace) {
+  RunRecord run = numbered_run();
+  run.models[0].points[0].error_estimate = {{"max_pressure", 1.25}};
+  run.models[0].points[0].no_bar = {{"approach", "given"}};
+  run.models[0].points[0].model_error = {{"semi_axis_x", 0.5}};
+  std::istringstream text(creep_curve_csv(run));
+  std::string head, line;
+  std::getline(text, head);
+  std::getline(text, line);
+  const std::vector<std::string> names = cells(head);
+  std::vector<std::string> row = cells(line);
+  row.resize(names.size());
+  const auto cell = [&](const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    EXPECT_NE(found, names.end()) << name;
+    return found == names.end() ? "" : row[static_cast<std::size_t>(found - names.begin())];
+  };
+  EXPECT_EQ(cell("error_estimate max_pressure [MPa]"), "1.25");
+  EXPECT_EQ(cell("error_estimate approach [mm]"), "given");
+  EXPECT_EQ(cell("error_estimate semi_axis_x [mm]"), "");
+  EXPECT_EQ(cell("model_error semi_axis_x [mm]"), "0.5");
+  EXPECT_EQ(std::count(names.begin(), names.end(), "error_estimate seconds [s]"), 0);
+}
+
 TEST(EveryQuantity, ComesBackFromACheckpoint) {
-  for (PointResult point : numbered_run().models[0].points) {
+  const RunRecord run = numbered_run();
+  for (PointResult point : run.models[0].points) {
     contact::Record written;
     written.value(point);
     contact::Record record(written.bytes());
@@ -131,6 +157,8 @@ TEST(EveryQuantity, ComesBackFromACheckpoint) {
     record.value(read);
     EXPECT_TRUE(record.exhausted());
     expect_same(read, point);
+    EXPECT_EQ(read.error_estimate, point.error_estimate);
+    EXPECT_EQ(read.no_bar, point.no_bar);
   }
 }
 

@@ -1,0 +1,142 @@
+#include "contact/result/bars.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Balances end at less than that, relative.
+constexpr double same_force = 1e-6;
+
+bool has_bar(const PointResult& point, const std::string& name) {
+  return point.error_estimate.count(name) != 0;
+}
+
+double bar_or_zero(const PointResult& point, const std::string& name) {
+  const auto found = point.error_estimate.find(name);
+  return found == point.error_estimate.end() ? 0.0 : found->second;
+}
+
+/// The load point that a result is of; a model that gives one point for all takes the largest load.
+NormalLoad load_behind(const Scene& scene, const ModelResult& result, std::size_t k) {
+  return result.points.size() == scene.points.size() ? scene.points[k].load : largest_load(scene);
+}
+
+PrescribedForce force_of(const Scene& scene, const ModelResult& result, std::size_t k) {
+  return result.points.size() == scene.points.size() ? scene.points[k].force : PrescribedForce{};
+}
+
+bool is_creepage(const std::string& name) {
+  return name == "longitudinal_creepage" || name == "lateral_creepage" || name == "spin";
+}
+
+/// Of creepages that a balance has found.
+void add_creepage_bars(const LoadPoint& load_point, PointResult& point) {
+  if (!load_point.creepage_error) return;
+  const Creepage& error = *load_point.creepage_error;
+  point.error_estimate.emplace("longitudinal_creepage", error.longitudinal);
+  point.error_estimate.emplace("lateral_creepage", error.lateral);
+  point.error_estimate.emplace("spin", error.spin);
+}
+
+/// What the case gives of this load point.
+bool is_given(const Scene& scene, const ModelResult& result, std::size_t k,
+              const std::string& name) {
+  if (scene.given_pressure) return false;
+  const NormalLoad load = load_behind(scene, result, k);
+  // On a curved surface tangential tractions add to the force along z.
+  if (name == "normal_force")
+    return load.force && load.direction[0] == 0.0 &&
+           std::abs(result.points[k].normal_force - *load.force) <= same_force * *load.force;
+  return name == "approach" && load.approach && !load.force;
+}
+
+/// Of the problem without friction.
+bool is_of_normal_problem(const Quantity& quantity) {
+  const std::string name = quantity.name;
+  for (const char* one : {"normal_force", "max_pressure", "approach", "semi_axis_x", "semi_axis_y",
+                          "contact_length", "contact_width", "contact_area"})
+    if (name == one) return true;
+  return false;
+}
+
+/// The word of a value without a bar.
+std::string word_of(const Scene& scene, const BarRules& rules, const ModelResult& result,
+                    std::size_t k, const Quantity& quantity) {
+  const std::string name = quantity.name;
+  const PrescribedForce force = force_of(scene, result, k);
+  const bool found =
+      (force.longitudinal && (name == "longitudinal_creepage" || name == "longitudinal_shift")) ||
+      (force.lateral && (name == "lateral_creepage" || name == "lateral_shift"));
+  if (scene.turns_freely && is_creepage(name)) return no_bar::balance;
+  if (*quantity.no_bar != '\0' && !found) return quantity.no_bar;
+  if (is_given(scene, result, k, name)) return no_bar::given;
+  const bool exact = rules.hertzian && !scene.has_profiles();
+  if (exact && is_of_normal_problem(quantity)) return no_bar::exact;
+  // Forces that a model without friction does not have, and all that does not slip.
+  if (exact && result.points[k].max_traction == 0.0 &&
+      (quantity.of_friction() || name == "adhesion_area"))
+    return no_bar::exact;
+  const bool estimates = rules.otherwise == std::string(no_bar::not_estimated);
+  return estimates && result.points[k].error_estimate.empty() ? no_bar::one_grid : rules.otherwise;
+}
+
+void explain_stresses(const BarRules& rules, PointResult& point) {
+  const auto explain = [&](const std::string& name) {
+    if (!has_bar(point, name)) point.no_bar.emplace(name, rules.otherwise);
+  };
+  for (const StressMaximum& maximum : point.stress_maxima)
+    explain(fmt::format("max_{}_{}", maximum.measure, maximum.body));
+  if (!point.subsurface.empty()) explain("subsurface_stress");
+}
+
+}  // namespace
+
+void derive_bars(PointResult& point) {
+  const auto twice = [&](const char* extent, const char* half) {
+    if (has_bar(point, half))
+      point.error_estimate.emplace(extent, 2.0 * point.error_estimate.at(half));
+  };
+  twice("contact_length", "semi_axis_x");
+  twice("contact_width", "semi_axis_y");
+  if (!point.creepage_work || !has_bar(point, "longitudinal_force") ||
+      !has_bar(point, "lateral_force") || !has_bar(point, "spin_moment"))
+    return;
+  const Creepage& c = point.creepage;
+  const double of_forces =
+      std::abs(c.longitudinal) * point.error_estimate.at("longitudinal_force") +
+      std::abs(c.lateral) * point.error_estimate.at("lateral_force") +
+      std::abs(c.spin) * point.error_estimate.at("spin_moment");
+  const double of_creepages =
+      std::abs(point.longitudinal_force) * bar_or_zero(point, "longitudinal_creepage") +
+      std::abs(point.lateral_force) * bar_or_zero(point, "lateral_creepage");
+  point.error_estimate.emplace("creepage_work", of_forces + of_creepages);
+}
+
+void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result) {
+  for (std::size_t k = 0; k < result.points.size(); ++k) {
+    PointResult& point = result.points[k];
+    if (result.points.size() == scene.points.size()) add_creepage_bars(scene.points[k], point);
+    derive_bars(point);
+    for (const Quantity& quantity : quantities()) {
+      if (!quantity.value(point)) continue;
+      if (is_given(scene, result, k, quantity.name)) point.error_estimate.erase(quantity.name);
+      if (!has_bar(point, quantity.name))
+        point.no_bar.emplace(quantity.name, word_of(scene, rules, result, k, quantity));
+    }
+    explain_stresses(rules, point);
+  }
+}
+
+std::string bar_text(const PointResult& point, const std::string& quantity) {
+  const auto bar = point.error_estimate.find(quantity);
+  if (bar != point.error_estimate.end()) return fmt::format("+- {:.2g}", bar->second);
+  const auto word = point.no_bar.find(quantity);
+  return word == point.no_bar.end() ? std::string() : word->second;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,89 @@
+#include "halfspace/model/model_error.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/bars.hpp"
+#include "contact/result/quantities.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using contact::ModelResult;
+using contact::PointResult;
+using contact::Scene;
+
+namespace {
+
+/// Some milliseconds a load point, and forces to a percent: less than theories are off by.
+constexpr int elements_across = 20;
+
+/// The load point of a model that has one for all of them.
+Scene at_largest_load(const Scene& scene) {
+  const contact::NormalLoad largest = contact::largest_load(scene);
+  for (std::size_t k = 0; k < scene.points.size(); ++k)
+    if (scene.points[k].load.force == largest.force &&
+        scene.points[k].load.approach == largest.approach)
+      return contact::at_point(scene, k);
+  return contact::at_point(scene, 0);
+}
+
+Scene rough_scene(const Scene& scene, bool with_friction, std::size_t points) {
+  Scene rough = points == scene.points.size() ? scene : at_largest_load(scene);
+  if (!with_friction) rough.problem = contact::Problem::frictionless;
+  // Points of a file come with their grid.
+  if (!rough.geometry.distance_values) {
+    rough.contact_grid = {};
+    rough.contact_grid.elements_across = elements_across;
+  }
+  rough.accuracy = {};
+  rough.subsurface.clear();
+  rough.output.stress_maxima = false;
+  return rough;
+}
+
+bool is_worth_it(const contact::Quantity& quantity, bool with_friction) {
+  if (quantity.of_friction() || std::string(quantity.name) == "adhesion_area") return with_friction;
+  return quantity.scale == contact::ErrorScale::value;
+}
+
+void add_errors(const PointResult& half, bool with_friction, PointResult& theory) {
+  for (const contact::Quantity& quantity : contact::quantities()) {
+    const auto value = quantity.value(theory);
+    const auto other = quantity.value(half);
+    const auto bar = half.error_estimate.find(quantity.name);
+    const auto word = half.no_bar.find(quantity.name);
+    const bool given = word != half.no_bar.end() && word->second == contact::no_bar::given;
+    if (!value || !other || given || !is_worth_it(quantity, with_friction)) continue;
+    // Without its bar a half-space of so few elements says nothing.
+    if (bar == half.error_estimate.end()) continue;
+    theory.model_error[quantity.name] = std::abs(*value - *other) + bar->second;
+  }
+}
+
+}  // namespace
+
+void estimate_model_error(const Scene& scene, bool with_friction, ModelResult& theory) {
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    const Scene rough = rough_scene(scene, with_friction, theory.points.size());
+    ModelResult half = run_halfspace(rough, {}, nullptr);
+    contact::explain_bars(rough, {}, half);
+    for (std::size_t k = 0; k < theory.points.size() && k < half.points.size(); ++k)
+      add_errors(half.points[k], with_friction, theory.points[k]);
+    theory.model_error_source = fmt::format(
+        "difference to the half-space with {} elements across, and its bar", elements_across);
+  } catch (const std::runtime_error& error) {  // InputError, SolveError and what they are made of
+    theory.model_error_source =
+        fmt::format("not estimated: the half-space with {} elements across has no result ({})",
+                    elements_across, error.what());
+  }
+  // Not of the total, which is what the theory costs.
+  theory.seconds["model error"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace rollfem::halfspace

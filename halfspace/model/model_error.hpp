@@ -1,0 +1,15 @@
+// How far a theory is from the half-space that it stands for.
+#pragma once
+
+#include "contact/result/result.hpp"
+#include "contact/scene/scene.hpp"
+
+namespace rollfem::halfspace {
+
+/// Sets PointResult::model_error of a theory's values from a half-space solution of the same scene
+/// with 20 elements across: the difference, and that solution's own bar. `with_friction`: the
+/// theory has forces, too. Where the half-space has no result model_error_source says why.
+void estimate_model_error(const contact::Scene& scene, bool with_friction,
+                          contact::ModelResult& theory);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,179 @@
+// Of every scalar that leaves the program it is said what its error is: a bar, or why it has none.
+// All models, and problems of every kind.
+#include "contact/result/bars.hpp"
+
+#include "contact/result/quantities.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/case_examples.hpp"
+#include "support/program.hpp"
+#include <cmath>
+#include <fstream>
+#include <set>
+
+namespace {
+
+using namespace rollfem;
+using namespace rollfem::testing;
+using nlohmann::json;
+
+const std::set<std::string> words{contact::no_bar::exact,         contact::no_bar::given,
+                                  contact::no_bar::counted,       contact::no_bar::theory,
+                                  contact::no_bar::measured,      contact::no_bar::one_grid,
+                                  contact::no_bar::not_estimated, contact::no_bar::balance};
+
+json summary_of(const std::string& text, const std::string& models) {
+  const Folder folder;
+  std::vector<std::string> call_line{
+      "run", folder.file("case.toml", text), "-o", "out", "-q", "--no-report"};
+  if (!models.empty()) call_line.insert(call_line.end(), {"-m", models});
+  const Outcome outcome = call(folder, call_line);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  if (outcome.status != 0) return {{"models", json::array()}};
+  return json::parse(contents(folder.work() / "out" / "summary.json"));
+}
+
+/// Each number has a bar that is one, or a word of the list; not both.
+void expect_all_said(const json& summary) {
+  EXPECT_FALSE(summary["models"].empty());
+  for (const json& model : summary["models"]) {
+    EXPECT_NE(model["model_error_source"].get<std::string>(), "") << model["name"];
+    for (const json& point : model["points"]) {
+      const json& bars = point["error_estimate"];
+      const json& without = point["no_bar"];
+      for (const contact::Quantity& quantity : contact::quantities()) {
+        const std::string at = model["name"].get<std::string>() + ": " + quantity.name;
+        const bool barred = bars.contains(quantity.name);
+        EXPECT_EQ(barred || without.contains(quantity.name), point.contains(quantity.name)) << at;
+        EXPECT_FALSE(barred && without.contains(quantity.name)) << at;
+        if (barred) {
+          EXPECT_TRUE(std::isfinite(bars[quantity.name].get<double>())) << at;
+          EXPECT_GE(bars[quantity.name].get<double>(), 0.0) << at;
+        } else if (without.contains(quantity.name)) {
+          EXPECT_EQ(words.count(without[quantity.name].get<std::string>()), 1U) << at;
+        }
+      }
+      const json errors = point.value("model_error", json::object());
+      for (const auto& [name, error] : errors.items())
+        EXPECT_GE(error.get<double>(), 0.0) << model["name"] << ": " << name;
+    }
+  }
+}
+
+const json& model_of(const json& summary, const std::string& name) {
+  for (const json& model : summary["models"])
+    if (model["name"] == name) return model;
+  throw std::runtime_error("no model " + name);
+}
+
+const std::string theories = "hertz,linear,vermeulen-johnson,carter,fastsim,strip,halfspace";
+const std::string rolling = small_case +
+                            "[contact_grid]\nelements_across = 20\n"
+                            "[rolling]\nlongitudinal_creepage = [0.0, 0.001, 0.02]\n";
+
+TEST(Bars, AreSaidOfEveryNumberOfEveryModel) {
+  const json summary = summary_of(rolling, theories);
+  expect_all_said(summary);
+  const json& hertz = model_of(summary, "hertz")["points"][0];
+  for (const char* name :
+       {"max_pressure", "semi_axis_x", "semi_axis_y", "approach", "contact_area"})
+    EXPECT_EQ(hertz["no_bar"][name], "exact") << name;
+  const json& linear = model_of(summary, "linear")["points"][1];
+  EXPECT_EQ(linear["no_bar"]["max_pressure"], "exact");
+  EXPECT_EQ(linear["no_bar"]["longitudinal_force"], "theory");
+  const json& half = model_of(summary, "halfspace")["points"][1];
+  EXPECT_EQ(half["no_bar"]["normal_force"], "given");
+  EXPECT_EQ(half["no_bar"]["longitudinal_creepage"], "given");
+  EXPECT_FALSE(half.contains("model_error"));
+  for (const char* name : {"contact_length", "contact_width"})
+    EXPECT_GT(half["error_estimate"][name].get<double>(), 0.0) << name;
+}
+
+/// What a theory leaves out is no less than its distance from the half-space on a fine grid.
+TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
+  const json summary = summary_of(
+      small_case +
+          "[contact_grid]\nelements_across = 80\n[rolling]\nlongitudinal_creepage = 0.001\n",
+      theories);
+  const json& half = model_of(summary, "halfspace")["points"][0];
+  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
+    const json& theory = model_of(summary, name)["points"][0];
+    for (const char* quantity : {"longitudinal_force", "traction_coefficient", "max_pressure"}) {
+      const double off = std::abs(theory[quantity].get<double>() - half[quantity].get<double>());
+      EXPECT_GE(theory["model_error"][quantity].get<double>(), off) << name << ": " << quantity;
+    }
+  }
+  // Half-spaces of 20 elements across know Hertz's pressure to 1 %.
+  const json& hertz = model_of(summary, "hertz")["points"][0];
+  EXPECT_LT(hertz["model_error"]["max_pressure"].get<double>(),
+            0.01 * hertz["max_pressure"].get<double>());
+}
+
+TEST(Bars, AreSaidOfWhatIsFoundForAForce) {
+  const json summary = summary_of(small_case +
+                                      "[contact_grid]\nelements_across = 20\n"
+                                      "[rolling]\nlongitudinal_force = -10e3\n",
+                                  "halfspace");
+  expect_all_said(summary);
+  const json& point = summary["models"][0]["points"][0];
+  EXPECT_GT(point["error_estimate"]["longitudinal_creepage"].get<double>(), 0.0);
+  EXPECT_EQ(point["no_bar"]["lateral_creepage"], "given");
+}
+
+TEST(Bars, AreSaidInOtherProblems) {
+  expect_all_said(summary_of(with("normal_force = 50e3", "approach = 0.05") +
+                                 "[contact_grid]\nelements_across = 12\n"
+                                 "[output]\nstress_maxima = true\n",
+                             "hertz,halfspace"));
+  expect_all_said(summary_of(
+      small_case + "[contact_grid]\nelements_across = 12\n"
+                   "[rolling]\nproblem = \"shift\"\n[history]\nlongitudinal_shift = 0.001\n",
+      "hertz,halfspace"));
+}
+
+/// The right wheel of S1002 on UIC60 on few elements, with a line in place of its creepages.
+std::string wheel_with(const std::string& line) {
+  std::ifstream file(std::string(ROLLFEM_SOURCE_DIR) + "/cases/s1002_uic60_right.toml");
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto replace = [&](const std::string& piece, const std::string& by) {
+    const std::size_t at = text.find(piece);
+    if (at == std::string::npos) throw std::logic_error("no '" + piece + "' in the case");
+    text.replace(at, piece.size(), by);
+  };
+  replace("longitudinal_creepage = [0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006]", "");
+  replace("elements_across = 40", "elements_across = 12");
+  replace("lateral_shift = 2.0", line + "\nlateral_shift = 2.0");
+  return text;
+}
+
+TEST(Bars, AreSaidOfPatchesOfProfiles) {
+  const json summary = summary_of(wheel_with(""), "hertz,linear,fastsim,strip,halfspace");
+  expect_all_said(summary);
+  for (const json& model : summary["models"])
+    EXPECT_TRUE(model["points"][0].contains("vertical_force"));
+}
+
+TEST(Bars, AreSaidOfWhatTheBalanceOfAWheelsetFinds) {
+  const json summary = summary_of(wheel_with("free_rolling = \"force\""), "halfspace");
+  expect_all_said(summary);
+  const json& point = summary["models"][0]["points"][0];
+  const double error = point["error_estimate"]["longitudinal_creepage"].get<double>();
+  EXPECT_GT(error, 0.0);
+  EXPECT_LT(error, 1e-4);
+}
+
+#if ROLLFEM_WITH_FEM
+TEST(Bars, AreSaidOfFiniteElements) {
+  const json summary =
+      summary_of(small_case +
+                     "[fem]\ncell_size = 2.0\nextent = 20.0\n"
+                     "[rolling]\nlongitudinal_creepage = 0.001\n[output]\nfields = false\n",
+                 "fem");
+  expect_all_said(summary);
+  EXPECT_GT(summary["models"][0]["points"][0]["error_estimate"]["max_pressure"].get<double>(), 0.0);
+}
+#endif
+
+}  // namespace
