@@ -9,6 +9,7 @@
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "contact/result/quantities.hpp"
 #include "halfspace/model/registry.hpp"
 #include "postprocess/study/study.hpp"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <tuple>
 
 namespace rollfem::app {
 
@@ -27,26 +29,40 @@ using postprocess::StudyPlace;
 using postprocess::StudySeries;
 using postprocess::StudyValues;
 
-StudyValues values_of(const contact::ModelResult& result, bool patch) {
-  StudyValues values;
-  if (result.points.empty()) return values;
-  const contact::PointResult& first = result.points.front();
-  const auto put = [&](const char* name, double value) {
-    if (value != 0.0) values[name] = value;  // 0: the model does not give it
+/// Keys of a study with the load point (from 0) and the quantity that they stand for. A value of 0
+/// is one that the model does not give.
+std::vector<std::tuple<std::string, std::size_t, std::string>> keys_of(
+    const contact::ModelResult& result, bool patch) {
+  std::vector<std::tuple<std::string, std::size_t, std::string>> keys;
+  if (result.points.empty()) return keys;
+  const auto put = [&](const char* name) {
+    if (contact::quantity(result.points.front(), name) != 0.0) keys.emplace_back(name, 0, name);
   };
-  put("max_pressure", first.max_pressure);
-  if (patch) {  // no ellipse
-    put("contact_length", first.contact_length);
-    put("contact_width", first.contact_width);
-  } else {
-    put("semi_axis_x", first.semi_axis_x);
-    put("semi_axis_y", first.semi_axis_y);
-  }
-  put("approach", first.approach);
+  put("max_pressure");
+  // A patch of profiles is no ellipse.
+  put(patch ? "contact_length" : "semi_axis_x");
+  put(patch ? "contact_width" : "semi_axis_y");
+  put("approach");
   for (std::size_t k = 0; k < result.points.size(); ++k)
     if (result.points[k].max_traction > 0.0)
-      values[fmt::format("traction_coefficient:{}", k + 1)] = result.points[k].traction_coefficient;
+      keys.emplace_back(fmt::format("traction_coefficient:{}", k + 1), k, "traction_coefficient");
+  return keys;
+}
+
+StudyValues values_of(const contact::ModelResult& result, bool patch) {
+  StudyValues values;
+  for (const auto& [key, point, name] : keys_of(result, patch))
+    values[key] = contact::quantity(result.points[point], name);
   return values;
+}
+
+StudyValues bars_of(const contact::ModelResult& result, bool patch) {
+  StudyValues bars;
+  for (const auto& [key, point, name] : keys_of(result, patch)) {
+    const auto& estimates = result.points[point].error_estimate;
+    if (const auto bar = estimates.find(name); bar != estimates.end()) bars[key] = bar->second;
+  }
+  return bars;
 }
 
 /// Hertz's values where the case is one that they are exact for.
@@ -96,6 +112,9 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   level.contact_elements = result.contact_elements;
   level.seconds = points.seconds_before() + (total == result.seconds.end() ? 0.0 : total->second);
   level.values = values_of(result, wanted.input.has_profiles());
+  level.bars = bars_of(result, wanted.input.has_profiles());
+  for (const contact::PointResult& point : result.points)
+    level.noise = std::max(level.noise, point.residual);
   keep_level(work.kept, name, level);
   points.drop();
   work.say(fmt::format("{} {}: {:.2g} s", plan.model, level.label, level.seconds));

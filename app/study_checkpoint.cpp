@@ -18,7 +18,7 @@ std::string bytes_of(const StudyLevel& level) {
   contact::Record record;
   StudyLevel copy = level;
   record.values(copy.label, copy.parameter, copy.unknowns, copy.contact_elements);
-  record.values(copy.seconds, copy.values);
+  record.values(copy.seconds, copy.values, copy.bars, copy.noise);
   return record.bytes();
 }
 
@@ -26,7 +26,7 @@ StudyLevel level_of(const std::string& bytes) {
   contact::Record record(bytes);
   StudyLevel level;
   record.values(level.label, level.parameter, level.unknowns, level.contact_elements);
-  record.values(level.seconds, level.values);
+  record.values(level.seconds, level.values, level.bars, level.noise);
   return level;
 }
 

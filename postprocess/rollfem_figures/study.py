@@ -163,12 +163,12 @@ def _is_reference(place, series, level, key):
 def _value_cell(place, series, level, key):
     if key not in level["values"]:
         return "–"
-    html = f"<b>{tables.number(level['values'][key], 6)}</b>"
+    html = tables.measured(level["values"][key], level.get("bars", {}).get(key), 6)
     if key not in level["errors"]:
         return html
     if _is_reference(place, series, level, key):
         return html + "<br><span class=d>the reference</span>"
-    html += f"<br><span class=d>{tables.number(100 * level['errors'][key], 2)} %"
+    html += f"<br><span class=d>{tables.number(100 * level['errors'][key], 2)} %{' of μ' * _is_coefficient(key)}"
     order = level.get("orders", {}).get(key)
     return html + (f", order {tables.number(order, 3)}" if order is not None else "") + "</span>"
 
@@ -180,14 +180,15 @@ def _limit_cell(limit):
     html = f"<b>{value}</b>" if "order" in limit else value
     html += f" <span class=e>± {tables.number(limit['uncertainty'], 2)}</span><br><span class=d>"
     if "order" not in limit:
-        return html + "no order</span>"
+        return html + ("settled to rounding" if limit.get("settled") else "no order") + "</span>"
     return html + f"order {tables.number(limit['order'], 3)}{', fitted' if limit['fitted'] else ''}</span>"
 
 
 def _reference_cell(reference):
     if reference is None:
         return "–"
-    return f"{tables.number(reference['value'], 6)}<br><span class=d>{reference['kind']}</span>"
+    return tables.measured(reference["value"], reference["uncertainty"], 6) + \
+        f"<br><span class=d>{reference['kind']}</span>"
 
 
 def _series_table(place, series):
@@ -221,7 +222,8 @@ def _overview(study):
     return "<h2>Largest pressure of every patch</h2>" + tables.table(head, rows)
 
 
-HINTS = """Errors in percent of the reference, of traction coefficients in percent of μ. Orders: from the
+HINTS = """±: the model's own estimate; of limits, what the levels leave uncertain.
+Errors in percent of the reference, of traction coefficients in percent of μ. Orders: from the
 errors of a level and the one before where the reference is exact or given, else from the last three values.
 Limit: Richardson's value of the three finest levels with its uncertainty; where these show no order (they are
 not monotone, or their changes do not fall) that of a curve fitted to all levels, if four or more follow one;

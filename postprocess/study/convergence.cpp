@@ -16,7 +16,8 @@ constexpr double formal_order = 2.0;
 constexpr double rounding = 1e-12;  // relative; changes below are none
 constexpr std::size_t fewest_to_fit = 4;
 constexpr double largest_fitted_order = formal_order + 0.5;
-constexpr double most_scatter = 0.2;  // of the mean change from level to level
+constexpr double spread_safety = 1.5;  // of the spread of a few extrapolated values
+constexpr double most_scatter = 0.2;   // of the mean change from level to level
 
 struct Three {
   std::optional<double> order;
@@ -104,45 +105,74 @@ void fit_all(const std::vector<double>& values, double ratio, Limit& limit) {
       safety * std::abs(values.back() - best.limit) + scatter + std::abs(best.last_residual);
 }
 
-/// Three times the largest of the last two changes.
-double blind_uncertainty(const std::vector<double>& values) {
+/// Of the last two.
+double largest_change(const std::vector<double>& values) {
   const std::size_t n = values.size();
   double change = std::abs(values[n - 1] - values[n - 2]);
   if (n > 2) change = std::max(change, std::abs(values[n - 2] - values[n - 3]));
-  return safety_blind * change;
+  return change;
+}
+
+double blind_uncertainty(const std::vector<double>& values) {
+  return safety_blind * largest_change(values);
+}
+
+double noise_of_rounding(const std::vector<double>& values) {
+  return rounding * std::max(std::abs(values.back()), std::abs(values.front()));
+}
+
+/// From the last three values, which show an order.
+void extrapolate(const std::vector<double>& values, double ratio, const Three& last, Limit& limit) {
+  const std::size_t n = values.size();
+  const double finest = values[n - 1];
+  const double now = finest - values[n - 2];
+  limit.value = last.richardson;
+  // Faster than the method can be is chance, and so is what it extrapolates to.
+  if (*last.order > largest_fitted_order) {
+    const double believed =
+        std::max(std::abs(now), std::abs(values[n - 2] - values[n - 3]) / ratio);
+    limit.uncertainty = limit.grid_uncertainty = safety * believed / (ratio - 1.0);
+    return;
+  }
+  const auto to_limit = [&](double order) {
+    return now / (std::pow(ratio, std::min(order, formal_order)) - 1.0);
+  };
+  limit.uncertainty = limit.grid_uncertainty = safety * std::abs(to_limit(*last.order));
+  if (n == 3) return;
+  const Three earlier = three_levels(values[n - 4], values[n - 3], values[n - 2], ratio);
+  if (!earlier.order || *earlier.order > largest_fitted_order) return;
+  double spread = 0.0;
+  for (const double other :
+       {earlier.richardson, finest + to_limit(*earlier.order), finest + to_limit(*last.order)})
+    spread = std::max(spread, std::abs(other - limit.value));
+  limit.uncertainty = std::max(spread_safety * spread, 0.25 * std::abs(limit.value - finest));
 }
 
 }  // namespace
 
-Limit limit_of(const std::vector<double>& values, double ratio) {
+Limit limit_of(const std::vector<double>& values, double ratio, double noise) {
   const std::size_t n = values.size();
   if (n < 2 || !(ratio > 1.0)) throw std::logic_error("a limit takes two levels and a ratio > 1");
+  const double floor = std::max(noise, noise_of_rounding(values));
   Limit limit;
   limit.value = values[n - 1];
-  if (n == 2) {
+  limit.uncertainty = limit.grid_uncertainty = std::max(floor, blind_uncertainty(values));
+  limit.settled = largest_change(values) <= floor;
+  if (limit.settled) {
+    limit.reason = "settled to rounding";
+  } else if (n == 2) {
     limit.reason = "two levels show no order";
-    limit.uncertainty = limit.grid_uncertainty = blind_uncertainty(values);
-    return limit;
+  } else {
+    const Three last = three_levels(values[n - 3], values[n - 2], values[n - 1], ratio);
+    limit.order = last.order;
+    limit.reason = last.reason;
+    if (last.order)
+      extrapolate(values, ratio, last, limit);
+    else
+      fit_all(values, ratio, limit);
+    limit.uncertainty = std::max(limit.uncertainty, floor);
+    limit.grid_uncertainty = std::max(limit.grid_uncertainty, floor);
   }
-  const Three last = three_levels(values[n - 3], values[n - 2], values[n - 1], ratio);
-  limit.order = last.order;
-  limit.reason = last.reason;
-  if (!last.order) {
-    limit.uncertainty = limit.grid_uncertainty = blind_uncertainty(values);
-    fit_all(values, ratio, limit);
-    return limit;
-  }
-  limit.value = last.richardson;
-  const double order = std::min(*last.order, formal_order);
-  limit.grid_uncertainty =
-      safety * std::abs(values[n - 1] - values[n - 2]) / (std::pow(ratio, order) - 1.0);
-  limit.uncertainty = limit.grid_uncertainty;
-  // Faster than the method can be is partly chance, and so is what it extrapolates to.
-  if (n == 3 || *last.order > formal_order + 0.5) return limit;
-  const Three earlier = three_levels(values[n - 4], values[n - 3], values[n - 2], ratio);
-  if (earlier.order)
-    limit.uncertainty = std::max(std::abs(last.richardson - earlier.richardson),
-                                 0.25 * std::abs(last.richardson - values[n - 1]));
   return limit;
 }
 

@@ -1,5 +1,7 @@
 #include "postprocess/study/study.hpp"
 
+#include "contact/result/quantities.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +25,11 @@ std::vector<double> values_of(const StudySeries& series, const std::string& key)
 
 bool is_coefficient(const std::string& key) {
   return key.rfind("traction_coefficient", 0) == 0;
+}
+
+const char* percent_of(const std::string& key) {
+  return contact::text_of(is_coefficient(key) ? contact::ErrorScale::friction
+                                              : contact::ErrorScale::value);
 }
 
 std::string place_name(const StudyPlace& place) {
@@ -100,7 +107,8 @@ double study_error(const StudyRecord& record, const std::string& key, double val
 std::optional<Limit> series_limit(const StudySeries& series, const std::string& key) {
   const std::vector<double> values = values_of(series, key);
   if (values.size() < 2 || !(series.ratio > 1.0)) return {};
-  return limit_of(values, series.ratio);
+  const StudyLevel& finest = series.levels.back();
+  return limit_of(values, series.ratio, finest.noise * std::abs(values.back()));
 }
 
 std::vector<std::optional<double>> level_orders(const StudyRecord& record,

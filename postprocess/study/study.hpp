@@ -23,6 +23,8 @@ struct StudyLevel {
   int contact_elements = 0;
   double seconds = 0.0;  ///< as a user waits for it, error estimates included
   StudyValues values;
+  StudyValues bars;    ///< absolute, the model's own; of keys that it has an estimate of
+  double noise = 0.0;  ///< what its solver ended at, relative
 };
 
 /// One model, refined in one way.
@@ -85,6 +87,9 @@ std::map<std::string, StudyReference> references(const StudyPlace& place, Refere
 
 /// The key is a traction coefficient, whose errors are relative to the coefficient of friction.
 bool is_coefficient(const std::string& key);
+
+/// What errors of the key are percent of: "value", "mu".
+const char* percent_of(const std::string& key);
 
 /// Whether the finest value of a series is itself the reference: it then shows no error.
 bool is_reference(const StudyPlace& place, const StudySeries& series,

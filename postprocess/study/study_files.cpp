@@ -15,15 +15,14 @@ using References = std::map<std::string, StudyReference>;
 
 ordered_json level_json(const StudyRecord& record, const StudyLevel& level,
                         const References& refs) {
-  ordered_json json{{"label", level.label},
-                    {"parameter", level.parameter},
-                    {"unknowns", level.unknowns},
-                    {"contact_elements", level.contact_elements},
-                    {"seconds", level.seconds},
-                    {"values", ordered_json::object()},
-                    {"errors", ordered_json::object()}};
+  ordered_json json{{"label", level.label},           {"parameter", level.parameter},
+                    {"unknowns", level.unknowns},     {"contact_elements", level.contact_elements},
+                    {"seconds", level.seconds},       {"values", ordered_json::object()},
+                    {"bars", ordered_json::object()}, {"errors", ordered_json::object()}};
   for (const auto& [key, value] : level.values) {
     json["values"][key] = value;
+    if (const auto bar = level.bars.find(key); bar != level.bars.end())
+      json["bars"][key] = bar->second;
     if (const auto reference = refs.find(key); reference != refs.end())
       json["errors"][key] = study_error(record, key, value, reference->second);
   }
@@ -41,6 +40,7 @@ ordered_json limits_json(const StudySeries& series, const References& refs) {
       } else {
         out["no_order_because"] = limit->reason;
       }
+      out["settled"] = limit->settled;
       out["value"] = limit->value;
       out["uncertainty"] = limit->uncertainty;
       out["uncertainty_of_finest"] = limit->grid_uncertainty;
@@ -89,7 +89,8 @@ ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
   for (const auto& [key, reference] : refs)
     json["references"][key] = {{"value", reference.value},
                                {"uncertainty", reference.uncertainty},
-                               {"kind", reference.kind}};
+                               {"kind", reference.kind},
+                               {"relative_to", percent_of(key)}};
   json["series"] = ordered_json::array();
   for (const StudySeries& series : place.series)
     json["series"].push_back(series_json(record, series, refs));
@@ -101,21 +102,28 @@ std::string csv_cell(const std::string& text) {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
-/// ",reference,kind,error,order" of a value, empty cells for what there is not.
+std::string bar_cell(const StudyLevel& level, const std::string& key) {
+  const auto bar = level.bars.find(key);
+  return bar == level.bars.end() ? std::string() : fmt::format("{}", bar->second);
+}
+
+/// ",reference,uncertainty,kind,error,percent of,order" of a value, empty cells for what there is
+/// not.
 std::string reference_cells(const StudyRecord& record, const StudySeries& series,
                             const std::string& key, const StudyLevel& level,
                             const References& refs) {
   const auto reference = refs.find(key);
-  if (reference == refs.end()) return ",,,,";
+  if (reference == refs.end()) return ",,,,,,";
   std::size_t k = 0;  // among the levels that have the key
   for (const StudyLevel& other : series.levels) {
     if (&other == &level) break;
     if (other.values.count(key) > 0) ++k;
   }
   const auto order = level_orders(record, series, key, reference->second).at(k);
-  return fmt::format(",{},{},{},{}", reference->second.value, reference->second.kind,
+  return fmt::format(",{},{},{},{},{},{}", reference->second.value, reference->second.uncertainty,
+                     reference->second.kind,
                      study_error(record, key, level.values.at(key), reference->second),
-                     order ? fmt::format("{:.4g}", *order) : std::string());
+                     percent_of(key), order ? fmt::format("{:.4g}", *order) : std::string());
 }
 
 }  // namespace
@@ -137,17 +145,18 @@ std::string study_json(const StudyRecord& record) {
 std::string study_csv(const StudyRecord& record) {
   std::string text =
       "place,model,vary,level,parameter,unknowns,contact_elements,seconds [s],quantity,value,"
-      "reference,reference_kind,error [-],order [-]\n";
+      "error_estimate,reference,reference_uncertainty,reference_kind,error [-],relative_to,"
+      "order [-]\n";
   auto out = std::back_inserter(text);
   for (const StudyPlace& place : record.places) {
     const References refs = references(place, record.rule);
     for (const StudySeries& series : place.series)
       for (const StudyLevel& level : series.levels)
         for (const auto& [key, value] : level.values)
-          fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}{}\n", place_key(place), series.model,
-                         series.vary, csv_cell(level.label), level.parameter, level.unknowns,
-                         level.contact_elements, level.seconds, key, value,
-                         reference_cells(record, series, key, level, refs));
+          fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}{}\n", place_key(place),
+                         series.model, series.vary, csv_cell(level.label), level.parameter,
+                         level.unknowns, level.contact_elements, level.seconds, key, value,
+                         bar_cell(level, key), reference_cells(record, series, key, level, refs));
   }
   return text;
 }

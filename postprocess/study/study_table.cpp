@@ -26,8 +26,16 @@ std::string unit_of(const std::string& key) {
   return quantity == nullptr ? "" : fmt::format(" {}", quantity->unit);
 }
 
-std::string percent(double error) {
-  return fmt::format("{:.2g} %", 100.0 * error);
+/// "0.27 %" of the reference's value, "0.27 % of mu".
+std::string percent(const std::string& key, double error) {
+  return contact::percent_text(
+      is_coefficient(key) ? contact::ErrorScale::friction : contact::ErrorScale::value, error);
+}
+
+/// "+- 0.58", what the model says of its own value.
+std::string bar_text(const StudyLevel& level, const std::string& key) {
+  const auto bar = level.bars.find(key);
+  return bar == level.bars.end() ? std::string() : fmt::format("+- {:.2g}", bar->second);
 }
 
 /// The finest level that has the key; null when none has.
@@ -46,8 +54,8 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
   // Labels of several things refined together are long.
   std::size_t width = series.parameter.size();
   for (const StudyLevel& level : series.levels) width = std::max(width, level.label.size());
-  text += fmt::format("    {:<{}}{:>10}{:>10}{:>14}{:>12}{:>8}\n", series.parameter, width,
-                      "unknowns", "seconds", "value", "error", "order");
+  text += fmt::format("    {:<{}}{:>10}{:>10}{:>14}{:>12}{:>14}{:>8}\n", series.parameter, width,
+                      "unknowns", "seconds", "value", "bar", "error", "order");
   const auto orders = level_orders(record, series, key, reference);
   const double* finest = finest_value(series, key);
   std::size_t k = 0;
@@ -56,11 +64,11 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
     if (value == level.values.end()) continue;
     const bool own = &value->second == finest && is_reference(place, series, reference);
     const auto order = orders.at(k++);
-    text +=
-        fmt::format("    {:<{}}{:>10}{:>10.3g}{:>14.7g}{:>12}{:>8}\n", level.label, width,
-                    level.unknowns, level.seconds, value->second,
-                    own ? "reference" : percent(study_error(record, key, value->second, reference)),
-                    order ? fmt::format("{:.2f}", *order) : "");
+    text += fmt::format(
+        "    {:<{}}{:>10}{:>10.3g}{:>14.7g}{:>12}{:>14}{:>8}\n", level.label, width, level.unknowns,
+        level.seconds, value->second, bar_text(level, key),
+        own ? "reference" : percent(key, study_error(record, key, value->second, reference)),
+        order ? fmt::format("{:.2f}", *order) : "");
   }
   const auto limit = series_limit(series, key);
   if (limit && limit->fitted)
@@ -71,6 +79,9 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
     text += fmt::format("    limit {:.7g} +- {:.2g}, order {:.2f} from the last three levels{}\n",
                         limit->value, limit->uncertainty, *limit->order,
                         *limit->order > 2.5 ? " (partly chance: the method has 2)" : "");
+  else if (limit && limit->settled)
+    text +=
+        fmt::format("    settled to rounding: finest value +- {:.2g}\n", limit->grid_uncertainty);
   else if (limit)
     text += fmt::format("    finest value +- {:.2g}; no order can be claimed: {}\n",
                         limit->grid_uncertainty, limit->reason);
@@ -114,10 +125,10 @@ constexpr double smallest = 1e-9;  // less is rounding
 /// "p0 0.27 %, -F_x/F_z 0.5 % of mu".
 std::string words_of(const Errors& errors) {
   std::string text;
-  if (errors.pressure > smallest) text = "p0 " + percent(errors.pressure);
+  if (errors.pressure > smallest) text = "p0 " + percent("max_pressure", errors.pressure);
   if (errors.coefficient > smallest)
-    text +=
-        fmt::format("{}-F_x/F_z {} of mu", text.empty() ? "" : ", ", percent(errors.coefficient));
+    text += fmt::format("{}-F_x/F_z {}", text.empty() ? "" : ", ",
+                        percent("traction_coefficient", errors.coefficient));
   return text;
 }
 

@@ -39,10 +39,66 @@ TEST(Limit, GridUncertaintyIsRoachesIndex) {
 }
 
 TEST(Limit, AQuickOrderIsNotBelievedInTheUncertainty) {
-  // Order 3 is taken as 2: change 0.1 (1/8 - 1/64) over 3, times 1.25.
+  // Order 3 is chance: half of the change before, which is 0.1 (1/8 - 1/64), over 1, times 1.25.
   const Limit limit = limit_of(sequence(3.0, 4), 2.0);
-  EXPECT_NEAR(limit.grid_uncertainty, 1.25 * 0.1 * (1.0 / 64.0 - 1.0 / 512.0) / 3.0, 1e-12);
+  EXPECT_NEAR(limit.grid_uncertainty, 1.25 * 0.5 * 0.1 * (1.0 / 8.0 - 1.0 / 64.0), 1e-12);
   EXPECT_DOUBLE_EQ(limit.uncertainty, limit.grid_uncertainty);
+}
+
+/// Sequences that fall fast and then stay on the other side of their limit: semi-axes of Hertz's
+/// ellipses by the half-space with 20, 40, ... elements across, relative to the exact ones.
+TEST(Limit, BarsHoldWhereFastConvergenceIsChance) {
+  const std::vector<double> off[] = {{1.99e-4, 2.42e-6, -1.90e-5, -1.59e-5},
+                                     {3.01e-4, 2.26e-5, -1.40e-5, -1.51e-5},
+                                     {3.22e-4, 2.75e-5, -1.26e-5, -1.48e-5},
+                                     {7.14e-5, -1.66e-5, -2.27e-5, -1.62e-5},
+                                     {2.72e-4, 1.62e-5, -1.57e-5, -1.54e-5}};
+  for (const auto& errors : off)
+    for (const std::size_t levels : {3U, 4U}) {
+      std::vector<double> values;
+      for (std::size_t k = 0; k < levels; ++k) values.push_back(5.001008 * (1.0 + errors[k]));
+      const Limit limit = limit_of(values, 2.0);
+      EXPECT_LE(std::abs(limit.value - 5.001008), limit.uncertainty) << errors[0] << ' ' << levels;
+      EXPECT_LE(std::abs(values.back() - 5.001008), limit.grid_uncertainty) << errors[0];
+      EXPECT_LE(limit.uncertainty, 1e-3) << errors[0];
+    }
+}
+
+/// f + a h^p + b h^q with signs and sizes of every kind.
+TEST(Limit, BarsHoldForSumsOfTwoOrders) {
+  int covered = 0, all = 0;
+  for (const double order : {1.0, 1.5, 2.0})
+    for (const double more : {0.5, 1.0, 2.0})
+      for (const double second : {-3.0, -1.0, -0.3, -0.1, 0.1, 0.3, 1.0, 3.0})
+        for (const int levels : {3, 4, 5}) {
+          std::vector<double> values;
+          for (int k = 1; k <= levels; ++k)
+            values.push_back(
+                3.0 + 0.1 * (std::exp2(-order * k) + second * std::exp2(-(order + more) * k)));
+          const Limit limit = limit_of(values, 2.0);
+          ++all;
+          if (std::abs(limit.value - 3.0) <= limit.uncertainty) ++covered;
+        }
+  EXPECT_GE(covered, 0.95 * all) << "of " << all;
+}
+
+TEST(Limit, WhatIsSettledToRoundingHasNoOrderAndABarThatIsNotZero) {
+  const double a = 5.001008;
+  const double bit = 8.9e-16;
+  for (const auto& values : {std::vector<double>{a, a, a},
+                             std::vector<double>{a + 4 * bit, a, a + 2 * bit, a - bit, a}}) {
+    const Limit limit = limit_of(values, 2.0);
+    EXPECT_TRUE(limit.settled);
+    EXPECT_FALSE(limit.order);
+    EXPECT_EQ(limit.reason, "settled to rounding");
+    EXPECT_GE(limit.uncertainty, 1e-12 * a);
+    EXPECT_LT(limit.uncertainty, 1e-11 * a);
+  }
+  // A solver that ends at 1e-6 says nothing of changes of 3e-7.
+  const Limit rough = limit_of({1.0, 1.0 + 3e-7, 1.0 + 4e-7}, 2.0, 1e-6);
+  EXPECT_TRUE(rough.settled);
+  EXPECT_GE(rough.uncertainty, 1e-6);
+  EXPECT_FALSE(limit_of({1.0, 1.0 + 3e-7, 1.0 + 4e-7}, 2.0).settled);
 }
 
 TEST(Limit, FourLevelsOfAMixedSequenceEncloseTheirLimit) {
@@ -196,7 +252,7 @@ TEST(Study, FilesHoldValuesErrorsOrdersAndTheVerdict) {
               0.2, 1e-9);
   const std::string csv = study_csv(study);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 2);
-  EXPECT_NE(csv.find(",halfspace,grid,10,0,100,0,0.1,max_pressure,101,100,exact,0.01,\n"),
+  EXPECT_NE(csv.find(",halfspace,grid,10,0,100,0,0.1,max_pressure,101,,100,0,exact,0.01,value,\n"),
             std::string::npos)
       << csv;
   const std::string table = study_table(study);
