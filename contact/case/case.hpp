@@ -143,6 +143,7 @@ enum class SurfaceForm { automatic, planar, curved };
 
 struct HalfspaceCase {
   SurfaceForm surface = SurfaceForm::automatic;
+  bool model_error = false;
 };
 
 struct StripCase {

@@ -15,6 +15,11 @@ SectionWithKeys halfspace_section() {
       .into(&HalfspaceCase::surface, {{"auto", SurfaceForm::automatic},
                                       {"planar", SurfaceForm::planar},
                                       {"curved", SurfaceForm::curved}});
+  keys.toggle("model_error")
+      .says(
+          "Estimate what the half-space leaves out, per quantity and load point, from wheel and "
+          "rail as curved as they are: some 0.1 s a load point. They need radii or profiles.")
+      .into(&HalfspaceCase::model_error);
   return keys;
 }
 

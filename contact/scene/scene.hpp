@@ -79,6 +79,7 @@ struct Scene {
   /// How far the half-space's surface follows that of wheel and rail (ContactSurface::follows): as
   /// the case asks for, or as the normals of a placed contact do.
   double follows_surface = 0.0;
+  bool model_error = false;  ///< of the half-space
   FastsimOptions fastsim;
   StripCase strip;
   CarterCase carter;

@@ -21,7 +21,9 @@ namespace {
 /// the distance.
 constexpr double steepest_way = 0.5;
 
-void check_known(const Scene& scene) {
+}  // namespace
+
+void check_bodies_known(const Scene& scene) {
   if (scene.geometry.has_surfaces()) return;
   throw contact::InputError(
       fmt::format("{}: halfspace.model_error = true: the bodies are not known, only their "
@@ -30,10 +32,8 @@ void check_known(const Scene& scene) {
                   scene.file));
 }
 
-}  // namespace
-
 BodySurface body_surface(const Scene& scene, bool wheel) {
-  check_known(scene);
+  check_bodies_known(scene);
   const contact::ContactSurface surface = scene.geometry.surface;
   const double along = wheel ? surface.rolling_radius : contact::infinity;
   const double sign = wheel ? 1.0 : -1.0;
@@ -53,7 +53,7 @@ BodySurface body_surface(const Scene& scene, bool wheel) {
 
 CurvedCompliance::CurvedCompliance(const Scene& scene, const ContactGrid& grid)
     : half_(grid, scene.material), rolling_radius_(scene.geometry.surface.rolling_radius) {
-  check_known(scene);
+  check_bodies_known(scene);
   if (!scene.wheel.material.rigid()) wheel_.emplace(grid, body_surface(scene, true));
   if (!scene.rail.material.rigid()) rail_.emplace(grid, body_surface(scene, false));
 }

@@ -29,6 +29,9 @@ class CurvedCompliance : public contact::Compliance {
   std::optional<CurvedBody> rail_;
 };
 
+/// Throws contact::InputError where a quadratic form or a file stands for wheel and rail.
+void check_bodies_known(const contact::Scene& scene);
+
 /// A body of a scene as CurvedBody takes it.
 BodySurface body_surface(const contact::Scene& scene, bool wheel);
 

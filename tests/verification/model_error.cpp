@@ -1,10 +1,10 @@
 // What a half-space leaves out of thesis cases a to f, by the first-order correction of curved
 // bodies: against finite elements less half-space and against a derivation by hand.
-#include "halfspace/curvature/model_error.hpp"
-
 #include "contact/base/errors.hpp"
+#include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/model/registry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,27 +81,31 @@ TEST(ModelError, GoesWithPatchSizeOverRadius) {
 // Finite elements (cells of 0.47 mm) less half-space of -F_x/F_z at xi = 0.1 %; the former are
 // within 0.2 % of mu there.
 TEST(ModelError, IsWithinAFactorOfTwoOfFiniteElements) {
-  for (const auto& [name, coefficient] : {std::pair{'a', 0.0033},
-                                          {'b', 0.0044},
-                                          {'c', 0.0046},
+  for (const auto& [name, coefficient] : {std::pair{'a', 0.0035},
+                                          {'b', 0.0052},
+                                          {'c', 0.0043},
                                           {'d', 0.0078},
                                           {'e', 0.0017},
-                                          {'f', 0.0021}}) {
+                                          {'f', 0.0022}}) {
     SCOPED_TRACE(name);
     Case input = thesis(name);
     input.rolling.creepages = {{1e-3, 0.0, 0.0}};
-    const double error = errors_of(input, 20).front().at("traction_coefficient");
+    const double error =
+        errors_of(input, halfspace::elements_of_model_error).front().at("traction_coefficient");
     EXPECT_GT(error, 0.5 * coefficient);
     EXPECT_LT(error, 2.0 * coefficient);
   }
 }
 
 // The patch of conformal bodies is narrower than a plane one: finite elements have 10.833 and
-// 10.683 mm in cases e and f, the plane half-space 10.876.
+// 10.683 mm in cases e and f, the plane half-space 10.876. Their cells of 0.47 mm are good to some
+// 0.02 mm of it.
 TEST(ModelError, ConformalPatchesAreNarrower) {
   for (const auto& [name, narrower] : {std::pair{'e', -0.043}, {'f', -0.193}}) {
     Case input = thesis(name);
-    EXPECT_NEAR(errors_of(input, 20).front().at("semi_axis_y"), narrower, 0.2 * -narrower) << name;
+    EXPECT_NEAR(errors_of(input, halfspace::elements_of_model_error).front().at("semi_axis_y"),
+                narrower, 0.3 * -narrower)
+        << name;
   }
 }
 
@@ -110,6 +114,24 @@ TEST(ModelError, BodiesMustBeKnown) {
   const LevelResult half = half_space(scene, 10);
   scene.geometry.quadratic = std::array<double, 2>{1e-3, 1e-3};
   EXPECT_THROW(halfspace::model_errors(scene, half, {}), contact::InputError);
+  scene.model_error = true;
+  EXPECT_THROW(halfspace::run_model("halfspace", scene, {}), contact::InputError);
+}
+
+TEST(ModelError, IsInResultsWhereAskedFor) {
+  Case input = thesis('b');
+  input.rolling.creepages = {{1e-3, 0.0, 0.0}};
+  input.contact_grid.elements_across = 12;
+  const auto without = halfspace::run_model("halfspace", input, {});
+  EXPECT_TRUE(without.points.front().model_error.empty());
+  input.halfspace.model_error = true;
+  const auto with = halfspace::run_model("halfspace", input, {});
+  const auto& point = with.points.front();
+  EXPECT_EQ(point.max_pressure, without.points.front().max_pressure);
+  const auto expected = errors_of(input, halfspace::elements_of_model_error).front();
+  for (const char* name : {"max_pressure", "semi_axis_x", "approach", "traction_coefficient"})
+    EXPECT_DOUBLE_EQ(point.model_error.at(name), std::abs(expected.at(name))) << name;
+  EXPECT_EQ(point.model_error.count("normal_force"), 0U) << "it is given";
 }
 
 }  // namespace

@@ -18,11 +18,21 @@ namespace rollfem::halfspace {
 /// surface alone.
 using ModelErrors = std::vector<std::map<std::string, double>>;
 
-/// `plain`: the half-space's solution of the scene on a grid of some 20 across or more; finer ones
+/// `plain`: the half-space's solution of the scene on a grid of some 32 across or more; finer ones
 /// change little. None where the patch reaches the border of that grid. Throws
 /// contact::InputError where bodies are not known, contact::SolveError.
 std::optional<ModelErrors> model_errors(const contact::Scene& scene,
                                         const contact::LevelResult& plain,
                                         const contact::Progress& progress);
+
+/// On coarser grids elements that come into contact at the leading edge move forces by as much as
+/// curved bodies do.
+inline constexpr int elements_of_model_error = 32;
+
+/// Sets PointResult::model_error (absolute values) and the source of the half-space's result of the
+/// scene, from solutions with elements_of_model_error across; where there are none the source says
+/// why. Throws contact::InputError where bodies are not known.
+void add_model_error(const contact::Scene& scene, const contact::Progress& progress,
+                     contact::ModelResult& result);
 
 }  // namespace rollfem::halfspace

@@ -1,0 +1,105 @@
+#include "halfspace/curvature/curvature_error.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/stopwatch.hpp"
+#include "contact/result/quantities.hpp"
+#include "halfspace/curvature/curved_compliance.hpp"
+#include "halfspace/curvature/curved_level.hpp"
+#include "halfspace/model/level.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+namespace {
+
+/// What is given, as the normal force, comes back so closely: no model error.
+constexpr double rounding = 1e-8;
+
+/// The surface that curved bodies meet on. A pressure that is given lies in the plane.
+contact::Scene on_common_surface(contact::Scene scene) {
+  scene.subsurface.clear();
+  scene.output.stress_maxima = false;
+  if (!scene.given_pressure) scene.follows_surface = 1.0;
+  return scene;
+}
+
+std::map<std::string, double> changes(const contact::PrescribedForce& force,
+                                      const contact::PointResult& from,
+                                      const contact::PointResult& to) {
+  std::map<std::string, double> result;
+  for (const contact::Quantity& quantity : contact::quantities()) {
+    if (quantity.scale == contact::ErrorScale::none) continue;
+    const auto before = quantity.value(from), after = quantity.value(to);
+    if (!before || !after || std::abs(*after - *before) <= rounding * std::abs(*before)) continue;
+    result[quantity.name] = *after - *before;
+  }
+  if (force.longitudinal)
+    result["longitudinal_creepage"] = to.creepage.longitudinal - from.creepage.longitudinal;
+  if (force.lateral) result["lateral_creepage"] = to.creepage.lateral - from.creepage.lateral;
+  return result;
+}
+
+contact::Scene with_few_elements(contact::Scene scene) {
+  scene.contact_grid = {};
+  scene.contact_grid.elements_across = elements_of_model_error;
+  scene.accuracy = {};
+  scene.subsurface.clear();
+  scene.output.stress_maxima = false;
+  return scene;
+}
+
+std::optional<ModelErrors> errors_of_few_elements(const contact::Scene& scene,
+                                                  const contact::Progress& progress) {
+  const contact::Scene few = with_few_elements(scene);
+  const AreaOfPatch area(few);
+  const auto [length, width] = area.extent();
+  const contact::LevelResult plain =
+      solve_level(few, area, length / elements_of_model_error, width / elements_of_model_error,
+                  nullptr, "model error: ", progress);
+  return model_errors(few, plain, progress);
+}
+
+}  // namespace
+
+std::optional<ModelErrors> model_errors(const contact::Scene& scene,
+                                        const contact::LevelResult& plain,
+                                        const contact::Progress& progress) {
+  const contact::Scene curved = on_common_surface(scene);
+  const auto level = solve_curved_level(curved, plain.grid, "model error: ", progress);
+  if (!level) return {};
+  ModelErrors errors;
+  for (std::size_t k = 0; k < plain.points.size(); ++k)
+    errors.push_back(changes(scene.points[k].force, plain.points[k], level->points[k]));
+  return errors;
+}
+
+void add_model_error(const contact::Scene& scene, const contact::Progress& progress,
+                     contact::ModelResult& result) {
+  check_bodies_known(scene);
+  const contact::Stopwatch watch;
+  std::optional<ModelErrors> errors;
+  std::string why = "the patch does not fit the grid";
+  try {
+    errors = errors_of_few_elements(scene, progress);
+  } catch (const std::runtime_error& error) {  // the result stands without it
+    why = error.what();
+  }
+  result.model_error_source =
+      errors ? fmt::format(
+                   "difference to bodies of their true curvature, first order, with {} "
+                   "elements across",
+                   elements_of_model_error)
+             : fmt::format(
+                   "not estimated: curved bodies with {} elements across have no result "
+                   "({})",
+                   elements_of_model_error, why);
+  for (std::size_t k = 0; errors && k < result.points.size(); ++k)
+    for (const auto& [name, change] : errors->at(k))
+      result.points[k].model_error[name] = std::abs(change);
+  result.seconds["model error"] = watch.seconds();
+}
+
+}  // namespace rollfem::halfspace
