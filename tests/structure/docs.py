@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""Holds README and docs to the tree: tests that are named exist, links lead somewhere, and a section with a
+table of measured numbers says how to get them again: by a command, a test, the book, or where they are from.
+
+Call: docs.py SOURCE_FOLDER
+"""
+
+import pathlib
+import re
+import sys
+
+TEST_NAME = re.compile(r"`(?:unit|verification|hard|cli|fuzz|install|structure)\.([A-Za-z0-9_/]+)")
+DECLARED = re.compile(r"TEST(?:_F|_P)?\(\s*(\w+)")
+INSTANCE = re.compile(r"INSTANTIATE_TEST_SUITE_P\(\s*(\w+),\s*(\w+)")
+LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+MEASURED = re.compile(r"\d\.\d\d|\de-\d|\d %")
+REFERENCE = {"case-file.md", "troubleshooting.md"}  # bounds of keys, symptoms: nothing measured
+AGAIN = re.compile(
+    r"rollfem |benchmark_|benchmarks/|ctest|campaign\.py|mutate\.py|book\b|"
+    r"`(?:unit|verification|hard|cli)\.|Source:", re.I)
+
+
+def declared_tests(root):
+    names = set()
+    for path in (root / "tests").rglob("*.cpp"):
+        text = path.read_text()
+        names.update(DECLARED.findall(text))
+        names.update(f"{prefix}/{suite}" for prefix, suite in INSTANCE.findall(text))
+        names.add(path.stem)
+    for path in (root / "tests").rglob("*.py"):
+        names.add(path.stem)
+    return names | {"consumer"}
+
+
+def sections(text):
+    """(heading, text) of each heading of the page."""
+    parts = re.split(r"^(#+ .*)$", text, flags=re.M)
+    yield from zip(["top", *parts[1::2]], [parts[0], *parts[2::2]])
+
+
+def faults(path, root, tests):
+    text = path.read_text()
+    for name in TEST_NAME.findall(text):
+        if not any(test == name or test.startswith(name) for test in tests):
+            yield f"names the test `{name}`, which does not exist"
+    for link in LINK.findall(text):
+        if "://" not in link and not (path.parent / link).exists():
+            yield f"links to {link}, which does not exist"
+    for heading, body in sections(text):
+        rows = [line for line in body.splitlines() if line.startswith("|")]
+        numbers = sum(len(MEASURED.findall(row)) > 1 for row in rows)
+        if numbers > 2 and path.name not in REFERENCE and not AGAIN.search(body):
+            yield f"'{heading}' has a table of numbers and says nothing of how to get them again"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    tests = declared_tests(root)
+    found = [f"{path.relative_to(root)}: {fault}"
+             for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]
+             for fault in faults(path, root, tests)]
+    print("\n".join(found) or "docs: names, links and tables are true")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
