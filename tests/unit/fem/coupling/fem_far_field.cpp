@@ -61,6 +61,22 @@ void expect_to_follow(const fem::Body& body, const fem::LinearSolver& solver,
 
 }  // namespace
 
+TEST(ResultantForce, OnASlopeIsTrueAreaTimesTheTurnedTraction) {
+  const contact::ContactGrid grid = contact::ContactGrid::centred(1, 1, 0.5, 0.25);
+  const double angle = 0.3;
+  contact::PatchShape shape;
+  shape.climb = contact::Field::Constant(1, std::tan(angle));
+  shape.stretch = contact::Field::Constant(1, 1.0 / std::cos(angle));
+  const auto force =
+      fem::resultant_force(shape, grid,
+                           {contact::Field::Constant(1, 20.0), contact::Field::Constant(1, -35.0),
+                            contact::Field::Constant(1, 400.0)});
+  const double area = 0.125 / std::cos(angle);
+  EXPECT_NEAR(force[0], area * 20.0, 1e-12);
+  EXPECT_NEAR(force[1], area * (-35.0 * std::cos(angle) - 400.0 * std::sin(angle)), 1e-12);
+  EXPECT_NEAR(force[2], area * (-35.0 * std::sin(angle) + 400.0 * std::cos(angle)), 1e-12);
+}
+
 TEST(PrescribedDisplacement, OfARigidMotionMovesTheBodyRigidly) {
   const dealii::Tensor<1, 3> shift({1.0, 2.0, 3.0}), turn({0.01, -0.02, 0.03});
   const auto translation = [&](const dealii::Point<3>&) { return shift; };
