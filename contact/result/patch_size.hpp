@@ -10,19 +10,21 @@ struct PatchSize {
   double length = 0.0;  ///< mm, extent in x
   double width = 0.0;   ///< mm, extent in y
   double area = 0.0;    ///< mm^2
+  /// What length and width may be off, mm, by the shape of the pressure at their ends.
+  double length_unsure = 0.0, width_unsure = 0.0;
   /// Ends of the patch, mm; of the outermost ones where it falls into several regions.
   double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;
 };
 
-/// The edge along every row and column of elements is the root of a parabola through p^2 of the
-/// outer interior elements (the edge element itself, partly covered, is left out). Where there are
-/// too few of them, or the pressure does not fall to an edge (a punch), the element's border
-/// counts.
+/// The edge along every row and column of elements follows from p^2 of the last three elements,
+/// with what the elements of a solved contact are known to do at an edge; p^2 of a pressure taken
+/// at the middles of the elements is extrapolated as it is. Where there are too few elements, or
+/// the pressure does not fall to an edge (a punch), the element's border counts.
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
 
 /// A row of fewer elements than this has its edges at borders of elements: each end of the patch is
 /// then known to within one element only.
-inline constexpr int elements_for_edge = 7;
+inline constexpr int elements_for_edge = 5;
 
 /// Whether an element at the border of the grid carries pressure: the potential contact area is
 /// then too small.

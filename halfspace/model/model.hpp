@@ -65,9 +65,10 @@ struct GridElasticity {
       make = halfspace_elasticity;
 };
 
-/// Solves every load point; enlarges the grid when the patch touches its border; a run at half the
-/// resolution gives the error estimate and the first guess. Load points of the finest grid are kept
-/// in the `checkpoint` and taken up from there (null: none).
+/// Solves every load point; enlarges the grid when the patch touches its border; runs at a half and
+/// a quarter of the resolution give the error bars, the former also the first guess. Stresses below
+/// the surface as the case asks for them. Load points of the finest grid are kept in the
+/// `checkpoint` and taken up from there (null: none).
 contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::Progress& progress,
                                    contact::Checkpoint* checkpoint = nullptr,
                                    const GridElasticity& elasticity = {});

@@ -7,8 +7,6 @@
 #include "halfspace/model/model.hpp"
 #include "halfspace/model/model_error.hpp"
 #include "halfspace/model/refinements.hpp"
-#include "halfspace/stress/stress_maxima.hpp"
-#include "halfspace/stress/subsurface_fields.hpp"
 #include "halfspace/theories/carter.hpp"
 #include "halfspace/theories/equivalent_ellipse.hpp"
 #include "halfspace/theories/fastsim.hpp"
@@ -18,7 +16,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <utility>
 
 namespace rollfem::halfspace {
@@ -39,22 +36,11 @@ ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
   return run_fastsim(scene, progress, scene.fastsim);
 }
 
-ModelResult run_halfspace_with_depth(const Scene& scene, const Progress& progress,
-                                     contact::Checkpoint* checkpoint) {
+ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
+                                           contact::Checkpoint* checkpoint) {
   if (scene.model_error) check_bodies_known(scene);
   ModelResult result = run_halfspace(scene, progress, checkpoint);
   if (scene.model_error) add_model_error(scene, progress, result);
-  const bool maxima = scene.output.stress_maxima.value_or(false);
-  if (scene.subsurface.empty() && !maxima) return result;
-  const auto begin = std::chrono::steady_clock::now();
-  for (contact::PointResult& point : result.points) {
-    point.subsurface = subsurface_fields(scene, result.grid, point.fields.traction);
-    if (maxima) point.stress_maxima = stress_maxima(scene, result.grid, point);
-  }
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.seconds["subsurface"] = seconds;
-  result.seconds["total"] += seconds;
   return result;
 }
 
@@ -187,7 +173,7 @@ contact::ModelRegistry make_models() {
   ModelInfo halfspace{"halfspace", "half-space",
                       "Kalker's problem with elastic half-spaces, element by element"};
   halfspace.takes = contact::all_demands_but({Demand::inertia, Demand::beyond_half_space});
-  halfspace.run = run_halfspace_with_depth;
+  halfspace.run = run_halfspace_with_model_error;
   halfspace.refinements = {contact_grid()};
   halfspace.no_model_error =
       "not asked for: halfspace.model_error = true estimates what half-spaces leave out";

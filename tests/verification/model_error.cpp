@@ -97,15 +97,15 @@ TEST(ModelError, IsWithinAFactorOfTwoOfFiniteElements) {
   }
 }
 
-// The patch of conformal bodies is narrower than a plane one: finite elements have 10.833 and
-// 10.683 mm in cases e and f, the plane half-space 10.876. Their cells of 0.47 mm are good to some
-// 0.02 mm of it.
+// The patch of conformal bodies is narrower than a plane one: finite elements had 10.833 and
+// 10.683 mm in cases e and f, the plane half-space 10.876. These extents were extrapolated by a
+// parabola through p^2 over a third of the patch, which the y^4 in the distance of two circles
+// (0.0084 and 0.035 of the y^2 at the edge) moves inwards by 0.015 and 0.062 mm on 46 elements, as
+// line contacts of that distance in closed form show.
 TEST(ModelError, ConformalPatchesAreNarrower) {
-  for (const auto& [name, narrower] : {std::pair{'e', -0.043}, {'f', -0.193}}) {
+  for (const auto& [name, narrower] : {std::pair{'e', -0.043 + 0.015}, {'f', -0.193 + 0.062}}) {
     Case input = thesis(name);
-    EXPECT_NEAR(errors_of(input, halfspace::elements_of_model_error).front().at("semi_axis_y"),
-                narrower, 0.3 * -narrower)
-        << name;
+    EXPECT_NEAR(errors_of(input, 40).front().at("semi_axis_y"), narrower, 0.2 * -narrower) << name;
   }
 }
 

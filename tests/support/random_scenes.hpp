@@ -1,0 +1,236 @@
+// Random scenes for the model halfspace, each from a seed and its number: what error bars have to
+// cover. Milder than random_contact.hpp, which is to break solvers: every solution here has a patch
+// that a user would look at. Bodies that are no ellipsoids are in half of them.
+#pragma once
+
+#include "contact/scene/scene.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace rollfem::testing {
+
+/// A scene without its contact grid.
+struct RandomScene {
+  contact::Scene scene;
+  std::string shape;    ///< of the undeformed distance
+  std::string motion;   ///< "rolling", "spin", "force", "shift", "transient"
+  double length = 0.0;  ///< mm, of the patch without friction
+  double width = 0.0;   ///< mm
+  bool unlike = false;  ///< materials
+
+  /// With this many elements across both extents of the patch.
+  contact::Scene across(int elements) const {
+    contact::Scene gridded = scene;
+    gridded.contact_grid.cell_size = {{length / elements, width / elements}};
+    return gridded;
+  }
+};
+
+class RandomScenes {
+ public:
+  explicit RandomScenes(unsigned seed) : seed_(seed) {}
+
+  RandomScene scene(unsigned number) {
+    generator_.seed(seed_ * 1000003u + number);
+    RandomScene random;
+    contact::Scene& scene = random.scene;
+    scene.file = "random scene " + std::to_string(number);
+    scene.wheel.material = scene.rail.material = material(80e3);
+    random.unlike = chance(0.25);
+    if (random.unlike) scene.rail.material = material(80e3 * log_uniform(0.2, 5.0));
+    scene.material = contact::combine(scene.wheel.material, scene.rail.material);
+    scene.friction_law = contact::coulomb(log_uniform(0.05, 1.0));
+    random.shape = shape(scene);
+    const contact::PointResult pressed = press(scene);
+    random.length = pressed.contact_length;
+    random.width = pressed.contact_width;
+    contact::LoadPoint point = scene.points.front();
+    if (chance(0.5)) point.load = {pressed.normal_force, {}};
+    random.motion = move(scene, point, pressed);
+    return random;
+  }
+
+  /// An integer from the same stream, after the scene.
+  int choose(const std::vector<int>& among) {
+    const auto at = static_cast<std::size_t>(uniform(0.0, 1.0) * static_cast<double>(among.size()));
+    return among[std::min(at, among.size() - 1)];
+  }
+
+ private:
+  double uniform(double from, double to) {
+    // Of the generator's own bits: distributions of the library differ from one to another.
+    return from + (to - from) * (static_cast<double>(generator_()) / 4294967296.0);
+  }
+  double log_uniform(double from, double to) {
+    return std::exp(uniform(std::log(from), std::log(to)));
+  }
+  bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
+  double sign() { return chance(0.5) ? 1.0 : -1.0; }
+
+  contact::Material material(double shear_modulus) {
+    const double nu = uniform(0.0, 0.49);
+    return {2.0 * shear_modulus * (1.0 + nu), nu};
+  }
+
+  /// Undeformed distance over u = x/X and v = y/Y, of some 1 where the bodies are an approach
+  /// apart.
+  struct Polynomial {
+    double u2 = 0.0, u4 = 0.0, v1 = 0.0, v2 = 0.0, v3 = 0.0, v4 = 0.0, uv = 0.0;
+    double operator()(double u, double v) const {
+      return u * u * (u2 + u4 * u * u) + v * (v1 + v * (v2 + v * (v3 + v * v4))) + uv * u * v;
+    }
+  };
+
+  static constexpr double approach = 0.05;  ///< mm
+  static constexpr double reach = 6.0;      ///< mm, sqrt(X Y)
+
+  std::string shape(contact::Scene& scene) {
+    const double ratio = log_uniform(0.1, 10.0);
+    const double x = reach * std::sqrt(ratio);
+    const double y = reach / std::sqrt(ratio);
+    contact::LoadPoint point;
+    point.load.approach = approach;
+    scene.points = {point};
+    const double kind = uniform(0.0, 1.0);
+    if (kind < 0.45) return radii(scene, x, y);
+    Polynomial h;
+    std::string name;
+    if (kind < 0.54) {
+      h.u2 = h.v4 = 1.0;
+      name = "x^2 + y^4";
+    } else if (kind < 0.62) {
+      h.u4 = h.v2 = 1.0;
+      name = "x^4 + y^2";
+    } else if (kind < 0.70) {
+      h.u4 = h.v4 = 1.0;
+      name = "x^4 + y^4";
+    } else if (kind < 0.88) {
+      h.u2 = uniform(0.2, 1.0);
+      h.u4 = 1.0 - h.u2;
+      h.v2 = uniform(0.2, 1.0);
+      h.v4 = 1.0 - h.v2;
+      // Convex across, and positive definite.
+      h.v3 = uniform(-0.8, 0.8) * std::sqrt(8.0 / 3.0 * h.v2 * h.v4);
+      h.uv = uniform(-1.2, 1.2) * std::sqrt(h.u2 * h.v2);
+      name = "mixed";
+    } else {
+      const double hill = uniform(0.1, 0.9);  // between the bumps
+      h.u2 = 1.0;
+      h.v4 = uniform(0.5, 4.0);
+      h.v2 = -2.0 * std::sqrt(h.v4 * hill);
+      h.v1 = uniform(-0.2, 0.2) * std::abs(h.v2);
+      name = "two bumps";
+    }
+    scene.geometry.distance_values = lattice(h, x, y);
+    return name;
+  }
+
+  /// Radii whose curvature across is shared out between wheel and rail: the wheel's alone brings a
+  /// slip of its own.
+  std::string radii(contact::Scene& scene, double x, double y) {
+    const double across = 2.0 * approach / (y * y);
+    const double share = chance(0.5) ? 0.0 : uniform(-2.0, 2.0);
+    scene.geometry.surface.rolling_radius = x * x / (2.0 * approach);
+    if (share != 0.0) scene.geometry.surface.wheel_transverse_radius = 1.0 / (share * across);
+    scene.geometry.surface.rail_transverse_radius = 1.0 / ((1.0 - share) * across);
+    return share == 0.0 ? "ellipse" : "ellipse, curved";
+  }
+
+  static contact::Lattice lattice(const Polynomial& h, double x, double y) {
+    constexpr int points = 201;
+    constexpr double room = 1.2;
+    double lower = 0.0, upper = 0.0, along = 0.0, least = 0.0;
+    for (double u = -3.0; u <= 3.0; u += 0.02)
+      for (double v = -3.0; v <= 3.0; v += 0.02) least = std::min(least, h(u, v));
+    for (double u = -3.0; u <= 3.0; u += 0.02)
+      for (double v = -3.0; v <= 3.0; v += 0.02) {
+        if (h(u, v) - least > 1.0) continue;
+        lower = std::min(lower, v);
+        upper = std::max(upper, v);
+        along = std::max(along, std::abs(u));
+      }
+    const double middle = 0.5 * (upper + lower);
+    const double half = 0.5 * (upper - lower);
+    contact::Lattice lattice;
+    lattice.file = "polynomial";
+    lattice.nx = lattice.ny = points;
+    lattice.dx = 2.0 * room * along * x / (points - 1);
+    lattice.dy = 2.0 * room * half * y / (points - 1);
+    lattice.x_first = -room * along * x;
+    lattice.y_first = (middle - room * half) * y;
+    lattice.values.emplace_back();
+    for (int j = 0; j < points; ++j)
+      for (int i = 0; i < points; ++i)
+        lattice.values[0].push_back(approach * (h((lattice.x_first + i * lattice.dx) / x,
+                                                  (lattice.y_first + j * lattice.dy) / y) -
+                                                least));
+    return lattice;
+  }
+
+  /// Without friction, on a coarse grid.
+  static contact::PointResult press(contact::Scene scene) {
+    scene.problem = contact::Problem::frictionless;
+    scene.contact_grid.elements_across = 24;
+    return halfspace::run_halfspace(scene, {}).points.front();
+  }
+
+  /// Creepages from a hundredth of saturation to some times it.
+  std::string move(contact::Scene& scene, contact::LoadPoint point,
+                   const contact::PointResult& pressed) {
+    const double a = pressed.semi_axis_x, b = pressed.semi_axis_y, c = std::sqrt(a * b);
+    const double bound = scene.friction_coefficient() * pressed.normal_force;
+    const double shear = scene.material.shear_modulus;
+    const auto part = [&](double saturation) {
+      return sign() * saturation * log_uniform(0.02, 4.0);
+    };
+    const double kind = uniform(0.0, 1.0);
+    if (kind < 0.10) return shift(scene, point, bound / (2.0 * shear * c), c);
+    const double rolling = bound / (shear * a * b);
+    if (kind < 0.20) return force(scene, point, bound, rolling / c);
+    const bool transient = kind<0.30, spin = kind> 0.90;
+    if (!spin && chance(0.8)) point.creepage.longitudinal = part(rolling);
+    if (!spin && chance(0.6)) point.creepage.lateral = part(rolling);
+    if (spin || chance(0.5)) point.creepage.spin = part(rolling / c);
+    scene.points = {point};
+    if (!transient) return spin ? "spin" : "rolling";
+    scene.problem = contact::Problem::transient;
+    scene.points.front().step_length = 2.0 * a * log_uniform(0.1, 1.0);
+    scene.points.assign(3, scene.points.front());
+    return "transient";
+  }
+
+  std::string force(contact::Scene& scene, contact::LoadPoint point, double bound, double spin) {
+    const double size = bound * uniform(0.05, 0.9);
+    const double angle = uniform(0.0, 2.0 * M_PI);
+    if (chance(0.4)) point.creepage.spin = sign() * spin * log_uniform(0.02, 0.5);
+    point.force.longitudinal = size * std::cos(angle);
+    if (chance(0.6)) point.force.lateral = size * std::sin(angle);
+    scene.points = {point};
+    return "force";
+  }
+
+  /// There, and half of the way back.
+  std::string shift(contact::Scene& scene, contact::LoadPoint point, double saturation, double c) {
+    scene.problem = contact::Problem::shift;
+    const auto part = [&] { return sign() * saturation * log_uniform(0.05, 2.0); };
+    if (chance(0.8)) point.longitudinal_shift = part();
+    if (chance(0.5)) point.lateral_shift = part();
+    if (chance(0.3)) point.spin_shift = part() / c;
+    scene.points = {point, point};
+    for (double contact::LoadPoint::*way :
+         {&contact::LoadPoint::longitudinal_shift, &contact::LoadPoint::lateral_shift,
+          &contact::LoadPoint::spin_shift})
+      scene.points.back().*way *= -0.5;
+    return "shift";
+  }
+
+  unsigned seed_;
+  std::mt19937 generator_;
+};
+
+}  // namespace rollfem::testing
