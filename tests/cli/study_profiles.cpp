@@ -53,7 +53,7 @@ TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
     return std::abs(values.at("max_pressure").get<double>() - limit.at("value").get<double>());
   };
   EXPECT_NEAR(std::log2(error(0) / error(3)) / 3.0, 2.0, 0.3);
-  EXPECT_LT(limit.at("uncertainty").get<double>(), 0.2);  // MPa
+  EXPECT_LT(limit.at("uncertainty").get<double>(), 0.3);  // MPa, 3e-4 of the value
   EXPECT_NEAR(limit.at("value").get<double>(), 1011.2, 0.001 * 1011.2);
   // CONTACT: 1011.2 MPa and 16.2 mm.
   const auto& finest = levels.at(4).at("values");

@@ -135,8 +135,9 @@ TEST(FemCaseA, EveryPointIsInEquilibriumClosedUnderPressureAndWithinTheTractionB
       const double gap = distance + f.displacement.n[k] - point.approach;
       EXPECT_NEAR(f.gap[k], gap, 2e-4 * distance + 1e-9);
       EXPECT_GE(f.traction.n[k], 0.0);
-      EXPECT_GE(f.gap[k], -2e-6 * point.approach);
-      EXPECT_LE(f.traction.n[k] > 0.0 ? f.gap[k] : 0.0, 2e-6 * point.approach);
+      // The outer iteration ends when the displacement changes by less than 1e-4 of itself.
+      EXPECT_GE(f.gap[k], -1e-4 * point.approach);
+      EXPECT_LE(f.traction.n[k] > 0.0 ? f.gap[k] : 0.0, 1e-4 * point.approach);
       const double size = std::hypot(f.traction.x[k], f.traction.y[k]);
       EXPECT_LE(size, 0.55 * (f.traction.n[k] + 1e-5 * exact_p0));
       const double slip = std::hypot(f.slip.x[k], f.slip.y[k]);

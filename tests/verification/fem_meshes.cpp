@@ -2,6 +2,7 @@
 // meshes of a user whose lines follow neither rolling nor the lateral direction.
 #include "contact/case/case_reader.hpp"
 #include "fem/model/contact_run.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,19 +45,22 @@ meshes::HexMesh distorted_rail() {
 }  // namespace
 
 TEST(FemMeshFamilies, AgreeOnTheCurvedCase) {
+  // Faces of gmsh's meshes do not make up the contact elements, so that what cells of their size
+  // lack of short waves stays in them: forces differ by what that is worth at four cells in the
+  // semi-axis.
   contact::Case input = study_case("e", 0.002);
-  const auto one = fem::run_level(input, {1.5, "", false}, {}).points.front();
+  const auto one = fem::run_level(input, {0.94, "", false}, {}).points.front();
   input.fem.mesh = contact::MeshFamily::gmsh;
-  const auto other = fem::run_level(input, {1.5, "", false}, {}).points.front();
+  const auto other = fem::run_level(input, {0.94, "", false}, {}).points.front();
   EXPECT_NEAR(other.max_pressure / one.max_pressure, 1.0, 5e-3);
-  EXPECT_NEAR(other.traction_coefficient / one.traction_coefficient, 1.0, 5e-3);
+  EXPECT_NEAR(other.traction_coefficient, one.traction_coefficient, 0.01 * 0.55);
   EXPECT_NEAR(other.approach / one.approach, 1.0, 5e-3);
 }
 
 TEST(FemUserMeshes, GiveHertzOnTurnedAndDistortedHexahedra) {
   // The whole rail on the user's mesh under half a wheel of the program's. Cells of half of the
-  // smaller semi-axis: p0 is off by what the grid of the contact brings, and the distorted mesh
-  // must not add to it.
+  // smaller semi-axis: p0 is off Hertz's by what so coarse a grid of the contact brings the
+  // half-space too, and the distorted mesh must not add to it.
   const rollfem::testing::TemporaryFolder folder;
   contact::Case input = study_case("a", 0.002);
   const auto own = fem::run_level(input, {1.88, "", false}, {}).points.front();
@@ -64,7 +68,10 @@ TEST(FemUserMeshes, GiveHertzOnTurnedAndDistortedHexahedra) {
   folder.file("rail.msh", meshes::msh_text(distorted_rail()));
   input.rail.mesh = "rail.msh";
   const auto point = fem::run_level(input, {1.88, "", false}, {}).points.front();
-  EXPECT_NEAR(point.max_pressure / 578.967, 1.0, 2e-2);
+  input.contact_grid.cell_size = {{1.88, 1.88}};
+  const auto half = halfspace::run_halfspace(input, {}).points.front();
+  EXPECT_LT(half.max_pressure, 0.99 * 578.967);
+  EXPECT_NEAR(point.max_pressure / half.max_pressure, 1.0, 1e-2);
   EXPECT_NEAR(point.max_pressure / own.max_pressure, 1.0, 5e-3);
   EXPECT_NEAR(point.traction_coefficient, own.traction_coefficient, 5e-3 * 0.55);
 }

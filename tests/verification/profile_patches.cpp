@@ -96,8 +96,9 @@ TEST(ProfilePatches, TheoriesOfAnEllipseFindItAgain) {
     radii.rolling.creepages = circles.rolling.creepages = {{1e-3, 5e-4, 1e-4}};
     const PointResult a = run(model, radii).points.front();
     const PointResult b = run(model, circles).points.front();
-    // The ellipse is taken from a half-space solution at 65 elements across.
-    EXPECT_NEAR(b.max_pressure, a.max_pressure, 1e-3 * a.max_pressure);
+    // The ellipse is taken from a half-space solution at 65 elements across, whose area is 0.13 %
+    // too large.
+    EXPECT_NEAR(b.max_pressure, a.max_pressure, 2e-3 * a.max_pressure);  // as the area
     EXPECT_NEAR(b.contact_length, a.contact_length, 1e-3 * a.contact_length);
     EXPECT_NEAR(b.longitudinal_force, a.longitudinal_force, 1e-3 * 0.55 * 50e3);
     EXPECT_NEAR(b.lateral_force, a.lateral_force, 1e-3 * 0.55 * 50e3);

@@ -19,7 +19,7 @@ def hertz(bench):
         result = bench.run(f"hertz_{radius:.0f}", "cases/verification/hertz.toml",
                            settings={"rail.transverse_radius": radius})
         exact = closed_forms.hertz(1 / 920, 1 / (2 * radius), 82e3, STEEL)
-        for name, allowed in (("hertz", (1e-6,) * 4), ("halfspace", (1e-3, 1e-3, 1e-3, 3e-4))):
+        for name, allowed in (("hertz", (1e-6,) * 4), ("halfspace", (2e-3, 1e-3, 1e-3, 3e-4))):
             point = result.model(name).points[0]
             for key, words, unit, value, most in zip(
                     ("semi_axis_x", "semi_axis_y", "max_pressure", "approach"), ("a", "b", "p0", "approach"),
