@@ -8,7 +8,6 @@
 
 #include "support/wheel_rail_cases.hpp"
 #include <cmath>
-#include <ctime>
 
 namespace {
 
@@ -202,21 +201,6 @@ TEST(Refusal, BothWheelsMustFindTheirRails) {
   } catch (const std::exception& error) {
     EXPECT_NE(std::string(error.what()).find("do: "), std::string::npos) << error.what();
   }
-}
-
-TEST(Speed, PositionOfTwoWheelsTakesMilliseconds) {
-  contact::Case input = rollfem::testing::manchester_case(-7.0, -0.0168);
-  input.wheelset.side = contact::WheelSide::both;
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
-  double least = 1e9;
-  for (int run = 0; run < 5; ++run) {
-    const std::clock_t begin = std::clock();
-    EXPECT_GE(find_contacts(input, scene, 1).size(), 2u);
-    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-  }
-  // Time of the processor, which other work on the machine does not lengthen.
-  RecordProperty("milliseconds", static_cast<int>(1e3 * least));
-  EXPECT_LT(least, 0.05);
 }
 
 }  // namespace
