@@ -55,6 +55,11 @@ struct ContactGrid {
     return {nx, ny, dx, dy, x_middle - 0.5 * (nx - 1) * dx, y_middle - 0.5 * (ny - 1) * dy};
   }
 
+  /// With that many more columns and rows of elements on each side.
+  ContactGrid widened(int columns, int rows) const {
+    return {nx + 2 * columns, ny + 2 * rows, dx, dy, x_first - columns * dx, y_first - rows * dy};
+  }
+
   /// `function(x, y)` at every element centre.
   template <class Function>
   Field sample(Function&& function) const {

@@ -24,12 +24,7 @@ ContactGrid surroundings(const ContactGrid& grid) {
   const double way = 0.5 * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
   const int columns = contact::count_of(std::ceil(way / grid.dx), "columns beside the contact");
   const int rows = contact::count_of(std::ceil(way / grid.dy), "rows beside the contact");
-  return {grid.nx + 2 * columns,
-          grid.ny + 2 * rows,
-          grid.dx,
-          grid.dy,
-          grid.x_first - columns * grid.dx,
-          grid.y_first - rows * grid.dy};
+  return grid.widened(columns, rows);
 }
 
 Plane plane_of(const Field& field, const ContactGrid& grid) {

@@ -29,15 +29,6 @@ namespace {
 /// Elements kept free around the patch; second-order upwind looks two columns upstream.
 constexpr int free_elements = 3;
 
-ContactGrid with_margin(const ContactGrid& grid, int columns, int rows) {
-  return {grid.nx + 2 * columns,
-          grid.ny + 2 * rows,
-          grid.dx,
-          grid.dy,
-          grid.x_first - columns * grid.dx,
-          grid.y_first - rows * grid.dy};
-}
-
 /// Transient rolling looks up to two steps upstream.
 int columns_for_steps(const Scene& scene, const AreaOfPatch& area, double dx) {
   if (scene.problem != contact::Problem::transient || scene.contact_grid.extent ||
@@ -193,7 +184,7 @@ contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, do
   options.force_accuracy = accuracy_of_force_search;
   options.coarser = coarser;
   ContactGrid grid =
-      with_margin(area.grid(dx, dy, free_elements), columns_for_steps(scene, area, dx), 0);
+      area.grid(dx, dy, free_elements).widened(columns_for_steps(scene, area, dx), 0);
   constexpr int most_enlargements = 4;
   for (int attempt = 0;; ++attempt) {
     std::optional<GridStore> store;
@@ -214,7 +205,7 @@ contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, do
           "tell; "
           "do: prescribe a larger contact_grid.extent",
           grid.nx, grid.ny));
-    grid = with_margin(grid, grid.nx / 4 + free_elements, grid.ny / 4 + free_elements);
+    grid = grid.widened(grid.nx / 4 + free_elements, grid.ny / 4 + free_elements);
   }
 }
 
