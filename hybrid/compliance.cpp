@@ -50,24 +50,23 @@ HybridCompliance::HybridCompliance(const contact::Scene& scene,
 }
 
 SurfaceField HybridCompliance::apply(const SurfaceField& traction) const {
-  SurfaceField field = half_.apply(traction);
-  if (wheel_) add(field, wheel_->apply(traction));
-  if (rail_) add(field, rail_->apply(traction));
-  return field;
-}
-
-SurfaceField HybridCompliance::wheel_displacement(const SurfaceField& traction) const {
-  SurfaceField field = wheel_half_->apply(traction);
-  add(field, wheel_->apply(traction));
-  return field;
+  return respond(traction).displacement;
 }
 
 contact::Response HybridCompliance::respond(const SurfaceField& traction) const {
-  contact::Response response{apply(traction), {}};
-  if (!wheel_half_) return response;
-  const SurfaceField u = wheel_displacement(traction);
-  response.curvature_slip = {u.n.cwiseProduct(towards_axle_n_) + u.y.cwiseProduct(towards_axle_y_),
-                             -u.x.cwiseProduct(towards_axle_y_)};
+  contact::Response response{half_.apply(traction), {}};
+  if (wheel_) {
+    const SurfaceField beyond = wheel_->apply(traction);
+    add(response.displacement, beyond);
+    if (wheel_half_) {
+      SurfaceField u = wheel_half_->apply(traction);
+      add(u, beyond);
+      response.curvature_slip = {
+          u.n.cwiseProduct(towards_axle_n_) + u.y.cwiseProduct(towards_axle_y_),
+          -u.x.cwiseProduct(towards_axle_y_)};
+    }
+  }
+  if (rail_) add(response.displacement, rail_->apply(traction));
   return response;
 }
 

@@ -21,8 +21,6 @@ class HybridCompliance : public contact::Compliance {
   contact::Response respond(const contact::SurfaceField& traction) const override;
 
  private:
-  contact::SurfaceField wheel_displacement(const contact::SurfaceField& traction) const;
-
   halfspace::HalfspaceCompliance half_;
   std::unique_ptr<halfspace::HalfspaceCompliance> wheel_half_;  ///< of the wheel; null: flat
   std::unique_ptr<halfspace::SmoothMapOnGrid> wheel_;

@@ -2,9 +2,8 @@
 
 #include "contact/base/stopwatch.hpp"
 #include "contact/result/quantities.hpp"
-#include "halfspace/model/beside.hpp"
-#include "halfspace/model/force_search.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/model/preconditioned_elasticity.hpp"
 #include "hybrid/compliance.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +15,6 @@ namespace rollfem::hybrid {
 
 using contact::ContactGrid;
 using contact::ModelResult;
-using contact::PatchSize;
 using contact::PointResult;
 using contact::Scene;
 
@@ -25,42 +23,6 @@ namespace {
 /// What cells, polynomials and segments leave uncertain of the correction, as a part of it: from
 /// three cells in the semi-axis to five it changes by 2 to 6 %.
 constexpr double uncertain_part = 0.1;
-
-class HybridElasticity : public contact::Elasticity {
- public:
-  HybridElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
-                   const ContactGrid& grid, const halfspace::SmoothParts& parts)
-      : scene_(scene),
-        whole_(scene, geometry, grid, parts),
-        half_(grid, scene.material.uncoupled()) {
-    if (scene.material.couples())
-      coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(grid, scene.material);
-  }
-
-  const contact::Compliance& whole() const override { return whole_; }
-  const contact::SolvableCompliance& standin() const override { return half_; }
-  const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
-  contact::Field extra_distance() const override {
-    if (scene_.beside.empty()) return {};
-    return halfspace::displacement_beside(scene_.beside, scene_.material, half_.grid());
-  }
-  contact::TangentialField extra_slip() const override {
-    if (scene_.beside.empty()) return {};
-    return halfspace::slip_beside(scene_.beside, scene_.material, half_.grid());
-  }
-  Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
-    return halfspace::rolling_stiffness(patch, scene_.material);
-  }
-  Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
-    return halfspace::shift_stiffness(patch, scene_.material);
-  }
-
- private:
-  const Scene& scene_;
-  HybridCompliance whole_;
-  halfspace::HalfspaceCompliance half_;
-  std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half_;  ///< null: like materials
-};
 
 /// Adds to the error estimates what is uncertain of the difference to the half-space.
 void widen(PointResult& point, const PointResult& half) {
@@ -86,7 +48,8 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   elasticity.same_normal_block = false;
   elasticity.make = [&](const Scene& of, const contact::ChartedGeometry& geometry,
                         const ContactGrid& grid) -> std::unique_ptr<contact::Elasticity> {
-    return std::make_unique<HybridElasticity>(of, geometry, grid, parts);
+    return std::make_unique<halfspace::PreconditionedElasticity>(
+        of, grid, std::make_unique<HybridCompliance>(of, geometry, grid, parts));
   };
   ModelResult result = halfspace::run_halfspace(curved, progress, checkpoint, elasticity);
   const ModelResult half = halfspace::run_halfspace(curved, {});

@@ -34,7 +34,7 @@ using halfspace::SmoothMap;
 constexpr int load_degree = 4;
 constexpr int field_degree = 6;
 /// Cells in the smaller semi-axis of the patch. With five in place of three case f changes by 0.02
-/// % in p0 and 2e-4 of mu in its forces (docs/accuracy.md).
+/// % in p0 and 2e-4 of mu in its forces.
 constexpr double cells_in_semi_axis = 3.0;
 /// The ellipsoid is that much larger than the patch.
 constexpr double room = 1.05;
