@@ -6,6 +6,7 @@
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/curvature/curved_level.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/model/model_error.hpp"
 
 #include <fmt/format.h>
 
@@ -42,18 +43,9 @@ std::map<std::string, double> changes(const contact::PrescribedForce& force,
   return result;
 }
 
-contact::Scene with_few_elements(contact::Scene scene) {
-  scene.contact_grid = {};
-  scene.contact_grid.elements_across = elements_of_model_error;
-  scene.accuracy = {};
-  scene.subsurface.clear();
-  scene.output.stress_maxima = false;
-  return scene;
-}
-
 std::optional<ModelErrors> errors_of_few_elements(const contact::Scene& scene,
                                                   const contact::Progress& progress) {
-  const contact::Scene few = with_few_elements(scene);
+  const contact::Scene few = on_few_elements(scene, elements_of_model_error);
   const AreaOfPatch area(few);
   const auto [length, width] = area.extent();
   const contact::LevelResult plain =

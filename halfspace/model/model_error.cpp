@@ -1,14 +1,15 @@
 #include "halfspace/model/model_error.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/stopwatch.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::halfspace {
 
@@ -19,7 +20,7 @@ using contact::Scene;
 namespace {
 
 /// Some milliseconds a load point, and forces to a percent: less than theories are off by.
-constexpr int elements_across = 20;
+constexpr int elements_of_theories = 20;
 
 /// The load point of a model that has one for all of them.
 Scene at_largest_load(const Scene& scene) {
@@ -34,15 +35,7 @@ Scene at_largest_load(const Scene& scene) {
 Scene rough_scene(const Scene& scene, bool with_friction, std::size_t points) {
   Scene rough = points == scene.points.size() ? scene : at_largest_load(scene);
   if (!with_friction) rough.problem = contact::Problem::frictionless;
-  // Points of a file come with their grid.
-  if (!rough.geometry.distance_values) {
-    rough.contact_grid = {};
-    rough.contact_grid.elements_across = elements_across;
-  }
-  rough.accuracy = {};
-  rough.subsurface.clear();
-  rough.output.stress_maxima = false;
-  return rough;
+  return on_few_elements(std::move(rough), elements_of_theories);
 }
 
 bool is_worth_it(const contact::Quantity& quantity, bool with_friction) {
@@ -66,8 +59,19 @@ void add_errors(const PointResult& half, bool with_friction, PointResult& theory
 
 }  // namespace
 
+Scene on_few_elements(Scene scene, int elements_across) {
+  if (!scene.geometry.distance_values) {
+    scene.contact_grid = {};
+    scene.contact_grid.elements_across = elements_across;
+  }
+  scene.accuracy = {};
+  scene.subsurface.clear();
+  scene.output.stress_maxima = false;
+  return scene;
+}
+
 void estimate_model_error(const Scene& scene, bool with_friction, ModelResult& theory) {
-  const auto begin = std::chrono::steady_clock::now();
+  const contact::Stopwatch watch;
   try {
     const Scene rough = rough_scene(scene, with_friction, theory.points.size());
     ModelResult half = run_halfspace(rough, {}, nullptr);
@@ -75,15 +79,14 @@ void estimate_model_error(const Scene& scene, bool with_friction, ModelResult& t
     for (std::size_t k = 0; k < theory.points.size() && k < half.points.size(); ++k)
       add_errors(half.points[k], with_friction, theory.points[k]);
     theory.model_error_source = fmt::format(
-        "difference to the half-space with {} elements across, and its bar", elements_across);
+        "difference to the half-space with {} elements across, and its bar", elements_of_theories);
   } catch (const std::runtime_error& error) {  // InputError, SolveError and what they are made of
     theory.model_error_source =
         fmt::format("not estimated: the half-space with {} elements across has no result ({})",
-                    elements_across, error.what());
+                    elements_of_theories, error.what());
   }
   // Not of the total, which is what the theory costs.
-  theory.seconds["model error"] =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  theory.seconds["model error"] = watch.seconds();
 }
 
 }  // namespace rollfem::halfspace

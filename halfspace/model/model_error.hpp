@@ -6,6 +6,10 @@
 
 namespace rollfem::halfspace {
 
+/// The scene on so few elements across, without stresses or an accuracy asked for: for the
+/// difference between two models. Points of a file come with their grid, which stays.
+contact::Scene on_few_elements(contact::Scene scene, int elements_across);
+
 /// Sets PointResult::model_error of a theory's values from a half-space solution of the same scene
 /// with 20 elements across: the difference, and that solution's own bar. `with_friction`: the
 /// theory has forces, too. Where the half-space has no result model_error_source says why.
