@@ -11,11 +11,11 @@
 #include "halfspace/model/force_search.hpp"
 #include "halfspace/model/level.hpp"
 
+#include "tests/support/random_draws.hpp"
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,13 +67,13 @@ struct RandomOutcome {
   }
 };
 
-class RandomContacts {
+class RandomContacts : private RandomDraws {
  public:
-  explicit RandomContacts(unsigned seed) : seed_(seed) {}
+  explicit RandomContacts(unsigned seed) : RandomDraws(seed) {}
 
   /// Contact `number` of the seed, at this many elements across.
   RandomContact contact(unsigned number, int across) {
-    generator_.seed(seed_ * 1000003u + number);
+    begin(number);
     RandomContact c;
     c.across = across;
     const double kind = uniform(0.0, 1.0);
@@ -96,21 +96,6 @@ class RandomContacts {
   }
 
  private:
-  double uniform(double from, double to) {
-    // Of the generator's own bits: distributions of the library differ from one to another.
-    return from + (to - from) * (static_cast<double>(generator_()) / 4294967296.0);
-  }
-  double log_uniform(double from, double to) {
-    return std::exp(uniform(std::log(from), std::log(to)));
-  }
-  bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
-  double sign() { return chance(0.5) ? 1.0 : -1.0; }
-
-  contact::Material material(double shear_modulus) {
-    const double nu = uniform(0.0, 0.49);
-    return {2.0 * shear_modulus * (1.0 + nu), nu};
-  }
-
   /// Creepages from 1e-5 of saturation to 30 times it; the pole of the spin in or near the patch in
   /// a third.
   void move(RandomContact& c) {
@@ -137,9 +122,6 @@ class RandomContacts {
     const double part_of_bound = chance(0.3) ? 1.0 - log_uniform(1e-3, 0.3) : uniform(0.0, 0.9);
     c.force = part_of_bound * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   }
-
-  unsigned seed_;
-  std::mt19937 generator_;
 };
 
 /// Undeformed distance whose Hertz contact has these semi-axes and this pressure (Johnson 4.26).

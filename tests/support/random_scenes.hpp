@@ -6,9 +6,9 @@
 #include "contact/scene/scene.hpp"
 #include "halfspace/model/model.hpp"
 
+#include "tests/support/random_draws.hpp"
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -31,12 +31,12 @@ struct RandomScene {
   }
 };
 
-class RandomScenes {
+class RandomScenes : private RandomDraws {
  public:
-  explicit RandomScenes(unsigned seed) : seed_(seed) {}
+  explicit RandomScenes(unsigned seed) : RandomDraws(seed) {}
 
   RandomScene scene(unsigned number) {
-    generator_.seed(seed_ * 1000003u + number);
+    begin(number);
     RandomScene random;
     contact::Scene& scene = random.scene;
     scene.file = "random scene " + std::to_string(number);
@@ -62,21 +62,6 @@ class RandomScenes {
   }
 
  private:
-  double uniform(double from, double to) {
-    // Of the generator's own bits: distributions of the library differ from one to another.
-    return from + (to - from) * (static_cast<double>(generator_()) / 4294967296.0);
-  }
-  double log_uniform(double from, double to) {
-    return std::exp(uniform(std::log(from), std::log(to)));
-  }
-  bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
-  double sign() { return chance(0.5) ? 1.0 : -1.0; }
-
-  contact::Material material(double shear_modulus) {
-    const double nu = uniform(0.0, 0.49);
-    return {2.0 * shear_modulus * (1.0 + nu), nu};
-  }
-
   /// Undeformed distance over u = x/X and v = y/Y, of some 1 where the bodies are an approach
   /// apart.
   struct Polynomial {
@@ -228,9 +213,6 @@ class RandomScenes {
       scene.points.back().*way *= -0.5;
     return "shift";
   }
-
-  unsigned seed_;
-  std::mt19937 generator_;
 };
 
 }  // namespace rollfem::testing
