@@ -2,11 +2,16 @@
 
 #include "app/fem_library.hpp"
 #include "halfspace/model/refinements.hpp"
-#include "hybrid/model.hpp"
 
 namespace rollfem::app {
 
 using contact::Demand;
+
+hybrid::FindParts smooth_parts_finder() {
+  return [](const contact::Scene& scene, const contact::Progress& progress) {
+    return open_fem_library("model hybrid").find_smooth_parts(scene, progress);
+  };
+}
 
 contact::ModelInfo hybrid_model() {
   contact::ModelInfo hybrid{"hybrid", "hybrid",
@@ -17,8 +22,7 @@ contact::ModelInfo hybrid_model() {
                                            Demand::beyond_half_space});
   hybrid.run = [](const contact::ModelInput& input, const contact::Progress& progress,
                   contact::Checkpoint* checkpoint) {
-    const fem::Entry& library = open_fem_library("model hybrid");
-    return hybrid::run_hybrid(input, progress, checkpoint, library.find_smooth_parts);
+    return hybrid::run_hybrid(input, progress, checkpoint, smooth_parts_finder());
   };
   hybrid.refinements = {halfspace::contact_grid()};
   hybrid.half_spaces = false;
