@@ -1,4 +1,5 @@
 """All figures and the report of one result folder."""
+import multiprocessing
 import os
 
 from . import curves, lateral, maps, overlay, places, stresses, style
@@ -70,6 +71,38 @@ def all_captions(result):
             yield name, caption, draw
 
 
+def draw_all(captioned, folder, png_folder=None):
+    """Draws figures, an iterable of (file name, caption, function that draws or returns None), on all
+    cores; returns (file name, caption) of those that there are, in their order."""
+    captioned = list(captioned)
+
+    def draw(number):
+        name, _, function = captioned[number]
+        figure = function()
+        if figure is not None:
+            style.save(figure, os.path.join(folder, name), png_folder)
+        return figure is not None
+
+    workers = min(len(os.sched_getaffinity(0)), len(captioned))
+    drawn = _spread(draw, len(captioned), workers) if workers > 1 else map(draw, range(len(captioned)))
+    return [(name, caption) for (name, caption, _), there in zip(captioned, drawn) if there]
+
+
+_task = None  # of the processes that draw: they get it as they are forked, results and all
+
+
+def _spread(task, count, workers):
+    """task(0), ..., task(count - 1) by forked processes, the next number to whoever is free."""
+    global _task
+    _task = task
+    with multiprocessing.get_context("fork").Pool(workers) as pool:
+        return pool.map(_do_task, range(count), chunksize=1)
+
+
+def _do_task(number):
+    return _task(number)
+
+
 def build(directory, png_folder=None, reference=""):
     """Draws what the result has and writes the report; figures for which it has no data are left
     out. `reference`: name of the model that the others are compared with, where it is there. Returns
@@ -78,11 +111,6 @@ def build(directory, png_folder=None, reference=""):
     result.reference = reference
     folder = style.figures_folder(result.directory, png_folder)
     style.know({model.name: model.label for model in result.models})
-    figures = []
-    for name, caption, draw in all_captions(result):
-        figure = draw()
-        if figure is not None:
-            style.save(figure, os.path.join(folder, name), png_folder)
-            figures.append((name, caption))
+    figures = draw_all(all_captions(result), folder, png_folder)
     write_report(result, figures)
     return result, figures

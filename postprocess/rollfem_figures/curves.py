@@ -82,9 +82,9 @@ def creep_curve(result):
         top.set_ylim(min(bounded) - room, max(bounded) + 1.5 * room)
     top.margins(y=0.1)
     if many:
-        figure.legend(*top.get_legend_handles_labels(), loc="upper center", ncol=4)
-        figure.subplots_adjust(top=0.86)
+        style.legend_above(figure, axes, top.get_legend_handles_labels()[0], 4, between=(0, 0.16))
     else:
+        style.arrange(figure, axes, between=(0, 0.16))
         top.legend(loc="lower right")
     if compare:
         axes[1, 0].axhline(0, **style.line(reference))
@@ -149,14 +149,15 @@ def _limits(models, keys, values_of):
 
 
 def _panels(count):
-    """(figure, its `count` panels over one abscissa, columns): at most three beside each other."""
+    """(figure, all its panels, the `count` that are used, over one abscissa): at most three beside each
+    other."""
     columns = min(3, count)
     rows = math.ceil(count / columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(0.6 + 3.1 * columns, 0.5 + 2.35 * rows),
+    figure, axes = plt.subplots(rows, columns, figsize=(0.5 + 3.1 * columns, 0.85 + 2.1 * rows),
                                 squeeze=False, sharex=True)
     for panel in list(axes.flat)[count:]:
         panel.set_visible(False)
-    return figure, list(axes.flat)[:count], columns
+    return figure, axes, list(axes.flat)[:count]
 
 
 def _label_lowest(panels, columns, half, label):
@@ -167,15 +168,15 @@ def _label_lowest(panels, columns, half, label):
         panel.tick_params(labelbottom=True)
 
 
-def _legend_above(figure, panel, bound, shared):
-    """The curves of `panel`, the thin lines of the traction `bound` and what all panels share; either
-    may be empty."""
-    handles = panel.get_legend_handles_labels()[0]
+def _legend_above(figure, axes, bound, shared):
+    """The curves of the first panel, the thin lines of the traction `bound` and what all panels share;
+    either may be empty."""
+    handles = axes[0, 0].get_legend_handles_labels()[0]
     if bound:
         handles.append(style.entry(bound, color=style.GREY, linewidth=0.7))
     if shared:
         handles.append(style.entry(shared))
-    style.legend_above(figure, handles, 5, 0.08)
+    style.legend_above(figure, axes, handles, 5, between=(0.8, 0.45), left=0.78)
 
 
 def path(result, axis):
@@ -186,7 +187,7 @@ def path(result, axis):
         return None
     chosen = selection.chosen_keys(models, 5)
     texts, shared = style.key_texts(chosen)
-    figure, panels, columns = _panels(1 + len(chosen))
+    figure, axes, panels = _panels(1 + len(chosen))
     _pressure_panel(panels[0], models, axis)
     limits = _limits(models, chosen, lambda *of: (line_of(*of, axis) or [None, []])[1])
     for panel, key in zip(panels[1:], chosen):
@@ -195,11 +196,11 @@ def path(result, axis):
         panel.set_ylim(limits)
         panel.set_ylabel(r"$-p_x$ [MPa]")
     half = extent(models)[0 if axis == "x" else 1]
-    _label_lowest(panels, columns, half,
+    _label_lowest(panels, axes.shape[1], half,
                   r"$x$ [mm], rolling $\rightarrow$" if axis == "x" else r"$y$ [mm], lateral")
     own = any(m.name in ("fastsim", "strip") for m in models)
     bound = "traction bound" if own else r"traction bound $\mu\,p_n$"
-    _legend_above(figure, panels[0], bound if chosen else "", shared)
+    _legend_above(figure, axes, bound if chosen else "", shared)
     return figure
 
 
@@ -217,7 +218,7 @@ def strip_forces(result):
         return None
     chosen = selection.chosen_keys(models, 5)
     texts, shared = style.key_texts(chosen)
-    figure, panels, columns = _panels(1 + len(chosen))
+    figure, axes, panels = _panels(1 + len(chosen))
     for model in models:
         panels[0].plot(model.y, _strip_force(model, model.points[0].fields["pressure"]),
                        label=style.label(model), **style.line(model))
@@ -237,6 +238,6 @@ def strip_forces(result):
         panel.set_title(texts[key])
         panel.set_ylim(limits)
         panel.set_ylabel(r"$-\int p_x\,dx$ [N/mm]")
-    _label_lowest(panels, columns, extent(models)[1], r"$y$ [mm], lateral")
-    _legend_above(figure, panels[0], "full sliding of the strip" if chosen else "", shared)
+    _label_lowest(panels, axes.shape[1], extent(models)[1], r"$y$ [mm], lateral")
+    _legend_above(figure, axes, "full sliding of the strip" if chosen else "", shared)
     return figure

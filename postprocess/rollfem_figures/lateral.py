@@ -65,5 +65,5 @@ def paths(result):
     handles.append(style.entry("traction bound, both signs", color=style.GREY, linewidth=0.7))
     if shared:
         handles.append(style.entry(shared))
-    style.legend_above(figure, handles, max(2, int(figure.get_figwidth() / 1.6)), 0.08)
+    style.legend_above(figure, axes, handles, max(2, int(figure.get_figwidth() / 1.6)), between=(0.25, 0.78))
     return figure

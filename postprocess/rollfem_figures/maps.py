@@ -2,7 +2,7 @@
 import numpy as np
 from matplotlib import patches
 from matplotlib import pyplot as plt
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator
 
@@ -94,7 +94,8 @@ def contact_area(result):
                patches.Patch(color=style.SLIP_COLOUR, label="slip")]
     if shared:
         handles.append(style.entry(shared))
-    style.legend_above(figure, handles, max(1, int(figure.get_figwidth() / 1.45)), 0.13)
+    style.legend_above(figure, panels, handles, max(1, int(figure.get_figwidth() / 1.45)), titles=2,
+                       between=(0.2, 0.5))
     return figure
 
 
@@ -123,8 +124,8 @@ def _strips(panel, view, model, values, state, count=26):
         along, up = view(model.x[columns], model.y[j], values[j, columns])
         base = view(model.x[columns], model.y[j], np.zeros(len(columns)))
         corners = np.concatenate([np.stack([along, up], 1), np.stack(base, 1)[::-1]])
-        panel.add_patch(patches.Polygon(corners, facecolor="white", edgecolor="none",
-                                        zorder=2 + depth))
+        panel.add_collection(PolyCollection([corners], facecolor="white", edgecolor="none",
+                                            zorder=2 + depth), autolim=False)
         ends = np.stack([along, up], 1)
         kinds = state[j, columns] if state is not None else np.zeros(len(columns))
         both = np.maximum(kinds[:-1], kinds[1:])
@@ -135,7 +136,8 @@ def _strips(panel, view, model, values, state, count=26):
         runs = list(zip(starts, [*starts[1:], len(inks)]))  # segments of one colour are one line
         panel.add_collection(LineCollection([ends[a:b + 1] for a, b in runs],
                                             colors=[inks[a] for a, _ in runs], linewidths=1.1,
-                                            capstyle="round", snap=False, zorder=2 + depth))
+                                            capstyle="round", snap=False, zorder=2 + depth),
+                             autolim=False)
 
 
 def _ticks(half):
@@ -192,9 +194,13 @@ def _oblique_pressure(model):
     view = _Oblique(*extent([model]), pressure)
     _frame(panel, view, "contact pressure", r"$p_n$ [MPa]")
     _strips(panel, view, model, pressure, None)
-    figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
-    figure.tight_layout(rect=(0, 0.03, 1, 1))
+    _title_obliques(figure, np.array([[panel]]), model)
     return figure
+
+
+def _title_obliques(figure, axes, model):
+    figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
+    style.arrange(figure, axes, between=(0.1, 0), left=0.05, right=0.05, bottom=0.2, top=0.5)
 
 
 def oblique(result, model):
@@ -220,6 +226,5 @@ def oblique(result, model):
     _strips(axes[1], view, model, traction, state)
     handles = [style.entry("adhesion", color=style.ADHESION_COLOUR), style.entry("slip", color=style.SLIP_COLOUR)]
     figure.legend(handles=handles, loc="lower center", ncol=2)
-    figure.suptitle(style.label(model), fontsize=10.5, fontweight="bold")
-    figure.tight_layout(rect=(0, 0.03, 1, 1))
+    _title_obliques(figure, axes[None, :], model)
     return figure

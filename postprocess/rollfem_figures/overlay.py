@@ -52,11 +52,13 @@ def _draw(panel, model, point):
     clip = patches.PathPatch(edge, facecolor="none", edgecolor="none")
     panel.add_patch(clip)
     x, y, values = padded(model, spread(state), 0.0)
+    if values.max() <= 0.5:  # adhesion that its neighbours outweigh
+        return
     for part in panel.contour(x, y, values, levels=[0.5], **pen).collections:
         part.set_clip_path(clip)
 
 
-def _legend(figure, models, shaded, shared):
+def _legend(figure, panels, models, shaded, shared):
     handles = [style.entry(style.label(m), **style.line(m)) for m in models]
     if shaded is not None:
         name = style.label(shaded)
@@ -64,7 +66,7 @@ def _legend(figure, models, shaded, shared):
                     patches.Patch(color=style.SLIP_COLOUR, alpha=0.28, label=f"slip ({name})")]
     if shared:
         handles.append(style.entry(shared))
-    style.legend_above(figure, handles, max(2, int(figure.get_figwidth() / 1.45)), 0.13)
+    style.legend_above(figure, panels, handles, max(2, int(figure.get_figwidth() / 1.45)), between=(0.2, 0))
 
 
 def outlines(result):
@@ -100,5 +102,5 @@ def outlines(result):
         panel.set_ylim(-half_y, half_y)
         panel.set_xlabel(r"$x$ [mm], rolling $\rightarrow$")
     panels.flat[0].set_ylabel(r"$y$ [mm], lateral")
-    _legend(figure, models, shaded, shared)
+    _legend(figure, panels, models, shaded, shared)
     return figure

@@ -76,7 +76,7 @@ def draw_pair(drawn, touching, title):
     for panel in panels:
         panel.set_xlabel("$y$ on the track, to the right [mm]")
     panels[0].set_title(title)
-    figure.tight_layout()
+    style.arrange(figure, panels[None, :], between=(0.75, 0), top=0.5)
     return figure
 
 
@@ -136,8 +136,8 @@ def sweep(result):
     for panel in panels[1]:
         panel.set_xlabel("lateral shift of the wheelset [mm]" if by_shift else "position")
     handles, labels = panels[1, 1].get_legend_handles_labels()
-    figure.tight_layout(rect=(0, 0, 1, 0.94))
-    figure.legend(handles, labels, loc="upper center", ncol=min(5, max(1, len(labels))))
+    style.arrange(figure, panels, between=(1.0, 0.2), left=0.95, top=0.35)
+    figure.legend(handles, labels, loc="upper center", ncol=min(5, max(1, len(labels))), borderaxespad=0.2)
     return figure
 
 

@@ -87,7 +87,7 @@ def along_line(result, number_of_request):
     for panel in axes[1]:
         panel.set_xlabel(axis_label)
     figure.align_ylabels()
-    figure.tight_layout(rect=(0, 0, 1, 0.94))
+    style.arrange(figure, axes, between=(0.75, 0.2), top=0.5)
     texts, shared = style.key_texts(selection.all_keys(result.models))
     heading = ", ".join(t for t in (f"in the {drawn[0][1]['body']}", texts.get(key, ""), shared) if t)
     handles, labels = axes[0, 0].get_legend_handles_labels()

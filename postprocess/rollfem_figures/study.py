@@ -138,7 +138,8 @@ def errors_figure(place, across, keys, friction):
         axis.set_visible(False)
     for name, handle in drawn.items():
         handle.set_label(name)
-    style.legend_above(figure, list(drawn.values()), max(2, int(figure.get_figwidth() / 2.2)), 0.1)
+    style.legend_above(figure, axes, list(drawn.values()), max(2, int(figure.get_figwidth() / 2.2)),
+                       between=(0.78, 0.8))
     return figure
 
 

@@ -4,6 +4,7 @@ everywhere. How a model is called comes with the results, from the program's reg
 import contextlib
 import os
 import re
+import weakref
 
 import matplotlib
 from matplotlib import pyplot as plt
@@ -103,15 +104,33 @@ def figures_folder(directory, png_folder):
 
 
 def save(figure, path, png_folder=None):
-    """Writes the SVG whole or not at all; `png_folder` gets a bitmap too, for a quick look."""
+    """Writes the SVG whole or not at all; `png_folder` gets a bitmap too, for a quick look. What
+    `arrange` has laid out is as large as it says, others are cut to what they show, for which they
+    are drawn twice."""
+    frame = {} if figure in _ARRANGED else {"bbox_inches": "tight", "pad_inches": 0.05}
     with whole(path) as part:
-        figure.savefig(part, format="svg", metadata={"Date": None, "Creator": None},
-                       bbox_inches="tight", pad_inches=0.05)
+        figure.savefig(part, format="svg", metadata={"Date": None, "Creator": None}, **frame)
         _shorten(part)
     if png_folder:
         name = os.path.splitext(os.path.basename(path))[0] + ".png"
-        figure.savefig(os.path.join(png_folder, name), dpi=110, bbox_inches="tight")
+        figure.savefig(os.path.join(png_folder, name), dpi=110, **frame)
     plt.close(figure)
+
+
+_ARRANGED = weakref.WeakSet()
+
+
+def arrange(figure, axes, between=(0.75, 0.72), *, left=0.7, right=0.14, bottom=0.48, top=0.32):
+    """Lays panels (an array of rows and columns) out by margins and by the room `between` columns and
+    rows, all in inches, for tick labels, labels and titles: matplotlib's tight_layout measures them,
+    which takes as long as drawing."""
+    rows, columns = axes.shape
+    width, height = figure.get_size_inches()
+    across = (width - left - right - (columns - 1) * between[0]) / columns
+    down = (height - bottom - top - (rows - 1) * between[1]) / rows
+    figure.subplots_adjust(left=left / width, right=1 - right / width, bottom=bottom / height,
+                           top=1 - top / height, wspace=between[0] / across, hspace=between[1] / down)
+    _ARRANGED.add(figure)
 
 
 def entry(text, **look):
@@ -119,12 +138,12 @@ def entry(text, **look):
     return plt.Line2D([], [], label=text, **(look or {"linestyle": "none"}))
 
 
-def legend_above(figure, handles, across, room):
-    """The panels laid out below a legend of at most `across` entries in a row, `room` inches and its
-    rows high."""
+def legend_above(figure, axes, handles, across, titles=1, **room):
+    """The panels, with titles of so many lines, laid out (`arrange`) below a legend of at most `across`
+    entries in a row."""
     rows = -(-len(handles) // across)
-    figure.tight_layout(rect=(0, 0, 1, 1 - (room + 0.22 * rows) / figure.get_figheight()))
-    figure.legend(handles=handles, loc="upper center", ncol=-(-len(handles) // rows))
+    arrange(figure, axes, top=0.16 + 0.16 * titles + 0.19 * rows, **room)
+    figure.legend(handles=handles, loc="upper center", ncol=-(-len(handles) // rows), borderaxespad=0.2)
 
 
 def creepage_axis(points):
