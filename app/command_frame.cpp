@@ -1,5 +1,6 @@
 #include "app/command_frame.hpp"
 
+#include "app/auto_model.hpp"
 #include "app/interruption.hpp"
 #include "app/models.hpp"
 #include "app/places.hpp"
@@ -154,10 +155,16 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
                            const std::function<void(const Solving&)>& body) {
   check_built(known_, models_, asked_by);
   prepare_farewell();
-  if (parallel_)
-    session_ = std::make_unique<ParallelSession>(asked_by, request_.argc, request_.argv);
+  const auto start = [&] {
+    if (!session_)
+      session_ = std::make_unique<ParallelSession>(asked_by, request_.argc, request_.argv);
+  };
+  // A choice may end without finite elements, whose library takes longer to load than half-spaces
+  // take to solve; several processes agree by it.
+  if (parallel_ && (processes_ > 1 || !any_choice(known_, models_))) start();
   try {
     Solving how;
+    how.need_session = start;
     how.models = &known_;
     how.session = session_.get();
     how.progress = progress_;

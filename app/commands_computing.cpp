@@ -1,3 +1,4 @@
+#include "app/auto_model.hpp"
 #include "app/commands.hpp"
 #include "app/models.hpp"
 #include "app/study_levels.hpp"
@@ -36,6 +37,7 @@ void settle_compare(CompareRequest& request, const contact::ModelRegistry& model
     throw contact::InputError(
         "compare: no case file is named; do: rollfem compare CASE.toml [CASE.toml ...]");
   request.models = checked_names(models, request.models, "--model");
+  refuse_choice(models, request.models, "compare");
   if (!request.reference.empty()) static_cast<void>(models.at(request.reference, "--reference"));
 }
 
@@ -49,8 +51,9 @@ void settle_study(StudyRequest& request, const contact::ModelRegistry& models) {
     }
   if (request.case_file.empty())
     throw contact::InputError("study: no case file is named; do: rollfem study CASE.toml");
-  if (request.models != std::vector<std::string>{"all"})
-    request.models = checked_names(models, request.models, "--model");
+  if (request.models == std::vector<std::string>{"all"}) return;
+  request.models = checked_names(models, request.models, "--model");
+  refuse_choice(models, request.models, "study");
 }
 
 /// "hertz, linear, ..."
@@ -90,7 +93,7 @@ void add_run(CLI::App& program, Call& call) {
          "-m,--model", call.run.models,
          model_help(call.models) +
              "; several in a row or with the option repeated; without it the models of the "
-             "case file")
+             "case file, and auto where that names none")
       ->delimiter(',');
   run->add_option("-o,--output", call.run.directory,
                   "folder for the results; without it results/<name of the case file>");

@@ -1,5 +1,6 @@
 #include "app/command_frame.hpp"
 #include "app/commands.hpp"
+#include "app/expected_choice.hpp"
 #include "app/models.hpp"
 #include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
@@ -40,6 +41,7 @@ std::string taken_by(const contact::Case& input, const contact::ModelRegistry& m
   const contact::Scene scene(input);
   std::string text = "which models take it\n";
   for (const contact::ModelInfo& model : models.all()) {
+    if (model.chooses) continue;
     const auto reason = model.cannot(scene);
     text += fmt::format("  {:<22} {}\n", model.name, reason ? "no: " + *reason : model.sentence);
   }
@@ -68,6 +70,7 @@ void check_case(const std::string& file, const contact::ModelRegistry& models) {
   if (input.has_profiles())
     std::cout << "\nwhere wheel and rail touch\n"
               << contacts_text(input, meshes::search_scene_of(input));
+  std::cout << expected_choice(input, models);
 }
 
 std::string page_text(const std::string& page, const contact::ModelRegistry& models) {

@@ -75,7 +75,7 @@ contact::ModelInfo fem_model() {
                      {"degree", "", "degree", 0.0, 2, true, degree_level},
                      {"domain", "", "extent", 2.0, 3, false, domain_level}};
   fem.half_spaces = false;
-  fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_run = fem.in_compare = true;
+  fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_compare = true;
   fem.built = ROLLFEM_WITH_FEM;
   fem.no_model_error = "none known: linear elasticity of the bodies as the case has them";
   return fem;

@@ -1,5 +1,6 @@
 #include "app/models.hpp"
 
+#include "app/auto_model.hpp"
 #include "app/fem_model.hpp"
 #include "app/hybrid_model.hpp"
 #include "contact/base/errors.hpp"
@@ -15,7 +16,9 @@ using contact::ModelInfo;
 using contact::ModelRegistry;
 
 ModelRegistry built_in_models() {
-  ModelRegistry models = halfspace::models();
+  ModelRegistry models;
+  models.add(auto_model());
+  for (const ModelInfo& model : halfspace::models().all()) models.add(model);
   models.add(hybrid_model());
   models.add(fem_model());
   return models;
@@ -81,12 +84,15 @@ std::string models_markdown(const ModelRegistry& models) {
       "\nAll take creepages along rolling, force or approach and unlike materials. Beyond that a "
       "case may\nask for what not every model has; one that cannot refuses (exit status 2) and "
       "names those that can.\n\n| |";
-  for (const ModelInfo& model : models.all()) text += fmt::format(" `{}` |", model.name);
+  std::vector<ModelInfo> solving;  // auto asks its own
+  for (const ModelInfo& model : models.all())
+    if (!model.chooses) solving.push_back(model);
+  for (const ModelInfo& model : solving) text += fmt::format(" `{}` |", model.name);
   text += "\n|---|";
-  for (std::size_t k = 0; k < models.all().size(); ++k) text += "---|";
+  for (std::size_t k = 0; k < solving.size(); ++k) text += "---|";
   for (const contact::Demand demand : contact::all_demands()) {
     text += fmt::format("\n| {} |", contact::demand_words(demand));
-    for (const ModelInfo& model : models.all()) {
+    for (const ModelInfo& model : solving) {
       const auto& takes = model.takes;
       const bool able = std::find(takes.begin(), takes.end(), demand) != takes.end();
       text += able ? " x |" : " |";

@@ -1,5 +1,6 @@
 #include "app/run.hpp"
 
+#include "app/auto_model.hpp"
 #include "app/models.hpp"
 #include "app/run_table.hpp"
 #include "app/solving.hpp"
@@ -35,8 +36,9 @@ void check_before(const RunRequest& request, const contact::Case& input,
     for (const std::string& name : input.models) models.check(scene, name);
   }
   const bool any_stress =
-      std::any_of(input.models.begin(), input.models.end(),
-                  [&](const std::string& name) { return models.at(name).has_stress; });
+      std::any_of(input.models.begin(), input.models.end(), [&](const std::string& name) {
+        return models.at(name).has_stress || models.at(name).chooses;
+      });
   if (any_stress || request.quiet) return;
   const auto warn = [&](const char* key) {
     std::cerr << fmt::format("warning: {}: {} is computed by the models {}, none of which is run\n",
@@ -79,24 +81,25 @@ void run(const RunRequest& request, const contact::ModelRegistry& models) {
   record.input = contact::read_case(request.case_file, model_words(models));
   const bool named = !request.models.empty();
   if (named) record.input.models = request.models;
+  const std::string asked_by = named ? "--model" : request.case_file + ": models";
+  check_alone(models, record.input.models, asked_by);
   CommandFrame frame(request, models, record.input.models);
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(record.input);
   if (frame.first()) check_before(request, record.input, models);
   frame.own(output_directory(request));
   record.provenance = frame.provenance();
-  frame.compute(named ? "--model" : request.case_file + ": models", "load points",
-                [&](Solving how) {
-                  how.checkpoint = frame.keep_in(output_directory(request), record.input);
-                  Solved solved = solve(record.input, how);
-                  if (!how.first) return;
-                  record.models = std::move(solved.results);
-                  record.pairs = std::move(solved.pairs);
-                  frame.clear_line();
-                  write_and_tell(request, record);
-                  frame.forget_kept();
-                  refuse_shortfall(record);
-                });
+  frame.compute(asked_by, "load points", [&](Solving how) {
+    how.checkpoint = frame.keep_in(output_directory(request), record.input);
+    Solved solved = solve(record.input, how);
+    if (!how.first) return;
+    record.models = std::move(solved.results);
+    record.pairs = std::move(solved.pairs);
+    frame.clear_line();
+    write_and_tell(request, record);
+    frame.forget_kept();
+    refuse_shortfall(record);
+  });
 }
 
 }  // namespace rollfem::app

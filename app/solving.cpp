@@ -1,5 +1,6 @@
 #include "app/solving.hpp"
 
+#include "app/auto_model.hpp"
 #include "app/scene_checkpoint.hpp"
 #include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
@@ -17,12 +18,14 @@ namespace rollfem::app {
 
 namespace {
 
-/// Progress says which model it is, which may use another, and which patch.
-contact::Progress told(const std::string& model, const contact::Scene& scene,
+/// Progress says which model it is, which may use another, and which patch. A choice runs several,
+/// which say so.
+contact::Progress told(const contact::ModelInfo& model, const contact::Scene& scene,
                        const contact::Progress& progress) {
   const std::string patch = scene.place ? scene.place->label() + ": " : "";
-  return [model, patch, progress](contact::ProgressEvent event) {
-    event.model = model;
+  const std::string name = model.chooses ? "" : model.name;
+  return [name, patch, progress](contact::ProgressEvent event) {
+    if (!name.empty()) event.model = name;
     event.stage = patch + event.stage;
     contact::report(progress, event);
   };
@@ -111,13 +114,15 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
 /// Runs one model; an error that does not say so gets the name of the model.
 contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
                                const Solving& how) {
+  const contact::ModelInfo& model = how.models->at(name);
   SceneCheckpoint kept(how.checkpoint, scene.place);
   contact::Checkpoint* keep = how.checkpoint != nullptr ? &kept : nullptr;
-  const contact::Progress progress = told(name, scene, how.progress);
+  const contact::Progress progress = told(model, scene, how.progress);
   const auto where = [&](const std::exception& error) {
     return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), name, error.what());
   };
   try {
+    if (model.chooses) return solve_by_choice(scene, progress, keep, how);
     return how.models->run(name, scene, progress, keep);
   } catch (const contact::UnfitGrid& error) {
     throw contact::UnfitGrid(where(error));
@@ -145,7 +150,7 @@ std::vector<std::string> able_models(const contact::Case& input, const Scenes& s
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how) {
   contact::ModelResult result = run_model(model, scene, how);
-  result.label = how.models->at(model).label;
+  if (result.label.empty()) result.label = how.models->at(model).label;
   finish(scene, notes, result);
   return result;
 }

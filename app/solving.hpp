@@ -8,6 +8,7 @@
 #include "contact/solve/models.hpp"
 #include "postprocess/write/output.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct Solved {
 struct Solving {
   const contact::ModelRegistry* models = nullptr;
   const ParallelSession* session = nullptr;  ///< where a model is parallel
+  /// Starts the session before a parallel model is run that may not have been needed. May be empty.
+  std::function<void()> need_session = {};
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
   bool first = true;  ///< the first process of a parallel run: it alone runs what is not parallel

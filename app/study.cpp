@@ -1,5 +1,6 @@
 #include "app/study.hpp"
 
+#include "app/expected_choice.hpp"
 #include "app/files_together.hpp"
 #include "app/models.hpp"
 #include "app/scenes.hpp"
@@ -263,6 +264,9 @@ void study(const StudyRequest& request, const contact::ModelRegistry& known) {
       run_place(request, models, scenes.list[k], record.places[k], work);
     frame.clear_line();
     if (!how.first) return;
+    for (std::size_t k = 0; k < scenes.list.size(); ++k)
+      if (!record.places[k].series.empty())
+        add_choice(scenes.list[k], how, record.friction, record.places[k]);
     forget_empty(record.places);
     const std::string failures = failures_of(record);
     write_and_tell(request, record);

@@ -149,7 +149,11 @@ void check_call(const StudyRequest& request, const contact::Case& input,
 std::vector<std::string> named_models(const StudyRequest& request,
                                       const contact::ModelRegistry& known) {
   if (request.models.empty()) return {known.reference().name};
-  return asks_for_all(request) ? known.names(&contact::ModelInfo::built) : request.models;
+  if (!asks_for_all(request)) return request.models;
+  std::vector<std::string> all;
+  for (const contact::ModelInfo& model : known.all())
+    if (model.built && !model.chooses) all.push_back(model.name);
+  return all;
 }
 
 std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes,

@@ -14,7 +14,8 @@ SectionWithKeys general_section() {
   keys.choices("models")
       .says(
           "The models that `run` computes, in this order; `--model` on the command line overrides "
-          "it.")
+          "it. `auto`, alone, takes the cheapest of halfspace, hybrid and fem that meets `accuracy` "
+          "(docs/choice.md).")
       .by([](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
           [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); });
   keys.real("accuracy")
@@ -24,7 +25,9 @@ SectionWithKeys general_section() {
           "Largest estimated error, relative, of the quantities of `accuracy_of`: the models "
           "halfspace and fem halve their cells, beginning with those of the case, until it is "
           "reached; the run fails (status 1, results are written) when memory or the finest grid "
-          "allowed ends that before.")
+          "allowed ends that before. The model auto chooses model and grid for it, with what the "
+          "model leaves out added to its error, and looks for 0.01 where it is not given: then it "
+          "is a warning, no failure, where that is not reached.")
       .into(&Case::accuracy);
   keys.choices("accuracy_of")
       .among(accuracy_words())

@@ -88,9 +88,12 @@ struct ModelInfo {
   bool keeps_bodies = false;  ///< that stress is stored with the bodies, not summed from tractions
   bool parallel = false;      ///< collective over MPI processes; needs a session (app/session.hpp)
   bool built = true;          ///< this build has it
-  bool in_run = false;        ///< `run` computes it where neither call nor case names models
-  bool in_compare = false;    ///< the same for `compare`
-  BarRules bars = {};         ///< what it says of values without an error estimate
+  /// Takes one of the others, whose result and name it hands on: no run of its own; the program
+  /// chooses (app/auto_model.hpp).
+  bool chooses = false;
+  bool in_run = false;      ///< `run` computes it where neither call nor case names models
+  bool in_compare = false;  ///< the same for `compare`
+  BarRules bars = {};       ///< what it says of values without an error estimate
   /// Why it gives no PointResult::model_error, where it does not.
   const char* no_model_error = "not estimated";
 

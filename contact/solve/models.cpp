@@ -29,7 +29,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 ModelRegistry& ModelRegistry::add(ModelInfo model) {
-  if (!is_plain(model.name) || !model.run)
+  if (!is_plain(model.name) || !(model.run || model.chooses))
     throw std::logic_error(fmt::format(
         "model \"{}\" has no run, or a name of other characters than a-z, 0-9 and -", model.name));
   if (find(model.name) != nullptr)
@@ -74,7 +74,7 @@ std::string ModelRegistry::advice(const ModelInput& input) const {
   std::vector<std::string> able;
   const ModelInfo* best = nullptr;
   for (const ModelInfo& model : models_) {
-    if (model.cannot(input)) continue;
+    if (model.chooses || model.cannot(input)) continue;
     able.push_back(model.name);
     // The cheapest that solves the elastic problem; theories only where nothing else can.
     if (best == nullptr || (model.has_stress && !best->has_stress)) best = &model;
@@ -93,6 +93,7 @@ ModelResult ModelRegistry::run(const std::string& name, const ModelInput& input,
                                const Progress& progress, Checkpoint* checkpoint) const {
   check(input, name);
   const ModelInfo& model = at(name);
+  if (!model.run) throw std::logic_error(name + " takes one of the other models, which are run");
   ModelResult result = model.run(input, progress, checkpoint);
   const ResultKind kind{model.has_stress, model.bounded, model.half_spaces};
   check_validity(input, result, kind);

@@ -122,7 +122,7 @@ void add_theories(contact::ModelRegistry& models) {
       },
       false);
   hertz.bars = closed_form;
-  hertz.in_run = hertz.in_compare = true;
+  hertz.in_compare = true;
   models.add(hertz);
 
   ModelInfo linear{"linear", "linear theory",
@@ -177,7 +177,7 @@ contact::ModelRegistry make_models() {
   halfspace.refinements = {contact_grid()};
   halfspace.no_model_error =
       "not asked for: halfspace.model_error = true estimates what half-spaces leave out";
-  halfspace.has_stress = halfspace.in_run = halfspace.in_compare = true;
+  halfspace.has_stress = halfspace.in_compare = true;
   models.add(halfspace);
   return models;
 }

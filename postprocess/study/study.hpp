@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::postprocess {
@@ -60,6 +61,8 @@ struct StudyPlace {
   StudyValues exact;                           ///< Hertz, where it holds
   StudyValues given;                           ///< of the user; take precedence
   std::vector<StudySeries> series;
+  /// Accuracy in percent -> which model and grid meet it, in a sentence.
+  std::vector<std::pair<double, std::string>> choice;
 };
 
 struct StudyRecord {

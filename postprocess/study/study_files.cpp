@@ -91,6 +91,8 @@ ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
                                {"uncertainty", reference.uncertainty},
                                {"kind", reference.kind},
                                {"relative_to", percent_of(key)}};
+  for (const auto& [accuracy, text] : place.choice)
+    json["choice"].push_back({{"percent", accuracy}, {"text", text}});
   json["series"] = ordered_json::array();
   for (const StudySeries& series : place.series)
     json["series"].push_back(series_json(record, series, refs));

@@ -71,6 +71,10 @@ ordered_json model_json(const contact::ModelResult& model) {
   for (const auto& [stage, seconds] : model.seconds) json["seconds"][stage] = seconds;
   json["unknowns"] = model.unknowns;
   json["contact_elements"] = model.contact_elements;
+  if (!model.choice.empty()) {
+    json["chosen_by"] = "auto";
+    json["choice"] = model.choice;
+  }
   json["notes"] = model.notes;
   json["model_error_source"] = model.model_error_source;
   json["points"] = ordered_json::array();

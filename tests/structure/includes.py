@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks that includes between modules, and between the rooms of contact, run one way.
 
-contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds; meshes knows cases and
+contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds; choice
+knows results, and is given what solves; meshes knows cases and
 scenes, no solver; wheelset balances loads and rotation over the patches that meshes finds and knows
 halfspace too; postprocess knows results, never solvers; app knows all; deal.II is seen in fem only.
 Inside contact: base <- case <- scene <- result <- solve. Call: includes.py SOURCE_DIR
@@ -26,7 +27,9 @@ ALLOWED = {
     "wheelset": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
     "fem": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
     "hybrid": {"contact": ANY, "halfspace": ANY},
-    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "meshes": ANY, "wheelset": ANY, "postprocess": ANY,
+    "choice": {"contact": {"base", "result"}},
+    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "choice": ANY, "meshes": ANY,
+            "wheelset": ANY, "postprocess": ANY,
             "fem": {"model", "body"}},
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}

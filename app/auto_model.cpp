@@ -1,0 +1,217 @@
+#include "app/auto_model.hpp"
+
+#include "contact/base/errors.hpp"
+#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include "choice/laws.hpp"
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace rollfem::app {
+
+namespace {
+
+using choice::Candidate;
+using choice::Forecast;
+using contact::ModelRegistry;
+using contact::Scene;
+
+/// Of a section of true profiles, from its slopes at both ends of the patch, mm.
+double mean_radius(const contact::HeightCurve& curve, double lower, double upper) {
+  return (upper - lower) / std::abs(curve.at(upper).slope - curve.at(lower).slope);
+}
+
+double radius_across(const Scene& scene) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  if (!surface.profiles)
+    return std::min(std::abs(surface.wheel_transverse_radius),
+                    std::abs(surface.rail_transverse_radius));
+  const halfspace::ExpectedPatch patch = halfspace::expected_patch(scene);
+  return std::min(mean_radius(surface.profiles->rail(), patch.y_lower, patch.y_upper),
+                  mean_radius(surface.profiles->wheel(), patch.y_lower, patch.y_upper));
+}
+
+choice::ContactSize size_of(const Scene& scene) {
+  const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+  choice::ContactSize size;
+  size.half_length = 0.5 * extent.length;
+  size.half_width = 0.5 * extent.width;
+  size.bodies_known = scene.geometry.has_surfaces();
+  if (size.bodies_known) {
+    size.rolling_radius = scene.geometry.surface.rolling_radius;
+    size.radius_across = radius_across(scene);
+  }
+  size.friction = scene.friction() != nullptr;
+  size.load_points = std::max<std::size_t>(1, scene.points.size());
+  return size;
+}
+
+bool asks_for_stress(const Scene& scene) {
+  return !scene.subsurface.empty() || scene.output.stress_maxima.value_or(false);
+}
+
+/// Why a model is out of the question for the scene; empty: it is not.
+std::string out_of_question(const contact::ModelInfo* model, const Scene& scene) {
+  if (model == nullptr || !model->built) return "not in this build";
+  if (const auto reason = model->cannot(scene)) return *reason;
+  if (asks_for_stress(scene) && !model->has_stress) return "it has no stress below the surface";
+  const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
+  const bool boxes = !scene.fem.mesh || *scene.fem.mesh == contact::MeshFamily::structured;
+  if (model->name == "hybrid" && (meshes || !boxes))
+    return "it meshes bodies as boxes under their surface, no others";
+  return "";
+}
+
+/// The scene on a grid of the choice's, for half-space and hybrid.
+Scene on_grid(Scene scene, int across) {
+  if (auto& cell = scene.contact_grid.cell_size) {
+    const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+    const double given = std::min(extent.length / (*cell)[0], extent.width / (*cell)[1]);
+    for (double& side : *cell) side *= given / across;
+  } else {
+    scene.contact_grid.elements_across = across;
+  }
+  return scene;
+}
+
+Scene on_cells(Scene scene, int across) {
+  const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+  scene.fem.cell_size = std::min(extent.length, extent.width) / across;
+  return scene;
+}
+
+/// Solves candidates, each passing the gate of its own model.
+class Solver {
+ public:
+  Solver(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint,
+         const Solving& how)
+      : scene_(scene), progress_(progress), checkpoint_(checkpoint), how_(how) {
+    scene_.accuracy.relative.reset();
+  }
+
+  Candidate candidate(const Forecast& forecast) const {
+    Candidate made{forecast, {}, false, {}};
+    const std::string name = forecast.model;
+    if (name == "halfspace") {
+      const bool known = scene_.geometry.has_surfaces();
+      made.estimates_model_error = known;
+      if (!known) made.no_model_error = "what it leaves out of bodies that are not known is not";
+      made.solve = [this, known](int across) {
+        Scene scene = on_grid(scene_, across);
+        scene.model_error = known && estimated_.empty();
+        contact::ModelResult result = run("halfspace", scene);
+        if (known) share_model_error(result);
+        return result;
+      };
+    } else if (name == "hybrid") {
+      made.solve = [this](int across) { return run("hybrid", on_grid(scene_, across)); };
+    } else {
+      made.solve = [this, name](int across) { return run(name, on_cells(scene_, across)); };
+    }
+    return made;
+  }
+
+ private:
+  /// Finer grids change little of it: what the first has found is that of all.
+  void share_model_error(contact::ModelResult& result) const {
+    if (estimated_.empty()) {
+      for (const contact::PointResult& point : result.points)
+        estimated_.push_back(point.model_error);
+      source_ = result.model_error_source;
+      return;
+    }
+    for (std::size_t k = 0; k < result.points.size(); ++k)
+      result.points[k].model_error = estimated_[k];
+    result.model_error_source = source_;
+  }
+
+  contact::ModelResult run(const std::string& name, const Scene& scene) const {
+    const contact::ModelInfo& model = how_.models->at(name);
+    if (model.parallel && how_.need_session) how_.need_session();
+    contact::ModelResult result = how_.models->run(name, scene, progress_, checkpoint_);
+    result.label = model.label;
+    return result;
+  }
+
+  Scene scene_;
+  const contact::Progress& progress_;
+  contact::Checkpoint* checkpoint_;
+  const Solving& how_;
+  mutable std::vector<std::map<std::string, double>> estimated_;  ///< of the load points
+  mutable std::string source_;
+};
+
+}  // namespace
+
+contact::ModelInfo auto_model() {
+  contact::ModelInfo choice{"auto", "auto",
+                            "the cheapest of halfspace, hybrid and fem whose errors together are "
+                            "within `accuracy`"};
+  choice.takes = contact::all_demands();
+  choice.chooses = choice.in_run = true;
+  choice.parallel = ROLLFEM_WITH_FEM;
+  return choice;
+}
+
+bool any_choice(const ModelRegistry& models, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return models.at(name).chooses; });
+}
+
+void check_alone(const ModelRegistry& models, const std::vector<std::string>& names,
+                 const std::string& asked_by) {
+  if (names.size() < 2 || !any_choice(models, names)) return;
+  throw contact::InputError(
+      fmt::format("{}: auto stands beside other models: it takes one of them; allowed: auto alone, "
+                  "or models by their names; do: name one or the other",
+                  asked_by));
+}
+
+void refuse_choice(const ModelRegistry& models, const std::vector<std::string>& names,
+                   const std::string& command) {
+  if (!any_choice(models, names)) return;
+  std::vector<std::string> others;
+  for (const contact::ModelInfo& model : models.all())
+    if (!model.chooses) others.push_back(model.name);
+  throw contact::InputError(
+      fmt::format("{} --model auto: it is no model of its own, but takes one of the others; "
+                  "allowed: {}; do: name those, or rollfem run --model auto",
+                  command, contact::listed(others)));
+}
+
+std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& models) {
+  const choice::ContactSize size = size_of(scene);
+  std::vector<Forecast> all{choice::halfspace_forecast(size), choice::hybrid_forecast(size),
+                            choice::fem_forecast(size)};
+  for (Forecast& forecast : all)
+    forecast.cannot = out_of_question(models.find(forecast.model), scene);
+  return all;
+}
+
+double accuracy_of(const contact::AccuracyRequest& asked) {
+  return asked.relative.value_or(choice::default_accuracy);
+}
+
+contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress& progress,
+                                     contact::Checkpoint* checkpoint, const Solving& how) {
+  const Solver solver(scene, progress, checkpoint, how);
+  std::vector<Candidate> candidates;
+  for (const Forecast& forecast : forecasts_of(scene, *how.models))
+    candidates.push_back(solver.candidate(forecast));
+  choice::Wanted wanted;
+  wanted.accuracy = scene.accuracy;
+  wanted.accuracy.relative = accuracy_of(scene.accuracy);
+  wanted.by_default = !scene.accuracy.relative;
+  wanted.friction_coefficient = scene.friction_coefficient();
+  wanted.go_on = how.together;
+  if (!how.together && how.session != nullptr)
+    wanted.agree = [&](const std::string& text) { return how.session->from_first(text); };
+  return choice::choose(std::move(candidates), wanted);
+}
+
+}  // namespace rollfem::app

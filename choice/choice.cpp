@@ -1,0 +1,231 @@
+#include "choice/choice.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/stopwatch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace rollfem::choice {
+
+namespace {
+
+using contact::ModelResult;
+
+/// Where nothing is expected to meet the accuracy: a grid that comes as near as this to the best
+/// does, if it is cheaper.
+constexpr double near_enough = 1.25;
+
+/// Model errors are expected to a factor of two or three only: until one is found it counts as this
+/// part, so that a cheap model is not ruled out, nor its first grid made too fine, by a guess.
+constexpr double believed_of_expected = 1.0 / 3.0;
+
+/// What a model that is not taken would cost, or why it is none.
+std::string not_taken(const Forecast& forecast, double accuracy) {
+  if (!forecast.cannot.empty()) return fmt::format("{}: {}", forecast.label, forecast.cannot);
+  if (const auto plan = cheapest({forecast}, accuracy))
+    return fmt::format("{} would take about {:.2g} s", forecast.label,
+                       forecast.levels[plan->level].seconds);
+  if (forecast.model_error > accuracy)
+    return fmt::format("{} {} {}", forecast.label,
+                       forecast.model_error_found ? "leaves out" : "should leave out about",
+                       percent(forecast.model_error));
+  return fmt::format("{} is not expected to do", forecast.label);
+}
+
+/// The last attempt of a candidate.
+struct Attempt {
+  int across = 0;
+  double seconds = 0.0;
+  Reached reached;
+};
+
+struct Best {
+  std::size_t model = 0;
+  ModelResult result;
+};
+
+class Choice {
+ public:
+  Choice(std::vector<Candidate> candidates, const Wanted& wanted)
+      : candidates_(std::move(candidates)),
+        wanted_(wanted),
+        accuracy_(*wanted.accuracy.relative),
+        attempts_(candidates_.size()) {
+    for (const Candidate& candidate : candidates_) forecasts_.push_back(candidate.forecast);
+  }
+
+  ModelResult run() {
+    while (!met_) {
+      const std::optional<Plan> plan = next();
+      if (!plan) break;
+      attempt(*plan);
+    }
+    if (!best_) throw_why_none();
+    return finished();
+  }
+
+ private:
+  double reached_best() const { return attempts_[best_->model]->reached.together(); }
+
+  /// What is to be solved; none where what is there is the best that can be had.
+  std::optional<Plan> next() const {
+    std::vector<Forecast> hoped = forecasts_;
+    for (Forecast& forecast : hoped)
+      if (!forecast.model_error_found) forecast.model_error *= believed_of_expected;
+    if (const auto plan = cheapest(hoped, accuracy_, true)) return plan;
+    const double least = near_enough * least_error(hoped, true);
+    if (best_ && reached_best() <= least) return {};
+    return cheapest(hoped, least, true);
+  }
+
+  void attempt(const Plan& plan) {
+    Forecast& forecast = forecasts_[plan.model];
+    const int across = forecast.levels[plan.level].across;
+    const contact::Stopwatch watch;
+    try {
+      ModelResult result = candidates_[plan.model].solve(across);
+      judge(plan, watch.seconds(), std::move(result));
+    } catch (const contact::SolveError& error) {
+      leave_out(forecast, error.what());
+    } catch (const contact::InputError& error) {
+      leave_out(forecast, error.what());
+    }
+  }
+
+  /// While an exception is handled.
+  void leave_out(Forecast& forecast, const std::string& why) {
+    if (!wanted_.go_on) throw;
+    forecast.cannot = why;
+    if (!failure_) failure_ = std::current_exception();
+  }
+
+  void judge(const Plan& plan, double seconds, ModelResult result) {
+    const Candidate& candidate = candidates_[plan.model];
+    Forecast& forecast = forecasts_[plan.model];
+    const bool source = result.model_error_source.rfind("not estimated", 0) != 0;
+    Reached reached = reached_by(result, wanted_.accuracy, wanted_.friction_coefficient,
+                                 !candidate.estimates_model_error || source);
+    agree(reached);
+    learn(forecast, plan.level, reached.most_discretisation, seconds);
+    if (candidate.estimates_model_error) {
+      forecast.model_error = reached.most_model;
+      forecast.model_error_found = true;
+    }
+    for (Forecast& other : forecasts_)
+      if (other.corrects == forecast.model) learn_from_corrected(other, forecast, plan.level);
+    const bool better = !best_ || reached.together() < reached_best();
+    attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, seconds, reached};
+    met_ = reached.together() <= accuracy_;
+    if (better || met_) best_ = Best{plan.model, std::move(result)};
+  }
+
+  /// Only the first of several processes has whole results.
+  void agree(Reached& reached) const {
+    if (!wanted_.agree) return;
+    const std::string text = wanted_.agree(fmt::format(
+        "{:.17g} {:.17g} {:.17g} {:.17g} {} {}", reached.discretisation, reached.model,
+        reached.most_discretisation, reached.most_model, reached.point, reached.quantity));
+    std::istringstream words(text);
+    const auto number = [&] {  // infinity is one, too
+      std::string word;
+      words >> word;
+      return std::strtod(word.c_str(), nullptr);
+    };
+    reached.discretisation = number();
+    reached.model = number();
+    reached.most_discretisation = number();
+    reached.most_model = number();
+    words >> reached.point;
+    reached.quantity.clear();
+    words >> reached.quantity;
+  }
+
+  /// The first failure is that of the simplest model, and says most.
+  [[noreturn]] void throw_why_none() const {
+    if (failure_) std::rethrow_exception(failure_);
+    std::string text;
+    for (const Forecast& forecast : forecasts_)
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", forecast.label, forecast.cannot);
+    throw contact::InputError("no model can take it: " + text +
+                              "; do: change the case, or name a model");
+  }
+
+  /// What was taken.
+  std::string taken() const {
+    const Attempt& attempt = *attempts_[best_->model];
+    const std::string& why = candidates_[best_->model].no_model_error;
+    return fmt::format("{}, {} across, {:.2g} s: {}{}", forecasts_[best_->model].label,
+                       attempt.across, attempt.seconds, attempt.reached.text(),
+                       why.empty() ? "" : ", " + why);
+  }
+
+  std::string left(std::size_t m) const {
+    const Forecast& forecast = forecasts_[m];
+    if (const auto& attempt = attempts_[m])
+      return fmt::format("{}, {} across, {:.2g} s, has {}", forecast.label, attempt->across,
+                         attempt->seconds, attempt->reached.text());
+    return not_taken(forecast, accuracy_);
+  }
+
+  ModelResult finished() {
+    ModelResult result = std::move(best_->result);
+    result.choice = taken();
+    for (std::size_t m = 0; m < forecasts_.size(); ++m)
+      if (m != best_->model) result.choice += "; " + left(m);
+    result.notes.insert(result.notes.begin(),
+                        fmt::format("auto, for {}: {}", percent(accuracy_), result.choice));
+    if (!met_) fail(result);
+    return result;
+  }
+
+  void fail(ModelResult& result) const {
+    const std::string text =
+        fmt::format("accuracy = {:g} {} and not reached: {}; do: ask for less", accuracy_,
+                    wanted_.by_default ? "is what models = [\"auto\"] looks for" : "was asked for",
+                    result.choice);
+    if (wanted_.by_default)
+      result.notes.insert(result.notes.begin(), "warning: " + text);
+    else
+      result.shortfall = text;
+  }
+
+  std::vector<Candidate> candidates_;
+  const Wanted& wanted_;
+  double accuracy_;
+  std::vector<Forecast> forecasts_;
+  std::vector<std::optional<Attempt>> attempts_;
+  std::optional<Best> best_;
+  std::exception_ptr failure_;
+  bool met_ = false;
+};
+
+}  // namespace
+
+ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted) {
+  return Choice(std::move(candidates), wanted).run();
+}
+
+std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, bool others) {
+  const std::optional<Plan> plan = cheapest(forecasts, accuracy);
+  std::string text = "nothing is expected to do";
+  if (plan) {
+    const Forecast& forecast = forecasts[plan->model];
+    const Level& level = forecast.levels[plan->level];
+    text = fmt::format("{}, {} across, {}{:.2g} s: discretisation {}, model {}", forecast.label,
+                       level.across, level.solved ? "" : "about ", level.seconds,
+                       percent(level.discretisation), percent(forecast.model_error));
+  }
+  for (std::size_t m = 0; others && m < forecasts.size(); ++m)
+    if (!plan || m != plan->model) text += "; " + not_taken(forecasts[m], accuracy);
+  return text;
+}
+
+}  // namespace rollfem::choice

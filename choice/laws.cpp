@@ -1,0 +1,109 @@
+#include "choice/laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::choice {
+
+namespace {
+
+/// Errors of the half-space on 24 elements across: the largest bars of the thesis's cases, of the
+/// traction coefficient in mu, without friction of the pressure.
+constexpr int measured_across = 24;
+constexpr double error_with_friction = 0.006, error_without_friction = 0.0035;
+
+/// Of finite elements on 16 cells across.
+constexpr int measured_cells = 16;
+constexpr double fem_error_with_friction = 0.012, fem_error_without_friction = 0.006;
+
+// Seconds of one core of an idle machine at 2.5 GHz, -O3.
+constexpr double start = 5e-3;             ///< whatever the grid
+constexpr double per_element = 9e-6;       ///< of the patch, and load point
+constexpr double of_model_error = 0.1;     ///< a load point
+constexpr double hybrid_times = 9.0;       ///< what the hybrid takes where the half-space takes 1
+constexpr double hybrid_correction = 6.0;  ///< where it is not kept from an earlier run
+/// Of finite elements, on 16 cells across, per 100 000 unknowns.
+constexpr double fem_start = 1.0, fem_point = 1.0;
+constexpr double fem_power = 2.5;  ///< of cells across
+/// 100 000 unknowns on 16 cells across: a patch of the same length and width, and by how much the
+/// longer exceeds the shorter.
+constexpr double fem_unknowns = 1.7, fem_unknowns_of_length = 0.61;
+
+double elongation(const ContactSize& size) {
+  return std::max(size.half_length, size.half_width) / std::min(size.half_length, size.half_width);
+}
+
+double elements(int across) {
+  constexpr double pi = 3.14159265358979323846;
+  return 0.25 * pi * across * across;
+}
+
+double law(double error, int at, int across) {
+  return error * std::pow(static_cast<double>(at) / across, assumed_order);
+}
+
+Forecast on_grids(const ContactSize& size, double fixed, double times) {
+  Forecast forecast;
+  const double error = size.friction ? error_with_friction : error_without_friction;
+  for (const int across : grids_across())
+    forecast.levels.push_back(
+        {across, law(error, measured_across, across),
+         fixed + times * per_element * elements(across) * static_cast<double>(size.load_points)});
+  return forecast;
+}
+
+}  // namespace
+
+const std::vector<int>& grids_across() {
+  static const std::vector<int> all{16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 160, 240, 320};
+  return all;
+}
+
+const std::vector<int>& cells_across() {
+  static const std::vector<int> all{16, 24, 32, 48};
+  return all;
+}
+
+double expected_model_error(const ContactSize& size) {
+  if (!size.bodies_known) return 0.0;
+  // First order of patch over radius; where bodies conform across the common surface is of second.
+  const double along = size.half_length / size.rolling_radius;
+  const double across = size.half_width / size.radius_across;
+  return (size.friction ? 0.65 : 0.05) * along + 0.02 * across + 0.25 * across * across;
+}
+
+Forecast halfspace_forecast(const ContactSize& size) {
+  const double estimate =
+      size.bodies_known ? of_model_error * static_cast<double>(size.load_points) : 0.0;
+  Forecast forecast = on_grids(size, start + estimate, 1.0);
+  forecast.model = "halfspace";
+  forecast.label = "half-space";
+  forecast.model_error = expected_model_error(size);
+  return forecast;
+}
+
+Forecast hybrid_forecast(const ContactSize& size) {
+  Forecast forecast = on_grids(size, hybrid_correction, hybrid_times);
+  forecast.model = "hybrid";
+  forecast.label = "hybrid";
+  forecast.corrects = "halfspace";
+  forecast.uncertain_part = 0.1;
+  forecast.model_error = forecast.uncertain_part * expected_model_error(size);
+  return forecast;
+}
+
+Forecast fem_forecast(const ContactSize& size) {
+  Forecast forecast;
+  forecast.model = "fem";
+  forecast.label = "finite elements";
+  const double error = size.friction ? fem_error_with_friction : fem_error_without_friction;
+  const double unknowns = fem_unknowns + fem_unknowns_of_length * (elongation(size) - 1.0);
+  const double seconds = unknowns * (fem_start + fem_point * static_cast<double>(size.load_points));
+  for (const int across : cells_across())
+    forecast.levels.push_back(
+        {across, law(error, measured_cells, across),
+         seconds * std::pow(static_cast<double>(across) / measured_cells, fem_power)});
+  return forecast;
+}
+
+}  // namespace rollfem::choice

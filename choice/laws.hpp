@@ -1,0 +1,32 @@
+// What half-space, hybrid and finite elements are expected to miss and to cost, from the size of
+// the contact alone. The constants are measured; how, and how well they hold: docs/choice.md.
+#pragma once
+
+#include "choice/forecast.hpp"
+#include <vector>
+
+namespace rollfem::choice {
+
+/// What is known of a contact before anything is solved.
+struct ContactSize {
+  double half_length = 0.0;     ///< mm, of the patch along rolling
+  double half_width = 0.0;      ///< mm, across
+  double rolling_radius = 0.0;  ///< mm; infinity: none
+  double radius_across = 0.0;   ///< mm, the smaller of wheel and rail without sign; infinity: flat
+  bool friction = false;        ///< tractions are asked for
+  bool bodies_known = true;     ///< by radii or profiles; else by their distance alone
+  std::size_t load_points = 1;
+};
+
+/// Grids that are tried.
+const std::vector<int>& grids_across();  ///< of half-space and hybrid
+const std::vector<int>& cells_across();  ///< of finite elements
+
+/// As part of the whole of the worst quantity; 0 where bodies are not known.
+double expected_model_error(const ContactSize& size);
+
+Forecast halfspace_forecast(const ContactSize& size);
+Forecast hybrid_forecast(const ContactSize& size);
+Forecast fem_forecast(const ContactSize& size);
+
+}  // namespace rollfem::choice

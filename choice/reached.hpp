@@ -1,0 +1,33 @@
+// How close a result is to the truth by its own account, where that is asked for.
+#pragma once
+
+#include "contact/base/accuracy.hpp"
+#include "contact/result/result.hpp"
+
+#include <string>
+
+namespace rollfem::choice {
+
+/// Of the quantity and load point where both errors together are largest.
+struct Reached {
+  double discretisation = 0.0;  ///< its bar, as part of its whole (contact::whole_of)
+  double model = 0.0;           ///< its model error, a part as well
+  std::string quantity;         ///< empty: nothing that was asked for has an error
+  int point = 0;                ///< counted from 1
+  /// Largest of all quantities and load points, each by itself: what finer grids are expected from.
+  double most_discretisation = 0.0;
+  double most_model = 0.0;
+  double together() const { return discretisation + model; }
+  /// "discretisation 0.6 %, model 0.2 % of mu (traction_coefficient at load point 2)"
+  std::string text() const;
+};
+
+/// A quantity that should have a bar and has none counts as wholly unknown (infinity). Without
+/// `model_error_known` model errors that are not there are unknown as well, else nothing.
+Reached reached_by(const contact::ModelResult& result, const contact::AccuracyRequest& asked,
+                   double friction_coefficient, bool model_error_known);
+
+/// "0.63 %"
+std::string percent(double part);
+
+}  // namespace rollfem::choice

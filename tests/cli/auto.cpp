@@ -1,0 +1,124 @@
+// The model auto through the program: what it takes at 5, 1 and 0.2 %, and where that is said.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/case_examples.hpp"
+#include "support/program.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem::testing;
+
+/// A nearly circular patch, one load point: the half-space leaves out 0.6 % of mu.
+const std::string quick = with("2000.0", "500.0") + "[rolling]\nlongitudinal_creepage = 0.001\n";
+
+nlohmann::json model_of(const Folder& folder, const std::string& text, int status = 0) {
+  const Outcome outcome =
+      call(folder, {"run", folder.file("case.toml", text), "-o", "out", "--no-report", "-q"});
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  return nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"))["models"][0];
+}
+
+void expect_within(const nlohmann::json& model, double accuracy) {
+  const auto& point = model["points"][0];
+  const nlohmann::json none = nlohmann::json::object();
+  const nlohmann::json left_out = point.contains("model_error") ? point["model_error"] : none;
+  for (const auto& [name, whole] :
+       {std::pair<const char*, double>{"max_pressure", point["max_pressure"]},
+        {"semi_axis_x", point["semi_axis_x"]},
+        {"semi_axis_y", point["semi_axis_y"]},
+        {"traction_coefficient", 0.55}})
+    EXPECT_LE(point["error_estimate"][name].get<double>() + left_out.value(name, 0.0),
+              accuracy * whole)
+        << name;
+}
+
+TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
+  const Folder folder;
+  int elements = 0;
+  for (const double accuracy : {0.05, 0.01}) {
+    const std::string asked =
+        accuracy == 0.01 ? std::string() : "accuracy = " + std::to_string(accuracy) + "\n";
+    const nlohmann::json model = model_of(folder, asked + quick);
+    EXPECT_EQ(model["name"], "halfspace");
+    EXPECT_EQ(model["label"], "half-space");
+    EXPECT_EQ(model["chosen_by"], "auto");
+    EXPECT_EQ(model["choice"].get<std::string>().rfind("half-space, ", 0), 0U) << model["choice"];
+    EXPECT_NE(model["choice"].get<std::string>().find("model 0.6"), std::string::npos)
+        << model["choice"];
+    EXPECT_NE(model["notes"][0].get<std::string>().find(model["choice"].get<std::string>()),
+              std::string::npos);
+    expect_within(model, accuracy);
+    EXPECT_GT(model["contact_elements"].get<int>(), elements);
+    elements = model["contact_elements"].get<int>();
+  }
+}
+
+TEST(Auto, SaysWhatItTookOnTheScreen) {
+  const Folder folder;
+  const Outcome outcome =
+      call(folder, {"run", folder.file("case.toml", quick), "--model", "auto", "--no-report"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("halfspace: auto, for 1 %: half-space, "), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("finite elements"), std::string::npos) << outcome.out;
+}
+
+TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
+  const Folder folder;
+  const std::string strict = "accuracy = 0.003\n" + quick;
+#if ROLLFEM_WITH_FEM
+  const nlohmann::json model = model_of(folder, strict);
+  EXPECT_EQ(model["name"], "hybrid");
+  expect_within(model, 0.003);
+  EXPECT_NE(model["choice"].get<std::string>().find("; half-space, "), std::string::npos)
+      << model["choice"];
+#else
+  // The best that there is, and a failure; without an accuracy in the case a warning.
+  const nlohmann::json model = model_of(folder, strict, 1);
+  EXPECT_EQ(model["name"], "halfspace");
+  EXPECT_NE(model["choice"].get<std::string>().find("hybrid: not in this build"), std::string::npos)
+      << model["choice"];
+#endif
+}
+
+TEST(Auto, StandsAloneAndIsNothingToCompare) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", quick);
+  expect_refused(call(folder, {"run", file, "--model", "auto", "hertz"}), "auto stands");
+  expect_refused(call(folder, {"compare", file, "--model", "auto"}), "rollfem run --model auto");
+  expect_refused(call(folder, {"study", file, "--model", "auto"}), "rollfem run --model auto");
+  const std::string both = folder.file("both.toml", "models = [\"auto\", \"hertz\"]\n" + quick);
+  expect_refused(call(folder, {"run", both}), "both.toml: models: auto stands");
+}
+
+TEST(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", quick);
+  const Outcome check = call(folder, {"check", file});
+  EXPECT_NE(check.out.find("for 1 %: half-space, "), std::string::npos) << check.out;
+  const Outcome study = call(folder, {"study", file, "--levels", "3", "-o", "s", "--no-report"});
+  ASSERT_EQ(study.status, 0) << study.err;
+  // 10, 20, 40 across: solved, so that seconds are no guess; 0.2 % is beyond any half-space.
+  EXPECT_NE(study.out.find("\nfor 5 %: half-space, "), std::string::npos) << study.out;
+  EXPECT_NE(study.out.find("\nfor 1 %: half-space, 40 across, 0"), std::string::npos) << study.out;
+  EXPECT_NE(study.out.find("; half-space leaves out 0.6"), std::string::npos) << study.out;
+  const auto json = nlohmann::json::parse(contents(folder.work() / "s" / "study.json"));
+  EXPECT_EQ(json["places"][0]["choice"].size(), 3U);
+}
+
+TEST(Auto, ResumesAndTakesBodiesThatAreNotKnownAsHalfSpaces) {
+  const Folder folder;
+  const std::string plain =
+      "[load]\nnormal_force = 1e3\n[friction]\ncoefficient = 0.3\n[wheel]\n[rail]\n"
+      "[undeformed_distance]\nquadratic = [0.001, 0.002]\n[rolling]\nproblem = \"frictionless\"\n";
+  const nlohmann::json model = model_of(folder, plain);
+  EXPECT_NE(model["choice"].get<std::string>().find("bodies that are not known"), std::string::npos)
+      << model["choice"];
+  const Outcome again = call(folder, {"run", folder.file("case.toml", quick), "-o", "out",
+                                      "--no-report", "-q", "--resume"});
+  EXPECT_EQ(again.status, 0) << again.err;
+}
+
+}  // namespace

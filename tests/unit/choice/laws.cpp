@@ -1,0 +1,70 @@
+// What is expected by the size of a contact, held to what the thesis's cases have been found to
+// need: seven load points, mu 0.55, wheel 405 mm (rollfem run cases/thesis_*.toml with
+// model_error = true and 24 across; seconds of the finite elements as the cases have them).
+#include "choice/laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace rollfem::choice;
+
+ContactSize thesis(double half_length, double half_width, double radius_across) {
+  ContactSize size;
+  size.half_length = half_length;
+  size.half_width = half_width;
+  size.rolling_radius = 405.0;
+  size.radius_across = radius_across;
+  size.friction = true;
+  size.load_points = 7;
+  return size;
+}
+
+const ContactSize case_a = thesis(3.79, 10.87, 2000.0), case_c = thesis(6.23, 2.47, 100.0),
+                  case_f = thesis(3.79, 10.87, 50.0);
+
+TEST(Laws, ModelErrorsAreThoseOfTheThesisWithinAFactorOfTwo) {
+  for (const auto& [size, found] :
+       {std::pair{case_a, 0.0061}, {case_c, 0.0083}, {case_f, 0.0126}}) {
+    EXPECT_GT(expected_model_error(size), 0.5 * found);
+    EXPECT_LT(expected_model_error(size), 2.0 * found);
+  }
+  ContactSize frictionless = case_a;
+  frictionless.friction = false;
+  EXPECT_LT(expected_model_error(frictionless), 2.0 * 0.0006);
+  EXPECT_GT(expected_model_error(frictionless), 0.5 * 0.0006);
+  ContactSize unknown = case_a;
+  unknown.bodies_known = false;
+  EXPECT_EQ(expected_model_error(unknown), 0.0);
+}
+
+TEST(Laws, BarsOfTheHalfSpaceAreThoseOfCaseAWithinAFactorOfTwo) {
+  for (const auto& [across, found] : {std::pair{16, 0.0098}, {24, 0.0057}, {32, 0.0024}})
+    for (const Level& level : halfspace_forecast(case_a).levels)
+      if (level.across == across) {
+        EXPECT_GT(level.discretisation, 0.5 * found) << across;
+        EXPECT_LT(level.discretisation, 2.0 * found) << across;
+      }
+}
+
+TEST(Laws, SecondsOfFiniteElementsAreThoseOfTheThesisWithinATenthOrTwo) {
+  const ContactSize case_b = thesis(5.8, 6.67, 500.0);
+  EXPECT_NEAR(fem_forecast(case_a).levels.front().seconds, 22.4, 4.0);
+  EXPECT_NEAR(fem_forecast(case_b).levels.front().seconds, 13.5, 2.5);
+  EXPECT_NEAR(fem_forecast(case_c).levels.front().seconds, 19.6, 4.0);
+}
+
+TEST(Laws, WhatSufficesForTheThesis) {
+  std::vector<Forecast> all{halfspace_forecast(case_a), hybrid_forecast(case_a),
+                            fem_forecast(case_a)};
+  EXPECT_EQ(all[cheapest(all, 0.05)->model].model, "halfspace");
+  EXPECT_EQ(all[cheapest(all, 0.01)->model].model, "halfspace");
+  EXPECT_EQ(all[cheapest(all, 0.002)->model].model, "hybrid");
+  all = {halfspace_forecast(case_f), hybrid_forecast(case_f), fem_forecast(case_f)};
+  EXPECT_EQ(all[cheapest(all, 0.05)->model].model, "halfspace");
+  EXPECT_EQ(all[cheapest(all, 0.01)->model].model, "hybrid");
+}
+
+}  // namespace
