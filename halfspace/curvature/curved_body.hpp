@@ -7,6 +7,7 @@
 #include "contact/base/material.hpp"
 
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace rollfem::halfspace {
@@ -20,6 +21,8 @@ struct BodySurface {
   /// Slopes dz/dx, dz/dy of the surface whose normal and tangents tractions and displacements have.
   std::function<double(double x)> slope_x;
   std::function<double(double y)> slope_y;
+  /// How far in x and y from the contact the body is so curved, mm; beyond that it is a half-space.
+  double extent = std::numeric_limits<double>::infinity();
 };
 
 /// The first-order correction C of one body: tractions on it (MPa, n > 0 presses it inwards) to

@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/profile_drop.hpp"
+#include "halfspace/model/expected_patch.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,16 @@ namespace {
 /// Far from the contact no body is what its curvature there says: heights stay below this part of
 /// the distance.
 constexpr double steepest_way = 0.5;
+
+/// Larger semi-axes of the patch within which finite elements have the shape of the bodies, without
+/// [fem] extent.
+constexpr double extent_in_semi_axes = 8.0;
+
+double extent_of_bodies(const Scene& scene) {
+  if (scene.fem.extent) return *scene.fem.extent;
+  const ExpectedPatch patch = expected_patch(scene);
+  return extent_in_semi_axes * 0.5 * std::max(patch.length(), patch.width());
+}
 
 }  // namespace
 
@@ -45,6 +56,7 @@ BodySurface body_surface(const Scene& scene, bool wheel) {
         contact::surface_drop(surface, wheel, 0.0, y) + contact::profile_drop(along, x).value;
     return std::clamp(height, -most, most);
   };
+  body.extent = extent_of_bodies(scene);
   // Each body has the frame of its own streamline, and both that of the common surface across.
   body.slope_x = [=](double x) { return std::isfinite(along) ? x / along : 0.0; };
   body.slope_y = [=](double y) { return sign * surface.climb(y); };

@@ -82,8 +82,9 @@ struct FarPlace {
   double x, y, area;
 };
 
-/// Gauss in the angle over each side of the rectangle, in 1/r from there to infinity.
-std::vector<FarPlace> places_beyond(double half_length, double half_width) {
+/// Gauss in the angle over each side of the rectangle, in 1/r from there to the square of half side
+/// `extent`.
+std::vector<FarPlace> places_beyond(double half_length, double half_width, double extent) {
   const double corner = std::atan2(half_width, half_length);
   const std::array<double, 5> angles{-corner, corner, pi - corner, pi + corner, 2.0 * pi - corner};
   constexpr int parts = 2;  // of each side
@@ -94,11 +95,11 @@ std::vector<FarPlace> places_beyond(double half_length, double half_width) {
         const double half = 0.5 * (angles[side + 1] - angles[side]) / parts;
         const double angle = angles[side] + half * (2 * part + 1 + gauss_points[k]);
         const double c = std::cos(angle), s = std::sin(angle);
-        const double border = std::min(half_length / std::max(std::abs(c), 1e-300),
-                                       half_width / std::max(std::abs(s), 1e-300));
+        const double near = std::max(std::abs(c) / half_length, std::abs(s) / half_width);
+        const double far = std::min(near, std::max(std::abs(c), std::abs(s)) / extent);
         for (std::size_t l = 0; l < gauss_points.size(); ++l) {
-          const double r = 2.0 * border / (1.0 + gauss_points[l]);
-          const double dr = 0.5 / border * gauss_weights[l] * r * r;
+          const double r = 1.0 / (far + 0.5 * (near - far) * (1.0 + gauss_points[l]));
+          const double dr = 0.5 * (near - far) * gauss_weights[l] * r * r;
           places.push_back({r * c, r * s, half * gauss_weights[k] * dr * r});
         }
       }
@@ -119,7 +120,7 @@ FarSurface::FarSurface(const ContactGrid& grid, const BodySurface& surface, doub
   const double nu = surface.material.poisson_ratio;
   const Eigen::Matrix3d stiffness = membrane_stiffness(shear, nu);
   const double x_middle = 0.5 * (grid.x_first + x_last), y_middle = 0.5 * (grid.y_first + y_last);
-  const std::vector<FarPlace> places = places_beyond(half_length, half_width);
+  const std::vector<FarPlace> places = places_beyond(half_length, half_width, surface.extent);
   const Eigen::Index rows = 3 * static_cast<Eigen::Index>(places.size());
   Eigen::MatrixXd strain(rows, 3 * far_nodes_square), stress(rows, 3 * far_nodes_square);
   for (std::size_t q = 0; q < places.size(); ++q) {

@@ -11,8 +11,8 @@ namespace rollfem::halfspace {
 contact::Scene on_few_elements(contact::Scene scene, int elements_across);
 
 /// Sets PointResult::model_error of a theory's values from a half-space solution of the same scene
-/// with 20 elements across: the difference, and that solution's own bar. `with_friction`: the
-/// theory has forces, too. Where the half-space has no result model_error_source says why.
+/// with 32 elements across: the difference, and half of that solution's own bar. `with_friction`:
+/// the theory has forces, too. Where the half-space has no result model_error_source says why.
 void estimate_model_error(const contact::Scene& scene, bool with_friction,
                           contact::ModelResult& theory);
 

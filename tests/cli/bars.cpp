@@ -105,7 +105,7 @@ TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
       EXPECT_GE(theory["model_error"][quantity].get<double>(), off) << name << ": " << quantity;
     }
   }
-  // Half-spaces of 20 elements across know Hertz's pressure to 1 %.
+  // Half-spaces of so few elements across know Hertz's pressure to 1 %.
   const json& hertz = model_of(summary, "hertz")["points"][0];
   EXPECT_LT(hertz["model_error"]["max_pressure"].get<double>(),
             0.01 * hertz["max_pressure"].get<double>());

@@ -42,7 +42,8 @@ ModelErrors errors_of(const Case& input, int across) {
 }
 
 /// Slip of the strained surfaces at rest, weighted with the pressure.
-double mean_slip(const Case& input, int across) {
+double mean_slip(Case input, int across) {
+  input.fem.extent = contact::infinity;  // by hand bodies have no end
   const Scene scene(input);
   const LevelResult half = half_space(scene, across);
   const contact::ContactGrid& grid = half.grid;

@@ -162,4 +162,25 @@ TEST(CurvedBody, HasTheStrainOfASphere) {
   EXPECT_NEAR(strain_of_paraboloid(40) / exact, 1.0, 1e-3);
 }
 
+/// Work on the height h = r^2 / 2R of the strain (1 - 2 nu) / (4 pi G r^2) (1, -1) that a normal
+/// force has far away, through the stiffness of the surface: what the ring from r_1 to r_2 adds to
+/// the approach of a unit force is (1 - 2 nu)^2 / (4 pi G R) ln(r_2 / r_1).
+TEST(CurvedBody, ApproachGoesWithTheLogarithmOfTheExtent) {
+  const ContactGrid grid = ContactGrid::centred(9, 9, 0.2, 0.2);
+  const Field none = Field::Zero(grid.size());
+  Field pressure = none;
+  const Eigen::Index middle = grid.index(4, 4);
+  pressure[middle] = 1.0 / grid.element_area();
+  const double radius = 50.0, shear = 0.5 * modulus / (1.0 + nu);
+  const auto approach = [&](double extent) {
+    BodySurface surface = paraboloid(1.0 / radius, 1.0 / radius);
+    surface.extent = extent;
+    return CurvedBody(grid, surface).apply({none, none, pressure}).correction.n[middle];
+  };
+  const double expected = std::pow(1.0 - 2.0 * nu, 2) / (4.0 * 3.14159265358979 * shear * radius);
+  EXPECT_NEAR(approach(6.0) - approach(3.0), expected * std::log(2.0), 2e-3 * expected);
+  EXPECT_NEAR(approach(12.0) - approach(3.0), expected * std::log(4.0), 5e-3 * expected);
+  EXPECT_NEAR(approach(0.5), approach(1.0), 1e-6 * expected);  // all within the near part
+}
+
 }  // namespace
