@@ -3,6 +3,7 @@ import ctypes
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -106,10 +107,13 @@ class Bench:
             return with_settings(file.read(), settings or {})
 
     def _call(self, name, command, made):
-        """Runs a command in the source folder; checks that it ended well and made what it should."""
-        begin = time.time()
+        """Runs a command in the source folder; checks that it ended well and made what it should. Its CPU seconds."""
+        def spent():
+            usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return usage.ru_utime + usage.ru_stime
+        begin, before = time.time(), spent()
         done = subprocess.run(command, cwd=self.root, capture_output=True, text=True, check=False,
-                              env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                              env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "ROLLFEM_CACHE": ""},
                               preexec_fn=_end_with_the_book)
         if done.returncode != 0:
             last = (done.stderr or done.stdout).strip().split("\n")[-1]
@@ -117,6 +121,7 @@ class Bench:
         if not os.path.exists(made):
             raise RunFailed(f"{name}: {' '.join(command)} left no {made}")
         self.say(f"  {name}: {time.time() - begin:.1f} s")
+        return spent() - before
 
     def _stamped(self, target, stamp, command, resumable=False):
         """Makes `target` by the command unless it is there of the same stamp; takes up one that was ended."""
@@ -129,7 +134,7 @@ class Bench:
             for old in (target, target + ".unfinished", target + ".stamp"):
                 _remove(old)
         _write(target + ".begun", stamp)
-        self._call(os.path.basename(target), command, target)
+        _write(target + ".cpu", f"{self._call(os.path.basename(target), command, target):.3f}\n")
         _write(target + ".stamp", stamp)
         _remove(target + ".begun")
 
@@ -150,6 +155,10 @@ class Bench:
         stamp = "\n".join([self.version, verb, *options, *texts])
         self._stamped(target, stamp, command, resumable=True)
         return target
+
+    def cpu_seconds(self, name):
+        """What a result that is kept took, all threads together: unlike time that passes the same on a busy machine."""
+        return float(_read(os.path.join(self.folder, name + ".cpu")) or "nan")
 
     def save(self, figure, name):
         """Writes a figure of the book; its file name."""

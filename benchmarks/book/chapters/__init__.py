@@ -3,6 +3,7 @@ from .bodies import elements, incompressible, inertia, persson
 from .curvature import curvature_slip
 from .fem import fem_hertz
 from .friction import cattaneo, creep_frequency, spence, transient
+from .hybrid import hybrid
 from .normal import grid_order, hertz, steuermann
 from .profiles import manchester, wheel_on_rail
 from .rolling import benchmark_9, bentall_johnson, carter, fastsim, kalker, nowell_hills
@@ -11,4 +12,4 @@ from .thesis import half_space_limits, thesis_cases
 
 ALL = [hertz, grid_order, steuermann, cattaneo, spence, carter, bentall_johnson, nowell_hills, kalker, benchmark_9,
        fastsim, transient, creep_frequency, stress_circle, stress_case_a, elements, persson, fem_hertz, incompressible,
-       inertia, thesis_cases, half_space_limits, curvature_slip, wheel_on_rail, manchester]
+       inertia, thesis_cases, half_space_limits, hybrid, curvature_slip, wheel_on_rail, manchester]

@@ -1,0 +1,144 @@
+"""The hybrid against the limit of finite elements, and what half-space, hybrid and finite elements cost for their error."""
+import json
+import os
+import sys
+
+from matplotlib import pyplot as plt
+
+from rollfem_figures import style
+
+from ..chapter import Chapter, Cost, Row, Table
+from ..page import number
+from .thesis import RADII
+
+sys.path.append(os.path.join(os.path.dirname(__file__), "..", ".."))
+import hybrid_limits  # noqa: E402: of the folder above the book
+
+FRICTION = 0.55
+ACROSS = 80
+PRESSURE_ASKED, FORCE_ASKED = 0.0005, 0.001  # the latter of mu
+QUIET = {"output.paths": '["x"]\nfields = false\nbody_fields = "none"\nstress_maxima = false'}
+
+
+def _run(bench, letter, model, name, settings):
+    """(the model's result, CPU seconds of its run)."""
+    creepages = {"rolling.longitudinal_creepage": list(hybrid_limits.CREEPAGES)}
+    name = f"hybrid_{letter}_{name}"
+    result = bench.run(name, f"cases/thesis_{letter}.toml", [model], {**QUIET, **creepages, **settings})
+    return result.model(model), bench.cpu_seconds(name)
+
+
+def _hybrid(bench, letter, across):
+    return _run(bench, letter, "hybrid", f"{across}", {"contact_grid.elements_across": across})
+
+
+def _limit(record, letter, index, quantity):
+    return hybrid_limits.limit(record["rows"], letter, index, quantity)
+
+
+def _rows(record, found):
+    rows = []
+    for letter, (result, _) in found.items():
+        for index, xi in enumerate(hybrid_limits.CREEPAGES):
+            point = result.nearest(xi)
+            if index != 1:
+                rows.append(Row(f"case {letter}: p0 at xi = {100 * xi:g} %", "MPa",
+                                _limit(record, letter, index, "max_pressure")["limit"], point["max_pressure"],
+                                PRESSURE_ASKED, by=f"hybrid, {ACROSS} across"))
+            rows.append(Row(f"case {letter}: -F_x/F_z at xi = {100 * xi:g} %", "",
+                            _limit(record, letter, index, "traction_coefficient")["limit"],
+                            point["traction_coefficient"], FORCE_ASKED, of=FRICTION,
+                            of_words="mu", by=f"hybrid, {ACROSS} across"))
+    return rows
+
+
+def _limits_table(record):
+    """How the limits come about: the differences on ever smaller cells, and the plain extrapolation."""
+    rows = []
+    for mesh in ("structured", "gmsh"):
+        for letter in RADII:
+            for index, xi in ((0, 0.0), (1, 0.001), (2, 0.003)):
+                force = hybrid_limits.limit(record["rows"], letter, index, "traction_coefficient", mesh)
+                pressure = hybrid_limits.limit(record["rows"], letter, index, "max_pressure", mesh)
+                if force is None:
+                    continue
+                rows.append([f"{letter}, {100 * xi:g} %{', gmsh' * (mesh == 'gmsh')}",
+                             ", ".join(f"{d:+.2f}".replace("-", "−") for d in pressure["differences"]),
+                             number(pressure["limit"], 5), number(pressure["plain"], 5),
+                             ", ".join(f"{d:.5f}".replace("-", "−") for d in force["differences"]),
+                             f"{force['limit']:.5f}".replace("-", "−"), f"{force['plain']:.5f}".replace("-", "−")])
+    return Table("What the limits are made of: finite elements less the half-space on the same contact elements, cells of "
+                 "a/4, (a/6,) a/8; the limit; and the plain extrapolation of the finite elements, which has their grid's "
+                 "error in it. One cell size has no extrapolation.",
+                 ["case, xi", "p0 less the half-space's, MPa", "limit", "plain", "−F_x/F_z less the half-space's", "limit", "plain"], rows)
+
+
+def _error(record, result, quantity, scale=None):
+    """Root mean square over the creepages of what a run of case f is off, in % of `scale` or the limit."""
+    squares = []
+    for index, xi in enumerate(hybrid_limits.CREEPAGES):
+        exact = _limit(record, "f", index, quantity)["limit"]
+        squares.append(((result.nearest(xi)[quantity] - exact) / (scale or exact)) ** 2)
+    return 100 * (sum(squares) / len(squares)) ** 0.5
+
+
+def _unsure(record, quantity, scale=None):
+    """As _error, what is not known of the limit."""
+    limits = [_limit(record, "f", index, quantity) for index in range(len(hybrid_limits.CREEPAGES))]
+    return 100 * (sum((one["uncertain"] / (scale or one["limit"])) ** 2 for one in limits) / len(limits)) ** 0.5
+
+
+def _figure(bench, record, series):
+    """`series`: [[((result, CPU seconds), words)]], a line each."""
+    figure, axes = plt.subplots(1, 2, figsize=(8.4, 3.6), sharex=True)
+    for axis, quantity, scale, words, asked in (
+            (axes[0], "max_pressure", None, "error of $p_0$ [%]", 100 * PRESSURE_ASKED),
+            (axes[1], "traction_coefficient", FRICTION, "error of the force [% of $\\mu F_z$]", 100 * FORCE_ASKED)):
+        for line in series:
+            model = line[0][0][0]
+            places = [(seconds, _error(record, result, quantity, scale)) for (result, seconds), _ in line]
+            axis.loglog(*zip(*places), marker=style.marker(model), markersize=5, label=style.label(model), **style.line(model))
+            for place, (_, note) in zip(places, line):
+                axis.annotate(note, place, textcoords="offset points", xytext=(4, 4), fontsize="x-small", color=style.GREY)
+        axis.axhspan(1e-4, _unsure(record, quantity, scale), color="#eeeeee", zorder=0)
+        axis.axhline(asked, color=style.GREY, linewidth=0.8, linestyle=":")
+        axis.set_ylim(5e-3, 5)
+        axis.set_xlabel("CPU seconds")
+        axis.set_ylabel(words)
+    axes[0].legend(fontsize="small", loc="lower left")
+    figure.tight_layout()
+    return bench.save(figure, "hybrid_cost")
+
+
+def hybrid(bench):
+    """The hybrid against the limit of finite elements, and error against seconds"""
+    with open(os.path.join(bench.root, "benchmarks", "hybrid_limits.json"), encoding="utf-8") as file:
+        record = json.load(file)
+    found = {letter: _hybrid(bench, letter, ACROSS) for letter in RADII}
+    series = [
+        [(_run(bench, "f", "halfspace", f"half_{n}", {"contact_grid.elements_across": n}), f"{n}") for n in (10, 20, 40, 80, 160)],
+        [(_hybrid(bench, "f", n), f"{n}") for n in (20, 40)] + [(found["f"], f"{ACROSS}")],
+        [(_run(bench, "f", "fem", f"fem_{name}", {"fem.cell_size": cell}), words)
+         for name, cell, words in (("2", 1.896, "a/2"), ("4", 0.948, "a/4"), ("8", 0.47, "a/8"))]]
+    return Chapter(
+        "hybrid", "The hybrid against the limit of finite elements",
+        f"The seed study's cases at xi = 0, 0.1, 0.3 %: the hybrid on {ACROSS} elements across, its correction by cells of a third of "
+        "the smaller semi-axis. Asked are 0.05 % of p0 and 0.1 % of mu in forces.",
+        "Finite elements in the limit of small cells. Their runs are too dear for the book and are kept in a record, "
+        "`benchmarks/hybrid_limits.json`, which `benchmarks/hybrid_limits.py` makes: the half-space in the limit of its contact "
+        "grid, and the difference between finite elements and the half-space on the same contact elements in the limit of their cells. "
+        "Segments reach eight of the larger semi-axis; what lies beyond them is in neither.",
+        _rows(record, found), tables=[_limits_table(record)],
+        figures=[(_figure(bench, record, series), "Case f from nothing: root mean square error at the three creepages over the CPU "
+                  "seconds of the whole run, error bars and all; beside the points elements across, or cells of finite elements; "
+                  "dotted: what is asked; grey: what is not known of the limit")],
+        cost=[Cost(f"case {letter}, hybrid", result.seconds["total"], result.unknowns) for letter, (result, _) in found.items()]
+        + [Cost(f"case f, {style.label(r)}, {note}", r.seconds["total"], r.unknowns) for line in series for (r, _), note in line
+           if r is not found["f"][0]],
+        tests=["verification.Hybrid.MeetsTheLimitOfFiniteElements", "verification.Hybrid.HasTheStrainOfALoadedWheel"],
+        after="Nearly all of the hybrid's seconds are its correction, which is the same for every contact grid, creepage and friction. "
+              "Contact elements of finite elements are as large as their cells: their force at partial slip has the error of so few. In e "
+              "and f rows of elements across are not quite the same in both, which is most of what is not known of these limits.")
+
+
+hybrid.needs_fem = True

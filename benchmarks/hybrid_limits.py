@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+"""The limit of finite elements that the hybrid is held against, by cells of a/4 and less and by both mesh families.
+
+    benchmarks/hybrid_limits.py run --program build/app/rollfem --folder /tmp/limits -o benchmarks/hybrid_limits.json
+    benchmarks/hybrid_limits.py show benchmarks/hybrid_limits.json
+
+`run` computes what is not in the folder yet (--only 'f/*' a part of it; the whole takes some ten minutes on two cores)
+and writes the record. A force or pressure of finite elements has two errors: that of the cells, and that of the contact
+grid, whose elements are as large. A half-space on the same elements has the second one too. So the limit is
+
+    half-space on ever more elements + (finite elements - half-space on the same elements) on ever smaller cells,
+
+beside which `show` puts the plain extrapolation of the finite elements. In e and f the elements cannot be quite the same:
+those of finite elements are equal in y, those of the half-space along the common surface. They are made to agree at the
+edge of the patch; what rows 1.5 % wider or narrower change in the half-space is added to what is uncertain.
+"""
+import argparse
+import fnmatch
+import json
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+CREEPAGES = (0.0, 0.001, 0.003)
+QUANTITIES = ("max_pressure", "semi_axis_x", "semi_axis_y", "approach", "traction_coefficient")
+# Cells in mm, the coarse ones first: a/4, a/6, those of the case files (a/8), a/12, a/16 of the smaller semi-axis.
+STRUCTURED = {"a": (0.948091, 0.47), "b": (1.22708, 0.6), "c": (0.618218, 0.31), "d": (0.618218, 0.31),
+              "e": (0.948091, 0.47), "f": (0.948084, 0.632056, 0.47)}
+GMSH = {"a": (0.948091,), "f": (0.948084,)}
+ACROSS = (40, 80)  # of the half-space's limit
+CURVED = {"e": 102.56, "f": 50.633}  # mm, radius of the common surface across, where rows differ
+WIDER = 0.015
+
+
+def case_text(letter, settings):
+    """The case of the study at CREEPAGES; `settings`: {section: lines}, in place of keys that are there already."""
+    text = (ROOT / "cases" / f"thesis_{letter}.toml").read_text(encoding="utf-8")
+    text = re.sub(r"(?m)^longitudinal_creepage = .*", f"longitudinal_creepage = {list(CREEPAGES)}", text)
+    for section, lines in settings.items():
+        for key in [line.split(" = ")[0] for line in lines] + ["elements_across"] * (section == "contact_grid"):
+            text = re.sub(rf"(?m)^{key} = .*\n", "", text)
+        if f"[{section}]" in text:
+            text = text.replace(f"[{section}]", "\n".join([f"[{section}]", *lines]))
+        else:
+            text += "\n".join(["", f"[{section}]", *lines, ""])
+    return text
+
+
+def elements_of(folder):
+    """(dx, dy, nx, ny) of the contact grid of a run of finite elements."""
+    import h5py
+    with h5py.File(folder / "results.h5") as file:
+        grid = file["models"]["fem"]["grid"]
+        return float(grid.attrs["dx"]), float(grid.attrs["dy"]), len(grid["x"]), len(grid["y"])
+
+
+def stretches(letter, row):
+    """Width of the half-space's rows over those of finite elements: the same, and both ways off where that is not exact."""
+    if letter not in CURVED:
+        return [1.0]
+    turn = math.asin(row["points"][0]["semi_axis_y"] / CURVED[letter])
+    exact = turn / math.sin(turn)
+    return [exact, exact * (1 - WIDER), exact * (1 + WIDER)]
+
+
+class Runs:
+    """Runs in a folder, each once."""
+
+    def __init__(self, program, folder, only):
+        self.program, self.folder, self.only = program, folder, only
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def row(self, letter, name, model, settings, **words):
+        """A row of the record; None where the run is not asked for and not there."""
+        folder = self.folder / f"{letter}_{name}"
+        if not (folder / "summary.json").exists():
+            if not fnmatch.fnmatch(f"{letter}/{name}", self.only):
+                return None
+            case = Path(f"{folder}.toml")
+            case.write_text(case_text(letter, settings), encoding="utf-8")
+            print(f"{letter}/{name}", flush=True)
+            done = subprocess.run([self.program, "run", str(case), "--model", model, "--quiet", "--no-report", "-o",
+                                   str(folder)], check=False, capture_output=True, text=True)
+            if done.returncode:
+                print(done.stderr.strip().splitlines()[-1])
+                return None
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        result = next(m for m in summary["models"] if m["name"] == model)
+        points = [{"longitudinal_creepage": xi, **{q: point[q] for q in QUANTITIES}} for xi in CREEPAGES
+                  for point in result["points"] if abs(point["longitudinal_creepage"] - xi) < 1e-12]
+        return {"case": letter, "model": model, **words, "commit": summary["program"]["commit"],
+                "unknowns": result["unknowns"], "points": points}, folder
+
+    def finite_elements(self, letter, mesh, cell):
+        """Rows of finite elements and of the half-space on their contact grid."""
+        output = ["fields = false", 'body_fields = "none"', "stress_maxima = false"]
+        fem = [f"cell_size = {cell}", f'mesh = "{mesh}"'][:1 if mesh == "structured" else 2]
+        found = self.row(letter, f"fem_{mesh}_{cell:g}", "fem", {"fem": fem, "output": output}, mesh=mesh, cell=cell)
+        if not found:
+            return []
+        row, folder = found
+        dx, dy, nx, ny = elements_of(folder)
+        rows = [row]
+        for stretch in stretches(letter, row):
+            # A little more, so that as many whole elements fit.
+            grid = [f"cell_size = [{dx}, {stretch * dy!r}]",
+                    f"extent = [{nx * dx * (1 + 1e-7)!r}, {stretch * ny * dy * (1 + 1e-7)!r}]"]
+            same = self.row(letter, f"halfspace_{mesh}_{cell:g}_{stretch:.4f}", "halfspace",
+                            {"contact_grid": grid, "halfspace": ['surface = "curved"']}, mesh=mesh, cell=cell)
+            rows += [same[0]] if same else []
+        return rows
+
+    def half_space(self, letter, across):
+        found = self.row(letter, f"halfspace_{across}", "halfspace",
+                         {"contact_grid": [f"elements_across = {across}"], "halfspace": ['surface = "curved"']},
+                         across=across)
+        return [found[0]] if found else []
+
+
+def extrapolated(sizes, values, order):
+    """(limit, how far the last value is from it) by the last two values."""
+    if len(values) < 2:
+        return values[-1], math.nan
+    beyond = (values[-1] - values[-2]) / ((sizes[-2] / sizes[-1]) ** order - 1)
+    return values[-1] + beyond, abs(beyond)
+
+
+def limit(rows, letter, index, quantity, mesh="structured"):
+    """{"limit", "uncertain", "plain", "differences"} of a quantity at CREEPAGES[index]; None where runs are missing.
+
+    Orders are taken, not found: 2 of pressure, size and approach, 1.5 of forces (docs/accuracy.md).
+    """
+    order = 1.5 if quantity == "traction_coefficient" else 2.0
+    mine = [r for r in rows if r["case"] == letter]
+    def value(row):
+        return row["points"][index][quantity]
+    half = sorted((r for r in mine if "across" in r), key=lambda r: r["across"])
+    fem = sorted((r for r in mine if r["model"] == "fem" and r["mesh"] == mesh), key=lambda r: -r["cell"])
+    same = {cell: [value(r) for r in mine if r["model"] == "halfspace" and r.get("mesh") == mesh and r["cell"] == cell]
+            for cell in (r["cell"] for r in fem)}
+    if not half or not fem or not all(same.values()):
+        return None
+    cells = list(same)
+    differences = [value(r) - same[r["cell"]][0] for r in fem]
+    rows_off = max(abs(v - same[cells[-1]][0]) for v in same[cells[-1]])
+    most, left = extrapolated([1 / r["across"] for r in half], [value(r) for r in half], order)
+    more, change = extrapolated(cells, differences, order)
+    plain, _ = extrapolated(cells, [value(r) for r in fem], order)
+    return {"limit": most + more, "uncertain": change + left / 3 + rows_off, "plain": plain, "differences": differences}
+
+
+def show(record):
+    """Tables of limits and of the differences that lead to them."""
+    rows = record["rows"]
+    print("| case, xi | p0 MPa | plain | p0 less half-space, by cells | -F_x/F_z | plain | less half-space, by cells |")
+    print("|---|---|---|---|---|---|---|")
+    for mesh in ("structured", "gmsh"):
+        for letter in STRUCTURED:
+            for index, xi in enumerate(CREEPAGES):
+                pressure = limit(rows, letter, index, "max_pressure", mesh)
+                force = limit(rows, letter, index, "traction_coefficient", mesh)
+                if pressure and force:
+                    print(f"| {letter}, {100 * xi:g} %{', gmsh' * (mesh == 'gmsh')} | {pressure['limit']:.2f} +- "
+                          f"{pressure['uncertain']:.2f} | {pressure['plain']:.2f} | "
+                          f"{', '.join(f'{d:.3f}' for d in pressure['differences'])} | {force['limit']:.5f} +- "
+                          f"{force['uncertain']:.5f} | {force['plain']:.5f} | "
+                          f"{', '.join(f'{d:.5f}' for d in force['differences'])} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    verbs = parser.add_subparsers(dest="verb", required=True)
+    make = verbs.add_parser("run", help="compute what is missing and write the record")
+    make.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
+    make.add_argument("--folder", type=Path, required=True, help="where runs are kept")
+    make.add_argument("--only", default="*", help="case/run, a pattern: runs that are missing and do not fit stay so")
+    make.add_argument("-o", "--output", type=Path, required=True, help="the record (JSON)")
+    verbs.add_parser("show", help="print limits").add_argument("record", type=Path)
+    options = parser.parse_args()
+    if options.verb == "show":
+        show(json.loads(options.record.read_text(encoding="utf-8")))
+        return
+    runs = Runs(options.program, options.folder, options.only)
+    rows = []
+    for letter, cells in STRUCTURED.items():
+        for mesh, sizes in (("structured", cells), ("gmsh", GMSH.get(letter, ()))):
+            for cell in sizes:
+                rows += runs.finite_elements(letter, mesh, cell)
+        for across in ACROSS:
+            rows += runs.half_space(letter, across)
+    lines = ",\n  ".join(json.dumps(row) for row in rows)
+    options.output.write_text('{"made_by": "benchmarks/hybrid_limits.py run",\n "rows": [\n  ' + lines + "]}\n",
+                              encoding="utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
