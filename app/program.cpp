@@ -5,9 +5,11 @@
 #include "app/processes.hpp"
 #include "app/version.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/base/nearest_name.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -43,17 +45,43 @@ void guard_outputs() {
 }
 
 /// CLI11 would only say that a command is missing.
-void check_command(const CLI::App& program, int argc, char** argv) {
+void check_command(const CLI::App& program, const std::vector<std::string>& words) {
   std::vector<std::string> known;
   for (const CLI::App* command : program.get_subcommands(nullptr))
     known.push_back(command->get_name());
   const std::string allowed = "allowed: " + contact::listed(known) + "; do: rollfem --help";
-  if (argc < 2) throw contact::InputError("no command is given; " + allowed);
-  const std::string name = argv[1];
+  if (words.empty()) throw contact::InputError("no command is given; " + allowed);
+  const std::string& name = words.front();
   if (name.empty() || name.front() == '-') return;
   const auto is_named = [&](const CLI::App* command) { return command->check_name(name); };
   if (program.get_subcommands(is_named).empty())
-    throw contact::InputError(fmt::format("{}: there is no such command; {}", name, allowed));
+    throw contact::InputError(fmt::format("{}: there is no such command; {}{}", name,
+                                          contact::did_you_mean(name, known), allowed));
+}
+
+/// What CLI11 says of a call, with the option that a misspelt one was meant to be.
+std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
+  std::string text = error.what();
+  const std::size_t at = text.find("--");
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || at == std::string::npos)
+    return text;
+  const std::string given = text.substr(at, text.find_first_of(" =\n", at) - at);
+  std::vector<std::string> options;
+  for (const CLI::App* command : program.get_subcommands())
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  const std::string near = contact::did_you_mean(given, options);
+  return near.empty() ? text : text + "; " + near.substr(0, near.size() - 1);
+}
+
+/// `rollfem help` and `rollfem help run` are `rollfem --help` and `rollfem run --help`.
+std::vector<std::string> arguments(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.push_back("--help");
+  }
+  return words;
 }
 
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {
@@ -75,12 +103,14 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   add_computing_commands(program, call);
   add_stress_command(program, call);
   add_input_commands(program, call);
-  check_command(program, argc, argv);
+  std::vector<std::string> words = arguments(argc, argv);
+  check_command(program, words);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
-    program.parse(argc, argv);
+    program.parse(words);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);
-    throw contact::InputError(fmt::format("{}; do: rollfem --help", error.what()));
+    throw contact::InputError(fmt::format("{}; do: rollfem --help", what_is_wrong(program, error)));
   }
   std::cout.flush();
   if (!std::cout && !reader_is_gone())

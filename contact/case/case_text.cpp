@@ -57,22 +57,6 @@ std::string range(const Key& key) {
   return bounds.infinite ? text + ", or inf" : text;
 }
 
-/// Number of insertions, deletions and replacements that make one word the other (Levenshtein).
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
 
 std::optional<double> ratio_of(const std::string& text) {
@@ -118,22 +102,6 @@ std::string allowed_values(const Key& key, const std::vector<std::string>& model
                          range(key));
   }
   return "";
-}
-
-std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
-  std::string nearest;
-  // Half of the letters may be wrong, or else the guess would puzzle more than it helps.
-  std::size_t smallest = (std::min<std::size_t>(name.size(), 40) + 1) / 2 + 1;
-  if (name.size() > 80) return nearest;
-  for (const std::string& candidate : candidates) {
-    const bool part = name.size() > 2 && candidate.find(name) != std::string::npos;
-    const std::size_t distance = part ? 1 : edit_distance(name, candidate);
-    if (distance < smallest) {
-      smallest = distance;
-      nearest = candidate;
-    }
-  }
-  return nearest;
 }
 
 }  // namespace rollfem::contact

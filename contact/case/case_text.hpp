@@ -22,7 +22,4 @@ std::string joined(const std::vector<std::string>& texts);
 /// words of `models`, which its declaration does not know.
 std::string allowed_values(const Key& key, const std::vector<std::string>& models = {});
 
-/// The candidate that is nearest to a misspelt name; empty when none is near.
-std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
-
 }  // namespace rollfem::contact

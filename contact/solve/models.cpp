@@ -1,6 +1,7 @@
 #include "contact/solve/models.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/nearest_name.hpp"
 #include "contact/result/validity.hpp"
 
 #include <fmt/format.h>
@@ -66,8 +67,8 @@ const ModelInfo* ModelRegistry::find(const std::string& name) const {
 
 const ModelInfo& ModelRegistry::at(const std::string& name, const std::string& asked_by) const {
   if (const ModelInfo* model = find(name)) return *model;
-  throw InputError(fmt::format("{} {}: there is no such model; allowed: {}; do: name one of them",
-                               asked_by, name, listed(names())));
+  throw InputError(fmt::format("{} {}: there is no such model; {}allowed: {}; do: name one of them",
+                               asked_by, name, did_you_mean(name, names()), listed(names())));
 }
 
 std::string ModelRegistry::advice(const ModelInput& input) const {

@@ -74,6 +74,8 @@ TEST(Call, VersionAndHelpAreAnswered) {
   for (const char* command : {"run", "check", "new-case"})
     EXPECT_NE(help.out.find(command), std::string::npos) << help.out;
   EXPECT_EQ(call(folder, {"run", "--help"}).status, 0);
+  EXPECT_EQ(call(folder, {"help"}).out, help.out);
+  EXPECT_EQ(call(folder, {"help", "run"}).out, call(folder, {"run", "--help"}).out);
 }
 
 TEST(Call, WrongCallsAreRefused) {
@@ -81,14 +83,17 @@ TEST(Call, WrongCallsAreRefused) {
   const std::string file = folder.file("case.toml", small_case);
   expect_refused(call(folder, {}), "no command is given");
   expect_refused(call(folder, {"bogus"}), "bogus: there is no such command");
+  expect_refused(call(folder, {"rnu"}), "rnu: there is no such command; did you mean run? ");
   expect_refused(call(folder, {""}), "");
   expect_refused(call(folder, {"--bogus"}), "do: rollfem --help");
   expect_refused(call(folder, {"check"}), "case is required");
   expect_refused(call(folder, {"check", file, "more"}), "more");
   expect_refused(call(folder, {"run"}), "no case file");
-  expect_refused(call(folder, {"run", file, "--model", "fme"}), "--model fme");
+  expect_refused(call(folder, {"run", file, "--model", "fme"}),
+                 "--model fme: there is no such model; did you mean fem? ");
   expect_refused(call(folder, {"run", file, "--model"}), "--model");
   expect_refused(call(folder, {"run", file, "--bogus"}), "--bogus");
+  expect_refused(call(folder, {"run", file, "--modle=hertz"}), "did you mean --model?");
   expect_refused(call(folder, {"docs", "novel"}), "novel");
   EXPECT_TRUE(folder.made().empty());
 }
