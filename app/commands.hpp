@@ -26,12 +26,14 @@ struct Call {
   ProfileRequest profile = {};
   std::string check_file = {};
   std::string new_case_file = {};
+  std::string drawn_directory = {};
   std::string page = {};
 };
 
 /// Each adds its commands; `call` outlives the parse.
 void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study
 void add_stress_command(CLI::App& program, Call& call);
-void add_input_commands(CLI::App& program, Call& call);  ///< mesh, profile, check, new-case, docs
+void add_input_commands(CLI::App& program,
+                        Call& call);  ///< mesh, profile, check, new-case, report, docs
 
 }  // namespace rollfem::app

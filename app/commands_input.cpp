@@ -2,12 +2,15 @@
 #include "app/commands.hpp"
 #include "app/expected_choice.hpp"
 #include "app/models.hpp"
+#include "app/places.hpp"
 #include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/scene/what_follows.hpp"
 #include "halfspace/model/registry.hpp"
+#include "postprocess/write/case_schema.hpp"
+#include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
 
@@ -73,7 +76,20 @@ void check_case(const std::string& file, const contact::ModelRegistry& models) {
   std::cout << expected_choice(input, models);
 }
 
+void draw_report(const std::string& directory) {
+  const auto holds = [&](const char* file) {
+    return std::filesystem::exists(std::filesystem::path(directory) / file);
+  };
+  if (!holds("results.h5") && !holds("compare.json") && !holds("study.json"))
+    throw contact::InputError(fmt::format(
+        "report: {} holds no result; do: name a folder that rollfem run, compare or study wrote",
+        directory));
+  const std::string problem = postprocess::make_report(directory, script_directory().string());
+  if (!problem.empty()) throw contact::InputError("report: " + problem);
+}
+
 std::string page_text(const std::string& page, const contact::ModelRegistry& models) {
+  if (page == "schema") return postprocess::case_schema(model_words(models));
   if (page == "models") return models_markdown(models);
   if (page == "quantities") return contact::quantities_markdown();
   return contact::case_reference_markdown(model_words(models));
@@ -116,11 +132,20 @@ void add_input_commands(CLI::App& program, Call& call) {
   fresh->footer("example: rollfem new-case -o my_case.toml");
   fresh->callback([&call] { new_case(call.new_case_file, call.models); });
 
+  CLI::App* report = program.add_subcommand(
+      "report", "draw figures and report of a result again, or of one that was written without");
+  report->add_option("result", call.drawn_directory, "folder of a run, a comparison or a study")
+      ->required();
+  report->footer("example: rollfem report results/thesis_a");
+  report->callback([&call] { draw_report(call.drawn_directory); });
+
   CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
-  docs->add_option("page", call.page,
-                   "case-file, models, or quantities: the table in docs/results.md")
+  docs->add_option(
+          "page", call.page,
+          "case-file, models, quantities: the table in docs/results.md, or schema: the JSON "
+          "schema of case files, by which editors complete and check them")
       ->required()
-      ->check(CLI::IsMember({"case-file", "models", "quantities"}));
+      ->check(CLI::IsMember({"case-file", "models", "quantities", "schema"}));
   docs->footer("example: rollfem docs case-file > docs/case-file.md");
   docs->callback([&call] { std::cout << page_text(call.page, call.models); });
 }

@@ -46,7 +46,7 @@ void check_before(const RunRequest& request, const contact::Case& input,
                              contact::listed(models.names(&contact::ModelInfo::has_stress)));
   };
   if (!input.subsurface.empty()) warn("[[subsurface]]");
-  if (input.output.stress_maxima.value_or(false)) warn("[output] stress_maxima");
+  if (input.output.stress_maxima) warn("[output] stress_maxima");
 }
 
 void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {

@@ -130,8 +130,8 @@ void check_stored(const StoredModel& stored, const PointResult& point, std::size
   const std::vector<std::size_t>& kept = stored.points_with_bodies;
   if (kept.empty())
     throw InputError(fmt::format(
-        "{}: the bodies of model {} are not stored; they are in results of this version unless the "
-        "case has [output] fields = false or body_fields = \"none\"; do: run the case again",
+        "{}: the bodies of model {} are not stored; do: run the case again with [output] "
+        "body_fields = \"all\" (and without fields = false)",
         request.result, stored.key));
   if (std::find(kept.begin(), kept.end(), number) != kept.end()) return;
   throw InputError(fmt::format(

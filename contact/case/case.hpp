@@ -200,10 +200,10 @@ struct FemOptions {
 enum class BodyFields { all, last, none };
 
 struct OutputOptions {
-  std::vector<std::string> paths{"x", "y"};  ///< middle lines written as path_x.csv, path_y.csv
-  bool fields = true;                        ///< ParaView files, and what body_fields says
-  BodyFields body_fields = BodyFields::all;  ///< only with `fields`
-  std::optional<bool> stress_maxima;         ///< not given: with the model fem only
+  std::vector<std::string> paths{"x", "y"};   ///< middle lines written as path_x.csv, path_y.csv
+  bool fields = true;                         ///< ParaView files, and what body_fields says
+  BodyFields body_fields = BodyFields::none;  ///< only with `fields`
+  bool stress_maxima = false;
   /// Whether load point k of `count` keeps displacement and stress of wheel and rail.
   bool keeps_bodies(std::size_t k, std::size_t count) const {
     return fields &&

@@ -100,10 +100,11 @@ std::string case_reference_markdown(const ModelWords& models) {
       "<!-- Made by `rollfem docs case-file` from the declarations in contact/case/keys_*.cpp; "
       "do not edit. -->\n\n"
       "A case file is TOML. Units: mm, N, MPa, rad; x is the rolling direction, y lateral, z "
-      "normal "
-      "into the wheel.\nUnknown keys, wrong types, values out of bounds and contradictions are "
-      "errors that name file, line and key.\n`rollfem new-case` prints a commented template, "
-      "`rollfem check FILE` what was understood.\n";
+      "normal into the wheel.\nUnknown keys, wrong types, values out of bounds and contradictions "
+      "are errors that name file, line and key.\n`rollfem new-case` prints a commented template, "
+      "`rollfem check FILE` what was understood.\n`rollfem docs schema > case.schema.json` is the "
+      "JSON schema: with `#:schema case.schema.json` as the first\nline of a case, editors that "
+      "know schemas of TOML complete keys and check values.\n";
   for (const Section& section : case_sections()) {
     text += section.name.empty()
                 ? "\n## Before the first section\n\n"

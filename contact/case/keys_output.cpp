@@ -17,13 +17,12 @@ SectionWithKeys output_section() {
   keys.choice("body_fields")
       .says(
           "Load points at which displacement (mm) and stress (MPa) of wheel and rail (model fem) "
-          "are kept, as ParaView files and in results.h5, from which rollfem stress reads them.")
+          "are kept, as ParaView files and in results.h5, from which rollfem stress reads them: "
+          "some "
+          "12 MB a load point, and about as long to recover as the load point takes to solve.")
       .into(&OutputOptions::body_fields,
             {{"all", BodyFields::all}, {"last", BodyFields::last}, {"none", BodyFields::none}});
   keys.toggle("stress_maxima")
-      .example("true")
-      .otherwise(
-          "true for the model fem, false for halfspace, where it costs some 0.3 s a load point")
       .says(
           "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail at "
           "every load point, with their places (models fem and halfspace).")

@@ -113,7 +113,7 @@ struct StressOutput::Implementation {
 
   Implementation(const contact::Scene& the_input, const BodyPair& bodies,
                  const contact::ContactGrid& grid, double reach, bool fields)
-      : scene(the_input), maxima(the_input.output.stress_maxima.value_or(true)), keeps(fields) {
+      : scene(the_input), maxima(the_input.output.stress_maxima), keeps(fields) {
     const std::size_t last = count() - 1;
     if (!wanted(last)) return;
     for (std::size_t b = 0; b < 2; ++b) {

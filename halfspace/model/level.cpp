@@ -152,7 +152,7 @@ void check_curved(const Scene& scene) {
   };
   refuse(!scene.geometry.has_surfaces(), "undeformed_distance");
   refuse(scene.given_pressure.has_value(), "given_pressure");
-  refuse(!scene.subsurface.empty() || scene.output.stress_maxima.value_or(false),
+  refuse(!scene.subsurface.empty() || scene.output.stress_maxima,
          "subsurface stresses, which are those of a plane half-space");
 }
 

@@ -171,7 +171,7 @@ void set_bars(const Scene& scene, Levels& levels) {
 
 /// Stresses below the surface as far as the case asks for them, with their bars.
 void add_stresses(const Scene& scene, Levels& levels, ModelResult& result) {
-  const bool maxima = scene.output.stress_maxima.value_or(false);
+  const bool maxima = scene.output.stress_maxima;
   if (scene.subsurface.empty() && !maxima) return;
   const contact::Stopwatch watch;
   for (auto* level : {&levels.coarsest, &levels.coarse, &levels.fine}) {

@@ -61,7 +61,7 @@ constexpr double spread_on_plane = 0.03;
 double follows_surface(const PlacedScene& placed) {
   const contact::Scene& scene = placed.scene;
   if (!scene.geometry.has_surfaces() || scene.given_pressure || !scene.subsurface.empty() ||
-      scene.output.stress_maxima.value_or(false))
+      scene.output.stress_maxima)
     return 0.0;
   const double part =
       std::clamp(placed.contact.spread_of_normals / spread_on_plane - 1.0, 0.0, 1.0);

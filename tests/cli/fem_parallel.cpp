@@ -25,7 +25,8 @@ std::string coarse_case(const std::string& solver) {
          "[rolling]\nlongitudinal_creepage = 0.001\nlateral_creepage = 0.0005\n"
          "[fem]\ncell_size = 1.4\nlinear_solver = \"" +
          solver +
-         "\"\n[[subsurface.line]]\nfrom = [-3, -2, 0.4]\nto = [3, 2, "
+         "\"\n[output]\nstress_maxima = true\nbody_fields = \"all\"\n"
+         "[[subsurface.line]]\nfrom = [-3, -2, 0.4]\nto = [3, 2, "
          "6]\npoints = 9\n[[subsurface.surface]]\nbody = \"rail\"\nfrom = [1, -5]\nto = [1, "
          "5]\npoints = 9\n";
 }

@@ -76,6 +76,21 @@ TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
   EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 20) << outcome.err;
 }
 
+TEST(Run, WithoutAReportGetsItLater) {
+  const Folder folder;
+  const std::string result = folder.output("result").string();
+  ASSERT_EQ(
+      call(folder, {"run", "--no-report", folder.file("quick.toml", quick), "-o", result}).status,
+      0);
+  EXPECT_FALSE(fs::exists(fs::path(result) / "report.html"));
+  const Outcome outcome = call(folder, {"report", result});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(fs::path(result) / "report.html"));
+  expect_refused(call(folder, {"report", "nowhere"}), "nowhere holds no result; do: ");
+  fs::create_directory(folder.work() / "empty");
+  expect_refused(call(folder, {"report", "empty"}), "empty holds no result; do: ");
+}
+
 TEST(Run, QuietPrintsNothing) {
   const Folder folder;
   const Outcome outcome =

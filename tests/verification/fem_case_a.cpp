@@ -57,6 +57,7 @@ contact::Case case_a() {
   contact::Case input =
       contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_a.toml");
   input.output.fields = false;
+  input.output.stress_maxima = true;
   // Below the middle, in both bodies, where CONTACT's values are.
   for (const bool wheel : {true, false})
     for (const StressBelow& row : stresses_below) {

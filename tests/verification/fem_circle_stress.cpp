@@ -29,6 +29,7 @@ const contact::ModelResult& solution() {
         "title = \"circle\"\nmodels = [\"fem\"]\n[load]\nnormal_force = 50e3\n[friction]\n"
         "coefficient = 0.001\n[wheel]\nrolling_radius = 405.0\ntransverse_radius = "
         "inf\n[rail]\ntransverse_radius = 405.0\n"
+        "[output]\nstress_maxima = true\n"
         "[[subsurface.surface]]\nbody = \"rail\"\nfrom = [0, 0]\nto = [0, 4.5]\npoints = 19\n"
         "[[subsurface.surface]]\nfrom = [0, -4.5]\nto = [0, 0]\npoints = 19\n",
         "circle.toml");

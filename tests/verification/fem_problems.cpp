@@ -31,7 +31,6 @@ Case case_b() {
   input.fem.extent = 30.0;
   input.fem.linear_solver = contact::LinearSolver::factorisation;
   input.output.fields = false;
-  input.output.stress_maxima = false;
   return input;
 }
 

@@ -32,7 +32,6 @@ contact::Case plain_case(double creepage) {
   input.rolling.creepages = {{creepage, 0.0, 0.0}};
   input.fem.mesh = contact::MeshFamily::structured;
   input.fem.extent = 36.0;
-  input.output.stress_maxima = false;
   return input;
 }
 
@@ -84,7 +83,6 @@ contact::Scene left_wheel(contact::MeshFamily family) {
   scene.fem.mesh = family;
   scene.fem.linear_solver = contact::LinearSolver::factorisation;
   scene.fem.extent = 30.0;
-  scene.output.stress_maxima = false;
   return scene;
 }
 

@@ -16,7 +16,6 @@ contact::Case study_case(const std::string& name) {
   contact::Case input =
       contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
   input.rolling.creepages = {contact::Creepage{}};
-  input.output.stress_maxima = false;
   return input;
 }
 
