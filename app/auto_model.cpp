@@ -52,7 +52,7 @@ choice::ContactSize size_of(const Scene& scene) {
 }
 
 bool asks_for_stress(const Scene& scene) {
-  return !scene.subsurface.empty() || scene.output.stress_maxima.value_or(false);
+  return !scene.subsurface.empty() || scene.output.stress_maxima;
 }
 
 /// Why a model is out of the question for the scene; empty: it is not.

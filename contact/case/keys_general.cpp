@@ -14,7 +14,8 @@ SectionWithKeys general_section() {
   keys.choices("models")
       .says(
           "The models that `run` computes, in this order; `--model` on the command line overrides "
-          "it. `auto`, alone, takes the cheapest of halfspace, hybrid and fem that meets `accuracy` "
+          "it. `auto`, alone, takes the cheapest of halfspace, hybrid and fem that meets "
+          "`accuracy` "
           "(docs/choice.md).")
       .by([](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
           [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); });
