@@ -123,6 +123,7 @@ class Bars {
        const PointResult* coarsest, PointResult& fine)
       : load_(scene.points[k]),
         friction_(scene.friction_coefficient()),
+        couples_(scene.material.couples()),
         grid_(grid),
         coarse_(coarse),
         coarsest_(coarsest),
@@ -170,13 +171,19 @@ class Bars {
   double length() const { return std::sqrt(fine_.semi_axis_x * fine_.semi_axis_y); }
   /// N mm per mm rolled, by which the works of friction and creepages differ; 0 but in steady
   /// rolling.
+  static double imbalance_of(const PointResult& point) {
+    if (!point.frictional_work || !point.creepage_work) return 0.0;
+    return *point.frictional_work - *point.creepage_work;
+  }
+  /// What of it the grid makes. Between unlike materials pressure, shifted by friction, works as
+  /// well, on every grid alike.
   double imbalance() const {
-    if (!fine_.frictional_work || !fine_.creepage_work) return 0.0;
-    return *fine_.frictional_work - *fine_.creepage_work;
+    return imbalance_of(fine_) - (couples_ ? imbalance_of(coarse_) : 0.0);
   }
 
   const contact::LoadPoint& load_;
   double friction_;
+  bool couples_;  ///< pressure and friction
   const ContactGrid& grid_;
   const PointResult& coarse_;
   const PointResult* coarsest_;

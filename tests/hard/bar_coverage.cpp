@@ -2,7 +2,12 @@
 // finer. benchmarks/bar_coverage.cpp has the same for 1000.
 #include "support/bar_coverage.hpp"
 
+#include "halfspace/model/model.hpp"
+
 #include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
+#include <cmath>
 
 namespace rollfem {
 namespace {
@@ -33,6 +38,26 @@ TEST(BarCoverage, HoldsForEveryQuantity) {
     EXPECT_LE(row.bar_over_error, 13.0) << name;
     EXPECT_LE(row.fine_bar_over_bar, 0.6) << name;
   }
+}
+
+/// Between unlike bodies pressure works as well, so that the works of friction and of the creepages
+/// never agree: that is no error of the grid.
+TEST(BarCoverage, OfUnlikeMaterialsFallsWithTheGrid) {
+  contact::Case input = testing::thesis_case('b');
+  input.wheel.material.poisson_ratio = 0.2;
+  input.rail.material.poisson_ratio = 0.4;
+  input.rolling.creepages = {{2e-4, 0.0, 0.0}};
+  const auto on = [&](int across) {
+    input.contact_grid.elements_across = across;
+    return halfspace::run_halfspace(contact::Scene(input), {}).points.front();
+  };
+  const contact::PointResult coarse = on(16), fine = on(64);
+  const double bar = coarse.error_estimate.at("traction_coefficient");
+  const double error = std::abs(coarse.traction_coefficient - fine.traction_coefficient);
+  EXPECT_GE(bar, error);
+  EXPECT_LE(bar, 13.0 * error + 1e-3 * input.friction_coefficient);
+  EXPECT_LE(fine.error_estimate.at("traction_coefficient"), 0.3 * bar);
+  EXPECT_GT(std::abs(*fine.frictional_work - *fine.creepage_work), 0.2 * *fine.creepage_work);
 }
 
 }  // namespace

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Does the model auto meet the accuracy, and at what cost? Over the scenes of benchmarks/scenes.py at 5, 1 and 0.2 %:
+its answer against a fine hybrid; its seconds of computing against always taking finite elements (as `rollfem check`
+predicts them) and against an oracle: the cheapest of half-spaces on several grids and of the fine hybrid that is
+as close as asked, which it knows because it has them all.
+
+    benchmarks/auto.py --program build/app/rollfem -o /tmp/auto
+
+Runs that are there already are read again, also those of benchmarks/model_error.py in the same folder.
+"""
+
+import argparse
+import re
+import subprocess
+from pathlib import Path
+
+import scenes
+from model_error import friction_of, whole_of
+
+# What accuracy_of asks for where a case does not say.
+QUANTITIES = ["max_pressure", "semi_axis_x", "semi_axis_y", "traction_coefficient"]
+GRIDS = [16, 24, 32, 48, 80]
+# Finite elements of the finest grid that auto takes over those on the grid for 1 %.
+FINEST_OVER_ONE_PERCENT = (48 / 24) ** 2.5
+
+
+def farthest(result, truth, friction):
+    """The largest error of a quantity and load point, as part of what percentages are of, and its name."""
+    if "failed" in result:
+        return float("inf"), result["failed"]
+    worst = (0.0, "")
+    for number, (point, right) in enumerate(zip(result["models"][0]["points"], truth["models"][0]["points"])):
+        whole = {**right, "friction": friction}
+        for name in QUANTITIES:
+            worst = max(worst, (abs(point[name] - right[name]) / whole_of(whole, name), f"{name} at {number + 1}"))
+    return worst
+
+
+def own_account(result, friction):
+    """What the result says of itself: the largest sum of bar and model error."""
+    return max((point["error_estimate"].get(name, 0.0) + point.get("model_error", {}).get(name, 0.0))
+               / whole_of({**point, "friction": friction}, name)
+               for point in result["models"][0]["points"] for name in QUANTITIES)
+
+
+def seconds_of_elements(options, scene, percent):
+    """What `rollfem check` expects finite elements to take; None: they are not expected to do."""
+    case = options.output / f"{scene.name}_check.toml"
+    case.write_text(scene.with_keys(accuracy=str(percent / 100), models='["auto"]'), "utf-8")
+    told = subprocess.run([options.program, "check", str(case)], capture_output=True, text=True, check=False).stdout
+    found = re.search(r"finite elements(?: would take|, \d+ across,) about ([\d.e+]+) s", told)
+    return float(found.group(1)) if found else None
+
+
+class Runs:
+    """Of one scene."""
+
+    def __init__(self, options, scene):
+        self.options, self.scene, self.friction = options, scene, friction_of(scene)
+
+    def run(self, word, model, **keys):
+        return scenes.run(self.options.program, self.options.output, f"{self.scene.name}_{word}",
+                          self.scene.with_keys(**keys), "--model", model)
+
+    def on_grid(self, across):
+        word = "hybrid" if across is None else f"half{across}"
+        model = "hybrid" if across is None else "halfspace"
+        return self.run(word, model, contact_grid__elements_across=str(across or self.options.across))
+
+    def oracle(self, truth, accuracy):
+        """Seconds and name of the cheapest run that is as close as asked; the fine hybrid always is."""
+        rows = [(self.on_grid(across), f"half-space, {across} across") for across in GRIDS]
+        close = [(run["cpu"], name) for run, name in rows if farthest(run, truth, self.friction)[0] <= accuracy]
+        return min([*close, (truth["cpu"], "hybrid")])
+
+    def row(self, percent):
+        truth = self.on_grid(None)
+        if "failed" in truth:
+            return {"failed": truth["failed"]}
+        auto = self.run(f"auto_{percent:g}", "auto", accuracy=str(percent / 100))
+        error, where = farthest(auto, truth, self.friction)
+        seconds, best = self.oracle(truth, percent / 100)
+        elements = seconds_of_elements(self.options, self.scene, percent)
+        if elements is None:
+            coarser = seconds_of_elements(self.options, self.scene, 1)
+            elements = None if coarser is None else FINEST_OVER_ONE_PERCENT * coarser
+        taken = auto["models"][0]["name"] if "models" in auto else "none"
+        return {"scene": self.scene.name, "error": 100 * error, "where": where, "taken": taken, "cpu": auto["cpu"],
+                "own": 100 * own_account(auto, self.friction) if "models" in auto else float("inf"),
+                "status": auto["status"], "oracle": seconds, "oracle_takes": best, "elements": elements}
+
+
+def table_line(percent, rows):
+    met = [row for row in rows if row["error"] <= percent]
+    said = [row for row in rows if row["error"] > percent and row["status"] == 1]
+    taken = ", ".join(f"{sum(row['taken'] == name for row in rows)} {name}" for name in ("halfspace", "hybrid", "fem"))
+    with_elements = [row for row in rows if row["elements"] is not None]
+    elements = sum(row["elements"] for row in with_elements)
+    ratio = sum(row["cpu"] for row in with_elements) / elements if elements else float("nan")
+    oracle = sum(row["oracle"] for row in rows)
+    total = sum(row["cpu"] for row in rows)
+    return (f"| {percent:g} % | {len(rows)} | {100 * len(met) / len(rows):.0f} | {len(said)} | {taken} | {total:.0f} | "
+            f"{elements:.0f}, {100 * ratio:.2g} % | {oracle:.0f}, {total / oracle:.2g} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--randoms", type=int, default=40, help="scenes beside the 20 that are always the same")
+    parser.add_argument("--every", type=int, default=1, help="take each so many of them only")
+    parser.add_argument("--across", type=int, default=80, help="elements across of the fine hybrid")
+    parser.add_argument("--percent", type=float, nargs="+", default=[5.0, 1.0, 0.2])
+    parser.add_argument("--rows", action="store_true", help="show every scene, else those that miss")
+    parser.add_argument("-o", "--output", type=Path, required=True)
+    options = parser.parse_args()
+    scenes.prepare(options.output)
+    lines = []
+    for percent in options.percent:
+        rows = []
+        for scene in scenes.scenes(options.seed, options.randoms)[::options.every]:
+            row = Runs(options, scene).row(percent)
+            if "failed" in row:
+                print(f"{scene.name}: {row['failed']}")
+                continue
+            rows.append(row)
+            if options.rows or row["error"] > percent:
+                print(f"{percent:g} % {row['scene']}: {row['taken']}, {row['cpu']:.2g} s, off by {row['error']:.2g} % "
+                      f"({row['where']}), by its own account {row['own']:.2g} %, status {row['status']}; "
+                      f"oracle: {row['oracle_takes']}, {row['oracle']:.2g} s", flush=True)
+        if rows:
+            lines.append(table_line(percent, rows))
+    print("\n| accuracy | scenes | met, % | missed and said so | taken | s | finite elements: s, auto of it | oracle: s, "
+          "auto over it |\n|---|---|---|---|---|---|---|---|\n" + "\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()
