@@ -119,3 +119,14 @@ MANCHESTER = {"left": {
     9: (720.4903, 7.1643, 0.8676, -43.4346, 11970, -0.5608, -0.8251, 0.03447, 2640, 186, -0.02266, 0.03341, 0.001588),
     10: (721.088, 6.5066, 0.7992, -44.3815, 11440, -0.5673, -0.8217, 0.03411, 2643, 177, -0.02378, 0.03445,
         0.001486)}}
+# Deep-groove rolling in CONTACT (github.com/eve70a/CONTACT, testbank/examples_conformal/groove_li: a wheel of 420 mm,
+# 10 mm across, 10 kN, G 80 000, nu 0.28, mu 0.3, no force along rolling), by the groove's radius in mm: on half-spaces rolled
+# out flat p0 (MPa), approach (mm), creepage of free rolling; with Blanco's coefficients (variant 3) p0 where pressure is
+# found once (r2447), where friction is fed back (with five outer iterations, which the input file asks for today; as quoted
+# to this project), and their creepage.
+CONTACT_GROOVES = {
+    10.25: {"p0": 530.2, "approach": 0.022367, "creepage": -2.3007e-4, "p0_turned": 527.4, "p0_turned_back": 520.6,
+            "creepage_turned": -2.3418e-4},
+    10.10: {"p0": 409.3, "approach": 0.019392, "creepage": -4.4108e-4, "p0_turned": 405.9, "p0_turned_back": 397.6,
+            "creepage_turned": -4.5857e-4},
+    10.05: {"p0": 348.7, "approach": 0.017427, "creepage": -6.4950e-4, "p0_turned_back": 336.1}}

@@ -23,7 +23,7 @@ contact::PointResult point_of(const contact::Case& input) {
 }  // namespace
 
 TEST(DeepGroove, RollsFreelyAsInContact) {
-  // CONTACT, testbank/examples_conformal/groove_li (r2707), half-spaces, mu = 0.3, F_x = 0, on 64
+  // CONTACT, testbank/examples_conformal/groove_li (r2447), half-spaces, mu = 0.3, F_x = 0, on 64
   // by 23 elements: p0, approach and creepage. Spin about normals that lean makes lateral friction,
   // which carries 1.6 % of the load at 10.25 mm and 2.6 % at 10.10 mm.
   struct Groove {

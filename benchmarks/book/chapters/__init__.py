@@ -1,5 +1,6 @@
 """The chapters in the order of the book."""
 from .bodies import elements, incompressible, inertia, persson
+from .conformal import conformal_contact
 from .curvature import curvature_slip
 from .fem import fem_hertz
 from .friction import cattaneo, creep_frequency, spence, transient
@@ -12,4 +13,4 @@ from .thesis import half_space_limits, thesis_cases
 
 ALL = [hertz, grid_order, steuermann, cattaneo, spence, carter, bentall_johnson, nowell_hills, kalker, benchmark_9,
        fastsim, transient, creep_frequency, stress_circle, stress_case_a, elements, persson, fem_hertz, incompressible,
-       inertia, thesis_cases, half_space_limits, hybrid, curvature_slip, wheel_on_rail, manchester]
+       inertia, thesis_cases, half_space_limits, hybrid, curvature_slip, conformal_contact, wheel_on_rail, manchester]

@@ -1,0 +1,137 @@
+"""Conformal contact: what CONTACT prints and why, curved half-spaces, the hybrid, and how far each theory goes."""
+import numpy as np
+from matplotlib import pyplot as plt
+
+from rollfem_figures import style
+
+from .. import conformal_records as records, published, turned_half_space
+from ..chapter import Chapter, Cost, Row, Table
+from ..page import number, percent
+
+GROOVE, CORNER = "cases/conformal_groove.toml", "cases/conformal_corner.toml"
+FREE = {"rolling.problem": '"steady"\nlongitudinal_force = 0.0'}
+FORCE = 10e3
+
+
+def _groove(bench, radius, models, settings=None, name=""):
+    return bench.run(f"conformal_groove_{round(100 * radius)}{name}", GROOVE, models,
+                     {"rail.transverse_radius": -radius, **(settings or {})})
+
+
+def _turned_patch(radius):
+    scene = turned_half_space.Scene(10.0, radius, 420.0, True, 80e3)
+    reach_x, reach_s = {10.25: (3.4, 3.3), 10.10: (2.9, 4.9), 10.05: (2.7, 6.3)}[radius]
+    return turned_half_space.Patch(scene, 0.2, 0.25, reach_x, reach_s)
+
+
+def _contact_rows(bench, cost):
+    """The half-space with CONTACT's friction against CONTACT."""
+    rows = []
+    for radius, printed in published.CONTACT_GROOVES.items():
+        model = _groove(bench, radius, ["halfspace"], FREE, "_free").model("halfspace")
+        point = model.points[0]
+        for words, unit, key, value, allowed in (
+                ("p0", "MPa", "max_pressure", printed["p0"], 2e-3), ("approach", "mm", "approach", printed["approach"], 1e-3),
+                ("creepage of free rolling", "", "longitudinal_creepage", printed["creepage"], 4e-3)):
+            rows.append(Row(f"groove of {radius} mm, mu = 0.3, F_x = 0: {words}", unit, value, point[key], allowed,
+                            by="half-space, curved"))
+        cost.append(Cost(f"groove of {radius} mm, half-space, F_x = 0", model.seconds["total"], model.unknowns))
+    return rows
+
+
+def _step_rows():
+    """CONTACT's steps one after the other, by the book's own half-space."""
+    patch, printed = _turned_patch(10.25), published.CONTACT_GROOVES[10.25]
+    flat = turned_half_space.under_force(patch, FORCE, 0.0224, False, printed["creepage"])
+    once = turned_half_space.under_force(patch, FORCE, 0.0222, True, printed["creepage_turned"])
+    back = turned_half_space.under_force(patch, FORCE, 0.0223, True, printed["creepage_turned"], True)
+    words = "groove of 10.25 mm, mu = 0.3, F_x = 0: p0"
+    corner = turned_half_space.Patch(turned_half_space.Scene(10.0, 10.2, 650.54, False, 82e3, along_the_normal=True),
+                                     0.4, 0.4, 10.0, 7.6)
+    normal = turned_half_space.pressure(corner, 0.09089, False)
+    return [Row(words, "MPa", printed["p0"], flat["p0"], 2e-3, by="book: rolled out flat"),
+            Row(words, "MPa", printed["p0_turned"], once["p0"], 2e-3, by="book: turned, pressure found once"),
+            Row(words, "MPa", printed["p0_turned_back"], back["p0"], 3e-3, by="book: turned, friction fed back"),
+            Row("corner, given approach: p0", "MPa", 1012.0, normal.max(), 2e-3, by="book: x²/2R along the normal"),
+            Row("corner, given approach: sum of pressure", "kN", 91.84, 1e-3 * normal.sum() * corner.area, 3e-3,
+                by="book: x²/2R along the normal")], flat["friction_part"]
+
+
+def _truth_rows():
+    """The hybrid against directions turned: two ways to what the curved half-space lacks."""
+    rows = []
+    for radius in records.GROOVES:
+        turned = turned_half_space.under_force(_turned_patch(radius), FORCE,
+                                               published.CONTACT_GROOVES[radius]["approach"], True)
+        rows.append(Row(f"groove of {radius} mm, no friction: p0", "MPa", turned["p0"], records.GROOVES[radius]["p0"], 3e-3,
+                        by="hybrid (record), against the book: turned"))
+    return rows
+
+
+def _groove_table(bench, cost):
+    """Theories against the hybrid at given force; (Table, [(ratio, {theory: {quantity: difference}})])."""
+    lines, sweep = [], []
+    for radius in records.GROOVES:
+        result = _groove(bench, radius, ["hertz", "halfspace"])
+        cost.append(Cost(f"groove of {radius} mm, half-space", result.model("halfspace").seconds["total"],
+                         result.model("halfspace").unknowns))
+        truth = records.GROOVES[radius]
+        away = {}
+        for name, words in (("hertz", "Hertz"), ("halfspace", "half-space, curved")):
+            point = result.model(name).points[0]
+            away[name] = {short: point[key] / truth[short] - 1 for short, key in
+                          (("p0", "max_pressure"), ("a", "semi_axis_x"), ("b", "semi_axis_y"), ("approach", "approach"))}
+            lines.append([f"{radius} mm", words, *(f"{number(truth[k] * (1 + away[name][k]), 5)} ({percent(away[name][k])})"
+                                                  for k in ("p0", "a", "b", "approach"))])
+        lines.append([f"{radius} mm", "hybrid", *(number(truth[k], 5) for k in ("p0", "a", "b", "approach"))])
+        sweep.append((truth["b"] / 10.0, away))
+    return Table("Grooves at 10 kN without friction, differences to the hybrid: p0 in MPa, semi-axes and approach in mm.",
+                 ["groove", "theory", "p0", "a", "b", "approach"], lines), sweep
+
+
+def _corner_tables():
+    head = ["", "F_z, kN", "sum of pressure, kN", "p0, MPa"]
+    without = Table("Corner at the approach of 0.09089 mm without friction, and what the rest of the body changes:", head,
+                    [list(line) for line in records.CORNER])
+    friction = Table("Corner, friction of 0.3, the whole rigid slip of CONTACT's cases 4 and 5 (`extra_slip = \"file\"`):",
+                     ["", "F_x, kN", "F_s along the arc, kN", "sum of pressure, kN", "p0, MPa"],
+                     [list(line) for line in records.CORNER_FRICTION])
+    return [without, friction]
+
+
+def _figure(bench, sweep):
+    figure, axes = plt.subplots(1, 2, figsize=(8.4, 3.4), sharex=True)
+    ratio = [0.0, *(at for at, _ in sweep)]
+    for axis, quantity, words in ((axes[0], "p0", "$p_0$"), (axes[1], "approach", "the approach")):
+        for name, label in (("hertz", "Hertz, plane half-space"), ("halfspace", "half-space, curved")):
+            ink, dash, mark = style.LOOKS[name]
+            axis.plot(ratio, [0.0, *(100 * away[name][quantity] for _, away in sweep)], color=ink, linestyle=dash,
+                      marker=mark, label=label)
+        axis.axhspan(-1, 1, color=style.GREY, alpha=0.15, linewidth=0)
+        axis.set_xlabel("half the patch / radius across")
+        axis.set_ylabel(f"difference in {words} [%]")
+    axes[0].legend(fontsize="small", loc="lower left")
+    figure.tight_layout()
+    return bench.save(figure, "conformal")
+
+
+def conformal_contact(bench):
+    """Conformal contact: CONTACT's numbers explained, and how far each theory goes"""
+    cost = []
+    rows = _contact_rows(bench, cost)
+    steps, part = _step_rows()
+    rows += steps + _truth_rows()
+    table, sweep = _groove_table(bench, cost)
+    return Chapter(
+        "conformal-contact", "Conformal contact: grooves and corners",
+        "A wheel of 420 mm and 10 mm across in grooves of 10.25, 10.10, 10.05 mm under 10 kN "
+        "([case](../../cases/conformal_groove.toml)), and a rail's corner of 10 mm in a wheel's root of 10.2 mm at a given "
+        "approach ([case](../../cases/conformal_corner.toml)).",
+        "CONTACT's printed results (testbank/examples_conformal/groove_li and examples/conformal of its repository); "
+        "a half-space of the book's own that does what CONTACT does and nothing else (`benchmarks/book/turned_half_space.py`); "
+        "records of the hybrid with the commands that made them (`benchmarks/book/conformal_records.py`).",
+        rows, tables=[table, *_corner_tables()],
+        figures=[(_figure(bench, sweep), "Hertz and the curved half-space less the hybrid in the grooves at 10 kN; grey: 1 %")],
+        cost=cost,
+        tests=["verification.DeepGroove.RollsFreelyAsInContact", "verification.CornerInARoot.SumOfPressureIsNotTheForce"],
+        after=records.VERDICT.format(part=number(100 * part, 2)))
