@@ -28,13 +28,6 @@ double estimated_error(const std::vector<double>& values, double assumed_order,
          (std::exp2(assumed_order) - 1.0);
 }
 
-double estimate_scale(double friction_coefficient, const PointResult& point,
-                      const std::string& name) {
-  const Quantity& of = quantity_named(name);
-  return std::max(std::abs(quantity(point, name)),
-                  0.01 * full_sliding(of, point, friction_coefficient));
-}
-
 WorstError worst_error(const AccuracyRequest& asked, double friction_coefficient,
                        const std::vector<PointResult>& points) {
   WorstError worst;

@@ -11,11 +11,6 @@
 
 namespace rollfem::contact {
 
-/// Errors of forces in partial slip below this over the number of elements across are not believed,
-/// relative to the value: what the leading edge leaves uncertain on the contact grid, whatever the
-/// elasticity (found on 10 problems, docs/accuracy.md).
-constexpr double least_rolling_error = 0.15;
-
 /// The change between two grids is taken times this where the order is 1 on the whole but no two
 /// grids are even, as is usual for two grids (Roache 1994).
 constexpr double uneven_safety = 1.5;
@@ -27,11 +22,6 @@ constexpr double uneven_safety = 1.5;
 /// they have opposite signs.
 double estimated_error(const std::vector<double>& values, double assumed_order,
                        double least_order = 1.0);
-
-/// What a smallest believed error is a part of: the value, or a hundredth of full sliding where
-/// that is more, since a force that vanishes is uncertain, too.
-double estimate_scale(double friction_coefficient, const PointResult& point,
-                      const std::string& name);
 
 /// The largest error of what is asked for.
 struct WorstError {

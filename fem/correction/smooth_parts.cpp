@@ -35,7 +35,7 @@ constexpr int load_degree = 4;
 constexpr int field_degree = 6;
 /// Cells in the smaller semi-axis of the patch. With five in place of three case f changes by 0.02
 /// % in p0 and 2e-4 of mu in its forces.
-constexpr double cells_in_semi_axis = 3.0;
+constexpr double usual_cells_in_semi_axis = 3.0;
 /// The ellipsoid is that much larger than the patch.
 constexpr double room = 1.05;
 
@@ -192,6 +192,11 @@ struct Pair {
 }  // namespace
 
 halfspace::SmoothParts find_smooth_parts(const Scene& scene, const contact::Progress& progress) {
+  return find_smooth_parts_with(usual_cells_in_semi_axis, scene, progress);
+}
+
+halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const Scene& scene,
+                                              const contact::Progress& progress) {
   check(scene);
   contact::ProgressEvent event;
   event.model = "hybrid";

@@ -15,4 +15,9 @@ namespace rollfem::fem {
 halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
                                          const contact::Progress& progress);
 
+/// The same with so many cells in the smaller semi-axis of the patch in place of three.
+halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis,
+                                              const contact::Scene& scene,
+                                              const contact::Progress& progress);
+
 }  // namespace rollfem::fem
