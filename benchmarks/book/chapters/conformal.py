@@ -133,5 +133,6 @@ def conformal_contact(bench):
         rows, tables=[table, *_corner_tables()],
         figures=[(_figure(bench, sweep), "Hertz and the curved half-space less the hybrid in the grooves at 10 kN; grey: 1 %")],
         cost=cost,
-        tests=["verification.DeepGroove.RollsFreelyAsInContact", "verification.CornerInARoot.SumOfPressureIsNotTheForce"],
+        tests=["verification.DeepGroove.RollsFreelyAsInContact", "verification.CornerInARoot.SumOfPressureIsNotTheForce",
+               "verification.HybridInAGroove.HasThePressureOfDirectionsTurned"],
         after=records.VERDICT.format(part=number(100 * part, 2)))
