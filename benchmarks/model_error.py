@@ -73,16 +73,16 @@ def differences(scene, asked, other):
     return rows
 
 
-def is_above_noise(row):
-    return abs(row["difference"]) > max(row["noise"], ROUNDING)
+def counts(row, least):
+    return abs(row["difference"]) > max(row["noise"], ROUNDING, least)
 
 
 def short(number):
     return f"{number:.2g}" if number < 100 else f"{number:.0f}"
 
 
-def line(name, rows):
-    counted = [row for row in rows if is_above_noise(row)]
+def line(name, rows, least):
+    counted = [row for row in rows if counts(row, least)]
     if not counted:
         return f"| {name} | {len(rows)} | 0 | | | | | |"
     ratios = sorted(row["estimate"] / abs(row["difference"]) for row in counted)
@@ -98,7 +98,7 @@ HEAD = ("| numbers | above the bars | within a factor of 2, % | at least half, %
         "difference, %: median, largest |\n|---|---|---|---|---|---|---|---|")
 
 
-def print_tables(rows, theories):
+def print_tables(rows, theories, least=0.0):
     groups = [("quantity", lambda row: row["quantity"]), ("scenes", lambda row: row["kind"])]
     if theories:
         groups.append(("theory", lambda row: row["model"]))
@@ -106,13 +106,14 @@ def print_tables(rows, theories):
         print(f"| {title} {HEAD}")
         names = list(dict.fromkeys(key(row) for row in rows))
         for name in names:
-            print(line(name, [row for row in rows if key(row) == name]))
+            print(line(name, [row for row in rows if key(row) == name], least))
+        print(line("all", rows, least))
         print()
 
 
 def print_worst(rows, count):
     """Where an estimate is off by more than a factor of two, the largest differences first."""
-    off = [row for row in rows if is_above_noise(row)
+    off = [row for row in rows if counts(row, 0.0)
            and not 0.5 <= row["estimate"] / abs(row["difference"]) <= 2]
     for row in sorted(off, key=lambda row: -max(abs(row["difference"]), row["estimate"]))[:count]:
         print(f"{row['scene']} {row['model']} {row['point'] + 1} {row['quantity']}: estimate {row['estimate']:.3g} %, "
@@ -126,6 +127,7 @@ def main():
     parser.add_argument("--randoms", type=int, default=40, help="scenes beside the 20 that are always the same")
     parser.add_argument("--across", type=int, default=80)
     parser.add_argument("--theories", action="store_true", help="theories against the half-space")
+    parser.add_argument("--least", type=float, default=0.0, help="percent: count no smaller differences")
     parser.add_argument("--worst", type=int, default=0, help="show so many of the estimates that are off")
     parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
@@ -138,7 +140,7 @@ def main():
                 print(f"{scene.name}: {failed[0]}")
             if not failed:  # a theory need not take every scene
                 rows += differences(scene, asked, other)
-    print_tables(rows, options.theories)
+    print_tables(rows, options.theories, options.least)
     print_worst(rows, options.worst)
 
 
