@@ -100,7 +100,7 @@ class Solver {
     if (name == "halfspace") {
       const bool known = scene_.geometry.has_surfaces();
       made.estimates_model_error = known;
-      if (!known) made.no_model_error = "what it leaves out of bodies that are not known is not";
+      if (!known) made.no_model_error = "the bodies are known by their distance alone";
       made.solve = [this, known](int across) {
         Scene scene = on_grid(scene_, across);
         scene.model_error = known && estimated_.empty();

@@ -27,12 +27,19 @@ constexpr double near_enough = 1.25;
 /// part, so that a cheap model is not ruled out, nor its first grid made too fine, by a guess.
 constexpr double believed_of_expected = 1.0 / 3.0;
 
+std::string duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.0f} h", seconds / 3600.0);
+}
+
 /// What a model that is not taken would cost, or why it is none.
-std::string not_taken(const Forecast& forecast, double accuracy) {
+/// `times`: seconds here for a predicted one.
+std::string not_taken(const Forecast& forecast, double accuracy, double times = 1.0) {
   if (!forecast.cannot.empty()) return fmt::format("{}: {}", forecast.label, forecast.cannot);
   if (const auto plan = cheapest({forecast}, accuracy))
-    return fmt::format("{} would take about {:.2g} s", forecast.label,
-                       forecast.levels[plan->level].seconds);
+    return fmt::format("{} would take about {}", forecast.label,
+                       duration(times * forecast.levels[plan->level].seconds));
   if (forecast.model_error > accuracy)
     return fmt::format("{} {} {}", forecast.label,
                        forecast.model_error_found ? "leaves out" : "should leave out about",
@@ -114,13 +121,14 @@ class Choice {
     Reached reached = reached_by(result, wanted_.accuracy, wanted_.friction_coefficient,
                                  !candidate.estimates_model_error || source);
     agree(reached);
+    calibrate(plan, seconds);
     learn(forecast, plan.level, reached.most_discretisation, seconds);
     if (candidate.estimates_model_error) {
       forecast.model_error = reached.most_model;
       forecast.model_error_found = true;
     }
     for (Forecast& other : forecasts_)
-      if (other.corrects == forecast.model) learn_from_corrected(other, forecast, plan.level);
+      if (&other != &forecast) learn_from(other, forecast, plan.level);
     const bool better = !best_ || reached.together() < reached_best();
     attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, seconds, reached};
     met_ = reached.together() <= accuracy_;
@@ -161,18 +169,26 @@ class Choice {
   /// What was taken.
   std::string taken() const {
     const Attempt& attempt = *attempts_[best_->model];
-    const std::string& why = candidates_[best_->model].no_model_error;
-    return fmt::format("{}, {} across, {:.2g} s: {}{}", forecasts_[best_->model].label,
-                       attempt.across, attempt.seconds, attempt.reached.text(),
-                       why.empty() ? "" : ", " + why);
+    return fmt::format("{}, {} across, {}: {}", forecasts_[best_->model].label, attempt.across,
+                       duration(attempt.seconds),
+                       attempt.reached.text(candidates_[best_->model].no_model_error));
   }
 
   std::string left(std::size_t m) const {
     const Forecast& forecast = forecasts_[m];
     if (const auto& attempt = attempts_[m])
-      return fmt::format("{}, {} across, {:.2g} s, has {}", forecast.label, attempt->across,
-                         attempt->seconds, attempt->reached.text());
-    return not_taken(forecast, accuracy_);
+      return fmt::format("{}, {} across, {}, has {}", forecast.label, attempt->across,
+                         duration(attempt->seconds), attempt->reached.text());
+    return not_taken(forecast, accuracy_, times_);
+  }
+
+  /// This machine, as busy as it is, against the one that seconds are predicted for. A corrected
+  /// model says nothing of it, whose correction may have been kept from an earlier run.
+  void calibrate(const Plan& plan, double seconds) {
+    constexpr double worth_it = 0.1;  // s; less is other things than solving
+    const double predicted = forecasts_[plan.model].levels[plan.level].seconds;
+    if (seconds > worth_it && predicted > worth_it && forecasts_[plan.model].corrects.empty())
+      times_ = seconds / predicted;
   }
 
   ModelResult finished() {
@@ -204,6 +220,7 @@ class Choice {
   std::vector<std::optional<Attempt>> attempts_;
   std::optional<Best> best_;
   std::exception_ptr failure_;
+  double times_ = 1.0;
   bool met_ = false;
 };
 
@@ -219,8 +236,8 @@ std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, boo
   if (plan) {
     const Forecast& forecast = forecasts[plan->model];
     const Level& level = forecast.levels[plan->level];
-    text = fmt::format("{}, {} across, {}{:.2g} s: discretisation {}, model {}", forecast.label,
-                       level.across, level.solved ? "" : "about ", level.seconds,
+    text = fmt::format("{}, {} across, {}{}: discretisation {}, model {}", forecast.label,
+                       level.across, level.solved ? "" : "about ", duration(level.seconds),
                        percent(level.discretisation), percent(forecast.model_error));
   }
   for (std::size_t m = 0; others && m < forecasts.size(); ++m)

@@ -24,7 +24,7 @@ struct Candidate {
   std::function<contact::ModelResult(int across)> solve;
   /// Model errors that its results do not carry are unknown, unless it says that there are none.
   bool estimates_model_error = false;
-  std::string no_model_error = {};  ///< why it is not asked for the estimate; empty: none needed
+  std::string no_model_error = {};  ///< why its model error cannot be known; empty: it can
 };
 
 struct Wanted {

@@ -17,12 +17,9 @@ void each_level(const std::vector<Forecast>& forecasts, bool unsolved, const Vis
   }
 }
 
-/// Errors of levels that were not solved, from one that is so good.
-void follow(std::vector<Level>& levels, int across, double discretisation) {
-  for (Level& level : levels)
-    if (!level.solved)
-      level.discretisation =
-          discretisation * std::pow(static_cast<double>(across) / level.across, assumed_order);
+/// What a grid is expected to miss where another one does so much.
+double expected_of(const Level& level, int across, double discretisation) {
+  return discretisation * std::pow(static_cast<double>(across) / level.across, assumed_order);
 }
 
 }  // namespace
@@ -52,14 +49,20 @@ void learn(Forecast& forecast, std::size_t at, double discretisation, double sec
   level.discretisation = discretisation;
   level.seconds = seconds;
   level.solved = true;
-  follow(forecast.levels, level.across, discretisation);
+  for (Level& other : forecast.levels)
+    if (!other.solved) other.discretisation = expected_of(other, level.across, discretisation);
 }
 
-void learn_from_corrected(Forecast& forecast, const Forecast& corrected, std::size_t at) {
-  const Level& level = corrected.levels.at(at);
-  follow(forecast.levels, level.across, level.discretisation);
-  if (!corrected.model_error_found || !std::isfinite(corrected.model_error)) return;
-  forecast.model_error = forecast.uncertain_part * corrected.model_error;
+void learn_from(Forecast& forecast, const Forecast& solved, std::size_t at) {
+  const Level& found = solved.levels.at(at);
+  const bool corrects = forecast.corrects == solved.model;
+  for (Level& level : forecast.levels) {
+    if (level.solved || !std::isfinite(found.discretisation)) continue;
+    const double expected = expected_of(level, found.across, found.discretisation);
+    level.discretisation = corrects ? expected : std::max(level.discretisation, expected);
+  }
+  if (!corrects || !solved.model_error_found || !std::isfinite(solved.model_error)) return;
+  forecast.model_error = forecast.uncertain_part * solved.model_error;
   forecast.model_error_found = true;
 }
 

@@ -55,7 +55,8 @@ double least_error(const std::vector<Forecast>& forecasts, bool unsolved = false
 /// Level `at` was solved: the errors of those that were not follow from it.
 void learn(Forecast& forecast, std::size_t at, double discretisation, double seconds);
 
-/// What was found of the model that `forecast` corrects (level `at` of it).
-void learn_from_corrected(Forecast& forecast, const Forecast& corrected, std::size_t at);
+/// Level `at` of another model was solved: the one that `forecast` corrects has its grids and a
+/// part of its model error; of any other the grids are no better on as many elements.
+void learn_from(Forecast& forecast, const Forecast& solved, std::size_t at);
 
 }  // namespace rollfem::choice

@@ -40,13 +40,15 @@ std::string percent(double part) {
   return fmt::format("{:.2g} %", 100.0 * part);
 }
 
-std::string Reached::text() const {
+std::string Reached::text(const std::string& why_unknown) const {
   if (quantity.empty()) return "no error";
   const contact::ErrorScale scale = contact::quantity_named(quantity).scale;
-  const std::string of =
-      scale == contact::ErrorScale::value ? "" : fmt::format(" of {}", contact::text_of(scale));
-  return fmt::format("discretisation {}, model {}{} ({} at load point {})", percent(discretisation),
-                     percent(model), of, quantity, point);
+  const bool of_value = scale == contact::ErrorScale::value;
+  const std::string of = fmt::format("{}{} ({} at load point {})", of_value ? "" : " of ",
+                                     of_value ? "" : contact::text_of(scale), quantity, point);
+  const std::string grid = "discretisation " + percent(discretisation);
+  if (!why_unknown.empty()) return fmt::format("{}{}, model unknown: {}", grid, of, why_unknown);
+  return fmt::format("{}, model {}{}", grid, percent(model), of);
 }
 
 Reached reached_by(const contact::ModelResult& result, const contact::AccuracyRequest& asked,

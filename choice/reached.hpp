@@ -19,7 +19,8 @@ struct Reached {
   double most_model = 0.0;
   double together() const { return discretisation + model; }
   /// "discretisation 0.6 %, model 0.2 % of mu (traction_coefficient at load point 2)"
-  std::string text() const;
+  /// Where the model error is not known: "discretisation 0.6 % of mu (...), model unknown: WHY".
+  std::string text(const std::string& why_unknown = "") const;
 };
 
 /// A quantity that should have a bar and has none counts as wholly unknown (infinity). Without

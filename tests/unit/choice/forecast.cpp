@@ -60,12 +60,20 @@ TEST(Forecast, ACorrectedModelHasAPartOfTheErrorOfThePlainOne) {
   corrected.uncertain_part = 0.1;
   learn(plain, 0, 0.04, 1.0);
   plain.model_error = 0.02;
-  learn_from_corrected(corrected, plain, 0);
+  learn_from(corrected, plain, 0);
   EXPECT_DOUBLE_EQ(corrected.model_error, 0.5) << "the plain one's was not found";
   plain.model_error_found = true;
-  learn_from_corrected(corrected, plain, 0);
+  learn_from(corrected, plain, 0);
   EXPECT_DOUBLE_EQ(corrected.model_error, 0.002);
   EXPECT_DOUBLE_EQ(corrected.levels[2].discretisation, 0.04 / 8.0);
+  Forecast other = model("other", 0.0, 100.0);
+  learn_from(other, plain, 0);
+  EXPECT_DOUBLE_EQ(other.levels[0].discretisation, 0.04)
+      << "no grid is better than the plain one's";
+  learn(plain, 2, 1e-4, 1.0);
+  learn_from(other, plain, 2);
+  EXPECT_DOUBLE_EQ(other.levels[0].discretisation, 0.04);
+  EXPECT_EQ(other.model_error, 0.0);
 }
 
 }  // namespace
