@@ -141,7 +141,15 @@ std::string place_line(const contact::ContactPlace& place) {
 /// More patches than this are told in a line each.
 constexpr std::size_t most_told = 3;
 
-/// One line for each result: place and the first load point.
+/// Of the numbers of a row: their bars, or why they have none.
+std::string bars_of_row(const PointResult& point) {
+  return fmt::format(
+      "{:<78}{:>10} {:>10} {:>11} {:>8}\n", "", contact::bar_text(point, "normal_force"),
+      contact::bar_text(point, "max_pressure"), contact::bar_text(point, "longitudinal_creepage"),
+      contact::bar_text(point, "traction_coefficient"));
+}
+
+/// Two lines for each result: place and the first load point, and its bars.
 std::string row_table(const std::vector<ModelResult>& models) {
   std::string text =
       fmt::format("{:<7}{:>4}{:>6}{:>9}{:>11}{:>11}{:>10}  {:<18}{:>10}{:>11}{:>12}{:>9}\n",
@@ -157,6 +165,7 @@ std::string row_table(const std::vector<ModelResult>& models) {
         place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
         place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
         point.max_pressure, point.creepage.longitudinal, point.traction_coefficient);
+    text += bars_of_row(point);
   }
   return text;
 }

@@ -58,25 +58,33 @@ bool is_given(const Scene& scene, const ModelResult& result, std::size_t k,
 /// Of the problem without friction.
 bool is_of_normal_problem(const Quantity& quantity) {
   const std::string name = quantity.name;
-  for (const char* one : {"normal_force", "max_pressure", "approach", "semi_axis_x", "semi_axis_y",
-                          "contact_length", "contact_width", "contact_area"})
+  for (const char* one :
+       {"normal_force", "max_pressure", "approach", "semi_axis_x", "semi_axis_y", "contact_length",
+        "contact_width", "contact_area", "patch_x_middle", "patch_y_middle"})
     if (name == one) return true;
   return false;
+}
+
+/// Found for a prescribed force: the creepage where it rolls, the shift where it does not.
+bool is_found(const Scene& scene, const PrescribedForce& force, const std::string& name) {
+  const bool shifts = scene.problem == Problem::shift;
+  return (force.longitudinal &&
+          name == (shifts ? "longitudinal_shift" : "longitudinal_creepage")) ||
+         (force.lateral && name == (shifts ? "lateral_shift" : "lateral_creepage"));
 }
 
 /// The word of a value without a bar.
 std::string word_of(const Scene& scene, const BarRules& rules, const ModelResult& result,
                     std::size_t k, const Quantity& quantity) {
   const std::string name = quantity.name;
-  const PrescribedForce force = force_of(scene, result, k);
-  const bool found =
-      (force.longitudinal && (name == "longitudinal_creepage" || name == "longitudinal_shift")) ||
-      (force.lateral && (name == "lateral_creepage" || name == "lateral_shift"));
   if (scene.turns_freely && is_creepage(name)) return no_bar::balance;
-  if (*quantity.no_bar != '\0' && !found) return quantity.no_bar;
+  if (*quantity.no_bar != '\0' && !is_found(scene, force_of(scene, result, k), name))
+    return quantity.no_bar;
   if (is_given(scene, result, k, name)) return no_bar::given;
+  // Of true profiles an ellipse is made first, which is no longer their contact.
   const bool exact = rules.hertzian && !scene.has_profiles();
-  if (exact && is_of_normal_problem(quantity)) return no_bar::exact;
+  if (rules.hertzian && is_of_normal_problem(quantity))
+    return exact ? no_bar::exact : no_bar::theory;
   // Forces that a model without friction does not have, and all that does not slip.
   if (exact && result.points[k].max_traction == 0.0 &&
       (quantity.of_friction() || name == "adhesion_area"))

@@ -26,7 +26,8 @@ inline constexpr const char* not_estimated = "not estimated";
 
 /// What a model says of values without a bar.
 struct BarRules {
-  /// Patch, pressure and approach are Hertz's closed form where there are no true profiles.
+  /// Patch, pressure and approach are Hertz's closed form: exact where there are no true profiles,
+  /// a theory of an ellipse where there are.
   bool hertzian = false;
   /// Of its other values: a word of no_bar.
   const char* otherwise = no_bar::not_estimated;

@@ -44,8 +44,10 @@ bool friction_moves_pressure(const Scene& scene) {
 
 Scene rough_scene(const Scene& scene, bool with_friction, std::size_t points) {
   Scene rough = points == scene.points.size() ? scene : at_largest_load(scene);
-  if (!with_friction && !friction_moves_pressure(scene))
+  if (!with_friction && !friction_moves_pressure(scene)) {
     rough.problem = contact::Problem::frictionless;
+    for (contact::LoadPoint& point : rough.points) point.force = {};
+  }
   return on_few_elements(std::move(rough), elements_of_theories);
 }
 

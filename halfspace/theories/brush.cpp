@@ -222,8 +222,7 @@ void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int or
   estimate("spin_moment", &CreepForces::spin_moment);
   // What ends at a border within an element has its whole change.
   const auto uneven = [&](const char* name, double BrushTotals::*member, double scale) {
-    if (totals.*member > 0.0)
-      point.error_estimate[name] = scale * std::abs(totals.*member - coarse.*member);
+    point.error_estimate[name] = scale * std::abs(totals.*member - coarse.*member);
   };
   uneven("max_traction", &BrushTotals::max_traction, 1.0);
   uneven("max_traction_x", &BrushTotals::max_traction_x, 1.0);

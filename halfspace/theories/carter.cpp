@@ -36,9 +36,11 @@ BrushTotals sum_carter_strips(const EllipticPatch& patch, const contact::Creepag
     const CarterSolution strip = strip_solution(patch, creepage, y);
     totals.forces.longitudinal += width * strip.force();
     totals.forces.spin_moment -= width * y * strip.force();
+    totals.max_traction = std::max(totals.max_traction, strip.largest_traction());
     totals.adhesion_area += 2.0 * width * strip.stick_half_width();
     totals.contact_area += 2.0 * width * strip_contact(patch, y).half_width;
   }
+  totals.max_traction_x = totals.max_traction;
   return totals;
 }
 
@@ -92,6 +94,11 @@ double CarterSolution::traction(double x) const {
   return -std::copysign(contact_.friction * contact_.max_pressure * value, creepage_);
 }
 
+/// In adhesion the traction only falls towards the leading edge, and infinitely fast at first.
+double CarterSolution::largest_traction() const {
+  return std::abs(traction(std::min(0.0, stick_middle() - stick_)));
+}
+
 /// |w| over the saturation creepage. Under the traction sqrt(1 - t^2) the slope of the displacement
 /// is proportional to t inside and to t + sqrt(t^2 - 1) behind (Johnson 1985, eq. 8.11).
 double CarterSolution::unit_slip(double x) const {
@@ -113,10 +120,8 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
   const EllipticPatch patch = elliptic_patch(scene);
   const auto fill = [&](contact::PointResult& point) {
     fill_fields(patch, point);
-    set_largest_tractions(point);
     const BrushTotals totals = sum_carter_strips(patch, point.creepage, strips);
-    set_forces(totals.forces, point);
-    point.adhesion_area *= totals.adhesion_area / totals.contact_area;
+    set_totals(totals, point);
     estimate_error(totals, sum_carter_strips(patch, point.creepage, (strips + 1) / 2), 2, point);
   };
   contact::ModelResult result =

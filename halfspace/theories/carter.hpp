@@ -26,7 +26,8 @@ class CarterSolution {
   double stick_middle() const { return contact_.half_width - stick_; }  ///< touches x = +a
   double force() const;                                                 ///< F_x, N/mm
   double traction(double x) const;                                      ///< p_x, MPa
-  double slip(double x) const;  ///< w_x in the contact, 0 in the stick zone
+  double largest_traction() const;  ///< |p_x|, MPa: where slip begins, or in the middle of it
+  double slip(double x) const;      ///< w_x in the contact, 0 in the stick zone
 
  private:
   double unit_slip(double x) const;

@@ -212,6 +212,9 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
   local.geometry = {};
   local.geometry.quadratic = {curvatures.A, curvatures.B};
   ModelResult result = run_hertz(local, progress);
+  result.notes.back() =
+      "patch, pressure, approach and area are those of the curvatures at the contact point; the "
+      "fields are sampled at element centres";
   const ExpectedPatch patch = expected_patch(scene, elements_for_ellipse);
   const auto differs = [](double a, double b) { return std::abs(a / b - 1.0) > worth_a_note; };
   if (differs(2.0 * hertz.semi_axis_x, patch.length()) ||

@@ -1,5 +1,6 @@
 #include "postprocess/stress/stress_report.hpp"
 
+#include "contact/result/bars.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/stress/shakedown.hpp"
 #include "postprocess/write/csv.hpp"
@@ -38,6 +39,31 @@ std::vector<StressMaximum> largest(const StressSet& set) {
   return found;
 }
 
+/// The name under which a result keeps the bar of one of its largest stresses, where `maximum` is
+/// that one; else empty.
+std::string name_of_stored(const PointResult& point, const StressMaximum& maximum) {
+  for (const StressMaximum& stored : point.stress_maxima)
+    if (stored.body == maximum.body && stored.measure == maximum.measure &&
+        stored.value == maximum.value)
+      return fmt::format("max_{}_{}", maximum.measure, maximum.body);
+  return {};
+}
+
+/// Stresses that are made of a stored result have the one grid that it keeps.
+std::string bar_of(const PointResult& point, const StressMaximum& maximum) {
+  const std::string text = contact::bar_text(point, name_of_stored(point, maximum));
+  return text.empty() ? contact::no_bar::one_grid : text;
+}
+
+/// "error_estimate" or "no_bar" of a stress.
+void add_bar(const PointResult& point, const StressMaximum& maximum, Json& entry) {
+  const auto bar = point.error_estimate.find(name_of_stored(point, maximum));
+  if (bar != point.error_estimate.end())
+    entry["error_estimate"] = bar->second;
+  else
+    entry["no_bar"] = bar_of(point, maximum);
+}
+
 const char* body_of(const StressSet& set) {
   return set.field.request.wheel ? "wheel" : "rail";
 }
@@ -48,21 +74,23 @@ Json place_json(const contact::ContactPlace& place) {
           {"patch", place.patch}};
 }
 
-Json maxima_json(const std::vector<StressMaximum>& maxima, double pressure, bool with_body) {
+Json maxima_json(const std::vector<StressMaximum>& maxima, const PointResult& point,
+                 bool with_body) {
   Json list = Json::array();
   for (const StressMaximum& maximum : maxima) {
     Json entry;
     if (with_body) entry["body"] = maximum.body;
     entry["measure"] = maximum.measure;
     entry["value"] = maximum.value;
-    if (pressure > 0.0) entry["over_max_pressure"] = maximum.value / pressure;
+    if (point.max_pressure > 0.0) entry["over_max_pressure"] = maximum.value / point.max_pressure;
     entry["place"] = maximum.place;
+    add_bar(point, maximum, entry);
     list.push_back(entry);
   }
   return list;
 }
 
-Json set_json(const StressSet& set, double pressure) {
+Json set_json(const StressSet& set, const PointResult& point) {
   static const char* const kinds[] = {"point", "line", "plane", "surface"};
   const contact::SubsurfaceRequest& request = set.field.request;
   Json entry{{"name", set.name},
@@ -71,7 +99,7 @@ Json set_json(const StressSet& set, double pressure) {
              {"points_along", request.points[0]},
              {"points_across", request.points[1]},
              {"moved", set.moved}};
-  entry["largest"] = maxima_json(largest(set), pressure, false);
+  entry["largest"] = maxima_json(largest(set), point, false);
   return entry;
 }
 
@@ -145,16 +173,19 @@ std::string heading(const StressOfModel& model, bool named) {
   else
     text += fmt::format(", xi = {:g}, eta = {:g}, spin = {:g} rad/mm", point.creepage.longitudinal,
                         point.creepage.lateral, point.creepage.spin);
-  return text + fmt::format("; F_z = {:g} N, p0 = {:.2f} MPa, T/F_z = {:.4f}\n", point.normal_force,
-                            point.max_pressure, tangential_coefficient(point));
+  return text + fmt::format("; F_z = {:g} N ({}), p0 = {:.2f} MPa ({}), T/F_z = {:.4f}\n",
+                            point.normal_force, contact::bar_text(point, "normal_force"),
+                            point.max_pressure, contact::bar_text(point, "max_pressure"),
+                            tangential_coefficient(point));
 }
 
-std::string row(const std::string& what, const StressMaximum& maximum, double pressure) {
+std::string row(const std::string& what, const StressMaximum& maximum, const PointResult& point) {
+  const double pressure = point.max_pressure;
   const auto& p = maximum.place;
   // Rounding must not print as -0.000.
   const auto zero = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };
-  return fmt::format("  {:<22}{:<6} {:<17}{:>10.2f}{:>9.4f}{:>10.3f}{:>9.3f}{:>9.3f}\n", what,
-                     maximum.body, maximum.measure, maximum.value,
+  return fmt::format("  {:<22}{:<6} {:<17}{:>10.2f} {:<11}{:>8.4f}{:>10.3f}{:>9.3f}{:>9.3f}\n",
+                     what, maximum.body, maximum.measure, maximum.value, bar_of(point, maximum),
                      pressure > 0.0 ? maximum.value / pressure : 0.0, zero(p[0]), zero(p[1]),
                      zero(p[2]));
 }
@@ -225,10 +256,9 @@ std::string stress_json(const StressReport& report) {
     entry["max_pressure"] = point.max_pressure;
     entry["max_traction"] = point.max_traction;
     entry["tangential_coefficient"] = tangential_coefficient(point);
-    entry["maxima"] = maxima_json(model.maxima, point.max_pressure, true);
+    entry["maxima"] = maxima_json(model.maxima, point, true);
     entry["sets"] = Json::array();
-    for (const StressSet& set : model.sets)
-      entry["sets"].push_back(set_json(set, point.max_pressure));
+    for (const StressSet& set : model.sets) entry["sets"].push_back(set_json(set, point));
     if (k) {
       entry["yield_ratio"] = yield_ratio(model.maxima, *k);
       entry["shakedown"] = shakedown_json(model, *k);
@@ -242,13 +272,13 @@ std::string stress_json(const StressReport& report) {
 std::string stress_table(const StressReport& report) {
   std::string text = report.title + "\n" + report.source + "\n";
   for (const StressOfModel& model : report.models) {
-    const double pressure = model.result.points[model.point].max_pressure;
-    text += fmt::format("\n{}  {:<22}{:<6} {:<17}{:>10}{:>9}{:>10}{:>9}{:>9}\n",
+    const PointResult& point = model.result.points[model.point];
+    text += fmt::format("\n{}  {:<22}{:<6} {:<17}{:>10} {:<11}{:>8}{:>10}{:>9}{:>9}\n",
                         heading(model, report.point_named), "largest", "body", "stress", "MPa",
-                        "of p0", "x in mm", "y", "z");
-    for (const StressMaximum& maximum : model.maxima) text += row("of the body", maximum, pressure);
+                        "+-", "of p0", "x in mm", "y", "z");
+    for (const StressMaximum& maximum : model.maxima) text += row("of the body", maximum, point);
     for (const StressSet& set : model.sets)
-      for (const StressMaximum& maximum : largest(set)) text += row(set.name, maximum, pressure);
+      for (const StressMaximum& maximum : largest(set)) text += row(set.name, maximum, point);
     if (report.yield_shear_stress) text += shakedown_table(model, *report.yield_shear_stress);
   }
   return text;

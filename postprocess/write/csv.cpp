@@ -220,14 +220,15 @@ std::string patches_csv(const RunRecord& run) {
       if (model.points[k].patch_count < 2) continue;
       int number = 0;
       for (const auto& part : contact::patch_parts(model.grid, model.points[k].fields))
-        text += fmt::format("{}{},{},{},{},{},{},{},{},{},{},{}\n", place_cells(model), model.name,
-                            k, ++number, part.x, part.y, part.length, part.width, part.normal_force,
-                            part.longitudinal_force, part.lateral_force, part.max_pressure);
+        text += fmt::format("{}{},{},{},{},{},{},{},{},{},{},{},{}\n", place_cells(model),
+                            model.name, k, ++number, part.x, part.y, part.length, part.width,
+                            part.normal_force, part.longitudinal_force, part.lateral_force,
+                            part.max_pressure, contact::no_bar::one_grid);
     }
   if (text.empty()) return text;
   return place_head(run) +
          "model,point,region [-],x [mm],y [mm],length [mm],width [mm],normal_force [N],"
-         "longitudinal_force [N],lateral_force [N],max_pressure [MPa]\n" +
+         "longitudinal_force [N],lateral_force [N],max_pressure [MPa],error_estimate\n" +
          text;
 }
 

@@ -1,5 +1,6 @@
 #include "postprocess/write/summary_json.hpp"
 
+#include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/point_table.hpp"
@@ -20,7 +21,9 @@ ordered_json part_json(const contact::PatchPart& part) {
           {"normal_force", part.normal_force},
           {"longitudinal_force", part.longitudinal_force},
           {"lateral_force", part.lateral_force},
-          {"max_pressure", part.max_pressure}};
+          {"max_pressure", part.max_pressure},
+          // Regions are told apart on the finest grid alone.
+          {"no_bar", contact::no_bar::one_grid}};
 }
 
 ordered_json point_json(const contact::ContactGrid& grid, const contact::PointResult& point) {

@@ -53,6 +53,9 @@ void expect_all_said(const json& summary) {
           EXPECT_GE(bars[quantity.name].get<double>(), 0.0) << at;
         } else if (without.contains(quantity.name)) {
           EXPECT_EQ(words.count(without[quantity.name].get<std::string>()), 1U) << at;
+          if (model["name"] != "fem") {
+            EXPECT_NE(without[quantity.name], contact::no_bar::not_estimated) << at;
+          }
         }
       }
       const json errors = point.value("model_error", json::object());
@@ -115,9 +118,11 @@ TEST(Bars, AreSaidOfWhatIsFoundForAForce) {
   const json summary = summary_of(small_case +
                                       "[contact_grid]\nelements_across = 20\n"
                                       "[rolling]\nlongitudinal_force = -10e3\n",
-                                  "halfspace");
+                                  "hertz,halfspace");
   expect_all_said(summary);
-  const json& point = summary["models"][0]["points"][0];
+  // Without friction there is no force to find.
+  EXPECT_GT(model_of(summary, "hertz")["points"][0]["model_error"]["max_pressure"], 0.0);
+  const json& point = model_of(summary, "halfspace")["points"][0];
   EXPECT_GT(point["error_estimate"]["longitudinal_creepage"].get<double>(), 0.0);
   EXPECT_EQ(point["no_bar"]["lateral_creepage"], "given");
 }
@@ -153,6 +158,9 @@ TEST(Bars, AreSaidOfPatchesOfProfiles) {
   expect_all_said(summary);
   for (const json& model : summary["models"])
     EXPECT_TRUE(model["points"][0].contains("vertical_force"));
+  // An ellipse of true profiles is no longer their contact.
+  for (const char* name : {"hertz", "fastsim"})
+    EXPECT_EQ(model_of(summary, name)["points"][0]["no_bar"]["max_pressure"], "theory") << name;
 }
 
 TEST(Bars, AreSaidOfWhatTheBalanceOfAWheelsetFinds) {

@@ -111,6 +111,26 @@ TEST_F(StressTest, AxisOfTheCircleIsThatOfHertz) {
   }
 }
 
+/// A run that looks for the largest stresses knows their bars; of one stored grid there are none.
+TEST_F(StressTest, LargestHaveTheBarsOfTheRun) {
+  const auto maxima = [&](const std::string& output) {
+    const std::string text = "models = [\"halfspace\"]\n" + small_case +
+                             "[contact_grid]\nelements_across = 40\n" + output;
+    EXPECT_EQ(call(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"})
+                  .status,
+              0);
+    EXPECT_EQ(stress({"--at", "0,0,-2"}).status, 0);
+    const json model = report(made())["models"][0];
+    EXPECT_EQ(model["sets"][0]["largest"][0]["no_bar"], "one grid");
+    return model["maxima"][0];
+  };
+  const json barred = maxima("[output]\nstress_maxima = true\n");
+  ASSERT_EQ(barred["measure"], "von_mises");
+  EXPECT_GT(barred["error_estimate"].get<double>(), 0.0);
+  EXPECT_LT(barred["error_estimate"].get<double>(), 0.02 * barred["value"].get<double>());
+  EXPECT_EQ(maxima("")["no_bar"], "one grid");
+}
+
 TEST_F(StressTest, CaseAIsThatOfContact) {
   // Stresses below the middle of case a as CONTACT (Vollebregt) gives them: z, u_z of the wheel,
   // von Mises, xx, yy, zz. To 1 % of p0 = 578.97 MPa asked, 0.2 % reached.

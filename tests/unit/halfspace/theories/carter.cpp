@@ -71,6 +71,22 @@ double slip_by_quadrature(const CarterContact& contact, const CarterSolution& ca
   return xi + 2.0 / (pi * contact.contact_modulus) * integral;
 }
 
+TEST(Carter, LargestTractionIsTheLargestOfAll) {
+  const CarterContact contact = benchmark();
+  for (const double part : {-1.5, -0.9, 0.05, 0.3, 0.6, 1.0}) {
+    const CarterSolution solution(contact, part * contact.saturation_creepage());
+    double largest = 0.0;
+    constexpr int places = 4000;
+    for (int k = 0; k <= places; ++k)
+      largest = std::max(
+          largest, std::abs(solution.traction(contact.half_width * (2.0 * k / places - 1.0))));
+    const double bound = contact.friction * contact.max_pressure;
+    EXPECT_GE(solution.largest_traction(), largest - 1e-12 * bound) << part;
+    EXPECT_NEAR(solution.largest_traction(), largest, 1e-2 * bound) << part;
+  }
+  EXPECT_EQ(CarterSolution(contact, 0.0).largest_traction(), 0.0);
+}
+
 TEST(Carter, SlipIsThatOfTheTraction) {
   const CarterContact contact = benchmark();
   for (const double xi : {2.4e-4, -4e-4, 9e-4}) {
