@@ -151,10 +151,12 @@ TEST(FemCaseA, EveryPointIsInEquilibriumClosedUnderPressureAndWithinTheTractionB
 
 TEST(FemCaseA, ErrorEstimatesCoverTheTrueErrorsAndAreOfTheirSize) {
   const contact::PointResult& point = solution().points.front();
+  // Hertz's bodies are half-spaces. These are curved, b/R_y = 0.005 and a/R = 0.009, and end: less
+  // than 0.1 % of difference, which is no error of theirs.
   const auto check = [&](const char* name, double value, double exact) {
     const double estimate = point.error_estimate.at(name);
-    EXPECT_LE(std::abs(value - exact), 1.5 * estimate) << name;
-    EXPECT_LT(estimate, 0.1 * exact) << name;
+    EXPECT_LE(std::abs(value - exact), estimate + 1e-3 * exact) << name;
+    EXPECT_LT(estimate, 0.02 * exact) << name;
   };
   check("max_pressure", point.max_pressure, exact_p0);
   check("approach", point.approach, 0.0473108);
