@@ -32,7 +32,12 @@ using halfspace::SmoothMap;
 
 /// Tractions are such polynomials times Hertz's ellipsoid, displacements are fitted by the others.
 constexpr int load_degree = 4;
-constexpr int field_degree = 6;
+constexpr int field_degree = 8;
+/// Beside the patch, where displacements flatten and only must not close the gap, they count less:
+/// what is felt is their derivative in the patch. With degree 6 and equal weights the slip of a
+/// sphere at rest was 5.6 % off, now 0.8 % (verification.Hybrid.HasTheSlipOfAnElasticSphere).
+constexpr double weight_beside = 0.2;
+constexpr double patch_ends = 1.15;  ///< in semi-axes
 /// Cells in the smaller semi-axis of the patch. With five in place of three case f changes by 0.02
 /// % in p0 and 2e-4 of mu in its forces.
 constexpr double usual_cells_in_semi_axis = 3.0;
@@ -99,13 +104,14 @@ struct Basis {
               0.5 * (y.maxCoeff() + y.minCoeff())};
     in = halfspace::polynomials(loads, load_degree, x, y);
     out = halfspace::polynomials(fields, field_degree, x, y);
-    fit.compute(out);
-    ellipsoid = Field(grid.size());
+    ellipsoid = weight = Field(grid.size());
     for (Index k = 0; k < ellipsoid.size(); ++k) {
       const double a = x[k] / loads.half_length;
       const double b = (y[k] - loads.middle) / loads.half_width;
       ellipsoid[k] = std::sqrt(std::max(0.0, 1.0 - a * a - b * b));
+      weight[k] = room * std::hypot(a, b) < patch_ends ? 1.0 : weight_beside;
     }
+    fit.compute(weight.asDiagonal() * out);
     const Field area = grid.element_area() * contact::patch_shape(surface, grid).stretch;
     moments.compute(in.transpose() * area.cwiseProduct(ellipsoid).asDiagonal() * in);
   }
@@ -120,6 +126,7 @@ struct Basis {
   SmoothBox loads, fields;
   MatrixXd in, out;
   Field ellipsoid;
+  Field weight;  ///< of the elements in the fit of displacements
   Eigen::ColPivHouseholderQR<MatrixXd> fit;
   Eigen::ColPivHouseholderQR<MatrixXd> moments;  ///< of the tractions, by the polynomials
 };
@@ -142,7 +149,7 @@ MatrixXd answers(const Basis& basis, LoadedBody& body, LoadedBody& twin, double 
       MatrixXd difference(basis.grid.size(), 3);
       difference << true_field.x - flat_field.x, true_field.y - flat_field.y,
           true_field.n - flat_field.n;
-      const MatrixXd fitted = sign * basis.fit.solve(difference);
+      const MatrixXd fitted = sign * basis.fit.solve(basis.weight.asDiagonal() * difference);
       result.col(component * ins + k) << fitted.col(0), fitted.col(1), fitted.col(2);
     }
   return result;

@@ -1,13 +1,17 @@
 // The hybrid: nothing where bodies are half-spaces, the strain of a loaded wheel where it is one,
 // and the finite elements' pressure and forces where the surfaces are steep.
 #include "contact/case/case_reader.hpp"
+#include "contact/scene/scene.hpp"
 #include "fem/correction/smooth_parts.hpp"
 #include "halfspace/model/model.hpp"
+#include "hybrid/compliance.hpp"
 #include "hybrid/model.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
+#include "support/recorded.hpp"
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -69,4 +73,45 @@ TEST(Hybrid, MeetsTheLimitOfFiniteElements) {
   EXPECT_NEAR(result.points[0].traction_coefficient, -0.12874, 1e-3 * 0.55);
   EXPECT_NEAR(result.points[1].traction_coefficient, 0.07434, 1e-3 * 0.55);
   EXPECT_NEAR(result.points[2].traction_coefficient, 0.41279, 1e-3 * 0.55);
+}
+
+TEST(Hybrid, HasTheSlipOfAnElasticSphere) {
+  // Under Hertz's pressure of 50 kN on a flat rail, in units of p0 a/(G R), positive as creepage:
+  // a polynomial through Lur'e's series (benchmarks/book/elastic_sphere.py, fem_sphere.cpp).
+  const auto exact = [](double x, double y) { return 0.24021 - 0.0464 * x * x - 0.1993 * y * y; };
+  constexpr double radius = 405.0, semi_axis = 5.0868168, max_pressure = 922.6121;
+  contact::Case input = study_case("a", {0.0});
+  input.wheel.transverse_radius = radius;
+  input.rail.transverse_radius = contact::infinity;
+  contact::Scene scene(input);
+  scene.follows_surface = 1.0;
+  const auto grid = contact::ContactGrid::centred(20, 20, 0.1 * semi_axis, 0.1 * semi_axis);
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
+  const hybrid::HybridCompliance compliance(scene, geometry, grid,
+                                            fem::find_smooth_parts(scene, {}));
+  const contact::Field hertz = grid.sample([](double x, double y) {
+    return max_pressure * std::sqrt(std::max(0.0, 1.0 - (x * x + y * y) / semi_axis / semi_axis));
+  });
+  const contact::Field none = contact::Field::Zero(grid.size());
+  const contact::Response response = compliance.respond({none, none, hertz});
+  const double shear_modulus = 210e3 / 2.6;
+  const double unit = max_pressure * semi_axis / radius / shear_modulus;
+  double sum = 0.0, exact_sum = 0.0, weight = 0.0, squares = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 1; i + 1 < grid.nx; ++i) {
+      const auto& u = response.displacement.x;
+      const int e = grid.index(i, j);
+      const double stretch = (u[grid.index(i + 1, j)] - u[grid.index(i - 1, j)]) / (2.0 * grid.dx);
+      const double slip = (response.curvature_slip.x[e] - stretch) / unit;
+      const double at = exact(grid.x(i) / semi_axis, grid.y(j) / semi_axis);
+      weight += hertz[e];
+      sum += hertz[e] * slip;
+      exact_sum += hertz[e] * at;
+      squares += hertz[e] * (slip - at) * (slip - at);
+    }
+  rollfem::testing::record("mean", sum / exact_sum);
+  rollfem::testing::record("shape", std::sqrt(squares * weight) / exact_sum);
+  EXPECT_NEAR(sum / exact_sum, 1.0, 0.02);
+  EXPECT_LT(std::sqrt(squares * weight) / exact_sum,
+            0.03);  // over the patch; 0.09 by a plain fit of degree 6
 }

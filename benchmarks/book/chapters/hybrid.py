@@ -135,7 +135,7 @@ def hybrid(bench):
         cost=[Cost(f"case {letter}, hybrid", result.seconds["total"], result.unknowns) for letter, (result, _) in found.items()]
         + [Cost(f"case f, {style.label(r)}, {note}", r.seconds["total"], r.unknowns) for line in series for (r, _), note in line
            if r is not found["f"][0]],
-        tests=["verification.Hybrid.MeetsTheLimitOfFiniteElements", "verification.Hybrid.HasTheStrainOfALoadedWheel"],
+        tests=["verification.Hybrid.MeetsTheLimitOfFiniteElements", "verification.Hybrid.HasTheSlipOfAnElasticSphere"],
         after="Nearly all of the hybrid's seconds are its correction, which is the same for every contact grid, creepage and friction. "
               "Contact elements of finite elements are as large as their cells: their force at partial slip has the error of so few. In e "
               "and f rows of elements across are not quite the same in both, which is most of what is not known of these limits.")
