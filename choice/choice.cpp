@@ -85,8 +85,13 @@ class Choice {
   /// What is to be solved; none where what is there is the best that can be had.
   std::optional<Plan> next() const {
     std::vector<Forecast> hoped = forecasts_;
-    for (Forecast& forecast : hoped)
-      if (!forecast.model_error_found) forecast.model_error *= believed_of_expected;
+    for (Forecast& forecast : hoped) {
+      if (forecast.model_error_found) continue;
+      forecast.model_error *= believed_of_expected;
+      // Nor is a fine grid laid before it is known.
+      if (forecast.model_error <= accuracy_)
+        forecast.model_error = std::min(forecast.model_error, 0.5 * accuracy_);
+    }
     if (const auto plan = cheapest(hoped, accuracy_, true)) return plan;
     const double least = near_enough * least_error(hoped, true);
     if (best_ && reached_best() <= least) return {};

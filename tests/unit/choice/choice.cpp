@@ -82,6 +82,19 @@ TEST(Choice, TakesTheCoarsestGridThatDoes) {
   }
 }
 
+TEST(Choice, LaysNoFineGridForAModelErrorThatIsExpectedOnly) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  auto all = candidates(toys);
+  all[0].forecast.model_error = 0.029;  // a third of it would leave 0.03 % to the grid
+  EXPECT_EQ(choose(all, wanted(0.01)).name, "corrected");
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 64}, {"corrected", 64}}));
+  toys.solved.clear();
+  all[0].forecast.model_error = 0.031;  // and of this no third is within 1 %
+  choose(all, wanted(0.01));
+  EXPECT_EQ(toys.solved, (Solved{{"corrected", 32}}));
+}
+
 TEST(Choice, RefinesWhatIsWorseThanExpected) {
   Toys toys;
   toys.plain.discretisation = 0.05;  // 0.0177 on 32, 0.00625 on 64
