@@ -5,6 +5,8 @@ Made with rollfem 0.1.0 at commit 2199ea1, some ten seconds of processor time ea
     rollfem run cases/conformal_groove.toml --model hybrid     with rail.transverse_radius = -10.25, -10.10, -10.05
     rollfem run cases/conformal_corner.toml --model hybrid     with contact_grid.elements_across = 30
 
+The groove of 10.25 mm with friction has rolling.problem = "steady", longitudinal_creepage = -2.31e-4 (F_x = -147 N) and 30
+elements across; segments of 35 mm are fem.extent = 35.0.
 With friction the corner has rolling.problem = "steady" (22 s) and all of its rigid slip from rolling.extra_slip_file, which is
 CONTACT's within 1e-6: with R = 10.1, t = s/R, s the arc, s_x = -0.004 + 0.0015372 R sin t - R (1 - cos t)/650.54 and
 s_y = -0.014 cos(pi/4 - t) - x sin(pi/4 - t)/460.
@@ -21,6 +23,7 @@ GROOVES = {10.25: {"p0": 530.026, "a": 3.0783, "b": 2.9423, "approach": 0.022217
 CORNER = [("half-space, curved", "90.04", "92.74", "1005.4"),
           ("CONTACT on half-spaces", "89.25", "91.84", "1012"),
           ("hybrid, segments of 8 semi-axes", "97.68 ± 0.77", "101.19", "1009.0 ± 2.3"),
+          ("hybrid, segments of 35 mm in place of 69 mm", "97.40", "", "1006.2"),
           ("CONTACT, coefficients by finite elements of others, friction of 0.3", "", "99.32", "1034")]
 # With friction and the rigid slip of CONTACT's cases 4 and 5: who, F_x, F_s, sum of pressure in kN, p0 in MPa.
 CORNER_FRICTION = [("half-space, curved", "10.56", "22.66", "92.74", "1005.4"),
@@ -40,7 +43,8 @@ normal, where the wheel's circle closes along z.
 **What "Blanco's" coefficients are.** No bodies by finite elements, but the half-space's coefficients with directions turned
 by the angle between two places (between like bodies the normal one is multiplied by its cosine). Without friction they give the
 pressure of the hybrid, whose bodies are meshed: in the grooves they are right about what a curved half-space lacks. CONTACT's
-520.6 MPa has, beyond that, friction that displaces the surfaces along the normal. Only the corner's second
+520.6 MPa has, beyond that, friction that displaces the surfaces along the normal; the hybrid with friction (xi = −2.31e-4)
+has 524.1 MPa, half way between 527.4 without and 520.6 with it. Only the corner's second
 set of coefficients is of meshed bodies: quarter and three-quarter spaces, whose flanks begin at 45 degrees where ours begin at
 44.4 ([meshes](../meshes.md#how-far-circles-go-on)). At a given approach they and the hybrid have 8 to 9 % more force than
 half-spaces. Both say that conformity adds a fifth to a quarter to F_x. What is left between them, 2 % in force
