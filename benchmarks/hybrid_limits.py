@@ -26,7 +26,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 CREEPAGES = (0.0, 0.001, 0.003)
 QUANTITIES = ("max_pressure", "semi_axis_x", "semi_axis_y", "approach", "traction_coefficient")
-# Cells in mm, the coarse ones first: a/4, a/6, those of the case files (a/8), a/12, a/16 of the smaller semi-axis.
+# Cells in mm, the coarse ones first: a/4 and those of the case files, a/8 of the smaller semi-axis; in f a/6 too.
 STRUCTURED = {"a": (0.948091, 0.47), "b": (1.22708, 0.6), "c": (0.618218, 0.31), "d": (0.618218, 0.31),
               "e": (0.948091, 0.47), "f": (0.948084, 0.632056, 0.47)}
 GMSH = {"a": (0.948091,), "f": (0.948084,)}
