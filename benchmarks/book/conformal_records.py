@@ -23,7 +23,7 @@ GROOVES = {10.25: {"p0": 530.026, "a": 3.0783, "b": 2.9423, "approach": 0.022217
 CORNER = [("half-space, curved", "90.04", "92.74", "1005.4"),
           ("CONTACT on half-spaces", "89.25", "91.84", "1012"),
           ("hybrid, segments of 8 semi-axes", "97.68 ± 0.77", "101.19", "1009.0 ± 2.3"),
-          ("hybrid, segments of 35 mm in place of 69 mm", "97.40", "", "1006.2"),
+          ("hybrid, segments of 35 mm in place of 63 mm", "97.40", "", "1006.2"),
           ("CONTACT, coefficients by finite elements of others, friction of 0.3", "", "99.32", "1034")]
 # With friction and the rigid slip of CONTACT's cases 4 and 5: who, F_x, F_s, sum of pressure in kN, p0 in MPa.
 CORNER_FRICTION = [("half-space, curved", "10.56", "22.66", "92.74", "1005.4"),
