@@ -26,10 +26,6 @@ using contact::Scene;
 /// Of the finite elements beside the half-space, where levels do not show one.
 constexpr double assumed_order = 1.5;
 
-/// Edges and fronts lie otherwise in the elements of bodies that are no half-spaces: this part of
-/// a half-space's bar says what that may change of an error that is known of the half-space.
-constexpr double moved_part = 0.5;
-
 /// Of the finest grid of half-spaces; seconds a load point.
 constexpr int most_elements = 200'000;
 
@@ -155,8 +151,9 @@ double bar_beside_half_spaces(const NumberOnLevels& number) {
     apart.push_back(number.finite[level] - number.half[level]);
   const double of_cells = contact::estimated_error(apart, assumed_order);
   const double known = number.half.back() - number.half_fine;
-  return std::sqrt(known * known + moved_part * moved_part * number.half_bar * number.half_bar +
-                   of_cells * of_cells);
+  // Edges and fronts of finite bodies lie otherwise in the elements: what is known of half-spaces
+  // there does not make their bar smaller.
+  return std::sqrt(known * known + number.half_bar * number.half_bar + of_cells * of_cells);
 }
 
 bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {

@@ -13,7 +13,7 @@ using namespace rollfem;
 
 /// What half-spaces leave when their bar is 0.2 and they are off by `known`.
 double of_the_grid(double known) {
-  return std::hypot(known, 0.5 * 0.2);
+  return std::hypot(known, 0.2);
 }
 
 TEST(FemErrorBars, FiniteElementsThatMoveAsHalfSpacesHaveTheErrorsOfTheirGrid) {
@@ -27,7 +27,7 @@ TEST(FemErrorBars, LevelsThatAgreeByChanceAreNotBelieved) {
   const double of_cells = 0.4 / (std::exp2(1.5) - 1.0);
   EXPECT_NEAR(fem::bar_beside_half_spaces({{3.0, 3.0}, {2.4, 2.0}, 0.2, 1.9}),
               std::hypot(of_the_grid(0.1), of_cells), 1e-12);
-  // Neither grid nor cells seem to change anything: something of the half-space's bar remains.
+  // Neither grid nor cells seem to change anything: the half-space's bar remains.
   EXPECT_NEAR(fem::bar_beside_half_spaces({{3.0, 3.0}, {2.0, 2.0}, 0.2, 2.0}), of_the_grid(0.0),
               1e-12);
 }
