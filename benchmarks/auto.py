@@ -48,8 +48,8 @@ def seconds_of_elements(options, scene, percent):
     case = options.output / f"{scene.name}_check.toml"
     case.write_text(scene.with_keys(accuracy=str(percent / 100), models='["auto"]'), "utf-8")
     told = subprocess.run([options.program, "check", str(case)], capture_output=True, text=True, check=False).stdout
-    found = re.search(r"finite elements(?: would take|, \d+ across,) about ([\d.e+]+) s", told)
-    return float(found.group(1)) if found else None
+    found = re.search(r"finite elements(?: would take|, \d+ across,) about ([\d.e+]+) (s|min|h)", told)
+    return float(found.group(1)) * {"s": 1, "min": 60, "h": 3600}[found.group(2)] if found else None
 
 
 class Runs:
