@@ -17,8 +17,13 @@ TEST(Check, AcceptsEveryCommittedCase) {
     if (entry.path().extension() != ".toml") continue;
     const Outcome outcome = call(folder, {"check", entry.path().string()});
     EXPECT_EQ(outcome.status, 0) << entry.path() << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    if (entry.path().filename().string().rfind("thesis_", 0) == 0) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("conformal_", 0) == 0)
+      EXPECT_EQ(outcome.err.rfind("warning: the patch is not small against the bodies", 0), 0u)
+          << name << outcome.err;
+    else
+      EXPECT_EQ(outcome.err, "") << name;
+    if (name.rfind("thesis_", 0) == 0) {
       EXPECT_NE(outcome.out.find("normal_force           50000 N"), std::string::npos);
     }
     ++cases;
