@@ -28,12 +28,13 @@ struct Call {
   std::string new_case_file = {};
   std::string drawn_directory = {};
   std::string page = {};
+  std::string cache_action = "list";
 };
 
 /// Each adds its commands; `call` outlives the parse.
 void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study
 void add_stress_command(CLI::App& program, Call& call);
 void add_input_commands(CLI::App& program,
-                        Call& call);  ///< mesh, profile, check, new-case, report, docs
+                        Call& call);  ///< mesh, profile, check, new-case, report, cache, docs
 
 }  // namespace rollfem::app

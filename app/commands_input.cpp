@@ -1,3 +1,4 @@
+#include "app/cache.hpp"
 #include "app/command_frame.hpp"
 #include "app/commands.hpp"
 #include "app/expected_choice.hpp"
@@ -138,6 +139,15 @@ void add_input_commands(CLI::App& program, Call& call) {
       ->required();
   report->footer("example: rollfem report results/thesis_a");
   report->callback([&call] { draw_report(call.drawn_directory); });
+
+  CLI::App* stored = program.add_subcommand(
+      "cache",
+      "what the model hybrid has stored for other runs on the same bodies, in $ROLLFEM_CACHE, else "
+      "~/.cache/rollfem");
+  stored->add_option("action", call.cache_action, "list (without it) or clear")
+      ->check(CLI::IsMember({"list", "clear"}));
+  stored->footer("example: rollfem cache clear\nAn empty ROLLFEM_CACHE switches it off.");
+  stored->callback([&call] { app::cache(call.cache_action); });
 
   CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
   docs->add_option(

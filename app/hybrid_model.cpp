@@ -1,16 +1,51 @@
 #include "app/hybrid_model.hpp"
 
+#include "app/correction_cache.hpp"
+#include "app/correction_file.hpp"
 #include "app/fem_library.hpp"
+#include "app/processes.hpp"
+#include "contact/base/stopwatch.hpp"
+#include "halfspace/model/correction_scene.hpp"
 #include "halfspace/model/refinements.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
 
 namespace rollfem::app {
 
 using contact::Demand;
 
+namespace {
+
+using halfspace::SmoothParts;
+
+/// In the cache, else by finite elements, which are then kept there.
+SmoothParts found_here(const contact::Scene& scene, const contact::Progress& progress) {
+  const contact::Scene correction = halfspace::correction_scene(scene);
+  const CorrectionCache cache;
+  const auto stored = cache.find(correction);
+  if (stored.parts) return *stored.parts;
+  const contact::Stopwatch watch;
+  SmoothParts parts = open_fem_library("model hybrid").find_smooth_parts(scene, progress);
+  const std::string why = cache.keep(correction, parts, watch.seconds());
+  for (const std::string& note : {stored.note, why})
+    if (!note.empty()) parts.notes.push_back(note);
+  return parts;
+}
+
+/// By the first process of a run, for all of them.
+SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progress& progress) {
+  const Processes here = processes();
+  if (here.count == 1) return found_here(scene, progress);
+  const std::string bytes = here.first() ? packed(values_of(found_here(scene, progress))) : "";
+  return parts_of(unpacked(open_fem_library("model hybrid").from_first(bytes)));
+}
+
+}  // namespace
+
 hybrid::FindParts smooth_parts_finder() {
-  return [](const contact::Scene& scene, const contact::Progress& progress) {
-    return open_fem_library("model hybrid").find_smooth_parts(scene, progress);
-  };
+  return find_smooth_parts;
 }
 
 contact::ModelInfo hybrid_model() {

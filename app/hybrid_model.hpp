@@ -7,8 +7,9 @@
 
 namespace rollfem::app {
 
-/// Finds what the bodies of a scene add to half-spaces. The library is opened when it is called;
-/// throws contact::InputError as open_fem_library does.
+/// Finds what the bodies of a scene add to half-spaces: in the cache (correction_cache.hpp), else
+/// by the library, which is then opened; throws contact::InputError as open_fem_library does.
+/// Collective where several processes run.
 hybrid::FindParts smooth_parts_finder();
 
 contact::ModelInfo hybrid_model();

@@ -3,6 +3,7 @@
 #include "contact/base/stopwatch.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/model/model_error.hpp"
 #include "halfspace/model/preconditioned_elasticity.hpp"
 #include "hybrid/compliance.hpp"
 
@@ -10,6 +11,7 @@
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 namespace rollfem::hybrid {
 
@@ -24,12 +26,43 @@ namespace {
 /// three cells in the semi-axis to five it changes by 2 to 6 %.
 constexpr double uncertain_part = 0.1;
 
+/// On which the difference to the half-space is taken: it is as smooth as the correction.
+constexpr int elements_of_difference = 10;
+
+halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
+  halfspace::GridElasticity elasticity;
+  elasticity.model = "hybrid";
+  elasticity.same_normal_block = false;
+  elasticity.make = [&parts](const Scene& scene, const contact::ChartedGeometry& geometry,
+                             const ContactGrid& grid) -> std::unique_ptr<contact::Elasticity> {
+    return std::make_unique<halfspace::PreconditionedElasticity>(
+        scene, grid, std::make_unique<HybridCompliance>(scene, geometry, grid, parts));
+  };
+  return elasticity;
+}
+
 /// Adds to the error estimates what is uncertain of the difference to the half-space.
-void widen(PointResult& point, const PointResult& half) {
+void widen(PointResult& point, const PointResult& hybrid, const PointResult& half) {
   for (auto& [name, error] : point.error_estimate) {
-    const double change = contact::quantity(point, name) - contact::quantity(half, name);
+    const double change = contact::quantity(hybrid, name) - contact::quantity(half, name);
     error = std::hypot(error, uncertain_part * change);
   }
+}
+
+/// The same of all load points. Where so few elements have no solution the half-space on the grid
+/// of the result says what the difference is.
+void widen(const Scene& scene, const halfspace::GridElasticity& elasticity, ModelResult& result) {
+  ModelResult corrected, half;
+  try {
+    const Scene rough = halfspace::on_few_elements(scene, elements_of_difference);
+    corrected = halfspace::run_halfspace(rough, {}, nullptr, elasticity);
+    half = halfspace::run_halfspace(rough, {});
+  } catch (const std::runtime_error&) {
+    half = halfspace::run_halfspace(scene, {});
+  }
+  const bool rough = !corrected.points.empty() && corrected.points.size() == half.points.size();
+  for (std::size_t k = 0; k < result.points.size(); ++k)
+    widen(result.points[k], rough ? corrected.points[k] : result.points[k], half.points[k]);
 }
 
 }  // namespace
@@ -43,17 +76,9 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   curved.output.stress_maxima = false;
   const halfspace::SmoothParts parts = find(curved, progress);
   const double seconds = watch.seconds();
-  halfspace::GridElasticity elasticity;
-  elasticity.model = "hybrid";
-  elasticity.same_normal_block = false;
-  elasticity.make = [&](const Scene& of, const contact::ChartedGeometry& geometry,
-                        const ContactGrid& grid) -> std::unique_ptr<contact::Elasticity> {
-    return std::make_unique<halfspace::PreconditionedElasticity>(
-        of, grid, std::make_unique<HybridCompliance>(of, geometry, grid, parts));
-  };
+  const halfspace::GridElasticity elasticity = elasticity_of(parts);
   ModelResult result = halfspace::run_halfspace(curved, progress, checkpoint, elasticity);
-  const ModelResult half = halfspace::run_halfspace(curved, {});
-  for (std::size_t k = 0; k < result.points.size(); ++k) widen(result.points[k], half.points[k]);
+  widen(curved, elasticity, result);
   result.unknowns += parts.unknowns;
   result.seconds["correction"] = seconds;
   result.seconds["total"] = watch.seconds();

@@ -7,7 +7,8 @@
 #include "fem/coupling/far_error.hpp"
 #include "fem/coupling/far_field.hpp"
 #include "fem/model/run_layout.hpp"
-#include "fem/solver/solver_choice.hpp"
+#include "fem/solver/factorisation.hpp"
+#include "halfspace/model/correction_scene.hpp"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -47,9 +48,8 @@ constexpr double room = 1.05;
 /// One body under tractions on the contact grid.
 class LoadedBody {
  public:
-  LoadedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat,
-             bool factorise)
-      : solver_(solver_of(scene, body, factorise)),
+  LoadedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat)
+      : solver_(make_factorisation(body.problem())),
         coupling_(body, grid, scene.geometry.surface),
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
         grid_(grid),
@@ -68,12 +68,6 @@ class LoadedBody {
   }
 
  private:
-  static std::unique_ptr<LinearSolver> solver_of(const Scene& scene, const Body& body,
-                                                 bool factorise) {
-    Solvers solvers = make_solvers(scene, {&body, nullptr}, factorise);
-    return std::move(solvers.wheel);
-  }
-
   std::array<double, 3> resultant(const SurfaceField& traction) const {
     if (!flat_) return resultant_force(shape_, grid_, traction);
     const Field area = grid_.element_area() * shape_.stretch;
@@ -184,12 +178,12 @@ void check(const Scene& scene) {
 
 /// A body, its twin, and both under load.
 struct Pair {
-  Pair(const Scene& scene, const RunLayout& layout, const Body& body, bool factorise)
+  Pair(const Scene& scene, const RunLayout& layout, const Body& body)
       : twin(flat_twin(body.shape(), scene.geometry.surface,
                        std::abs(layout.bodies.middle) + layout.bodies.reach_t()),
-             body.material(), body.options(), MPI_COMM_WORLD),
-        loaded(scene, body, layout.grid, false, factorise),
-        flat(scene, twin, layout.grid, true, factorise) {}
+             body.material(), body.options(), MPI_COMM_SELF),
+        loaded(scene, body, layout.grid, false),
+        flat(scene, twin, layout.grid, true) {}
 
   Body twin;
   LoadedBody loaded;
@@ -202,9 +196,10 @@ halfspace::SmoothParts find_smooth_parts(const Scene& scene, const contact::Prog
   return find_smooth_parts_with(usual_cells_in_semi_axis, scene, progress);
 }
 
-halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const Scene& scene,
+halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const Scene& asked,
                                               const contact::Progress& progress) {
-  check(scene);
+  check(asked);
+  const Scene scene = halfspace::correction_scene(asked);
   contact::ProgressEvent event;
   event.model = "hybrid";
   event.stage = "correction";
@@ -212,24 +207,17 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   const double cell = patch_box(scene).smaller() / cells_in_semi_axis;
   const RunLayout layout = run_layout(scene, cell);
   const Basis basis(scene, layout);
-  const CaseBodies bodies = make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
-  const bool alone = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  const CaseBodies bodies = make_bodies(scene, layout.bodies, MPI_COMM_SELF);
   // Orderings draw from one sequence of random numbers: one body after the other.
   std::optional<Pair> wheel, rail;
-  if (bodies.wheel) wheel.emplace(scene, layout, *bodies.wheel, alone);
-  if (bodies.rail) rail.emplace(scene, layout, *bodies.rail, alone);
+  if (bodies.wheel) wheel.emplace(scene, layout, *bodies.wheel);
+  if (bodies.rail) rail.emplace(scene, layout, *bodies.rail);
   halfspace::SmoothParts parts;
-  const auto correct_wheel = [&] {
+  auto other = std::async(std::launch::async, [&] {
     if (wheel) parts.wheel = map_of(basis, wheel->loaded, wheel->flat, 1.0);
-  };
-  if (alone) {
-    auto other = std::async(std::launch::async, correct_wheel);
-    if (rail) parts.rail = map_of(basis, rail->loaded, rail->flat, -1.0);
-    other.get();
-  } else {
-    correct_wheel();
-    if (rail) parts.rail = map_of(basis, rail->loaded, rail->flat, -1.0);
-  }
+  });
+  if (rail) parts.rail = map_of(basis, rail->loaded, rail->flat, -1.0);
+  other.get();
   for (const Body* body : bodies.both())
     if (body != nullptr) parts.unknowns += static_cast<long>(body->unknowns());
   parts.notes = bodies.notes;

@@ -9,9 +9,9 @@
 
 namespace rollfem::fem {
 
-/// For the largest load of the scene. Collective. Throws contact::InputError where a body is not
-/// known by its surface alone (given meshes, true sections, undeformed distances),
-/// contact::SolveError.
+/// Of the scene's correction scene (halfspace/model/correction_scene.hpp), by the process that
+/// calls it alone: the bodies are small. Throws contact::InputError where a body is not known by
+/// its surface alone (given meshes, true sections, undeformed distances), contact::SolveError.
 halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
                                          const contact::Progress& progress);
 

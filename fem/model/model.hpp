@@ -27,7 +27,7 @@ struct Entry {
   contact::ModelResult (*run)(const contact::Scene&, const contact::Progress&,
                               contact::Checkpoint*);
   std::vector<MeshedBody> (*mesh)(const contact::Scene&);
-  /// Collective: what the bodies add to half-spaces (fem/correction/smooth_parts.hpp).
+  /// By this process alone: what bodies add to half-spaces (fem/correction/smooth_parts.hpp).
   halfspace::SmoothParts (*find_smooth_parts)(const contact::Scene&, const contact::Progress&);
 };
 

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <stdexcept>
@@ -45,7 +46,8 @@ class Folder : public TemporaryFolder {
   }
 };
 
-/// Runs a command in the folder, stdin empty, with NAME=value added to the environment.
+/// Runs a command in the folder, stdin empty, with NAME=value added to the environment, and without
+/// a cache unless that names one.
 /// `interrupt_after` > 0 sends Ctrl-C's signal after that many milliseconds.
 inline Outcome execute(const Folder& folder, std::vector<std::string> command,
                        std::vector<std::string> environment = {}, int interrupt_after = 0) {
@@ -58,6 +60,7 @@ inline Outcome execute(const Folder& folder, std::vector<std::string> command,
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child == 0) {
+    setenv("ROLLFEM_CACHE", "", 1);  // the user's is not for tests
     for (std::string& setting : environment) putenv(setting.data());
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
     if (chdir(work.c_str()) != 0 || dup2(open("/dev/null", O_RDONLY), 0) < 0 ||

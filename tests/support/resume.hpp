@@ -28,6 +28,7 @@ inline Killed kill_when(const Folder& folder, const std::vector<std::string>& co
   const pid_t child = fork();
   if (child == 0) {
     setpgid(0, 0);
+    setenv("ROLLFEM_CACHE", "", 1);
     if (chdir(work.c_str()) != 0 || dup2(open("/dev/null", O_WRONLY), 1) < 0 ||
         dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2) < 0)
       _exit(126);

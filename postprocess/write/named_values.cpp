@@ -1,0 +1,74 @@
+#include "postprocess/write/named_values.hpp"
+
+#include "contact/base/errors.hpp"
+#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/write/result_folder.hpp"
+#include "postprocess/write/seal.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+std::string image_of(const NamedValues& values) {
+  const hdf5::Handle file = hdf5::create_file_in_memory();
+  for (const auto& [name, text] : values.texts) hdf5::write_attribute(file, name, text);
+  for (const auto& [name, number] : values.numbers) hdf5::write_attribute(file, name, number);
+  for (const auto& [name, matrix] : values.matrices) {
+    const ByRows by_rows = matrix;
+    hdf5::write_dataset(file, name,
+                        {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())},
+                        by_rows.data());
+  }
+  return hdf5::sealed_image(file);
+}
+
+NamedValues values_of(hid_t file) {
+  NamedValues values;
+  values.texts = hdf5::read_texts(file);
+  values.numbers = hdf5::read_numbers(file);
+  for (const std::string& name : hdf5::members(file)) {
+    const hdf5::Numbers numbers = hdf5::read_dataset(file, name);
+    if (numbers.shape.size() != 2) throw std::runtime_error("not a matrix: " + name);
+    values.matrices[name] =
+        Eigen::Map<const ByRows>(numbers.values.data(), static_cast<Eigen::Index>(numbers.shape[0]),
+                                 static_cast<Eigen::Index>(numbers.shape[1]));
+  }
+  return values;
+}
+
+}  // namespace
+
+void write_named_values(const fs::path& path, const NamedValues& values) {
+  // A name of its own: two processes may be at it.
+  const fs::path part = fmt::format("{}.{}.part", path.string(), ::getpid());
+  std::error_code error;
+  fs::remove(part, error);
+  write_file(part, image_of(values));
+  fs::rename(part, path, error);
+  if (error) {
+    const std::string reason = error.message();
+    fs::remove(part, error);
+    throw contact::InputError(fmt::format("cannot write {}: {}", path.string(), reason));
+  }
+  flush_folder(path.parent_path());
+}
+
+std::optional<NamedValues> read_named_values(const fs::path& path) {
+  try {
+    if (check_hdf5_seal(path.string()) != Seal::intact) return {};
+    return values_of(hdf5::open_file(path.string()));
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,142 @@
+// The corrections that the model hybrid keeps for other runs: found again for what has the same
+// ones, never for other bodies, whole or not at all, listed and cleared.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace rollfem::testing;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+/// On a few hundred finite elements.
+std::string coarse_case(double radius, double force, double friction, double creepage) {
+  const auto text = [](double value) { return std::to_string(value); };
+  return "title = \"coarse\"\nmodels = [\"hybrid\"]\n[load]\nnormal_force = " + text(force) +
+         "\n[friction]\ncoefficient = " + text(friction) +
+         "\n[wheel]\nrolling_radius = " + text(radius) +
+         "\ntransverse_radius = inf\n[rail]\ntransverse_radius = "
+         "500.0\n[rolling]\nlongitudinal_creepage = " +
+         text(creepage) +
+         "\n[contact_grid]\nelements_across = 12\n[fem]\ndegree = 1\nextent = 30\n";
+}
+
+class Cache {
+ public:
+  /// The model's result.
+  Json run(const std::string& name, const std::string& text, const std::string& folder = "cache",
+           int processes = 1) {
+    const std::string file = folder_.file(name + ".toml", text);
+    std::vector<std::string> command;
+    if (processes > 1)
+      command = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
+                 std::to_string(processes)};
+    for (const char* argument : {ROLLFEM_PROGRAM, "run"}) command.emplace_back(argument);
+    command.insert(command.end(), {file, "-o", name, "--no-report", "-q"});
+    const Outcome outcome = execute(folder_, command, {"ROLLFEM_CACHE=" + folder});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return Json::parse(contents(folder_.work() / name / "summary.json"))["models"][0];
+  }
+
+  std::string list(const std::string& action) {
+    const Outcome outcome = call(folder_, {"cache", action}, {"ROLLFEM_CACHE=cache"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  }
+
+  std::vector<fs::path> files() const {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder_.work() / "cache"))
+      found.push_back(entry.path());
+    return found;
+  }
+
+ private:
+  Folder folder_;
+};
+
+bool notes(const Json& model, const std::string& part) {
+  for (const Json& note : model["notes"])
+    if (note.get<std::string>().find(part) != std::string::npos) return true;
+  return false;
+}
+
+void expect_same_numbers(const Json& one, const Json& other, double tolerance) {
+  for (const char* name : {"max_pressure", "approach", "longitudinal_force", "semi_axis_x"}) {
+    const double value = one["points"][0][name];
+    EXPECT_NEAR(value, other["points"][0][name], tolerance * std::abs(value)) << name;
+  }
+}
+
+}  // namespace
+
+TEST(Cache, ServesAnotherLoadFrictionAndCreepage) {
+  Cache cache;
+  EXPECT_FALSE(notes(cache.run("first", coarse_case(405.0, 50e3, 0.55, 0.001)), "from the cache"));
+  const std::string other = coarse_case(405.0, 47e3, 0.3, 0.002);
+  const Json found = cache.run("found", other);
+  EXPECT_TRUE(notes(found, "from the cache"));
+  // The same as without: what is found does not depend on who has found it.
+  const Json computed = cache.run("computed", other, "");
+  EXPECT_FALSE(notes(computed, "from the cache"));
+  expect_same_numbers(found, computed, 1e-13);
+  EXPECT_LT(found["seconds"]["correction"].get<double>(),
+            0.2 * computed["seconds"]["correction"].get<double>());
+}
+
+TEST(Cache, IsOfTheBodiesThatItWasFoundFor) {
+  Cache cache;
+  EXPECT_NE(cache.list("list").find("0 corrections"), std::string::npos);
+  cache.run("one", coarse_case(405.0, 50e3, 0.55, 0.001));
+  EXPECT_FALSE(notes(cache.run("wheel", coarse_case(406.0, 50e3, 0.55, 0.001)), "from the cache"));
+  EXPECT_FALSE(notes(cache.run("load", coarse_case(405.0, 80e3, 0.55, 0.001)), "from the cache"));
+  const std::string listed = cache.list("list");
+  EXPECT_NE(listed.find("wheel 406, across inf; rail across 500"), std::string::npos) << listed;
+  EXPECT_NE(listed.find("3 corrections"), std::string::npos) << listed;
+  EXPECT_NE(cache.list("clear").find("removed 3 corrections"), std::string::npos);
+  EXPECT_TRUE(cache.files().empty());
+}
+
+TEST(Cache, ADamagedFileIsToldAndReplaced) {
+  Cache cache;
+  const std::string text = coarse_case(405.0, 50e3, 0.55, 0.001);
+  const Json first = cache.run("first", text);
+  const auto files = cache.files();
+  ASSERT_EQ(files.size(), 1u);
+  {
+    std::fstream file(files[0], std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(fs::file_size(files[0]) / 2));
+    file.write("damage", 6);
+  }
+  EXPECT_NE(cache.list("list").find("is damaged"), std::string::npos);
+  const Json anew = cache.run("anew", text);
+  EXPECT_TRUE(notes(anew, "is damaged: the correction was computed anew"));
+  expect_same_numbers(first, anew, 1e-13);
+  EXPECT_TRUE(notes(cache.run("again", text), "from the cache"));
+}
+
+TEST(Cache, AFolderThatCannotBeWrittenIsNoFailure) {
+  Cache cache;
+  const Json model = cache.run("case", coarse_case(405.0, 50e3, 0.55, 0.001), "/dev/null/nowhere");
+  EXPECT_TRUE(notes(model, "could not be kept for other runs"));
+}
+
+TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {
+  Cache cache;
+  const std::string text = coarse_case(405.0, 50e3, 0.55, 0.001);
+  const Json alone = cache.run("alone", text, "");
+  const Json two = cache.run("two", text, "cache", 2);
+  EXPECT_FALSE(notes(two, "from the cache"));
+  expect_same_numbers(alone, two, 1e-8);
+  EXPECT_EQ(cache.files().size(), 1u);
+  const Json found = cache.run("found", text, "cache", 2);
+  EXPECT_TRUE(notes(found, "from the cache"));
+  expect_same_numbers(two, found, 1e-13);
+}
