@@ -84,7 +84,7 @@ void add_mending(ProfileKeys& keys) {
   keys.real("thinning")
       .unit("mm")
       .between(0.0, 10.0)
-      .says("Points within this distance become one, their mean; 0: all are kept.")
+      .says("Merge points closer than this into their mean; 0: keep all.")
       .into(&Profile::thinning);
   keys.real("longest_gap")
       .unit("mm")

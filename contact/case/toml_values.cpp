@@ -76,12 +76,12 @@ class ValueReader {
       case KeyKind::words:
         return words();
       case KeyKind::integer:
-        if (!node_.is_integer()) fail_value(kind_is(node_) + " is no whole number");
+        if (!node_.is_integer()) fail_value("expected a whole number, got " + kind_is(node_));
         return number();
       case KeyKind::number:
         return number();
       case KeyKind::boolean:
-        if (!node_.is_boolean()) fail_value(kind_is(node_) + " is neither true nor false");
+        if (!node_.is_boolean()) fail_value("expected true or false, got " + kind_is(node_));
         return node_.value_or(false);
       case KeyKind::pair:
         return numbers("two", 2);
@@ -97,7 +97,7 @@ class ValueReader {
   }
 
   std::string text() const {
-    if (!node_.is_string()) fail_value(kind_is(node_) + " is no text");
+    if (!node_.is_string()) fail_value("expected a text in quotes, got " + kind_is(node_));
     const std::string text = node_.value_or(std::string());
     if (text.size() > longest_text)
       fail_value(fmt::format("is longer than {} characters", longest_text));
@@ -108,7 +108,7 @@ class ValueReader {
   }
 
   std::string word_of(const toml::node& node) const {
-    if (!node.is_string()) fail_value(kind_is(node) + " is no text");
+    if (!node.is_string()) fail_value("expected a text in quotes, got " + kind_is(node));
     const std::string word = node.value_or(std::string());
     const std::vector<std::string>& words = key_.words.empty() ? names_ : key_.words;
     if (words.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
@@ -127,7 +127,7 @@ class ValueReader {
   /// The list that the value must be.
   const toml::array& list(const std::string& what) const {
     const toml::array* array = node_.as_array();
-    if (array == nullptr) fail_value(kind_is(node_) + " is no list" + what);
+    if (array == nullptr) fail_value("expected a list" + what + ", got " + kind_is(node_));
     if (array->empty()) fail_value("is an empty list");
     return *array;
   }
@@ -144,7 +144,7 @@ class ValueReader {
   }
 
   double number() const {
-    if (!node_.is_number()) fail_value(kind_is(node_) + " is no number");
+    if (!node_.is_number()) fail_value("expected a number, got " + kind_is(node_));
     const double value = node_.value_or(0.0);
     if (std::isnan(value)) fail_value("is not a number");
     if (std::isinf(value) && !key_.bounds.contains(value))

@@ -1,6 +1,6 @@
 // The strip model: the normal problem strip by strip after Hertz from the penetration of the
 // profiles, and friction by brushes with Kalker's stiffness and a parabolic bound along each strip.
-// What the seed study's WheelsetContact does; it takes any undeformed distance across the patch.
+// What the 2012 study's WheelsetContact does; it takes any undeformed distance across the patch.
 #pragma once
 
 #include "halfspace/theories/brush.hpp"

@@ -67,10 +67,11 @@ void add(ProfilePoints& points, double y, double z, const TextLines& at) {
 
 [[noreturn]] void not_numbers(const std::string& file, const TextLines& at,
                               const std::string& field) {
-  throw InputError(fmt::format(
-      "{}:{}: `{}` is no number; allowed: lines of two numbers, y and z; do: correct the line, or "
-      "put # before it if it is a comment",
-      file, at.number(), contact::printable(field)));
+  throw InputError(
+      fmt::format("{}:{}: expected a number, got `{}`; allowed: lines of two numbers, y and z; do: "
+                  "correct the line, or "
+                  "put # before it if it is a comment",
+                  file, at.number(), contact::printable(field)));
 }
 
 [[noreturn]] void too_few_numbers(const std::string& file, const TextLines& at) {

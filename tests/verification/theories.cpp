@@ -1,5 +1,5 @@
 // The theories against CONTACT (its FASTSIM and its converged half-space solutions of the cases a,
-// c and e) and against the seed study.
+// c and e) and against the study of 2012.
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/theories/carter.hpp"

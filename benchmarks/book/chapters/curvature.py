@@ -127,7 +127,7 @@ def curvature_slip(bench):
         "curvature-slip", "Slip without creepage: an elastic sphere, curved half-spaces",
         "Under pressure alone a curved body strains a little more along rolling than a half-space does, by the order of p0 a/(G R): "
         "without creepage, friction and profile there is slip, and a force. A sphere of 405 mm on a flat rail under 50 kN "
-        "(a = 5.09 mm), segments of 8 and 16 a; and the seed study's cases a, b, c.",
+        "(a = 5.09 mm), segments of 8 and 16 a; and the 2012 study's cases a, b, c.",
         "Lur'e's series for a sphere between two opposite Hertz pressures, its strains less those of the half-space "
         "(`benchmarks/book/elastic_sphere.py`); and the half-space disturbed to first order in its curvature, a closed "
         "form up to one integral (`benchmarks/book/curved_half_space.py`, [theory](../theory.md)). Neither shares code "

@@ -122,7 +122,7 @@ def hybrid(bench):
          for name, cell, words in (("2", 1.896, "a/2"), ("4", 0.948, "a/4"), ("8", 0.47, "a/8"))]]
     return Chapter(
         "hybrid", "The hybrid against the limit of finite elements",
-        f"The seed study's cases at xi = 0, 0.1, 0.3 %: the hybrid on {ACROSS} elements across, its correction by cells of a third of "
+        f"The 2012 study's cases at xi = 0, 0.1, 0.3 %: the hybrid on {ACROSS} elements across, its correction by cells of a third of "
         "the smaller semi-axis. Asked are 0.05 % of p0 and 0.1 % of mu in forces.",
         "Finite elements in the limit of small cells. Their runs are too dear for the book and are kept in a record, "
         "`benchmarks/hybrid_limits.json`, which `benchmarks/hybrid_limits.py` makes: the half-space in the limit of its contact "

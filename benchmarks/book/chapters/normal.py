@@ -58,7 +58,7 @@ def grid_order(bench):
         rows.append(Row(f"{words}, 160 across", "mm", value, finest["values"][key], 5e-4))
     return Chapter(
         "grid-order", "Order of the half-space's pressure",
-        "Case a of the seed study (Hertz: p0 578.967 MPa) on 10 to 160 elements across, "
+        "Case a of the study of 2012 (Hertz: p0 578.967 MPa) on 10 to 160 elements across, "
         "`rollfem study cases/thesis_a.toml`.",
         "Hertz's closed form; CONTACT rev 2707 on the same grids (its discretisation of the normal problem is the "
         "same, so that digits agree); order 2 of constant elements (Kalker 1990).",

@@ -1,4 +1,4 @@
-"""The seed study's cases a to f by every model, and what half-spaces miss in e and f."""
+"""The 2012 study's cases a to f by every model, and what half-spaces miss in e and f."""
 import os
 
 import numpy as np
@@ -177,12 +177,12 @@ def _paths(bench, results):
 
 
 def thesis_cases(bench):
-    """Cases a to f of the seed study by every model"""
+    """Cases a to f of the study of 2012 by every model"""
     _, results = _compared(bench)
     cost = [Cost(style.label(model), sum(r.model(model.name).seconds["total"] for r in results.values()))
             for model in results["a"].models]
     return Chapter(
-        "thesis-cases", "Cases a to f of the seed study",
+        "thesis-cases", "Cases a to f of the study of 2012",
         "Wheel radius 405 mm, 50 kN, E = 210 000 MPa, nu = 0.3, mu = 0.55, creepage 0 to 0.6 %; half-space at 40 "
         "across, finite elements on cells of a/8, `rollfem compare cases/thesis_*.toml`.",
         "Hertz's closed form in a to d; CONTACT rev 2707: case a on 80 and 160 elements across, extrapolated "
