@@ -5,17 +5,11 @@
 
 namespace rollfem::contact {
 
-namespace {
-
-constexpr double steepest_sine = 0.7;
-
-}  // namespace
-
-ProfileDrop profile_drop(double transverse_radius, double y) {
+ProfileDrop profile_drop(double transverse_radius, double y, double round_to) {
   if (!std::isfinite(transverse_radius)) return {};
   const double radius = std::abs(transverse_radius);
   const double sign = transverse_radius > 0 ? 1.0 : -1.0;
-  const double distance = std::min(std::abs(y), steepest_sine * radius);
+  const double distance = std::min(std::abs(y), round_to * radius);
   const double root = std::sqrt(1.0 - (distance / radius) * (distance / radius));
   const double slope = distance / (radius * root);
   // y^2 / (R + sqrt(R^2 - y^2)) rather than R - sqrt(R^2 - y^2): no cancellation.

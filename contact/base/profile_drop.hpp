@@ -3,15 +3,18 @@
 
 namespace rollfem::contact {
 
+/// Part of its radius up to which a profile is a circle where the case does not say: 44.4 degrees.
+inline constexpr double usual_round_to = 0.7;
+
 /// Depth at which a profile has dropped below its middle at lateral coordinate y (mm, towards the
 /// body's inside), and its slope: a circle arc of `transverse_radius`, continued by its tangent
-/// beyond 0.7 of that radius, where nothing touches any more and a steeper surface would only spoil
-/// the cells.
+/// beyond `round_to` of that radius, where as a rule nothing touches any more and a steeper surface
+/// would only spoil the cells.
 struct ProfileDrop {
   double value = 0.0;
   double slope = 0.0;
 };
-ProfileDrop profile_drop(double transverse_radius, double y);
+ProfileDrop profile_drop(double transverse_radius, double y, double round_to = usual_round_to);
 
 /// R - sqrt(R^2 - x^2) for |x| < R; 0 for an infinite radius.
 double circle_drop(double radius, double x);

@@ -4,6 +4,7 @@
 
 #include "contact/base/choices.hpp"
 #include "contact/base/material.hpp"
+#include "contact/base/profile_drop.hpp"
 #include "contact/case/track.hpp"
 
 #include <array>
@@ -21,6 +22,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Wheel {
   double rolling_radius = 0.0;          ///< mm, radius at the running circle
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
+  double round_to = usual_round_to;     ///< part of that radius, see contact/base/profile_drop.hpp
   Material material;
   std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
   ProfileSource profile;  ///< in place of the transverse radius
@@ -29,6 +31,7 @@ struct Wheel {
 /// Lower body (2): a straight extruded rail.
 struct Rail {
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
+  double round_to = usual_round_to;     ///< part of that radius, see contact/base/profile_drop.hpp
   Material material;
   std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
   ProfileSource profile;  ///< in place of the transverse radius

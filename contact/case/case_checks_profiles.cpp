@@ -54,12 +54,13 @@ void check_body(const GivenCase& given, const std::string& body) {
     fail(given.file, problem);
   }
   if (profile == nullptr) return;
-  const GivenValue* radius = given.find(body, "transverse_radius");
   CaseProblem problem = problem_at(body + ".profile", *profile);
-  if (radius != nullptr) {
-    problem.wrong = fmt::format("contradicts {}.transverse_radius = {} of line {}", body,
-                                radius->text, radius->line);
-    problem.allowed = "exactly one of profile and transverse_radius";
+  for (const std::string name : {"transverse_radius", "round_to"}) {
+    const GivenValue* circle = given.find(body, name);
+    if (circle == nullptr) continue;
+    problem.wrong =
+        fmt::format("contradicts {}.{} = {} of line {}", body, name, circle->text, circle->line);
+    problem.allowed = "exactly one of profile and " + name;
     problem.action = "remove one of the two";
     fail(given.file, problem);
   }

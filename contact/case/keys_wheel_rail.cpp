@@ -15,6 +15,12 @@ void add_radius(Keys<Body>& keys, const char* symbol, const char* example, const
       .required(example)
       .says(sentence)
       .into(&Body::transverse_radius);
+  keys.real("round_to")
+      .between(0.1, 0.9)
+      .says(
+          "Part of the radius across up to which the profile is a circle; from there on it is "
+          "straight. See docs/meshes.md.")
+      .into(&Body::round_to);
 }
 
 template <class Body>

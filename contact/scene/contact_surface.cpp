@@ -15,13 +15,13 @@ struct WheelHeight {
 };
 
 WheelHeight wheel_height(const ContactSurface& surface, double x, double y) {
-  const ProfileDrop drop = profile_drop(surface.wheel_transverse_radius, y);
+  const ProfileDrop drop = surface.wheel_drop(y);
   const double radius = surface.rolling_radius - drop.value;
   return {drop.value + circle_drop(radius, x), drop.slope};
 }
 
 WheelHeight rail_height(const ContactSurface& surface, double y) {
-  const ProfileDrop drop = profile_drop(surface.rail_transverse_radius, y);
+  const ProfileDrop drop = surface.rail_drop(y);
   return {-drop.value, -drop.slope};
 }
 
@@ -101,22 +101,26 @@ double stretch_of(double climb) {
 double ContactSurface::climb(double y) const {
   if (profiles)
     return 0.5 * follows * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);
-  return 0.5 * follows *
-         (profile_drop(wheel_transverse_radius, y).slope -
-          profile_drop(rail_transverse_radius, y).slope);
+  return 0.5 * follows * (wheel_drop(y).slope - rail_drop(y).slope);
 }
 
 double ContactSurface::height(double y) const {
   if (profiles)
     return 0.5 * follows * (profiles->wheel().at(y).value + profiles->rail().at(y).value);
-  return 0.5 * follows *
-         (profile_drop(wheel_transverse_radius, y).value -
-          profile_drop(rail_transverse_radius, y).value);
+  return 0.5 * follows * (wheel_drop(y).value - rail_drop(y).value);
 }
 
 double ContactSurface::local_rolling_radius(double y) const {
   if (profiles) return profiles->local_rolling_radius(y);
-  return rolling_radius - profile_drop(wheel_transverse_radius, y).value;
+  return rolling_radius - wheel_drop(y).value;
+}
+
+ProfileDrop ContactSurface::wheel_drop(double y) const {
+  return profile_drop(wheel_transverse_radius, y, wheel_round_to);
+}
+
+ProfileDrop ContactSurface::rail_drop(double y) const {
+  return profile_drop(rail_transverse_radius, y, rail_round_to);
 }
 
 double ContactSurface::axle_tilt() const {

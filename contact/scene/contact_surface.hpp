@@ -23,6 +23,9 @@ struct ContactSurface {
   /// How far the surface follows the mean of both profiles, whose heights and slopes it has times
   /// this: 1 all the way, 0 is the plane z = 0. Distances stay those of the bodies themselves.
   double follows = 1.0;
+  /// Parts of the transverse radii up to which the bodies are round.
+  double wheel_round_to = usual_round_to;
+  double rail_round_to = usual_round_to;
 
   /// Of true profiles.
   static ContactSurface of(std::shared_ptr<const PatchGeometry> patch);
@@ -33,6 +36,9 @@ struct ContactSurface {
   double height(double y) const;
   /// Of the wheel's surface at x = 0 from its axle, mm.
   double local_rolling_radius(double y) const;
+  /// How far the circles of wheel and rail have dropped at y; without profiles.
+  ProfileDrop wheel_drop(double y) const;
+  ProfileDrop rail_drop(double y) const;
   /// Angle of the axle against the y axis in the plane x = 0, rad; 0 without profiles.
   double axle_tilt() const;
   /// Both bodies have a surface at y that the case knows (circles are known everywhere).

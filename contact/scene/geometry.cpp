@@ -85,6 +85,8 @@ Geometry::Geometry(const Case& input)
   surface.rolling_radius = input.wheel.rolling_radius > 0.0 ? input.wheel.rolling_radius : infinity;
   surface.wheel_transverse_radius = input.wheel.transverse_radius;
   surface.rail_transverse_radius = input.rail.transverse_radius;
+  surface.wheel_round_to = input.wheel.round_to;
+  surface.rail_round_to = input.rail.round_to;
 }
 
 Curvatures relative_curvatures(const Geometry& geometry) {

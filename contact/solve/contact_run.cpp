@@ -71,14 +71,14 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
     }
     taking_up = taking_up && take_up(k);
     if (!taking_up) {
-      if (!problem_) prepare(make);
-      const Stopwatch watch;
       try {
+        if (!problem_) prepare(make);
+        const Stopwatch watch;
         solve_point(k);
+        result_.tangential_seconds += watch.seconds();
       } catch (const UnfitGrid&) {
         return false;
       }
-      result_.tangential_seconds += watch.seconds();
     }
     if (touches_border(grid, state_.normal.pressure)) return false;
   }

@@ -63,8 +63,7 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
         options.middle - options.reach_t(), options.middle + options.reach_t(),
         shape.is_wheel ? "wheel" : "rail", shape.lower_t(), shape.upper_t(),
         ProfileShape::steepest));
-  const double inwards = contact::profile_drop(shape.transverse_radius, options.reach_t()).value +
-                         options.reach_depth();
+  const double inwards = shape.drop_at(options.reach_t()).value + options.reach_depth();
   if (shape.is_wheel && !(std::max(inwards, options.reach_s()) <= 0.7 * shape.rolling_radius))
     throw contact::InputError(fmt::format(
         "fem.extent = {} mm is too much for a wheel of radius {} mm: the segment would reach the "

@@ -2,6 +2,7 @@
 // patch, degrees of freedom, boundary conditions.
 #pragma once
 
+#include "contact/base/profile_drop.hpp"
 #include "fem/solver/linear_solver.hpp"
 #include "meshes/gmsh/hex_mesh.hpp"
 
@@ -49,6 +50,9 @@ struct SurfaceShape {
   /// When given, the chart of a true profile about an axle that may be tilted; the transverse
   /// radius then says nothing, the rolling radius is that of t = 0.
   std::shared_ptr<const ProfileShape> profile = nullptr;
+  double round_to = contact::usual_round_to;  ///< part of the transverse radius
+  /// How far the circle across has dropped at t.
+  contact::ProfileDrop drop_at(double t) const;
   dealii::Point<3> place(double s, double t, double depth) const;
   /// Inverse of place(): (s, t, depth).
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;

@@ -101,6 +101,18 @@ void check_far_boundary(const contact::Scene& scene) {
         scene.file));
 }
 
+SurfaceShape surface_shape(const contact::Scene& scene, bool is_wheel) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  if (scene.has_profiles()) return profile_surface(surface.profiles, is_wheel);
+  SurfaceShape shape;
+  shape.is_wheel = is_wheel;
+  if (is_wheel) shape.rolling_radius = surface.rolling_radius;
+  shape.transverse_radius =
+      is_wheel ? surface.wheel_transverse_radius : surface.rail_transverse_radius;
+  shape.round_to = is_wheel ? surface.wheel_round_to : surface.rail_round_to;
+  return shape;
+}
+
 }  // namespace
 
 void set_segment_sizes(const contact::Scene& scene, BodyOptions& options) {
@@ -112,14 +124,7 @@ void set_segment_sizes(const contact::Scene& scene, BodyOptions& options) {
 
 CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
                        MPI_Comm communicator) {
-  const SurfaceShape wheel = scene.has_profiles()
-                                 ? profile_surface(scene.geometry.surface.profiles, true)
-                                 : SurfaceShape{true, scene.geometry.surface.rolling_radius,
-                                                scene.geometry.surface.wheel_transverse_radius};
-  const SurfaceShape rail =
-      scene.has_profiles()
-          ? profile_surface(scene.geometry.surface.profiles, false)
-          : SurfaceShape{false, contact::infinity, scene.geometry.surface.rail_transverse_radius};
+  const SurfaceShape wheel = surface_shape(scene, true), rail = surface_shape(scene, false);
   check_far_boundary(scene);
   const bool sections = has_true_sections(scene);
   CaseBodies bodies;

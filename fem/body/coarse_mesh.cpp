@@ -85,9 +85,7 @@ dealii::Point<3> as_point(const std::array<double, 3>& p) {
 }
 
 HexMesh make_gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level) {
-  const auto drop = [&shape](double y) {
-    return contact::profile_drop(shape.transverse_radius, y).value;
-  };
+  const auto drop = [&shape](double y) { return shape.drop_at(y).value; };
   meshes::SectionOptions section;
   section.drop = drop;
   section.half_width = options.reach_t();
@@ -117,8 +115,8 @@ HexMesh make_gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, in
   // Faces stay below cell_size along s at the largest radius of the patch, and where the slices of
   // equal angle lean against lines of equal arc length.
   const double width = options.fine_half_width;
-  const double lean = std::abs(contact::profile_drop(shape.transverse_radius, width).slope) *
-                      options.fine_half_length / shape.rolling_radius;
+  const double lean =
+      std::abs(shape.drop_at(width).slope) * options.fine_half_length / shape.rolling_radius;
   const double radius =
       std::max(shape.rolling_radius, shape.streamline_radius(width)) * (1.0 + lean);
   for (double& place : places) place /= radius;

@@ -8,8 +8,6 @@
 
 namespace rollfem::fem {
 
-using contact::profile_drop;
-
 namespace {
 
 /// Central differences: good enough for tangents, which is all that is asked of it.
@@ -50,15 +48,19 @@ double SurfaceShape::upper_t() const {
   return profile ? profile->upper() : contact::infinity;
 }
 
+contact::ProfileDrop SurfaceShape::drop_at(double t) const {
+  return contact::profile_drop(transverse_radius, t, round_to);
+}
+
 double SurfaceShape::streamline_radius(double t) const {
   if (profile) return profile->radius(t);
-  return rolling_radius - profile_drop(transverse_radius, t).value;
+  return rolling_radius - drop_at(t).value;
 }
 
 dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
   if (functions) return functions->place({s, t, depth});
   if (profile) return profile->place(s, t, depth);
-  const double drop = profile_drop(transverse_radius, t).value;
+  const double drop = drop_at(t).value;
   if (!is_revolved()) return {s, t, is_wheel ? drop + depth : -drop - depth};
   const double angle = s / (rolling_radius - drop);
   const double inwards = drop + depth;  // towards the axle at z = rolling_radius
@@ -72,7 +74,7 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
   if (functions) return functions->coordinates(place);
   if (profile) return profile->coordinates(place);
   const double t = place[1];
-  const double drop = profile_drop(transverse_radius, t).value;
+  const double drop = drop_at(t).value;
   if (!is_revolved()) return {place[0], t, (is_wheel ? place[2] : -place[2]) - drop};
   const double below_axle = rolling_radius - place[2];
   const double radius = std::hypot(place[0], below_axle);
@@ -87,7 +89,7 @@ void SurfaceShape::frame(double s, double t, dealii::Tensor<1, 3>& rolling,
     return;
   }
   // Climb of the surface along t in the direction towards the wheel.
-  const double drop_slope = profile_drop(transverse_radius, t).slope;
+  const double drop_slope = drop_at(t).slope;
   tilted_frame(s, t, is_wheel ? drop_slope : -drop_slope, rolling, lateral, normal);
 }
 
@@ -134,7 +136,7 @@ dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
     const dealii::Point<3>& chart) const {
   if (shape_.functions) return difference_gradient(*shape_.functions, chart);
   if (shape_.profile) return shape_.profile->gradient(chart);
-  const auto drop = profile_drop(shape_.transverse_radius, chart[1]);
+  const auto drop = shape_.drop_at(chart[1]);
   dealii::DerivativeForm<1, 3, 3> gradient;
   if (!shape_.is_revolved()) {
     const double sign = shape_.is_wheel ? 1.0 : -1.0;

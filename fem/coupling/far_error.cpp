@@ -22,19 +22,24 @@ double displacement_at(const contact::Material& material, double force, double d
          (4.0 * pi * contact::shear_modulus(material) * distance);
 }
 
+/// In which the circle of a profile ends; that of the usual 44.4 degrees is taken as 1.
+double steepest_slope(double round_to) {
+  return std::max(1.0, round_to / std::sqrt(1.0 - round_to * round_to));
+}
+
 /// What a surface of this curvature (1/mm, sum of both directions) changes in the displacement of a
-/// half-space from `extent` on: to first order by the strain energy along its surface, which is
-/// small, and to second order in the slope L kappa / 4.
+/// half-space from `extent` on, where the profile's last slope is `steepest`: to first order by the
+/// strain energy along its surface, which is small, and to second order in the slope L kappa / 4.
 double curvature_error(const contact::Material& material, double force, double extent,
-                       double curvature) {
+                       double curvature, double steepest) {
   const double kappa = std::abs(curvature);
   if (kappa == 0.0) return 0.0;
   const double free_strain = 1.0 - 2.0 * material.poisson_ratio;
   const double first = force * free_strain * free_strain * kappa /
                        (8.0 * pi * contact::shear_modulus(material)) *
                        std::log1p(1.0 / (kappa * extent));
-  // Profiles go on along their steepest tangent, of slope 1 in one of two directions.
-  const double slope = std::min(0.25 * kappa * extent, 0.5);
+  // Profiles go on along their steepest tangent in one of two directions.
+  const double slope = std::min(0.25 * kappa * extent, 0.5 * steepest);
   return first + slope * slope * displacement_at(material, force, extent);
 }
 
@@ -49,21 +54,26 @@ contact::FarBoundary far_boundary_of(const contact::Scene& scene) {
 
 double approach_left_out(const contact::Scene& scene, double normal_force, double extent) {
   const double spread = patch_box(scene).larger() / extent;
-  const auto of_body = [&](const contact::Material& material, double curvature) {
+  const auto of_body = [&](const contact::Material& material, double curvature, double round_to) {
     const double clamped = displacement_at(material, normal_force, extent);
     if (far_boundary_of(scene) == contact::FarBoundary::clamped) return clamped;
     // <x^2> = a^2/5 in Hertz's ellipse of pressure.
     return std::min(clamped, 0.2 * spread * spread * clamped +
-                                 curvature_error(material, normal_force, extent, curvature));
+                                 curvature_error(material, normal_force, extent, curvature,
+                                                 steepest_slope(round_to)));
   };
+  const contact::ContactSurface& surface = scene.geometry.surface;
   if (scene.has_profiles())
     return of_body(scene.wheel.material,
-                   1.0 / scene.geometry.surface.profiles->local_rolling_radius(0.0) +
-                       std::abs(scene.geometry.surface.profiles->wheel().at(0.0).second)) +
-           of_body(scene.rail.material, scene.geometry.surface.profiles->rail().at(0.0).second);
-  return of_body(scene.wheel.material, 1.0 / scene.geometry.surface.rolling_radius +
-                                           1.0 / scene.geometry.surface.wheel_transverse_radius) +
-         of_body(scene.rail.material, 1.0 / scene.geometry.surface.rail_transverse_radius);
+                   1.0 / surface.profiles->local_rolling_radius(0.0) +
+                       std::abs(surface.profiles->wheel().at(0.0).second),
+                   contact::usual_round_to) +
+           of_body(scene.rail.material, surface.profiles->rail().at(0.0).second,
+                   contact::usual_round_to);
+  return of_body(scene.wheel.material,
+                 1.0 / surface.rolling_radius + 1.0 / surface.wheel_transverse_radius,
+                 surface.wheel_round_to) +
+         of_body(scene.rail.material, 1.0 / surface.rail_transverse_radius, surface.rail_round_to);
 }
 
 std::string far_boundary_note(const contact::Scene& scene, double extent) {

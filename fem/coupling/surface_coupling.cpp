@@ -45,8 +45,10 @@ int mirrored(const contact::ContactGrid& grid, int element) {
 contact::ContactSurface own_surface(const SurfaceShape& shape) {
   if (shape.profile) return profile_contact(*shape.profile);
   const double radius = shape.transverse_radius;
-  return shape.is_wheel ? contact::ContactSurface{shape.rolling_radius, radius, -radius}
-                        : contact::ContactSurface{contact::infinity, -radius, radius};
+  auto surface = shape.is_wheel ? contact::ContactSurface{shape.rolling_radius, radius, -radius}
+                                : contact::ContactSurface{contact::infinity, -radius, radius};
+  surface.wheel_round_to = surface.rail_round_to = shape.round_to;
+  return surface;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/stopwatch.hpp"
+#include "contact/scene/flanks.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "fem/coupling/far_error.hpp"
 #include "fem/model/fem_elasticity.hpp"
@@ -98,11 +99,15 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   const bool inside = run.solve(layout.grid, [&] {
     return make_fem_elasticity(scene, geometry, layout, options, progress, start, result);
   });
-  if (!inside)
+  if (!inside) {
+    const double border = geometry.lateral_place(layout.grid.y(layout.grid.ny - 1));
+    const std::string why = contact::why_flanks_touch(scene.geometry, border);
+    if (!why.empty()) throw contact::SolveError(why);
     throw contact::SolveError(fmt::format(
         "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): "
         "the segments are too compliant for their size; give a larger [fem] extent",
         layout.grid.nx * layout.grid.dx, layout.grid.ny * layout.grid.dy));
+  }
   contact::LevelResult level = run.take_result();
   result.unknowns = start.unknowns;
   result.contact_elements = start.contact_elements;

@@ -94,7 +94,8 @@ void add(std::string& text, const char* name, const contact::HeightCurve& curve)
 
 void add_surface(std::string& text, const contact::ContactSurface& surface) {
   add(text, "radii", surface.rolling_radius, surface.wheel_transverse_radius,
-      surface.rail_transverse_radius, surface.follows);
+      surface.rail_transverse_radius, surface.follows, surface.wheel_round_to,
+      surface.rail_round_to);
   if (!surface.profiles) return;
   const contact::PatchGeometry& profiles = *surface.profiles;
   add(text, "rail", profiles.rail());

@@ -2,7 +2,7 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/profile_drop.hpp"
+#include "contact/scene/flanks.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/beside.hpp"
@@ -156,26 +156,12 @@ void check_curved(const Scene& scene) {
          "subsurface stresses, which are those of a plane half-space");
 }
 
-/// Both bodies are straight across there: their circles have ended (contact/base/profile_drop.hpp).
-bool straight_at(const contact::Geometry& geometry, double y) {
-  const auto straight = [&](double radius) {
-    return std::isfinite(radius) &&
-           contact::profile_drop(radius, y).slope == contact::profile_drop(radius, 2.0 * y).slope;
-  };
-  return geometry.has_surfaces() && !geometry.has_profiles() &&
-         straight(geometry.surface.wheel_transverse_radius) &&
-         straight(geometry.surface.rail_transverse_radius);
-}
-
 std::string why_no_grid_holds(const contact::ChartedGeometry& geometry, const ContactGrid& grid) {
   const double border = geometry.lateral_place(grid.y(grid.ny - 1));
-  if (geometry.curved() && straight_at(geometry.geometry(), border))
-    return fmt::format(
-        "the contact patch reaches past the circles of wheel and rail, which end at 0.7 of their "
-        "radii across, onto straight flanks (the potential contact area ends at y = {:.4g} mm); "
-        "flanks as steep as each other touch as far as they go, and no grid holds them; do: take a "
-        "smaller load, or radii across that are less alike (docs/meshes.md)",
-        border);
+  if (geometry.curved()) {
+    const std::string why = contact::why_flanks_touch(geometry.geometry(), border);
+    if (!why.empty()) return why;
+  }
   return fmt::format(
       "the contact patch reaches the border of the potential contact area ({} by {} elements), or "
       "the bodies touch beyond it: the surfaces conform over more than their curvatures tell; do: "

@@ -60,6 +60,18 @@ TEST(CornerInARoot, SumOfPressureIsNotTheForce) {
   EXPECT_NEAR(point.max_pressure, 1012.0, 8e-3 * 1012.0);
 }
 
+TEST(DeepGroove, OfHalfAPatchOf44DegreesNeedsRounderBodies) {
+  // The same of CONTACT in a groove of 10.02 mm: p0.
+  contact::Case input = conformal_case("groove");
+  input.rail.transverse_radius = -10.02;
+  input.wheel.round_to = input.rail.round_to = 0.85;
+  input.rolling.problem = contact::Problem::steady;
+  input.rolling.forces = {{0.0, {}}};
+  const contact::PointResult point = point_of(input);
+  EXPECT_NEAR(point.max_pressure, 296.8, 3e-3 * 296.8);
+  EXPECT_NEAR(point.normal_force, 10e3, 1e-6 * 10e3);
+}
+
 TEST(DeepGroove, ThatFitsTooWellIsRefusedWithTheReason) {
   // Half the patch is 44 degrees in a groove of 10.02 mm, where circles go on as straight flanks.
   contact::Case input = conformal_case("groove");
@@ -70,5 +82,6 @@ TEST(DeepGroove, ThatFitsTooWellIsRefusedWithTheReason) {
     FAIL() << "flanks touch as far as they go";
   } catch (const contact::SolveError& error) {
     EXPECT_NE(std::string(error.what()).find("straight flanks"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("round_to"), std::string::npos) << error.what();
   }
 }

@@ -172,7 +172,7 @@ const std::vector<Wrong> wrong_structure{
     {"UnknownKey",
      with("rolling_radius", "rolling_radios"),
      {"case.toml:6:1: wheel.rolling_radios: is not a key", "did you mean `rolling_radius`?",
-      "allowed: rolling_radius, transverse_radius, young_modulus, poisson_ratio"}},
+      "allowed: rolling_radius, transverse_radius, round_to, young_modulus, poisson_ratio"}},
     {"UnknownSection",
      with("[friction]", "[frction]"),
      {"case.toml:3:2: frction: is not a key", "did you mean `friction`?"}},

@@ -97,6 +97,8 @@ TEST(ProfileKeys, WhatContradictsIsRefused) {
   for (const Wrong& wrong : std::vector<Wrong>{
            {"profile = \"S1002\"\ntransverse_radius = 300.0\n[rail]\nprofile = \"60E1\"\n",
             {"case.toml:7:", "wheel.profile", "contradicts wheel.transverse_radius"}},
+           {"profile = \"S1002\"\nround_to = 0.8\n[rail]\nprofile = \"60E1\"\n",
+            {"case.toml:7:", "wheel.profile", "contradicts wheel.round_to"}},
            {"[rail]\nprofile = \"60E1\"\n",
             {"rail.profile", "stands alone: wheel.profile is missing", "\"arcs\""}},
            {"profile = \"\"\n[rail]\nprofile = \"60E1\"\n", {"wheel.profile", "is empty"}},

@@ -43,6 +43,23 @@ TEST(ContactSurface, IsTheMeanOfBothProfilesWithTheSlopeOfItsHeight) {
   EXPECT_NEAR(case_f.local_rolling_radius(11.0), rolling_radius + wheel, 1e-12);
 }
 
+TEST(ContactSurface, IsRoundAsFarAsTheCaseSays) {
+  Case input = parse_case(rollfem::testing::small_case, "s");
+  input.wheel.transverse_radius = 10.0;
+  input.wheel.round_to = 0.9;
+  input.rail.transverse_radius = -10.25;
+  const ContactSurface surface = Geometry(input).surface;
+  const auto circle = [](double radius, double y) {
+    return radius - std::sqrt(radius * radius - y * y);
+  };
+  EXPECT_NEAR(surface.local_rolling_radius(8.9), surface.rolling_radius - circle(10.0, 8.9), 1e-12);
+  // The tangent at 9 mm of the wheel, that at 7.175 mm of the rail.
+  EXPECT_NEAR(surface.wheel_drop(9.5).slope, 0.9 / std::sqrt(1.0 - 0.81), 1e-12);
+  EXPECT_NEAR(surface.wheel_drop(9.5).value, circle(10.0, 9.0) + 0.5 * 0.9 / std::sqrt(0.19),
+              1e-12);
+  EXPECT_NEAR(surface.rail_drop(-9.5).slope, 0.7 / std::sqrt(1.0 - 0.49), 1e-12);
+}
+
 TEST(ContactSurface, ElementsTogetherHaveTheLengthOfTheArc) {
   // Wheel and rail of one circle: the arc between +-12 mm is 2 R asin(12/R).
   const ContactSurface circle{rolling_radius, -50.0, 50.0};

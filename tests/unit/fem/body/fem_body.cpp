@@ -53,6 +53,15 @@ TEST(SurfaceShape, CoordinatesInvertPlace) {
         }
 }
 
+TEST(SurfaceShape, IsRoundAsFarAsTheCaseSays) {
+  for (auto shape : {wheel_shape(405, -10), wheel_shape(405, 10), rail_shape(10)}) {
+    shape.round_to = 0.85;
+    EXPECT_NEAR(distance_from_surface(shape, shape.place(3.0, 8.4, 0.0)), 0.0, 1e-11);
+    EXPECT_GT(std::abs(distance_from_surface(shape, shape.place(3.0, 8.6, 0.0))), 1e-3);
+    EXPECT_NEAR(std::abs(shape.drop_at(9.5).slope), 0.85 / std::sqrt(1.0 - 0.85 * 0.85), 1e-12);
+  }
+}
+
 TEST(SurfaceShape, FrameIsOrthonormalAndTangentToTheSurface) {
   const double step = 1e-5;
   for (const auto& shape : thesis_shapes())

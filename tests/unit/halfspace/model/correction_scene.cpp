@@ -63,6 +63,8 @@ TEST(CorrectionScene, KeyIsOfTheBodies) {
   };
   EXPECT_TRUE(differs([](contact::Case& c) { c.wheel.rolling_radius += 1e-3; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.rail.transverse_radius += 1e-3; }));
+  EXPECT_TRUE(differs([](contact::Case& c) { c.rail.round_to = 0.8; }));
+  EXPECT_TRUE(differs([](contact::Case& c) { c.wheel.round_to = 0.8; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.rail.material.poisson_ratio = 0.29; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.wheel.material.young_modulus = 209e3; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.fem.extent = 50.0; }));
