@@ -27,6 +27,10 @@ constexpr double near_enough = 1.25;
 /// part, so that a cheap model is not ruled out, nor its first grid made too fine, by a guess.
 constexpr double believed_of_expected = 1.0 / 3.0;
 
+/// Nobody who names no accuracy expects to wait longer, s by what is predicted: finer grids are for
+/// those who do.
+constexpr double longest_by_default = 120.0;
+
 std::string duration(double seconds) {
   if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
   if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
@@ -86,6 +90,7 @@ class Choice {
   std::optional<Plan> next() const {
     std::vector<Forecast> hoped = forecasts_;
     for (Forecast& forecast : hoped) {
+      if (wanted_.by_default) leave_out_slow(forecast.levels);
       if (forecast.model_error_found) continue;
       forecast.model_error *= believed_of_expected;
       // Nor is a fine grid laid before it is known.
@@ -96,6 +101,10 @@ class Choice {
     const double least = near_enough * least_error(hoped, true);
     if (best_ && reached_best() <= least) return {};
     return cheapest(hoped, least, true);
+  }
+
+  static void leave_out_slow(std::vector<Level>& levels) {
+    while (!levels.empty() && levels.back().seconds > longest_by_default) levels.pop_back();
   }
 
   void attempt(const Plan& plan) {
@@ -208,14 +217,17 @@ class Choice {
   }
 
   void fail(ModelResult& result) const {
-    const std::string text =
-        fmt::format("accuracy = {:g} {} and not reached: {}; do: ask for less", accuracy_,
-                    wanted_.by_default ? "is what models = [\"auto\"] looks for" : "was asked for",
-                    result.choice);
-    if (wanted_.by_default)
-      result.notes.insert(result.notes.begin(), "warning: " + text);
-    else
-      result.shortfall = text;
+    if (!wanted_.by_default) {
+      result.shortfall =
+          fmt::format("accuracy = {:g} was asked for and not reached: {}; do: ask for less",
+                      accuracy_, result.choice);
+      return;
+    }
+    result.notes.insert(
+        result.notes.begin(),
+        fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] looks for within {}, is "
+                    "not reached: {}; do: give accuracy to go on for longer, or name a model",
+                    accuracy_, duration(longest_by_default), result.choice));
   }
 
   std::vector<Candidate> candidates_;

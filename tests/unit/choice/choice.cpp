@@ -148,6 +148,19 @@ TEST(Choice, GivesTheBestWhereNothingDoesAndFailsWhereItWasAskedFor) {
   EXPECT_EQ(result.notes.front().rfind("warning: accuracy = 0.01", 0), 0U) << result.notes.front();
 }
 
+TEST(Choice, TakesNoMinutesThatNobodyAskedFor) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  auto all = candidates(toys);
+  all[1].forecast.cannot = "not in this build";
+  Wanted what = wanted(0.01);
+  what.by_default = true;
+  choose(all, what);  // "full" needs 100 s on 16 across, 400 on 32
+  EXPECT_EQ(toys.solved.back(), (std::pair<std::string, int>{"full", 16}));
+  choose(all, wanted(0.01));
+  EXPECT_EQ(toys.solved.back(), (std::pair<std::string, int>{"full", 32}));
+}
+
 TEST(Choice, WhatIsUnknownDoesNotDo) {
   Toys toys;
   auto all = candidates(toys);
