@@ -129,4 +129,5 @@ CONTACT_GROOVES = {
             "creepage_turned": -2.3418e-4},
     10.10: {"p0": 409.3, "approach": 0.019392, "creepage": -4.4108e-4, "p0_turned": 405.9, "p0_turned_back": 397.6,
             "creepage_turned": -4.5857e-4},
-    10.05: {"p0": 348.7, "approach": 0.017427, "creepage": -6.4950e-4, "p0_turned_back": 336.1}}
+    10.05: {"p0": 348.7, "approach": 0.017427, "creepage": -6.4950e-4, "p0_turned_back": 336.1},
+    10.02: {"p0": 296.8, "p0_turned_back": 283.6}}
