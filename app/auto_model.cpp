@@ -51,15 +51,11 @@ choice::ContactSize size_of(const Scene& scene) {
   return size;
 }
 
-bool asks_for_stress(const Scene& scene) {
-  return !scene.subsurface.empty() || scene.output.stress_maxima;
-}
-
 /// Why a model is out of the question for the scene; empty: it is not.
 std::string out_of_question(const contact::ModelInfo* model, const Scene& scene) {
   if (model == nullptr || !model->built) return "not in this build";
   if (const auto reason = model->cannot(scene)) return *reason;
-  if (asks_for_stress(scene) && !model->has_stress) return "it has no stress below the surface";
+  if (scene.asks_for_stress() && !model->has_stress) return "it has no stress below the surface";
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
   const bool boxes = !scene.fem.mesh || *scene.fem.mesh == contact::MeshFamily::structured;
   if (model->name == "hybrid" && (meshes || !boxes))

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <tuple>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -22,7 +23,7 @@ namespace rollfem::app {
 namespace {
 
 /// Of the files and of how corrections are found: to be raised when the same scene has another one.
-constexpr int format = 1;
+constexpr int format = 2;
 
 constexpr const char* suffix = ".correction.h5";
 constexpr const char* part_suffix = ".part";
@@ -73,7 +74,8 @@ void each_file(const fs::path& folder, const Visit& visit) {
 
 CorrectionCache::CorrectionCache() : folder_(folder_from_environment()) {}
 
-CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction) const {
+CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
+                                             bool with_stresses) const {
   Found found;
   if (off()) return found;
   for (const bool symmetric : {true, false}) {
@@ -85,7 +87,9 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction) c
     try {
       const auto values = postprocess::read_named_values(file);
       if (values && values->texts.at("key") == key) {
-        found.parts = parts_of(*values);
+        halfspace::SmoothParts parts = parts_of(*values);
+        if (with_stresses && !parts.stresses) continue;
+        found.parts = std::move(parts);
         found.parts->notes.push_back(
             fmt::format("the correction comes from the cache ({}): finding it took {:.1f} s",
                         folder_.string(), values->numbers.at("seconds")));

@@ -24,7 +24,7 @@ using halfspace::SmoothParts;
 SmoothParts found_here(const contact::Scene& scene, const contact::Progress& progress) {
   const contact::Scene correction = halfspace::correction_scene(scene);
   const CorrectionCache cache;
-  const auto stored = cache.find(correction);
+  const auto stored = cache.find(correction, scene.asks_for_stress());
   if (stored.parts) return *stored.parts;
   const contact::Stopwatch watch;
   SmoothParts parts = open_fem_library("model hybrid").find_smooth_parts(scene, progress);
@@ -53,15 +53,14 @@ contact::ModelInfo hybrid_model() {
                             "half-space on a fine grid, corrected for curved and finite bodies by "
                             "coarse finite elements"};
   hybrid.takes = contact::all_demands_but({Demand::inertia, Demand::distance_points,
-                                           Demand::distance_quadratic, Demand::given_pressure,
-                                           Demand::beyond_half_space});
+                                           Demand::distance_quadratic, Demand::given_pressure});
   hybrid.run = [](const contact::ModelInput& input, const contact::Progress& progress,
                   contact::Checkpoint* checkpoint) {
     return hybrid::run_hybrid(input, progress, checkpoint, smooth_parts_finder());
   };
   hybrid.refinements = {halfspace::contact_grid()};
   hybrid.half_spaces = false;
-  hybrid.parallel = true;
+  hybrid.has_stress = hybrid.parallel = true;
   hybrid.built = ROLLFEM_WITH_FEM;
   hybrid.no_model_error =
       "not estimated: a tenth of what the correction changes is in the error estimates";

@@ -1,6 +1,7 @@
 #include "app/stress.hpp"
 
 #include "app/files_together.hpp"
+#include "app/hybrid_stress.hpp"
 #include "app/places.hpp"
 #include "app/stress_choice.hpp"
 #include "app/stress_places.hpp"
@@ -84,6 +85,13 @@ StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size
   }
   StressOfModel found;
   found.point = number;
+  if (model.name == "hybrid") {
+    HybridStress hybrid = hybrid_stress(input, model, number, requests);
+    found.sets = std::move(hybrid.sets);
+    found.maxima = std::move(hybrid.maxima);
+    found.result = std::move(model);
+    return found;
+  }
   found.sets =
       bodies ? body_sets(model, number, requests) : halfspace_sets(input, model, number, requests);
   found.maxima = point.stress_maxima;

@@ -6,11 +6,13 @@
 #include "halfspace/model/model_error.hpp"
 #include "halfspace/model/preconditioned_elasticity.hpp"
 #include "hybrid/compliance.hpp"
+#include "hybrid/stresses.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace rollfem::hybrid {
@@ -44,6 +46,7 @@ halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
 /// Adds to the error estimates what is uncertain of the difference to the half-space.
 void widen(PointResult& point, const PointResult& hybrid, const PointResult& half) {
   for (auto& [name, error] : point.error_estimate) {
+    if (contact::find_quantity(name) == nullptr) continue;  // stresses widen their own
     const double change = contact::quantity(hybrid, name) - contact::quantity(half, name);
     error = std::hypot(error, uncertain_part * change);
   }
@@ -51,7 +54,8 @@ void widen(PointResult& point, const PointResult& hybrid, const PointResult& hal
 
 /// The same of all load points. Where so few elements have no solution the half-space on the grid
 /// of the result says what the difference is.
-void widen(const Scene& scene, const halfspace::GridElasticity& elasticity, ModelResult& result) {
+void widen(const Scene& scene, const halfspace::GridElasticity& elasticity,
+           const Stresses* stresses, ModelResult& result) {
   ModelResult corrected, half;
   try {
     const Scene rough = halfspace::on_few_elements(scene, elements_of_difference);
@@ -61,8 +65,13 @@ void widen(const Scene& scene, const halfspace::GridElasticity& elasticity, Mode
     half = halfspace::run_halfspace(scene, {});
   }
   const bool rough = !corrected.points.empty() && corrected.points.size() == half.points.size();
-  for (std::size_t k = 0; k < result.points.size(); ++k)
-    widen(result.points[k], rough ? corrected.points[k] : result.points[k], half.points[k]);
+  for (std::size_t k = 0; k < result.points.size(); ++k) {
+    const PointResult& hybrid = rough ? corrected.points[k] : result.points[k];
+    widen(result.points[k], hybrid, half.points[k]);
+    if (stresses == nullptr) continue;
+    const double change = hybrid.max_pressure - half.points[k].max_pressure;
+    stresses->finish(result.grid, uncertain_part, change / hybrid.max_pressure, result.points[k]);
+  }
 }
 
 }  // namespace
@@ -72,13 +81,22 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   const contact::Stopwatch watch;
   Scene curved = scene;
   curved.follows_surface = 1.0;
-  curved.subsurface.clear();
-  curved.output.stress_maxima = false;
   const halfspace::SmoothParts parts = find(curved, progress);
   const double seconds = watch.seconds();
-  const halfspace::GridElasticity elasticity = elasticity_of(parts);
-  ModelResult result = halfspace::run_halfspace(curved, progress, checkpoint, elasticity);
-  widen(curved, elasticity, result);
+  halfspace::GridElasticity elasticity = elasticity_of(parts);
+  const halfspace::GridElasticity without_stress = elasticity;
+  std::optional<Stresses> stresses;
+  if (curved.asks_for_stress()) {
+    stresses.emplace(curved, parts);
+    elasticity.add_stresses = [&](const ContactGrid& grid, PointResult& point) {
+      stresses->add(grid, point);
+    };
+  }
+  Scene plain = curved;
+  plain.subsurface.clear();
+  plain.output.stress_maxima = false;
+  ModelResult result = halfspace::run_halfspace(plain, progress, checkpoint, elasticity);
+  widen(plain, without_stress, stresses ? &*stresses : nullptr, result);
   result.unknowns += parts.unknowns;
   result.seconds["correction"] = seconds;
   result.seconds["total"] = watch.seconds();

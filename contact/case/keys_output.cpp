@@ -25,7 +25,7 @@ SectionWithKeys output_section() {
   keys.toggle("stress_maxima")
       .says(
           "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail at "
-          "every load point, with their places (models fem and halfspace).")
+          "every load point, with their places (models halfspace, hybrid and fem).")
       .into(&OutputOptions::stress_maxima);
   return keys;
 }

@@ -42,7 +42,7 @@ void add_body(RequestKeys& keys, const std::string& sentence) {
 void add_body_around_points(RequestKeys& keys) {
   add_body(keys,
            "The body in which the points lie: z >= 0 in the wheel, z <= 0 in the rail; beyond that "
-           "in a concave body down to its surface (model fem).");
+           "in a concave body down to its surface (models hybrid and fem).");
 }
 
 void add_corner(RequestKeys& keys, const std::string& name, const std::string& sentence,
@@ -73,9 +73,9 @@ void add_number_of_points(RequestKeys& keys, const std::string& sentence) {
 }  // namespace
 
 SectionWithKeys subsurface_point_section() {
-  RequestKeys keys =
-      section_of("point", "A point below the surface (models halfspace and fem); may be repeated",
-                 Request::Kind::point);
+  RequestKeys keys = section_of(
+      "point", "A point below the surface (models halfspace, hybrid and fem); may be repeated",
+      Request::Kind::point);
   add_body_around_points(keys);
   add_corner(keys, "at", "The point, [x, y, z].", &Request::from);
   return keys;

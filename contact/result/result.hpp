@@ -95,8 +95,8 @@ struct PointResult {
   std::optional<double> patch_y_middle;
   std::optional<double> vertical_force;  ///< N, with profiles: on the track, friction included
   ContactFields fields;
-  std::vector<SubsurfaceField> subsurface;   ///< as the case asks for, models halfspace and fem
-  std::vector<StressMaximum> stress_maxima;  ///< of both bodies; models halfspace and fem
+  std::vector<SubsurfaceField> subsurface;   ///< as the case asks for
+  std::vector<StressMaximum> stress_maxima;  ///< of both bodies
   /// In the order of ModelResult::bodies; empty where none are kept, and but for fem.
   std::vector<BodyValues> bodies;
 };

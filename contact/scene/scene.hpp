@@ -97,6 +97,8 @@ struct Scene {
   bool feels_inertia() const { return fem.inertia && speed > 0.0; }
   /// The load points differ in their loads.
   bool load_changes() const;
+  /// Below the surface.
+  bool asks_for_stress() const { return !subsurface.empty() || output.stress_maxima; }
   /// "left, position 3: " before what is said of a patch of a wheelset, else nothing.
   std::string patch_prefix() const;
 };

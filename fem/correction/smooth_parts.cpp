@@ -1,7 +1,9 @@
 #include "fem/correction/smooth_parts.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/scene/below_surface.hpp"
 #include "fem/body/case_bodies.hpp"
+#include "fem/correction/below_parts.hpp"
 #include "fem/correction/flat_twin.hpp"
 #include "fem/coupling/compliance.hpp"
 #include "fem/coupling/far_error.hpp"
@@ -45,6 +47,11 @@ constexpr double usual_cells_in_semi_axis = 3.0;
 /// The ellipsoid is that much larger than the patch.
 constexpr double room = 1.05;
 
+/// Where stresses below the surface are wanted, in semi-axes of the patch; deeper they fade with
+/// the square of the depth.
+constexpr double below_beside = 1.5;
+constexpr double below_depth = 3.0;
+
 /// One body under tractions on the contact grid.
 class LoadedBody {
  public:
@@ -65,6 +72,13 @@ class LoadedBody {
     SurfaceField field = coupling_.sample(displacement_);
     if (far_) far_->add(resultant(traction), field);
     return field;
+  }
+  /// Of the whole body under the tractions that it was under last.
+  Vector whole(const SurfaceField& traction) const {
+    Vector all(displacement_);
+    if (far_) far_->add(resultant(traction), all);
+    all.update_ghost_values();
+    return all;
   }
 
  private:
@@ -106,8 +120,28 @@ struct Basis {
       weight[k] = room * std::hypot(a, b) < patch_ends ? 1.0 : weight_beside;
     }
     fit.compute(weight.asDiagonal() * out);
+    below = {below_beside * layout.patch.half_length, 0.5 * below_beside * (upper - lower),
+             loads.middle};
+    deep = below_depth * layout.patch.smaller();
+    set_flat_loads(arc);
     const Field area = grid.element_area() * contact::patch_shape(surface, grid).stretch;
     moments.compute(in.transpose() * area.cwiseProduct(ellipsoid).asDiagonal() * in);
+  }
+
+  /// The tractions on the rolled-out surface.
+  void set_flat_loads(const ArcLength& arc) {
+    std::vector<Index> rows;
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        if (ellipsoid[grid.index(i, j)] == 0.0) continue;
+        const double lower = arc.at(grid.y(j) - 0.5 * grid.dy);
+        const double upper = arc.at(grid.y(j) + 0.5 * grid.dy);
+        flat.rectangles.push_back({grid.x(i), 0.5 * (lower + upper), grid.dx, upper - lower});
+        rows.push_back(grid.index(i, j));
+      }
+    flat.shapes.resize(static_cast<Index>(rows.size()), in.cols());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      flat.shapes.row(static_cast<Index>(k)) = ellipsoid[rows[k]] * in.row(rows[k]);
   }
 
   /// Half a body carries loads alone that are symmetric about y = 0.
@@ -117,7 +151,9 @@ struct Basis {
 
   ContactGrid grid;
   bool half;
-  SmoothBox loads, fields;
+  SmoothBox loads, fields, below;
+  double deep = 0.0;  ///< mm, of what is wanted below the surface
+  FlatLoads flat;
   MatrixXd in, out;
   Field ellipsoid;
   Field weight;  ///< of the elements in the fit of displacements
@@ -125,12 +161,35 @@ struct Basis {
   Eigen::ColPivHouseholderQR<MatrixXd> moments;  ///< of the tractions, by the polynomials
 };
 
-/// Coefficients of what the body has beyond its twin under the tractions, a column each.
-MatrixXd answers(const Basis& basis, LoadedBody& body, LoadedBody& twin, double sign) {
+/// A body, its twin, and both under load.
+struct Pair {
+  Pair(const Scene& scene, const RunLayout& layout, const Body& the_body)
+      : body(the_body),
+        twin(flat_twin(body.shape(), scene.geometry.surface,
+                       std::abs(layout.bodies.middle) + layout.bodies.reach_t()),
+             body.material(), body.options(), MPI_COMM_SELF),
+        loaded(scene, body, layout.grid, false),
+        flat(scene, twin, layout.grid, true) {}
+
+  const Body& body;
+  Body twin;
+  LoadedBody loaded;
+  LoadedBody flat;
+};
+
+/// Coefficients of what a body has beyond its twin under the tractions, a column each.
+struct Answers {
+  MatrixXd surface;
+  MatrixXd below;  ///< empty: not asked for
+};
+
+Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
+  const double sign = pair.body.shape().is_wheel ? 1.0 : -1.0;
   const auto powers = halfspace::polynomial_powers(load_degree);
   const Index ins = basis.in.cols();
-  const Index outs = basis.out.cols();
-  MatrixXd result = MatrixXd::Zero(3 * outs, 3 * ins);
+  Answers result;
+  result.surface = MatrixXd::Zero(3 * basis.out.cols(), 3 * ins);
+  if (below != nullptr) result.below = MatrixXd::Zero(below->terms(), 3 * ins);
   const Field none = Field::Zero(basis.grid.size());
   for (int component = 0; component < 3; ++component)
     for (Index k = 0; k < ins; ++k) {
@@ -138,27 +197,41 @@ MatrixXd answers(const Basis& basis, LoadedBody& body, LoadedBody& twin, double 
       SurfaceField traction{none, none, none};
       Field* const loaded[] = {&traction.x, &traction.y, &traction.n};
       *loaded[component] = sign * basis.ellipsoid.cwiseProduct(basis.in.col(k));
-      const SurfaceField true_field = body.under(traction);
-      const SurfaceField flat_field = twin.under(traction);
+      const SurfaceField true_field = pair.loaded.under(traction);
+      const SurfaceField flat_field = pair.flat.under(traction);
       MatrixXd difference(basis.grid.size(), 3);
       difference << true_field.x - flat_field.x, true_field.y - flat_field.y,
           true_field.n - flat_field.n;
       const MatrixXd fitted = sign * basis.fit.solve(basis.weight.asDiagonal() * difference);
-      result.col(component * ins + k) << fitted.col(0), fitted.col(1), fitted.col(2);
+      result.surface.col(component * ins + k) << fitted.col(0), fitted.col(1), fitted.col(2);
+      if (below != nullptr)
+        result.below.col(component * ins + k) = below->fitted(
+            below->beyond(component, k, pair.loaded.whole(traction), pair.flat.whole(traction)));
     }
   return result;
 }
 
-SmoothMap map_of(const Basis& basis, LoadedBody& body, LoadedBody& twin, double sign) {
-  const MatrixXd of_loads = answers(basis, body, twin, sign);
+/// From the answers to tractions those to their moments, whose matrix is symmetric.
+MatrixXd of_moments(const Basis& basis, const MatrixXd& of_loads) {
   const Index ins = basis.in.cols();
-  SmoothMap map{basis.loads, basis.fields, load_degree, field_degree,
-                MatrixXd(of_loads.rows(), of_loads.cols())};
-  // The matrix of moments is symmetric.
+  MatrixXd result(of_loads.rows(), of_loads.cols());
   for (int component = 0; component < 3; ++component)
-    map.coefficients.middleCols(component * ins, ins) =
+    result.middleCols(component * ins, ins) =
         basis.moments.solve(of_loads.middleCols(component * ins, ins).transpose()).transpose();
-  return map;
+  return result;
+}
+
+/// `coordinates`: of the body where stresses are asked for; null: they are not.
+void find_maps(const Basis& basis, Pair& pair, const contact::BelowSurface* coordinates,
+               SmoothMap& map, halfspace::SmoothDepthMap& map_below) {
+  std::optional<BelowParts> below;
+  if (coordinates != nullptr)
+    below.emplace(*coordinates, pair.body, pair.twin, basis.flat, basis.below, basis.deep);
+  const Answers found = answers(basis, pair, below ? &*below : nullptr);
+  map = {basis.loads, basis.fields, load_degree, field_degree, of_moments(basis, found.surface)};
+  if (below)
+    map_below = {basis.loads, basis.below,     below->depth(),
+                 load_degree, below->degree(), of_moments(basis, found.below)};
 }
 
 void check(const Scene& scene) {
@@ -175,20 +248,6 @@ void check(const Scene& scene) {
   refuse(scene.fem.mesh && *scene.fem.mesh != MeshFamily::structured,
          "fem.mesh = \"gmsh\": both meshes must be alike");
 }
-
-/// A body, its twin, and both under load.
-struct Pair {
-  Pair(const Scene& scene, const RunLayout& layout, const Body& body)
-      : twin(flat_twin(body.shape(), scene.geometry.surface,
-                       std::abs(layout.bodies.middle) + layout.bodies.reach_t()),
-             body.material(), body.options(), MPI_COMM_SELF),
-        loaded(scene, body, layout.grid, false),
-        flat(scene, twin, layout.grid, true) {}
-
-  Body twin;
-  LoadedBody loaded;
-  LoadedBody flat;
-};
 
 }  // namespace
 
@@ -213,10 +272,16 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   if (bodies.wheel) wheel.emplace(scene, layout, *bodies.wheel);
   if (bodies.rail) rail.emplace(scene, layout, *bodies.rail);
   halfspace::SmoothParts parts;
+  parts.stresses = asked.asks_for_stress();
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
+  const contact::BelowSurface in_wheel(geometry, true), in_rail(geometry, false);
   auto other = std::async(std::launch::async, [&] {
-    if (wheel) parts.wheel = map_of(basis, wheel->loaded, wheel->flat, 1.0);
+    if (wheel)
+      find_maps(basis, *wheel, parts.stresses ? &in_wheel : nullptr, parts.wheel,
+                parts.wheel_below);
   });
-  if (rail) parts.rail = map_of(basis, rail->loaded, rail->flat, -1.0);
+  if (rail)
+    find_maps(basis, *rail, parts.stresses ? &in_rail : nullptr, parts.rail, parts.rail_below);
   other.get();
   for (const Body* body : bodies.both())
     if (body != nullptr) parts.unknowns += static_cast<long>(body->unknowns());

@@ -42,10 +42,27 @@ struct SmoothMap {
   bool empty() const { return coefficients.size() == 0; }
 };
 
+/// What one body has below its surface beyond its half-space (stress/smooth_stress.hpp).
+struct SmoothDepthMap {
+  SmoothBox loads;     ///< of the moments
+  SmoothBox fields;    ///< of what comes out
+  double depth = 0.0;  ///< mm, to which that goes
+  int load_degree = 0;
+  int field_degree = 0;
+  /// Coefficients of the components of smooth_stress.hpp one after the other (mm, MPa), from the
+  /// moments (N) of p_x, p_y, p_n on the wheel. Empty: nothing.
+  Eigen::MatrixXd coefficients;
+
+  bool empty() const { return coefficients.size() == 0; }
+};
+
 /// Of both bodies.
 struct SmoothParts {
   SmoothMap wheel;
   SmoothMap rail;
+  SmoothDepthMap wheel_below;
+  SmoothDepthMap rail_below;
+  bool stresses = false;           ///< those below the surface were looked for
   long unknowns = 0;               ///< of the finite elements behind them
   std::vector<std::string> notes;  ///< on what they were found
 };

@@ -170,13 +170,18 @@ void set_bars(const Scene& scene, Levels& levels) {
 }
 
 /// Stresses below the surface as far as the case asks for them, with their bars.
-void add_stresses(const Scene& scene, Levels& levels, ModelResult& result) {
+void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& levels,
+                  ModelResult& result) {
   const bool maxima = scene.output.stress_maxima;
-  if (scene.subsurface.empty() && !maxima) return;
+  if (!scene.asks_for_stress() && !elasticity.add_stresses) return;
   const contact::Stopwatch watch;
   for (auto* level : {&levels.coarsest, &levels.coarse, &levels.fine}) {
     if (!*level) continue;
     for (PointResult& point : (*level)->points) {
+      if (elasticity.add_stresses) {
+        elasticity.add_stresses((*level)->grid, point);
+        continue;
+      }
       point.subsurface = subsurface_fields(scene, (*level)->grid, point.fields.traction);
       if (maxima) point.stress_maxima = stress_maxima(scene, (*level)->grid, point);
     }
@@ -274,7 +279,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     if (!levels.coarse || refine_further(scene, *levels.fine, cell, result))
       cells.push_back({0.5 * cell.dx, 0.5 * cell.dy, 2 * cell.across});
   }
-  add_stresses(scene, levels, result);
+  add_stresses(scene, elasticity, levels, result);
   contact::LevelResult& fine = *levels.fine;
   result.grid = fine.grid;
   result.contact_elements = fine.contact_elements;

@@ -63,6 +63,9 @@ struct GridElasticity {
   std::function<std::unique_ptr<contact::Elasticity>(
       const contact::Scene&, const contact::ChartedGeometry&, const contact::ContactGrid&)>
       make = halfspace_elasticity;
+  /// Adds stresses below the surface to a load point solved on the grid; empty: those that the
+  /// scene asks for, of half-spaces.
+  std::function<void(const contact::ContactGrid&, contact::PointResult&)> add_stresses = {};
 };
 
 /// Solves every load point; enlarges the grid when the patch touches its border; runs at a half and

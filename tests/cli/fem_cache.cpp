@@ -45,6 +45,14 @@ class Cache {
     return Json::parse(contents(folder_.work() / name / "summary.json"))["models"][0];
   }
 
+  /// stress.json of a stored result.
+  Json stress(const std::string& name) {
+    const Outcome outcome =
+        call(folder_, {"stress", name, "--no-figures", "-o", "stress"}, {"ROLLFEM_CACHE=cache"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return Json::parse(contents(folder_.work() / "stress" / "stress.json"));
+  }
+
   std::string list(const std::string& action) {
     const Outcome outcome = call(folder_, {"cache", action}, {"ROLLFEM_CACHE=cache"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -139,4 +147,21 @@ TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {
   const Json found = cache.run("found", text, "cache", 2);
   EXPECT_TRUE(notes(found, "from the cache"));
   expect_same_numbers(two, found, 1e-13);
+}
+
+TEST(Cache, KeepsStressesForThoseWhoAskForThem) {
+  Cache cache;
+  const std::string plain = coarse_case(450.0, 50e3, 0.3, 0.001);
+  const std::string asking = plain + "[output]\nstress_maxima = true\n";
+  cache.run("none", plain);
+  const Json anew = cache.run("anew", asking);
+  EXPECT_FALSE(notes(anew, "comes from the cache"));
+  const Json again = cache.run("again", asking);
+  EXPECT_TRUE(notes(again, "comes from the cache"));
+  EXPECT_EQ(anew["points"][0]["stress_maxima"], again["points"][0]["stress_maxima"]);
+  EXPECT_TRUE(notes(cache.run("both", plain), "comes from the cache"));
+  EXPECT_EQ(cache.files().size(), 1u);
+  // From a stored result: the same largest stresses.
+  const Json stored = cache.stress("again");
+  EXPECT_EQ(stored["models"][0]["maxima"].size(), 8u);
 }

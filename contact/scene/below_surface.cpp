@@ -1,0 +1,130 @@
+#include "contact/scene/below_surface.hpp"
+
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Over which the bend of the surface is taken, mm.
+constexpr double bend_step = 0.01;
+
+double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+}  // namespace
+
+BelowSurface::BelowSurface(const ChartedGeometry& geometry, bool wheel)
+    : geometry_(geometry),
+      surface_(geometry.geometry().surface),
+      wheel_(wheel),
+      turns_(wheel && std::isfinite(surface_.rolling_radius)) {
+  if (!turns_) return;
+  if (surface_.profiles)
+    axle_ = surface_.profiles->axle();
+  else
+    axle_.point = {0.0, 0.0, surface_.rolling_radius};
+  axle_.direction = {0.0, std::cos(surface_.axle_tilt()), std::sin(surface_.axle_tilt())};
+  down_ = {0.0, axle_.direction[2], -axle_.direction[1]};
+}
+
+/// The body's own section at x = 0.
+CurveValue BelowSurface::own(double y) const {
+  if (surface_.profiles)
+    return (wheel_ ? surface_.profiles->wheel() : surface_.profiles->rail()).at(y);
+  const ProfileDrop drop = wheel_ ? surface_.wheel_drop(y) : surface_.rail_drop(y);
+  const double sign = wheel_ ? 1.0 : -1.0;
+  return {sign * drop.value, sign * drop.slope, 0.0};
+}
+
+/// Second derivative of the common surface, 1/mm.
+double BelowSurface::bend(double y) const {
+  return (surface_.climb(y + bend_step) - surface_.climb(y - bend_step)) / (2.0 * bend_step);
+}
+
+double BelowSurface::arc_of(double y) const {
+  double arc = y;
+  for (int step = 0; step < 30; ++step) {
+    const double change = (y - geometry_.lateral_place(arc)) * stretch_of(surface_.climb(y));
+    arc += change;
+    if (std::abs(change) < 1e-12 * (1.0 + std::abs(y))) break;
+  }
+  return arc;
+}
+
+Vector3 BelowSurface::turned_direction(const Vector3& v, double angle) const {
+  const double along_x = v[0];
+  const double radial = dot(v, down_);
+  const double axial = dot(v, axle_.direction);
+  const double x = along_x * std::cos(angle) + radial * std::sin(angle);
+  const double down = radial * std::cos(angle) - along_x * std::sin(angle);
+  Vector3 result{x, 0.0, 0.0};
+  for (std::size_t d = 1; d < 3; ++d) result[d] = axial * axle_.direction[d] + down * down_[d];
+  return result;
+}
+
+Vector3 BelowSurface::turned(const Vector3& in_section, double angle) const {
+  Vector3 from_axle{};
+  for (std::size_t d = 0; d < 3; ++d) from_axle[d] = in_section[d] - axle_.point[d];
+  Vector3 place = turned_direction(from_axle, angle);
+  for (std::size_t d = 0; d < 3; ++d) place[d] += axle_.point[d];
+  return place;
+}
+
+BelowSurface::Coordinates BelowSurface::coordinates(const Vector3& place) const {
+  Vector3 section = place;
+  double angle = 0.0;
+  if (turns_) {
+    Vector3 from_axle{};
+    for (std::size_t d = 0; d < 3; ++d) from_axle[d] = place[d] - axle_.point[d];
+    angle = std::atan2(from_axle[0], dot(from_axle, down_));
+    section = turned(place, -angle);
+  }
+  // The foot on the body's section, along the normal of the common surface.
+  double y = section[1];
+  bool found = false;
+  for (int step = 0; step < 60 && !found; ++step) {
+    const CurveValue at = own(y);
+    const double climb = surface_.climb(y);
+    const double above = section[2] - at.value;
+    const double change =
+        (section[1] - y + climb * above) / (1.0 + climb * at.slope - bend(y) * above);
+    y += change;
+    found = std::abs(change) < 1e-10 * (1.0 + std::abs(y));
+  }
+  const double climb = surface_.climb(y);
+  const double stretch = stretch_of(climb);
+  const double upwards = (section[2] - own(y).value - climb * (section[1] - y)) / stretch;
+  Coordinates result;
+  result.x = turns_ ? angle * surface_.local_rolling_radius(y) : place[0];
+  result.y = arc_of(y);
+  result.depth = wheel_ ? upwards : -upwards;
+  result.spread = found ? 1.0 - bend(y) * upwards / (stretch * stretch * stretch) : 0.0;
+  result.axes = {{{1.0, 0.0, 0.0},
+                  {0.0, 1.0 / stretch, climb / stretch},
+                  {0.0, -climb / stretch, 1.0 / stretch}}};
+  if (turns_)
+    for (Vector3& axis : result.axes) axis = turned_direction(axis, angle);
+  return result;
+}
+
+Vector3 BelowSurface::place(double x, double arc, double depth) const {
+  const double y = geometry_.lateral_place(arc);
+  const double climb = surface_.climb(y);
+  const double upwards = (wheel_ ? depth : -depth) / stretch_of(climb);
+  const Vector3 section{turns_ ? 0.0 : x, y - climb * upwards, own(y).value + upwards};
+  return turns_ ? turned(section, x / surface_.local_rolling_radius(y)) : section;
+}
+
+Vector3 BelowSurface::below(double x, double y, double depth) const {
+  if (!turns_) return {x, y, own(y).value + (wheel_ ? depth : -depth)};
+  const Vector3 section{0.0, y, own(y).value + depth};
+  Vector3 from_axle{};
+  for (std::size_t d = 0; d < 3; ++d) from_axle[d] = section[d] - axle_.point[d];
+  const double radius = dot(from_axle, down_);
+  if (!(std::abs(x) < radius)) return {x, y, infinity};
+  return turned(section, std::asin(x / radius));
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,51 @@
+// Wheel or rail of a curved contact in coordinates that follow the common surface: there a body is
+// a half-space but for its curvature. Places below the surface, and the directions of tractions
+// there.
+#pragma once
+
+#include "contact/scene/geometry.hpp"
+
+#include <array>
+
+namespace rollfem::contact {
+
+class BelowSurface {
+ public:
+  /// `geometry` is charted by arc length (Chart::arc) and outlives this. A yaw of the axle is left
+  /// out.
+  BelowSurface(const ChartedGeometry& geometry, bool wheel);
+
+  /// x along the streamline, y along the common surface across, both mm and those of the contact
+  /// grid; depth along the common surface's normal below the body's own surface, < 0 outside.
+  struct Coordinates {
+    double x = 0.0;
+    double y = 0.0;
+    double depth = 0.0;
+    /// Of the normals: lengths across there by those on the surface; 0 where there is no foot.
+    double spread = 1.0;
+    /// Unit vectors along rolling, across and along the normal into the wheel.
+    std::array<Vector3, 3> axes{};
+  };
+  Coordinates coordinates(const Vector3& place) const;
+  Vector3 place(double x, double y, double depth) const;
+
+  /// The place at (x, y) of the patch frame and `depth` mm below the surface, along z in the rail,
+  /// towards the axle in the wheel. Infinite where the wheel does not reach x.
+  Vector3 below(double x, double y, double depth) const;
+
+ private:
+  CurveValue own(double y) const;
+  double bend(double y) const;
+  double arc_of(double y) const;
+  Vector3 turned(const Vector3& in_section, double angle) const;
+  Vector3 turned_direction(const Vector3& in_section, double angle) const;
+
+  const ChartedGeometry& geometry_;
+  const ContactSurface& surface_;
+  bool wheel_;
+  bool turns_;  ///< a wheel of finite radius: its streamlines are circles about the axle
+  Axle axle_;
+  Vector3 down_{};  ///< from the axle to the contact
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,38 @@
+// The smooth part by which displacement and stress below the surface of a curved, finite body
+// differ from those of its half-space, as elasticity/smooth_map.hpp has it on the surface: moments
+// of the tractions in, polynomials in x, y and depth out.
+#pragma once
+
+#include "halfspace/elasticity/smooth_map.hpp"
+#include "halfspace/stress/subsurface.hpp"
+
+namespace rollfem::halfspace {
+
+/// Displacement along rolling, across and along the normal into the wheel, and the stress xx yy zz
+/// xy yz xz along these.
+inline constexpr int smooth_components = 9;
+
+/// Values of the polynomials of total degree up to `degree` at a place, whose depth goes from 0 to
+/// `depth` mm. Beyond box and depth the place is moved to where they end.
+Eigen::VectorXd depth_polynomials(const SmoothBox& box, double depth, int degree,
+                                  const SubsurfacePoint& at);
+/// How many there are.
+Eigen::Index depth_polynomial_count(int degree);
+
+/// What one body has beyond its half-space with the tractions of a grid.
+class SmoothStressOnGrid {
+ public:
+  /// `map` is not empty.
+  SmoothStressOnGrid(const SmoothDepthMap& map, const contact::ContactGrid& grid,
+                     const contact::SurfaceField& traction);
+  /// Adds it to the state at a place. Beyond the box it fades with the square of the distance.
+  void add(const SubsurfacePoint& at, SubsurfaceState& state) const;
+
+ private:
+  SmoothBox fields_;
+  double depth_;
+  int degree_;
+  Eigen::MatrixXd coefficients_;  ///< a column for each component
+};
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,230 @@
+#include "hybrid/stresses.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/stress/smooth_stress.hpp"
+#include "halfspace/stress/stress_maxima.hpp"
+#include "halfspace/stress/subsurface.hpp"
+#include "halfspace/stress/subsurface_fields.hpp"
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace rollfem::hybrid {
+
+using contact::BelowSurface;
+using contact::SubsurfaceField;
+using contact::SubsurfaceRequest;
+using halfspace::Body;
+using halfspace::SmoothStressOnGrid;
+using halfspace::SubsurfacePoint;
+using halfspace::SubsurfaceState;
+
+namespace {
+
+/// Of the smaller semi-axis: as finite elements take them onto their surface.
+constexpr double reach_above = 0.125;
+
+/// Normals that have come together by more than that are left.
+constexpr double least_spread = 0.3;
+
+/// Depth of a place on the surface, mm: rounding.
+constexpr double on_surface = 1e-9;
+
+/// From the axes of the surface to x, y, z.
+void turn(const std::array<contact::Vector3, 3>& axes, SubsurfaceState& state) {
+  Eigen::Matrix3d q, stress;
+  Eigen::Vector3d u;
+  for (int k = 0; k < 3; ++k) {
+    u[k] = state.displacement[static_cast<std::size_t>(k)];
+    for (int d = 0; d < 3; ++d)
+      q(d, k) = axes[static_cast<std::size_t>(k)][static_cast<std::size_t>(d)];
+  }
+  const contact::Stress& s = state.stress;
+  stress << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+  const Eigen::Matrix3d turned = q * stress * q.transpose();
+  u = q * u;
+  state.stress = {turned(0, 0), turned(1, 1), turned(2, 2),
+                  turned(0, 1), turned(1, 2), turned(0, 2)};
+  state.displacement = {u[0], u[1], u[2]};
+}
+
+std::optional<SmoothStressOnGrid> beyond_of(const halfspace::SmoothDepthMap& map,
+                                            const contact::ContactGrid& grid,
+                                            const contact::SurfaceField& traction) {
+  if (map.empty()) return {};
+  return SmoothStressOnGrid(map, grid, traction);
+}
+
+contact::Geometry following(const contact::Scene& scene) {
+  contact::Geometry geometry = scene.geometry;
+  geometry.surface.follows = 1.0;
+  return geometry;
+}
+
+/// Half-space and what is beyond it, in coordinates along the surface. On the surface the steps of
+/// the tractions make the stress along it infinite at the edges of elements: places there have the
+/// mean of the middles of the four around them.
+std::vector<SubsurfaceState> half_space_at(const halfspace::LoadedBody& body,
+                                           const std::vector<SubsurfacePoint>& points) {
+  std::vector<SubsurfacePoint> all = points;
+  const contact::ContactGrid& grid = body.grid;
+  const auto cell = [](double at, double first, double step) {
+    return std::floor((at - first) / step + 1e-9);
+  };
+  for (const SubsurfacePoint& at : points) {
+    if (at.depth > on_surface) continue;
+    for (const int b : {0, 1})
+      for (const int a : {0, 1})
+        all.push_back({grid.x_first + (cell(at.x, grid.x_first, grid.dx) + a) * grid.dx,
+                       grid.y_first + (cell(at.y, grid.y_first, grid.dy) + b) * grid.dy, 0.0});
+  }
+  auto states = halfspace::subsurface_at(body, all);
+  std::size_t next = points.size();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const SubsurfacePoint& at = points[k];
+    if (at.depth > on_surface) continue;
+    std::array<double, 6> stress{};
+    for (std::size_t corner = 0; corner < 4; ++corner, ++next) {
+      const double weight = (1.0 - std::abs(at.x - all[next].x) / grid.dx) *
+                            (1.0 - std::abs(at.y - all[next].y) / grid.dy);
+      const auto value = states[next].stress.as_array();
+      for (std::size_t c = 0; c < 6; ++c) stress[c] += weight * value[c];
+    }
+    states[k].stress = contact::Stress::from_array(stress);
+  }
+  states.resize(points.size());
+  return states;
+}
+
+}  // namespace
+
+struct Stresses::Lists {
+  std::vector<contact::Vector3> places;
+  std::vector<SubsurfacePoint> points;
+  std::vector<std::array<contact::Vector3, 3>> axes;
+};
+
+Stresses::Stresses(const contact::Scene& scene, const halfspace::SmoothParts& parts)
+    : scene_(scene),
+      parts_(parts),
+      geometry_(following(scene), contact::Chart::arc),
+      wheel_(geometry_, true),
+      rail_(geometry_, false) {
+  const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+  reach_ = reach_above * 0.5 * std::min(extent.length, extent.width);
+}
+
+Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t number) const {
+  const BelowSurface& body = request.wheel ? wheel_ : rail_;
+  const char* const name = request.wheel ? "wheel" : "rail";
+  Lists lists;
+  for (auto place : halfspace::subsurface_points(request)) {
+    if (request.kind == SubsurfaceRequest::Kind::surface)
+      place = body.below(place[0], place[1], request.depth);
+    const auto at = body.coordinates(place);
+    const auto refuse = [&](const std::string& why) {
+      throw contact::InputError(
+          fmt::format("{}: request {} for stresses: ({:.6g}, {:.6g}, {:.6g}) mm is {}", scene_.file,
+                      number + 1, place[0], place[1], place[2], why));
+    };
+    if (!(at.spread > least_spread))
+      refuse(
+          fmt::format("so deep in the {} that the normals of its surface meet there, along which "
+                      "the hybrid goes down; allowed: depths of up to 0.7 of the radius of the "
+                      "surface; do: ask for places nearer to it, or run with --model fem",
+                      name));
+    if (!(at.depth >= -reach_))
+      refuse(
+          fmt::format("not in the {}, but {:.4g} mm above its surface; allowed: {:.3g} mm, which "
+                      "are moved onto it; do: move the points into the body, or follow its "
+                      "surface with [[subsurface.surface]]",
+                      name, -at.depth, reach_));
+    lists.places.push_back(at.depth < 0.0 ? body.place(at.x, at.y, 0.0) : place);
+    lists.points.push_back({at.x, at.y, std::max(0.0, at.depth)});
+    lists.axes.push_back(at.axes);
+  }
+  return lists;
+}
+
+SubsurfaceField Stresses::field(const SubsurfaceRequest& request, std::size_t number,
+                                const contact::ContactGrid& grid,
+                                const contact::SurfaceField& traction) const {
+  Lists asked = lists(request, number);
+  SubsurfaceField field;
+  field.request = request;
+  field.points = asked.places;
+  const auto beyond = beyond_of(map(request.wheel), grid, traction);
+  auto states =
+      half_space_at({request.wheel ? Body::wheel : Body::rail,
+                     request.wheel ? scene_.wheel.material : scene_.rail.material, grid, traction},
+                    asked.points);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (beyond) beyond->add(asked.points[k], states[k]);
+    turn(asked.axes[k], states[k]);
+    field.displacement.push_back(states[k].displacement);
+    field.stress.push_back(states[k].stress.as_array());
+  }
+  return field;
+}
+
+void Stresses::add(const contact::ContactGrid& grid, contact::PointResult& point) const {
+  const contact::SurfaceField& traction = point.fields.traction;
+  point.subsurface.clear();
+  for (std::size_t k = 0; k < scene_.subsurface.size(); ++k)
+    point.subsurface.push_back(field(scene_.subsurface[k], k, grid, traction));
+  if (!scene_.output.stress_maxima) return;
+  const auto wheel = beyond_of(parts_.wheel_below, grid, traction);
+  const auto rail = beyond_of(parts_.rail_below, grid, traction);
+  point.stress_maxima = halfspace::stress_maxima(
+      scene_, grid, point, [&](Body body, const SubsurfacePoint& at, SubsurfaceState& state) {
+        const auto& beyond = body == Body::wheel ? wheel : rail;
+        if (beyond) beyond->add(at, state);
+      });
+}
+
+void Stresses::finish(const contact::ContactGrid& grid, double part, double relative,
+                      contact::PointResult& point) const {
+  const contact::SurfaceField& traction = point.fields.traction;
+  const auto widen = [&](const std::string& name, double change) {
+    const auto bar = point.error_estimate.find(name);
+    if (bar != point.error_estimate.end()) bar->second = std::hypot(bar->second, part * change);
+  };
+  double most = 0.0;
+  for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
+    const contact::SubsurfaceField& field = point.subsurface[k];
+    const Lists asked = lists(field.request, k);
+    const auto beyond = beyond_of(map(field.request.wheel), grid, traction);
+    for (std::size_t p = 0; p < asked.points.size(); ++p) {
+      SubsurfaceState state;
+      if (beyond) beyond->add(asked.points[p], state);
+      const auto own = state.stress.as_array();
+      for (std::size_t c = 0; c < own.size(); ++c)
+        most = std::max({most, std::abs(own[c]), std::abs(relative * field.stress[p][c])});
+    }
+  }
+  widen("subsurface_stress", most);
+  for (contact::StressMaximum& maximum : point.stress_maxima) {
+    const bool wheel = maximum.body == "wheel";
+    const SubsurfacePoint at{maximum.place[0], maximum.place[1], std::abs(maximum.place[2])};
+    const auto beyond = beyond_of(map(wheel), grid, traction);
+    const auto half =
+        half_space_at({wheel ? Body::wheel : Body::rail,
+                       wheel ? scene_.wheel.material : scene_.rail.material, grid, traction},
+                      {at});
+    for (const contact::StressMeasure& measure : contact::reported_measures())
+      if (measure.name == maximum.measure)
+        widen(fmt::format("max_{}_{}", maximum.measure, maximum.body),
+              std::hypot(maximum.value - measure.value(half.front().stress),
+                         relative * maximum.value));
+    maximum.place = place(wheel, at.x, at.y, at.depth);
+  }
+}
+
+}  // namespace rollfem::hybrid
