@@ -119,8 +119,8 @@ TEST(ProgramModels, HalfSpacesEndAtTheirSurface) {
   std::string text = with("transverse_radius = inf", "transverse_radius = -40.0");
   text.replace(text.find("2000.0"), 6, "35.0");
   text += "[[subsurface.point]]\nat = [0, 6, -0.4]\n";
-  EXPECT_EQ(refusal(text, "fem"), "able");
-  for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model fem"})
+  for (const char* model : {"hybrid", "fem"}) EXPECT_EQ(refusal(text, model), "able") << model;
+  for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model hybrid"})
     expect_refusal(text, "halfspace", part);
 }
 
