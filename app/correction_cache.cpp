@@ -79,7 +79,7 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
   Found found;
   if (off()) return found;
   for (const bool symmetric : {true, false}) {
-    if (symmetric && !halfspace::is_symmetric(correction)) continue;
+    if (symmetric && !correction.is_symmetric()) continue;
     const std::string key = key_of(correction, symmetric);
     const fs::path file = file_of(folder_, key);
     std::error_code error;
@@ -106,7 +106,7 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
 std::string CorrectionCache::keep(const contact::Scene& correction,
                                   const halfspace::SmoothParts& parts, double seconds) const {
   if (off()) return {};
-  const std::string key = key_of(correction, halfspace::is_symmetric(correction));
+  const std::string key = key_of(correction, correction.is_symmetric());
   postprocess::NamedValues values = values_of(parts);
   values.numbers["seconds"] = seconds;
   values.texts["key"] = key;

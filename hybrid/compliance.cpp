@@ -34,19 +34,14 @@ HybridCompliance::HybridCompliance(const contact::Scene& scene,
   if (!wheel_ || !std::isfinite(surface.rolling_radius)) return;
   wheel_half_ = std::make_unique<halfspace::HalfspaceCompliance>(
       grid, contact::combine(scene.wheel.material, rigid()));
-  const double tilt_sine = std::sin(surface.axle_tilt());
-  const double tilt_cosine = std::cos(surface.axle_tilt());
-  const auto along = [&](double numerator_at, double y) {
-    return numerator_at / contact::stretch_of(surface.climb(y)) / surface.local_rolling_radius(y);
+  const auto along = [&](auto&& value) {
+    return grid.sample([&](double, double s) { return value(geometry.lateral_place(s)); });
   };
-  towards_axle_n_ = grid.sample([&](double, double s) {
-    const double y = geometry.lateral_place(s);
-    return along(tilt_cosine + surface.climb(y) * tilt_sine, y);
-  });
-  towards_axle_y_ = grid.sample([&](double, double s) {
-    const double y = geometry.lateral_place(s);
-    return along(surface.climb(y) * tilt_cosine - tilt_sine, y);
-  });
+  contact::PatchShape shape;
+  shape.climb = along([&](double y) { return surface.climb(y); });
+  shape.stretch = along([&](double y) { return contact::stretch_of(surface.climb(y)); });
+  curvature_slip_.emplace(shape, along([&](double y) { return surface.local_rolling_radius(y); }),
+                          surface.axle_tilt());
 }
 
 SurfaceField HybridCompliance::apply(const SurfaceField& traction) const {
@@ -61,9 +56,7 @@ contact::Response HybridCompliance::respond(const SurfaceField& traction) const 
     if (wheel_half_) {
       SurfaceField u = wheel_half_->apply(traction);
       add(u, beyond);
-      response.curvature_slip = {
-          u.n.cwiseProduct(towards_axle_n_) + u.y.cwiseProduct(towards_axle_y_),
-          -u.x.cwiseProduct(towards_axle_y_)};
+      response.curvature_slip = (*curvature_slip_)(u);
     }
   }
   if (rail_) add(response.displacement, rail_->apply(traction));

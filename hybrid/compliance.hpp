@@ -2,12 +2,14 @@
 // wheel and rail add to it.
 #pragma once
 
+#include "contact/scene/curvature_slip.hpp"
 #include "contact/scene/scene.hpp"
 #include "contact/solve/compliance.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/smooth_map.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace rollfem::hybrid {
 
@@ -25,7 +27,7 @@ class HybridCompliance : public contact::Compliance {
   std::unique_ptr<halfspace::HalfspaceCompliance> wheel_half_;  ///< of the wheel; null: flat
   std::unique_ptr<halfspace::SmoothMapOnGrid> wheel_;
   std::unique_ptr<halfspace::SmoothMapOnGrid> rail_;
-  contact::Field towards_axle_n_, towards_axle_y_;  ///< parts over the radius, 1/mm
+  std::optional<contact::CurvatureSlip> curvature_slip_;  ///< with wheel_half_
 };
 
 }  // namespace rollfem::hybrid

@@ -2,13 +2,13 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/stress_measures.hpp"
+#include "contact/result/turned.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
 #include "halfspace/stress/subsurface_fields.hpp"
 
-#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,28 +31,13 @@ namespace {
 /// Of the smaller semi-axis: as finite elements take them onto their surface.
 constexpr double reach_above = 0.125;
 
-/// Normals that have come together by more than that are left.
-constexpr double least_spread = 0.3;
-
 /// Depth of a place on the surface, mm: rounding.
 constexpr double on_surface = 1e-9;
 
 /// From the axes of the surface to x, y, z.
-void turn(const std::array<contact::Vector3, 3>& axes, SubsurfaceState& state) {
-  Eigen::Matrix3d q, stress;
-  Eigen::Vector3d u;
-  for (int k = 0; k < 3; ++k) {
-    u[k] = state.displacement[static_cast<std::size_t>(k)];
-    for (int d = 0; d < 3; ++d)
-      q(d, k) = axes[static_cast<std::size_t>(k)][static_cast<std::size_t>(d)];
-  }
-  const contact::Stress& s = state.stress;
-  stress << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
-  const Eigen::Matrix3d turned = q * stress * q.transpose();
-  u = q * u;
-  state.stress = {turned(0, 0), turned(1, 1), turned(2, 2),
-                  turned(0, 1), turned(1, 2), turned(0, 2)};
-  state.displacement = {u[0], u[1], u[2]};
+void turn(const contact::Axes& axes, SubsurfaceState& state) {
+  state.stress = contact::out_of_axes(axes, state.stress);
+  state.displacement = contact::out_of_axes(axes, state.displacement);
 }
 
 std::optional<SmoothStressOnGrid> beyond_of(const halfspace::SmoothDepthMap& map,
@@ -105,10 +90,24 @@ std::vector<SubsurfaceState> half_space_at(const halfspace::LoadedBody& body,
 
 }  // namespace
 
+struct Stresses::LoadedBody {
+  halfspace::LoadedBody half;
+  std::optional<SmoothStressOnGrid> beyond;  ///< none: as a half-space
+
+  void add_beyond(const SubsurfacePoint& at, SubsurfaceState& state) const {
+    if (beyond) beyond->add(at, state);
+  }
+};
+
+struct Stresses::Bodies {
+  LoadedBody wheel, rail;
+  const LoadedBody& of(bool is_wheel) const { return is_wheel ? wheel : rail; }
+};
+
 struct Stresses::Lists {
   std::vector<contact::Vector3> places;
   std::vector<SubsurfacePoint> points;
-  std::vector<std::array<contact::Vector3, 3>> axes;
+  std::vector<contact::Axes> axes;
 };
 
 Stresses::Stresses(const contact::Scene& scene, const halfspace::SmoothParts& parts)
@@ -134,7 +133,7 @@ Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t nu
           fmt::format("{}: request {} for stresses: ({:.6g}, {:.6g}, {:.6g}) mm is {}", scene_.file,
                       number + 1, place[0], place[1], place[2], why));
     };
-    if (!(at.spread > least_spread))
+    if (!(at.spread > BelowSurface::least_spread))
       refuse(
           fmt::format("so deep in the {} that the normals of its surface meet there, along which "
                       "the hybrid goes down; allowed: depths of up to 0.7 of the radius of the "
@@ -153,20 +152,25 @@ Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t nu
   return lists;
 }
 
+Stresses::Bodies Stresses::bodies(const contact::ContactGrid& grid,
+                                  const contact::SurfaceField& traction) const {
+  const auto body = [&](Body which, const contact::Material& material,
+                        const halfspace::SmoothDepthMap& map) -> LoadedBody {
+    return {{which, material, grid, traction}, beyond_of(map, grid, traction)};
+  };
+  return {body(Body::wheel, scene_.wheel.material, parts_.wheel_below),
+          body(Body::rail, scene_.rail.material, parts_.rail_below)};
+}
+
 SubsurfaceField Stresses::field(const SubsurfaceRequest& request, std::size_t number,
-                                const contact::ContactGrid& grid,
-                                const contact::SurfaceField& traction) const {
+                                const LoadedBody& body) const {
   Lists asked = lists(request, number);
   SubsurfaceField field;
   field.request = request;
   field.points = asked.places;
-  const auto beyond = beyond_of(map(request.wheel), grid, traction);
-  auto states =
-      half_space_at({request.wheel ? Body::wheel : Body::rail,
-                     request.wheel ? scene_.wheel.material : scene_.rail.material, grid, traction},
-                    asked.points);
+  auto states = half_space_at(body.half, asked.points);
   for (std::size_t k = 0; k < states.size(); ++k) {
-    if (beyond) beyond->add(asked.points[k], states[k]);
+    body.add_beyond(asked.points[k], states[k]);
     turn(asked.axes[k], states[k]);
     field.displacement.push_back(states[k].displacement);
     field.stress.push_back(states[k].stress.as_array());
@@ -175,35 +179,34 @@ SubsurfaceField Stresses::field(const SubsurfaceRequest& request, std::size_t nu
 }
 
 void Stresses::add(const contact::ContactGrid& grid, contact::PointResult& point) const {
-  const contact::SurfaceField& traction = point.fields.traction;
   point.subsurface.clear();
+  if (!scene_.asks_for_stress()) return;
+  const Bodies loaded = bodies(grid, point.fields.traction);
   for (std::size_t k = 0; k < scene_.subsurface.size(); ++k)
-    point.subsurface.push_back(field(scene_.subsurface[k], k, grid, traction));
+    point.subsurface.push_back(
+        field(scene_.subsurface[k], k, loaded.of(scene_.subsurface[k].wheel)));
   if (!scene_.output.stress_maxima) return;
-  const auto wheel = beyond_of(parts_.wheel_below, grid, traction);
-  const auto rail = beyond_of(parts_.rail_below, grid, traction);
   point.stress_maxima = halfspace::stress_maxima(
       scene_, grid, point, [&](Body body, const SubsurfacePoint& at, SubsurfaceState& state) {
-        const auto& beyond = body == Body::wheel ? wheel : rail;
-        if (beyond) beyond->add(at, state);
+        loaded.of(body == Body::wheel).add_beyond(at, state);
       });
 }
 
 void Stresses::finish(const contact::ContactGrid& grid, double part, double relative,
                       contact::PointResult& point) const {
-  const contact::SurfaceField& traction = point.fields.traction;
   const auto widen = [&](const std::string& name, double change) {
     const auto bar = point.error_estimate.find(name);
     if (bar != point.error_estimate.end()) bar->second = std::hypot(bar->second, part * change);
   };
+  if (point.subsurface.empty() && point.stress_maxima.empty()) return;
+  const Bodies loaded = bodies(grid, point.fields.traction);
   double most = 0.0;
   for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
-    const contact::SubsurfaceField& field = point.subsurface[k];
+    const SubsurfaceField& field = point.subsurface[k];
     const Lists asked = lists(field.request, k);
-    const auto beyond = beyond_of(map(field.request.wheel), grid, traction);
     for (std::size_t p = 0; p < asked.points.size(); ++p) {
       SubsurfaceState state;
-      if (beyond) beyond->add(asked.points[p], state);
+      loaded.of(field.request.wheel).add_beyond(asked.points[p], state);
       const auto own = state.stress.as_array();
       for (std::size_t c = 0; c < own.size(); ++c)
         most = std::max({most, std::abs(own[c]), std::abs(relative * field.stress[p][c])});
@@ -213,11 +216,7 @@ void Stresses::finish(const contact::ContactGrid& grid, double part, double rela
   for (contact::StressMaximum& maximum : point.stress_maxima) {
     const bool wheel = maximum.body == "wheel";
     const SubsurfacePoint at{maximum.place[0], maximum.place[1], std::abs(maximum.place[2])};
-    const auto beyond = beyond_of(map(wheel), grid, traction);
-    const auto half =
-        half_space_at({wheel ? Body::wheel : Body::rail,
-                       wheel ? scene_.wheel.material : scene_.rail.material, grid, traction},
-                      {at});
+    const auto half = half_space_at(loaded.of(wheel).half, {at});
     for (const contact::StressMeasure& measure : contact::reported_measures())
       if (measure.name == maximum.measure)
         widen(fmt::format("max_{}_{}", maximum.measure, maximum.body),

@@ -35,13 +35,12 @@ class Stresses {
  private:
   struct Lists;
   Lists lists(const contact::SubsurfaceRequest& request, std::size_t number) const;
+  struct LoadedBody;
+  struct Bodies;
+  /// Under the tractions of a load point.
+  Bodies bodies(const contact::ContactGrid& grid, const contact::SurfaceField& traction) const;
   contact::SubsurfaceField field(const contact::SubsurfaceRequest& request, std::size_t number,
-                                 const contact::ContactGrid& grid,
-                                 const contact::SurfaceField& traction) const;
-
-  const halfspace::SmoothDepthMap& map(bool wheel) const {
-    return wheel ? parts_.wheel_below : parts_.rail_below;
-  }
+                                 const LoadedBody& body) const;
 
   const contact::Scene& scene_;
   const halfspace::SmoothParts& parts_;

@@ -38,6 +38,12 @@ CurveValue BelowSurface::own(double y) const {
   return {sign * drop.value, sign * drop.slope, 0.0};
 }
 
+Vector3 BelowSurface::from_axle(const Vector3& place) const {
+  Vector3 result{};
+  for (std::size_t d = 0; d < 3; ++d) result[d] = place[d] - axle_.point[d];
+  return result;
+}
+
 /// Second derivative of the common surface, 1/mm.
 double BelowSurface::bend(double y) const {
   return (surface_.climb(y + bend_step) - surface_.climb(y - bend_step)) / (2.0 * bend_step);
@@ -65,9 +71,7 @@ Vector3 BelowSurface::turned_direction(const Vector3& v, double angle) const {
 }
 
 Vector3 BelowSurface::turned(const Vector3& in_section, double angle) const {
-  Vector3 from_axle{};
-  for (std::size_t d = 0; d < 3; ++d) from_axle[d] = in_section[d] - axle_.point[d];
-  Vector3 place = turned_direction(from_axle, angle);
+  Vector3 place = turned_direction(from_axle(in_section), angle);
   for (std::size_t d = 0; d < 3; ++d) place[d] += axle_.point[d];
   return place;
 }
@@ -76,9 +80,8 @@ BelowSurface::Coordinates BelowSurface::coordinates(const Vector3& place) const 
   Vector3 section = place;
   double angle = 0.0;
   if (turns_) {
-    Vector3 from_axle{};
-    for (std::size_t d = 0; d < 3; ++d) from_axle[d] = place[d] - axle_.point[d];
-    angle = std::atan2(from_axle[0], dot(from_axle, down_));
+    const Vector3 radial = from_axle(place);
+    angle = std::atan2(radial[0], dot(radial, down_));
     section = turned(place, -angle);
   }
   // The foot on the body's section, along the normal of the common surface.
@@ -120,9 +123,7 @@ Vector3 BelowSurface::place(double x, double arc, double depth) const {
 Vector3 BelowSurface::below(double x, double y, double depth) const {
   if (!turns_) return {x, y, own(y).value + (wheel_ ? depth : -depth)};
   const Vector3 section{0.0, y, own(y).value + depth};
-  Vector3 from_axle{};
-  for (std::size_t d = 0; d < 3; ++d) from_axle[d] = section[d] - axle_.point[d];
-  const double radius = dot(from_axle, down_);
+  const double radius = dot(from_axle(section), down_);
   if (!(std::abs(x) < radius)) return {x, y, infinity};
   return turned(section, std::asin(x / radius));
 }

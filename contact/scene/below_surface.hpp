@@ -15,6 +15,10 @@ class BelowSurface {
   /// out.
   BelowSurface(const ChartedGeometry& geometry, bool wheel);
 
+  /// Where the normals have come together by more than that (Coordinates::spread) the coordinates
+  /// are of no use.
+  static constexpr double least_spread = 0.3;
+
   /// x along the streamline, y along the common surface across, both mm and those of the contact
   /// grid; depth along the common surface's normal below the body's own surface, < 0 outside.
   struct Coordinates {
@@ -35,6 +39,7 @@ class BelowSurface {
 
  private:
   CurveValue own(double y) const;
+  Vector3 from_axle(const Vector3& place) const;
   double bend(double y) const;
   double arc_of(double y) const;
   Vector3 turned(const Vector3& in_section, double angle) const;

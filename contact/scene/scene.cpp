@@ -62,6 +62,14 @@ bool Scene::load_changes() const {
   });
 }
 
+bool Scene::is_symmetric() const {
+  return !has_profiles() && geometry.has_surfaces() && geometry.extra_slip != ExtraSlip::file &&
+         std::all_of(points.begin(), points.end(), [](const LoadPoint& point) {
+           return point.creepage.lateral == 0.0 && point.creepage.spin == 0.0 &&
+                  !point.force.lateral && point.lateral_shift == 0.0 && point.spin_shift == 0.0;
+         });
+}
+
 std::string Scene::patch_prefix() const {
   return place ? place->label() + ": " : std::string();
 }

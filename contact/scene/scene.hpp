@@ -99,6 +99,9 @@ struct Scene {
   bool load_changes() const;
   /// Below the surface.
   bool asks_for_stress() const { return !subsurface.empty() || output.stress_maxima; }
+  /// The plane y = 0 is a symmetry plane: bodies with radii, and nothing drives the material
+  /// sideways.
+  bool is_symmetric() const;
   /// "left, position 3: " before what is said of a patch of a wheelset, else nothing.
   std::string patch_prefix() const;
 };

@@ -1,6 +1,7 @@
 #include "fem/correction/below_parts.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/turned.hpp"
 #include "fem/solver/cell_terms.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
 
@@ -22,9 +23,6 @@ namespace {
 constexpr int components = halfspace::smooth_components;
 constexpr int depth_degree = 6;
 
-/// Where normals have come together by more than that the coordinates are of no use.
-constexpr double least_spread = 0.3;
-
 /// Distance between nodes of the twin and where the body's are rolled out to that is rounding, mm.
 constexpr double same_place = 1e-5;
 
@@ -32,16 +30,15 @@ constexpr double same_place = 1e-5;
 constexpr std::array<double, components> mirror{1, -1, 1, 1, 1, 1, -1, -1, 1};
 
 /// From global axes to these.
-void turn(const std::array<contact::Vector3, 3>& axes, Eigen::Ref<Eigen::RowVectorXd> state) {
-  Eigen::Matrix3d q, stress;
-  for (int k = 0; k < 3; ++k)
-    for (int d = 0; d < 3; ++d)
-      q(d, k) = axes[static_cast<std::size_t>(k)][static_cast<std::size_t>(d)];
-  stress << state[3], state[6], state[8], state[6], state[4], state[7], state[8], state[7],
-      state[5];
-  const Eigen::RowVector3d u = state.head<3>() * q;
-  const Eigen::Matrix3d s = q.transpose() * stress * q;
-  state << u, s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
+void turn(const contact::Axes& axes, Eigen::Ref<Eigen::RowVectorXd> state) {
+  std::array<double, 3> u{};
+  std::array<double, 6> stress{};
+  for (Index k = 0; k < 3; ++k) u.at(k) = state[k];
+  for (Index k = 0; k < 6; ++k) stress.at(k) = state[3 + k];
+  u = contact::into_axes(axes, u);
+  stress = contact::into_axes(axes, contact::Stress::from_array(stress)).as_array();
+  for (Index k = 0; k < 3; ++k) state[k] = u.at(k);
+  for (Index k = 0; k < 6; ++k) state[3 + k] = stress.at(k);
 }
 
 }  // namespace
@@ -142,7 +139,8 @@ void BelowParts::choose_points() {
   for (std::size_t k = 0; k < body_->places().size(); ++k) {
     const auto& place = body_->places()[k];
     const auto at = coordinates_.coordinates({place[0], place[1], place[2]});
-    const bool inside = at.spread > least_spread && std::abs(at.x) <= box_.half_length &&
+    const bool inside = at.spread > BelowSurface::least_spread &&
+                        std::abs(at.x) <= box_.half_length &&
                         std::abs(at.y - box_.middle) <= box_.half_width && at.depth <= depth_;
     if (!inside) continue;
     const auto& flat = twin_->places()[k];

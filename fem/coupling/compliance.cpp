@@ -1,5 +1,6 @@
 #include "fem/coupling/compliance.hpp"
 
+#include "contact/scene/curvature_slip.hpp"
 #include "fem/coupling/far_field.hpp"
 #include "fem/coupling/middle_displacement.hpp"
 #include "fem/solver/factorisation.hpp"
@@ -20,32 +21,14 @@ constexpr double sign_of[2] = {1.0,
 
 }  // namespace
 
-contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
-                                        const contact::ContactGrid& grid,
-                                        const contact::SurfaceField& displacement) {
-  const contact::PatchShape shape = contact::patch_shape(surface, grid);
-  const contact::Field radius =
-      grid.sample([&](double, double y) { return surface.local_rolling_radius(y); });
-  // Lateral tangent and normal along the way from the contact to the axle.
-  const double tilt_sine = std::sin(surface.axle_tilt());
-  const double tilt_cosine = std::cos(surface.axle_tilt());
-  const contact::Field sine =
-      (shape.climb.array() * tilt_cosine - tilt_sine).matrix().cwiseQuotient(shape.stretch);
-  const contact::Field cosine =
-      (tilt_cosine + shape.climb.array() * tilt_sine).matrix().cwiseQuotient(shape.stretch);
-  const contact::Field towards_axle =
-      displacement.n.cwiseProduct(cosine) + displacement.y.cwiseProduct(sine);
-  return {towards_axle.cwiseQuotient(radius),
-          -displacement.x.cwiseProduct(sine).cwiseQuotient(radius)};
-}
-
 struct FemCompliance::Implementation {
   Implementation(const Part& wheel, const Part& rail, const contact::ContactSurface& the_surface,
                  const contact::ContactGrid& the_grid, FarBoundary far)
       : grid(the_grid),
         parts{wheel, rail},
         surface(the_surface),
-        shape(contact::patch_shape(surface, the_grid)) {
+        shape(contact::patch_shape(surface, the_grid)),
+        curvature_slip(surface, the_grid) {
     concurrent = wheel.solver != rail.solver;
     for (int k = 0; k < 2; ++k) {
       const auto [body, solver] = parts[k];
@@ -111,6 +94,7 @@ struct FemCompliance::Implementation {
   Part parts[2];
   contact::ContactSurface surface;
   contact::PatchShape shape;
+  contact::CurvatureSlip curvature_slip;
   std::optional<SurfaceCoupling> coupling[2];  ///< none: rigid
   std::optional<MiddleDisplacement> middle[2];
   std::optional<FarField> far_field[2];  ///< none: clamped
@@ -142,8 +126,7 @@ contact::Response FemCompliance::respond(const contact::SurfaceField& traction) 
   ++model.solves;
   const auto wheel = model.surface_displacement(0, traction);
   const auto rail = model.surface_displacement(1, traction);
-  return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n},
-          curvature_slip(model.surface, model.grid, wheel)};
+  return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n}, model.curvature_slip(wheel)};
 }
 
 std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceField& traction) const {

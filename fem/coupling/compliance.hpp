@@ -42,14 +42,6 @@ class SurfaceCoupling {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Slip that comes with the wheel's streamlines being circles of radius R(y): u_r / R along x for a
-/// displacement u_r towards the axle, which shortens them, and on a surface tilted across -sin u_x
-/// / R laterally, as the lateral tangent turns. Together with the difference along the streamline
-/// it gives the surface strain, so that a rigid displacement slips nowhere.
-contact::TangentialField curvature_slip(const contact::ContactSurface& surface,
-                                        const contact::ContactGrid& grid,
-                                        const contact::SurfaceField& displacement);
-
 /// How the far boundary of the segments is held (far_field.hpp).
 using FarBoundary = contact::FarBoundary;
 

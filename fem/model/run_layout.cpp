@@ -4,8 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "fem/body/case_bodies.hpp"
 #include "fem/solver/solver_choice.hpp"
-#include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/expected_patch.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -31,17 +29,6 @@ constexpr const char* of_grid = "contact elements across the patch (fem.cell_siz
 
 /// Elements of the potential contact area beyond the expected patch, each side.
 constexpr int margin = 3;
-
-/// The plane y = 0 is a symmetry plane of bodies with radii when nothing drives the material
-/// sideways.
-bool symmetric_about_rolling(const Scene& scene) {
-  return !scene.has_profiles() && scene.geometry.has_surfaces() &&
-         scene.geometry.extra_slip != contact::ExtraSlip::file &&
-         std::all_of(scene.points.begin(), scene.points.end(), [](const contact::LoadPoint& p) {
-           return p.creepage.lateral == 0.0 && p.creepage.spin == 0.0 && !p.force.lateral &&
-                  p.lateral_shift == 0.0 && p.spin_shift == 0.0;
-         });
-}
 
 /// On the lattice of the FE faces, an even number of elements each way.
 ContactGrid lattice_grid(const PatchBox& patch, double cell) {
@@ -87,7 +74,7 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
   options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
   options.middle = patch.middle;
   options.extent = scene.fem.extent.value_or(8.0 * patch.larger());
-  options.half = symmetric_about_rolling(scene);
+  options.half = scene.is_symmetric();
   options.degree = scene.fem.degree;
   if (scene.feels_inertia()) options.speed = scene.speed;
   set_segment_sizes(scene, options);
@@ -96,15 +83,6 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 }
 
 }  // namespace
-
-PatchBox patch_box(const Scene& scene) {
-  if (!scene.has_profiles() && !scene.geometry.distance_values) {
-    const halfspace::HertzContact hertz = halfspace::hertz_of_scene(scene);
-    return {hertz.semi_axis_x, hertz.semi_axis_y, 0.0};
-  }
-  const halfspace::ExpectedPatch patch = halfspace::expected_patch(scene);
-  return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width(), patch.y_middle()};
-}
 
 double default_cell_size(const Scene& scene) {
   return scene.fem.cell_size ? *scene.fem.cell_size : patch_box(scene).smaller() / 8.0;

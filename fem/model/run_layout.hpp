@@ -6,19 +6,12 @@
 #include "contact/scene/scene.hpp"
 #include "fem/body/body.hpp"
 #include "fem/solver/memory.hpp"
+#include "halfspace/model/expected_patch.hpp"
 
 namespace rollfem::fem {
 
-/// Where the patch is expected: of radii Hertz's ellipse about the origin, of profiles the box of a
-/// coarse half-space solution.
-struct PatchBox {
-  double half_length = 0.0;  ///< mm, to both sides of x = 0
-  double half_width = 0.0;   ///< mm, to both sides of y = middle
-  double middle = 0.0;       ///< mm
-  double larger() const { return half_length > half_width ? half_length : half_width; }
-  double smaller() const { return half_length > half_width ? half_width : half_length; }
-};
-PatchBox patch_box(const contact::Scene& scene);
+using halfspace::patch_box;
+using halfspace::PatchBox;
 
 /// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
 double default_cell_size(const contact::Scene& scene);

@@ -1,5 +1,6 @@
 #include "fem/solver/rolling_inertia.hpp"
 
+#include "contact/scene/curvature_slip.hpp"
 #include "fem/body/prescribed.hpp"
 #include "fem/body/profile_shape.hpp"
 #include "fem/coupling/compliance.hpp"
@@ -106,7 +107,7 @@ WheelExpansion wheel_expansion(const Body& wheel, const LinearSolver& solver,
   const auto u = SurfaceCoupling(wheel, grid, surface).sample(expansion.displacement);
   expansion.distance = u.n;
   expansion.slip = contact::upwind_difference(grid, {u.x, u.y}, order);
-  const auto turning = curvature_slip(surface, grid, u);
+  const auto turning = contact::CurvatureSlip(surface, grid)(u);
   expansion.slip.x += turning.x;
   expansion.slip.y += turning.y;
   return expansion;

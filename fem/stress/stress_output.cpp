@@ -137,9 +137,7 @@ struct StressOutput::Implementation {
 
   std::size_t count() const { return scene.points.size(); }
   bool keeps_bodies(std::size_t k) const { return keeps && scene.output.keeps_bodies(k, count()); }
-  bool wanted(std::size_t k) const {
-    return maxima || !scene.subsurface.empty() || keeps_bodies(k);
-  }
+  bool wanted(std::size_t k) const { return scene.asks_for_stress() || keeps_bodies(k); }
 
   static contact::BodyValues values(const Part& part, const Vector& displacement,
                                     const NodalStress& stress, const Vector* expansion) {

@@ -1,6 +1,5 @@
 #include "halfspace/model/correction_scene.hpp"
 
-#include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/expected_patch.hpp"
 
 #include <fmt/format.h>
@@ -25,23 +24,6 @@ namespace {
 /// The box of the round load is no larger than this times that of the load itself: else it holds
 /// another contact of the profiles.
 constexpr double largest_growth = 1.5;
-
-/// Where the patch of the largest load is expected.
-struct PatchBox {
-  double half_length = 0.0;  ///< mm
-  double half_width = 0.0;   ///< mm
-  double middle = 0.0;       ///< mm, of y
-  double larger() const { return std::max(half_length, half_width); }
-};
-
-PatchBox patch_box(const Scene& scene) {
-  if (!scene.has_profiles()) {
-    const HertzContact hertz = hertz_of_scene(scene);
-    return {hertz.semi_axis_x, hertz.semi_axis_y, 0.0};
-  }
-  const ExpectedPatch patch = expected_patch(scene);
-  return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width(), patch.y_middle()};
-}
 
 double rounded_up(double value) {
   // What is on a step already stays there.
@@ -107,15 +89,6 @@ void add_surface(std::string& text, const contact::ContactSurface& surface) {
 
 }  // namespace
 
-bool is_symmetric(const Scene& scene) {
-  return !scene.has_profiles() && scene.geometry.has_surfaces() &&
-         scene.geometry.extra_slip != contact::ExtraSlip::file &&
-         std::all_of(scene.points.begin(), scene.points.end(), [](const contact::LoadPoint& point) {
-           return point.creepage.lateral == 0.0 && point.creepage.spin == 0.0 &&
-                  !point.force.lateral && point.lateral_shift == 0.0 && point.spin_shift == 0.0;
-         });
-}
-
 Scene correction_scene(const Scene& scene) {
   Scene bodies;
   bodies.file = scene.file;
@@ -130,7 +103,7 @@ Scene correction_scene(const Scene& scene) {
   bodies.speed = scene.speed;
   const NormalLoad largest = contact::largest_load(scene);
   contact::LoadPoint point;
-  point.creepage.lateral = is_symmetric(scene) ? 0.0 : 1.0;
+  point.creepage.lateral = scene.is_symmetric() ? 0.0 : 1.0;
   point.load = rounded_up(largest);
   bodies.points = {point};
   try {

@@ -16,10 +16,6 @@ namespace rollfem::halfspace {
 /// of a correction scene is itself.
 contact::Scene correction_scene(const contact::Scene& scene);
 
-/// The plane y = 0 is a symmetry plane: bodies with radii, and nothing drives the material
-/// sideways.
-bool is_symmetric(const contact::Scene& scene);
-
 /// Loads from one correction scene to the next.
 extern const double correction_load_ratio;
 

@@ -299,6 +299,11 @@ ExpectedPatch expected_patch(const Scene& scene, int elements) {
   return patch;
 }
 
+PatchBox patch_box(const Scene& scene) {
+  const ExpectedPatch patch = expected_patch(scene);
+  return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width(), patch.y_middle()};
+}
+
 void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {
   if (!scene.has_profiles()) return;
   const auto check = [&](const contact::HeightCurve& curve, const char* body) {

@@ -43,6 +43,17 @@ struct ExpectedPatch {
 /// when nothing touches.
 ExpectedPatch expected_patch(const contact::Scene& scene, int elements = 0);
 
+/// Where the patch of the largest load is expected, as bodies are laid out about it: of radii
+/// Hertz's ellipse about the origin, else the box of expected_patch.
+struct PatchBox {
+  double half_length = 0.0;  ///< mm, to both sides of x = 0
+  double half_width = 0.0;   ///< mm, to both sides of y = middle
+  double middle = 0.0;       ///< mm
+  double larger() const { return half_length > half_width ? half_length : half_width; }
+  double smaller() const { return half_length > half_width ? half_width : half_length; }
+};
+PatchBox patch_box(const contact::Scene& scene);
+
 /// Throws contact::InputError "profile too short for the contact" when one of the profiles of the
 /// patch ends between y_lower and y_upper, mm.
 void check_profiles_reach(const contact::Scene& scene, double y_lower, double y_upper);

@@ -60,9 +60,7 @@ constexpr double spread_on_plane = 0.03;
 /// below the surface are those of a plane half-space.
 double follows_surface(const PlacedScene& placed) {
   const contact::Scene& scene = placed.scene;
-  if (!scene.geometry.has_surfaces() || scene.given_pressure || !scene.subsurface.empty() ||
-      scene.output.stress_maxima)
-    return 0.0;
+  if (!scene.geometry.has_surfaces() || scene.given_pressure || scene.asks_for_stress()) return 0.0;
   const double part =
       std::clamp(placed.contact.spread_of_normals / spread_on_plane - 1.0, 0.0, 1.0);
   return part * part * (3.0 - 2.0 * part);

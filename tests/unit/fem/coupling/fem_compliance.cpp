@@ -1,5 +1,6 @@
 // Coupling and compliance: resultants, transpose consistency, symmetry, the mirrored half body.
 #include "contact/base/errors.hpp"
+#include "contact/scene/curvature_slip.hpp"
 #include "fem/coupling/middle_displacement.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
@@ -158,7 +159,7 @@ TEST(CurvatureSlip, ARigidDisplacementOfTheWheelSlipsNowhere) {
                        .sample(rigid_displacement(wheel, {0.3, 0.1, 0.7}));
     const auto difference =
         contact::upwind_difference(grid, {u.x, u.y}, contact::UpwindOrder::second);
-    const auto turning = fem::curvature_slip(surface, grid, u);
+    const auto turning = contact::CurvatureSlip(surface, grid)(u);
     // u_n / R alone is 1.7e-3, the lateral part up to 0.3 / 405 times the sine of the tilt; the
     // second-order difference is exact to (dx/R)^2 of them, the mean over the tilt of an element to
     // (dy/R_y)^2.

@@ -48,9 +48,9 @@ TEST(CorrectionScene, KnowsNoFrictionCreepageNorGrid) {
 
 TEST(CorrectionScene, HasTheSymmetryOfTheLoadPoints) {
   contact::Case input = case_of("thesis_a");
-  EXPECT_TRUE(halfspace::is_symmetric(halfspace::correction_scene(input)));
+  EXPECT_TRUE(halfspace::correction_scene(input).is_symmetric());
   input.rolling.creepages[2].spin = 1e-4;
-  EXPECT_FALSE(halfspace::is_symmetric(halfspace::correction_scene(input)));
+  EXPECT_FALSE(halfspace::correction_scene(input).is_symmetric());
 }
 
 TEST(CorrectionScene, KeyIsOfTheBodies) {

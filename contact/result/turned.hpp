@@ -1,0 +1,21 @@
+// Displacement and stress in axes of their own: from x, y, z to three unit vectors and back.
+#pragma once
+
+#include "contact/result/stress_measures.hpp"
+
+#include <array>
+
+namespace rollfem::contact {
+
+/// Three unit vectors at right angles to each other.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+/// Components along the axes of what is given in x, y, z.
+std::array<double, 3> into_axes(const Axes& axes, const std::array<double, 3>& vector);
+Stress into_axes(const Axes& axes, const Stress& stress);
+
+/// Components in x, y, z of what is given along the axes.
+std::array<double, 3> out_of_axes(const Axes& axes, const std::array<double, 3>& vector);
+Stress out_of_axes(const Axes& axes, const Stress& stress);
+
+}  // namespace rollfem::contact
