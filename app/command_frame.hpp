@@ -20,8 +20,9 @@ namespace rollfem::app {
 
 /// What run, compare and study are asked alike.
 struct ComputingRequest {
-  std::vector<std::string> models;  ///< as named by the call; empty: the command's own
-  std::string directory;            ///< empty: a folder of results/
+  std::vector<std::string> models;   ///< as named by the call; empty: the command's own
+  std::vector<std::string> changes;  ///< of keys, by --set
+  std::string directory;             ///< empty: a folder of results/
   bool quiet = false;
   bool resume = false;  ///< take up what a call that did not end has finished
   bool report = true;   ///< draw figures and page, which takes some seconds

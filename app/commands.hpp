@@ -25,11 +25,15 @@ struct Call {
   StressRequest stress = {};
   ProfileRequest profile = {};
   std::string check_file = {};
+  std::vector<std::string> check_changes = {};
   std::string new_case_file = {};
   std::string drawn_directory = {};
   std::string page = {};
   std::string cache_action = "list";
 };
+
+/// `--set KEY=VALUE`, any number of times.
+void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 
 /// Each adds its commands; `call` outlives the parse.
 void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study

@@ -79,9 +79,10 @@ std::string refinement_help(const contact::ModelRegistry& models) {
   return contact::listed(ways);
 }
 
-/// The flags that run, compare and study share.
+/// What run, compare and study share.
 template <class Request>
 void add_report_flags(CLI::App& command, Request& request) {
+  add_set_option(command, request.changes);
   command.add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
   command.add_flag("!--no-report", request.report, "write results only, no figures and no report");
 }
@@ -180,6 +181,16 @@ void add_study(CLI::App& program, Call& call) {
 }
 
 }  // namespace
+
+void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
+  command
+      .add_option("--set", changes,
+                  "a key of the case file with another value, for instance "
+                  "friction.coefficient=0.3; the option once for each key")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+}
 
 void add_computing_commands(CLI::App& program, Call& call) {
   add_run(program, call);

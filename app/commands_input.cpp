@@ -5,6 +5,8 @@
 #include "app/models.hpp"
 #include "app/places.hpp"
 #include "app/scenes.hpp"
+#include "app/shell_words.hpp"
+#include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
@@ -64,9 +66,10 @@ void warn_of_hertz(const contact::Case& input) {
   }
 }
 
-void check_case(const std::string& file, const contact::ModelRegistry& models) {
+void check_case(const std::string& file, const std::vector<std::string>& changes,
+                const contact::ModelRegistry& models) {
   const contact::ModelWords words = model_words(models);
-  const contact::Case input = contact::read_case(file, words);
+  const contact::Case input = contact::read_case(file, words, changes);
   std::cout << contact::describe(input, words) << contact::what_follows(input);
   warn_of_doubts(input);
   if (!input.has_profiles()) std::cout << taken_by(input, models);
@@ -89,7 +92,11 @@ void draw_report(const std::string& directory) {
   if (!problem.empty()) throw contact::InputError("report: " + problem);
 }
 
-std::string page_text(const std::string& page, const contact::ModelRegistry& models) {
+std::string page_text(const std::string& page, const CLI::App& program,
+                      const contact::ModelRegistry& models) {
+  if (page == "bash") return bash_completion(program, models);
+  if (page == "zsh") return zsh_completion(program, models);
+  if (page == "man") return manual_page(program, version());
   if (page == "schema") return postprocess::case_schema(model_words(models));
   if (page == "models") return models_markdown(models);
   if (page == "quantities") return contact::quantities_markdown();
@@ -106,6 +113,7 @@ void add_input_commands(CLI::App& program, Call& call) {
                    "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu (with profiles "
                    "left_1_1_wheel.msh and so on, for every patch); without it "
                    "results/<name of the case file>_mesh");
+  add_set_option(*mesh, call.mesh.changes);
   mesh->footer("example: rollfem mesh cases/thesis_a.toml");
   mesh->callback([&call] { app::mesh(call.mesh, call.models); });
 
@@ -125,8 +133,9 @@ void add_input_commands(CLI::App& program, Call& call) {
 
   CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
   check->add_option("case", call.check_file, "case file (.toml)")->required();
+  add_set_option(*check, call.check_changes);
   check->footer("example: rollfem check cases/s1002_uic60_left.toml");
-  check->callback([&call] { check_case(call.check_file, call.models); });
+  check->callback([&call] { check_case(call.check_file, call.check_changes, call.models); });
 
   CLI::App* fresh = program.add_subcommand("new-case", "print a commented case file");
   fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");
@@ -152,12 +161,13 @@ void add_input_commands(CLI::App& program, Call& call) {
   CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
   docs->add_option(
           "page", call.page,
-          "case-file, models, quantities: the table in docs/results.md, or schema: the JSON "
-          "schema of case files, by which editors complete and check them")
+          "case-file, models, quantities: the table in docs/results.md; schema: the JSON "
+          "schema of case files, by which editors complete and check them; bash, zsh: completion "
+          "of commands; man: the manual page")
       ->required()
-      ->check(CLI::IsMember({"case-file", "models", "quantities", "schema"}));
+      ->check(CLI::IsMember({"case-file", "models", "quantities", "schema", "bash", "zsh", "man"}));
   docs->footer("example: rollfem docs case-file > docs/case-file.md");
-  docs->callback([&call] { std::cout << page_text(call.page, call.models); });
+  docs->callback([&call, &program] { std::cout << page_text(call.page, program, call.models); });
 }
 
 }  // namespace rollfem::app

@@ -122,7 +122,7 @@ std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRe
   const auto before = nlohmann::json::parse(text, nullptr, false);
   for (const std::string& file : request.case_files) {
     Task task;
-    task.input = contact::read_case(file, model_words(known));
+    task.input = contact::read_case(file, model_words(known), request.changes);
     task.input.models = models;
     task.name = fs::path(file).stem().string();
     task.folder = directory_of(request) / task.name;

@@ -77,7 +77,8 @@ std::string table(const std::vector<MeshedBody>& bodies) {
 }  // namespace
 
 void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
-  const contact::Case input = contact::read_case(request.case_file, model_words(models));
+  const contact::Case input =
+      contact::read_case(request.case_file, model_words(models), request.changes);
   const std::vector<contact::Scene> scenes = scenes_of(input, {}).list;
   for (const contact::Scene& scene : scenes) models.check(scene, fem_model().name);
   const fs::path folder =

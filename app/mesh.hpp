@@ -5,13 +5,15 @@
 #include "contact/solve/models.hpp"
 
 #include <string>
+#include <vector>
 
 namespace rollfem::app {
 
 struct MeshRequest {
   std::string case_file;
-  std::string directory;  ///< empty: results/<case file without .toml>_mesh
-  int argc = 0;           ///< of main, for MPI
+  std::vector<std::string> changes;  ///< of keys, by --set
+  std::string directory;             ///< empty: results/<case file without .toml>_mesh
+  int argc = 0;                      ///< of main, for MPI
   char** argv = nullptr;
 };
 

@@ -74,13 +74,15 @@ std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error)
   return near.empty() ? text : text + "; " + near.substr(0, near.size() - 1);
 }
 
-/// `rollfem help` and `rollfem help run` are `rollfem --help` and `rollfem run --help`.
+/// `rollfem help` and `rollfem help run` are `rollfem --help` and `rollfem run --help`; `rollfem
+/// --schema` is a page of `rollfem docs`.
 std::vector<std::string> arguments(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
     words.push_back("--help");
   }
+  if (words == std::vector<std::string>{"--schema"}) words = {"docs", "schema"};
   return words;
 }
 

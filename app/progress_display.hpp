@@ -1,11 +1,15 @@
-// Progress of a run on stderr: in a terminal one line that is written over, elsewhere one plain
-// line for every finished stage (and for slow load points within it).
+// Progress of a run on stderr: in a terminal one line that is written over, whose seconds go on
+// while a long phase says nothing; elsewhere one plain line for every finished stage (and for slow
+// load points within it).
 #pragma once
 
 #include "contact/base/progress.hpp"
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace rollfem::app {
 
@@ -14,7 +18,7 @@ class ProgressDisplay {
   enum class Mode { silent, plain, terminal };
 
   explicit ProgressDisplay(Mode mode) : mode_(mode) {}
-  ~ProgressDisplay() { clear(); }
+  ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
@@ -28,14 +32,24 @@ class ProgressDisplay {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void write(Clock::time_point now, bool complete);
+  void clear_line();
+  void tick();
+
   Mode mode_;
+  std::mutex mutex_;  ///< of everything below
+  contact::ProgressEvent event_;
   std::string stage_;  ///< model and stage that the clock runs for
   Clock::time_point stage_begin_ = Clock::now();
   Clock::time_point last_shown_;
   bool line_open_ = false;
+  bool ended_ = false;
+  std::condition_variable end_;
+  std::thread ticking_;  ///< in a terminal, from the first line on
 };
 
-/// One line, no control characters.
+/// One line, no control characters: with the seconds that the stage has taken, and when that can be
+/// told from its load points, those that it will take.
 std::string progress_line(const contact::ProgressEvent& event, double seconds);
 
 }  // namespace rollfem::app

@@ -78,7 +78,7 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
 
 void run(const RunRequest& request, const contact::ModelRegistry& models) {
   postprocess::RunRecord record;
-  record.input = contact::read_case(request.case_file, model_words(models));
+  record.input = contact::read_case(request.case_file, model_words(models), request.changes);
   const bool named = !request.models.empty();
   if (named) record.input.models = request.models;
   const std::string asked_by = named ? "--model" : request.case_file + ": models";

@@ -245,7 +245,8 @@ void forget_empty(std::vector<StudyPlace>& places) {
 }  // namespace
 
 void study(const StudyRequest& request, const contact::ModelRegistry& known) {
-  const contact::Case input = contact::read_case(request.case_file, model_words(known));
+  const contact::Case input =
+      contact::read_case(request.case_file, model_words(known), request.changes);
   CommandFrame frame(request, known, named_models(request, known));
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(input);

@@ -49,6 +49,7 @@ struct Key {
   Bounds bounds;
   std::vector<std::string> words;
   bool required = false;
+  bool empty = false;       ///< of words: [] is allowed
   std::string when_absent;  ///< what happens without it, for keys that have no default value
   std::string example;      ///< TOML text for `new-case`; empty: the default, or left commented out
   std::string sentence;

@@ -1,6 +1,7 @@
 #include "contact/case/case_reader.hpp"
 
 #include "contact/case/case_checks.hpp"
+#include "contact/case/case_edit.hpp"
 #include "contact/case/lattice.hpp"
 #include "contact/case/toml_reader.hpp"
 
@@ -72,7 +73,8 @@ Case parse_case(const std::string& text, const std::string& name, const ModelWor
   return input;
 }
 
-Case read_case(const std::string& path, const ModelWords& models) {
+Case read_case(const std::string& path, const ModelWords& models,
+               const std::vector<std::string>& changes) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -89,7 +91,7 @@ Case read_case(const std::string& path, const ModelWords& models) {
   std::ostringstream text;
   if (file && size > 0) text << file.rdbuf();
   if (!file || !text) fail_whole(path, "cannot be read", "check the permissions of the file");
-  return parse_case(text.str(), path, models);
+  return parse_case(with_changes(text.str(), path, changes, models), path, models);
 }
 
 }  // namespace rollfem::contact

@@ -6,12 +6,15 @@
 #include "contact/case/model_words.hpp"
 
 #include <string>
+#include <vector>
 
 namespace rollfem::contact {
 
 /// Reads and checks a case file. Throws InputError with one message:
 /// FILE:LINE:COLUMN, key, value, what is allowed, what to do.
-Case read_case(const std::string& path, const ModelWords& models = {});
+/// `changes`: as in case_edit.hpp; the case then has the changed text.
+Case read_case(const std::string& path, const ModelWords& models = {},
+               const std::vector<std::string>& changes = {});
 
 /// The same from text; `name` stands in messages for the file.
 Case parse_case(const std::string& text, const std::string& name, const ModelWords& models = {});

@@ -84,7 +84,8 @@ std::string allowed_values(const Key& key, const std::vector<std::string>& model
       return "one of " + joined(key.words);
     case KeyKind::words:
       if (key.words.empty() && models.empty()) return "a list of names";
-      return "a list of some of " + joined(key.words.empty() ? models : key.words);
+      return fmt::format("a list of some {}of {}", key.empty ? "or none " : "",
+                         joined(key.words.empty() ? models : key.words));
     case KeyKind::number:
       return "a number " + range(key);
     case KeyKind::integer:

@@ -153,6 +153,7 @@ class KeyBuilder {
   /// What happens without the key, where there is no default value.
   KeyBuilder& otherwise(const std::string& text) { return put(key_.when_absent, text); }
   KeyBuilder& among(const Words& words) { return put(key_.words, words); }
+  KeyBuilder& or_empty() { return put(key_.empty, true); }
   /// Lists over the same (`per`) have one length, and one number serves all.
   KeyBuilder& per(const std::string& what) { return put(key_.per, what); }
   KeyBuilder& required(const std::string& toml) {

@@ -7,6 +7,7 @@ SectionWithKeys output_section() {
                            &Case::output);
   keys.choices("paths")
       .among({"x", "y"})
+      .or_empty()
       .says("Middle lines of the patch along which stresses are written and drawn.")
       .into(&OutputOptions::paths);
   keys.toggle("fields")

@@ -128,7 +128,7 @@ class ValueReader {
   const toml::array& list(const std::string& what) const {
     const toml::array* array = node_.as_array();
     if (array == nullptr) fail_value("expected a list" + what + ", got " + kind_is(node_));
-    if (array->empty()) fail_value("is an empty list");
+    if (array->empty() && !key_.empty) fail_value("is an empty list");
     return *array;
   }
 

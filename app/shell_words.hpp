@@ -1,0 +1,21 @@
+// What shells and `man` are told of the commands: made from the options themselves, so that nothing
+// is said twice.
+#pragma once
+
+#include "contact/solve/models.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace rollfem::app {
+
+/// Words that Tab completes: commands, options, models, case files. To be read by `source`.
+std::string bash_completion(const CLI::App& program, const contact::ModelRegistry& models);
+/// The same as a file _rollfem of a folder in $fpath.
+std::string zsh_completion(const CLI::App& program, const contact::ModelRegistry& models);
+
+/// rollfem(1) in troff.
+std::string manual_page(const CLI::App& program, const std::string& version);
+
+}  // namespace rollfem::app

@@ -1,0 +1,119 @@
+#include "contact/case/case_edit.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/case/toml_reader.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace rollfem::contact {
+
+namespace {
+
+struct Change {
+  std::string section, key, value;
+  std::string line() const { return key + " = " + value; }
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// `transient` is meant to be "transient".
+bool is_bare_word(const std::string& value) {
+  for (const char* word : {"true", "false", "inf", "nan"})
+    if (value == word) return false;
+  return !value.empty() && std::isalpha(static_cast<unsigned char>(value.front())) != 0 &&
+         value.find_first_of("\"'\\") == std::string::npos;
+}
+
+/// Looked at as a case file of its own: what is wrong is then said of the call, not of the file.
+Change read_change(const std::string& text, const ModelWords& models) {
+  const std::size_t equals = text.find('=');
+  const bool printable = std::all_of(text.begin(), text.end(), [](const char c) {
+    return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+  });
+  if (equals == std::string::npos || !printable)
+    throw InputError(fmt::format(
+        "--set {}: expected KEY=VALUE; allowed: the keys of docs/case-file.md, each with its "
+        "section; do: for instance --set friction.coefficient=0.3",
+        printable ? text : "..."));
+  const std::string path = trimmed(text.substr(0, equals));
+  const std::size_t dot = path.rfind('.');
+  Change change;
+  if (dot != std::string::npos) change.section = path.substr(0, dot);
+  change.key = dot == std::string::npos ? path : path.substr(dot + 1);
+  change.value = trimmed(text.substr(equals + 1));
+  if (is_bare_word(change.value)) change.value = '"' + change.value + '"';
+  const std::string header = change.section.empty() ? "" : "[" + change.section + "]\n";
+  static_cast<void>(read_toml(header + change.line() + "\n", "--set", models.known));
+  return change;
+}
+
+/// Where a line begins, from 1; the end of the text beyond the last.
+std::size_t begin_of(const std::string& text, unsigned line) {
+  std::size_t at = 0;
+  for (unsigned k = 1; k < line && at < text.size(); ++k)
+    at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  return at;
+}
+
+std::size_t offset(const std::string& text, const toml::source_position& place) {
+  return std::min(begin_of(text, place.line) + place.column - 1, text.size());
+}
+
+/// Into a section that is there.
+void insert(const Change& change, const toml::table& section, const std::string& file,
+            std::string& text) {
+  if (section.is_inline())
+    throw InputError(fmt::format(
+        "{}:{}: {}: the section stands in one line; allowed: --set changes keys that are there, "
+        "and adds them to sections of their own; do: write [{}] on a line of its own and its keys "
+        "below",
+        file, section.source().begin.line, change.section, change.section));
+  const unsigned line = section.source().begin.line;
+  const std::size_t begin = begin_of(text, line);
+  const bool headed = text.find_first_not_of(" \t", begin) == text.find('[', begin);
+  if (headed)
+    text.insert(begin_of(text, line + 1), change.line() + '\n');
+  else
+    text.insert(begin, change.section + '.' + change.line() + '\n');
+}
+
+void make(const Change& change, const std::string& file, std::string& text) {
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  const toml::table root = toml::parse(text, file);
+  const toml::table* section = &root;
+  if (!change.section.empty()) {
+    section = nullptr;
+    if (const toml::node* found = root.get(change.section)) section = found->as_table();
+  }
+  if (section == nullptr) {
+    text += fmt::format("\n[{}]\n{}\n", change.section, change.line());
+  } else if (const toml::node* value = section->get(change.key)) {
+    const std::size_t begin = offset(text, value->source().begin);
+    text.replace(begin, offset(text, value->source().end) - begin, change.value);
+  } else if (change.section.empty()) {
+    text.insert(0, change.line() + '\n');
+  } else {
+    insert(change, *section, file, text);
+  }
+}
+
+}  // namespace
+
+std::string with_changes(std::string text, const std::string& file,
+                         const std::vector<std::string>& changes, const ModelWords& models) {
+  for (const std::string& change : changes) {
+    static_cast<void>(read_toml(text, file, models.known));
+    make(read_change(change, models), file, text);
+  }
+  return text;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,19 @@
+// A case file with single keys changed, as `--set friction.coefficient=0.3` asks for: the text is
+// edited, so that what is stored beside the results is the case that was solved.
+#pragma once
+
+#include "contact/case/model_words.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// The text of a case file with the changes made one after the other. Each is "KEY=VALUE": the key
+/// with its section, the value as in TOML, or a single word without quotes. A key that is not
+/// there is added. `file` stands in messages. Throws InputError when the text is no case file, or
+/// a change names no key or no value of that key.
+std::string with_changes(std::string text, const std::string& file,
+                         const std::vector<std::string>& changes, const ModelWords& models = {});
+
+}  // namespace rollfem::contact

@@ -1,0 +1,62 @@
+// The command line made easier: keys changed by --set, completion, the manual page.
+#include <gtest/gtest.h>
+
+#include "support/case_examples.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using namespace rollfem::testing;
+
+/// What bash would offer after these words; the last is begun.
+std::string completed(const Folder& folder, const std::string& words) {
+  const std::string script = folder.file("completion", call(folder, {"docs", "bash"}).out);
+  return execute(folder, {"bash", "-c",
+                          "source " + script + "; COMP_WORDS=(" + words +
+                              "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rollfem; echo "
+                              "\"${COMPREPLY[@]}\""})
+      .out;
+}
+
+TEST(Set, ChangesAKeyOfTheCaseThatIsSolvedAndStored) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", small_case);
+  const Outcome checked = call(folder, {"check", file, "--set", "friction.coefficient=0.125"});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_NE(checked.out.find("0.125"), std::string::npos);
+  const Outcome run =
+      call(folder, {"run", "--set", "friction.coefficient=0.125", "--set", "title=changed", file,
+                    "--model", "hertz", "--no-report", "-o", "out"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out.rfind("changed\n", 0), 0u);
+  const std::string stored = contents(folder.work() / "out/case.toml");
+  EXPECT_NE(stored.find("coefficient = 0.125"), std::string::npos);
+  EXPECT_EQ(call(folder, {"check", "out/case.toml"}).status, 0);
+}
+
+TEST(Set, IsRefusedWhereItNamesNoKey) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", small_case);
+  expect_refused(call(folder, {"run", file, "--set", "friction.coeficient=0.1"}),
+                 "did you mean `coefficient`?");
+  expect_refused(call(folder, {"run", file, "--set", "friction"}), "expected KEY=VALUE");
+}
+
+TEST(Shell, BashCompletesCommandsOptionsAndModels) {
+  const Folder folder;
+  EXPECT_EQ(completed(folder, "rollfem st"), "study stress\n");
+  EXPECT_EQ(completed(folder, "rollfem study --to"), "--together\n");
+  EXPECT_EQ(completed(folder, "rollfem run --model fas"), "fastsim\n");
+  EXPECT_EQ(call(folder, {"new-case", "-o", "mine.toml"}).status, 0);
+  EXPECT_EQ(completed(folder, "rollfem run mi"), "mine.toml\n");
+}
+
+TEST(Shell, ManualPageNamesEveryCommandAndOption) {
+  const Folder folder;
+  const std::string page = call(folder, {"docs", "man"}).out;
+  for (const char* word : {".SS run", ".SS compare", ".SS study", ".SS stress", ".SS mesh",
+                           ".SS profile", ".SS check", ".SS docs", "\\-\\-resume", "EXIT STATUS"})
+    EXPECT_NE(page.find(word), std::string::npos) << word;
+}
+
+}  // namespace

@@ -1,0 +1,94 @@
+// Keys of a case file changed in its text: the edited text reads as what was asked for.
+#include "contact/case/case_edit.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace rollfem::contact;
+
+namespace {
+
+const std::string text = R"(title = "a wheel"   # told
+
+[load]
+normal_force = 50e3  # N
+
+[wheel]
+rolling_radius = 460.0
+transverse_radius = inf
+[rail]
+transverse_radius = 300.0
+
+[rolling]
+longitudinal_creepage = [
+  0.0,  # none
+  0.001,
+]
+[friction]
+coefficient = 0.3)";
+
+std::string changed(const std::vector<std::string>& changes, const std::string& from = text) {
+  return with_changes(from, "case.toml", changes);
+}
+
+std::string refusal(const std::string& change, const std::string& from = text) {
+  try {
+    static_cast<void>(changed({change}, from));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(CaseEdit, ReplacesAValueAndNothingElse) {
+  std::string expected = text + "\n";
+  expected.replace(expected.find("50e3"), 4, "80e3");
+  EXPECT_EQ(changed({"load.normal_force=80e3"}), expected);
+  const Case read = parse_case(changed({" load.normal_force = 7.5e4 "}), "case.toml");
+  EXPECT_EQ(read.load.normal_force, 7.5e4);
+}
+
+TEST(CaseEdit, ReplacesTextsAndListsOverManyLines) {
+  const Case read = parse_case(
+      changed({"title=worn", "rolling.longitudinal_creepage=[0.002]", "friction.coefficient=0.25"}),
+      "case.toml");
+  EXPECT_EQ(read.title, "worn");
+  ASSERT_EQ(read.rolling.creepages.size(), 1u);
+  EXPECT_EQ(read.rolling.creepages[0].longitudinal, 0.002);
+  EXPECT_EQ(parse_case(changed({"title='one word, or two'"}), "case.toml").title,
+            "one word, or two");
+}
+
+TEST(CaseEdit, AddsKeysAndSections) {
+  const Case read =
+      parse_case(changed({"wheel.round_to=0.5", "accuracy=0.01", "output.fields=false"}),
+                 "case.toml");
+  EXPECT_EQ(read.wheel.round_to, 0.5);
+  EXPECT_FALSE(read.output.fields);
+  EXPECT_EQ(read.accuracy, 0.01);
+}
+
+TEST(CaseEdit, AddsToSectionsWrittenWithDots) {
+  const std::string dotted = "friction.coefficient = 0.3\nload.normal_force = 1e4\n";
+  EXPECT_EQ(changed({"load.approach=0.1"}, dotted),
+            "friction.coefficient = 0.3\nload.approach = 0.1\nload.normal_force = 1e4\n");
+  EXPECT_NE(refusal("load.approach=0.1", "load = {normal_force = 1e4}\n")
+                .find("case.toml:1: load: the section stands in one line"),
+            std::string::npos);
+}
+
+TEST(CaseEdit, SaysOfTheCallWhatIsWrongWithIt) {
+  EXPECT_EQ(refusal("friction.coefficient").find("--set friction.coefficient: expected KEY=VALUE"),
+            0u);
+  EXPECT_EQ(refusal("friction.coefficent=0.3").find("--set:2:1: friction.coefficent"), 0u);
+  EXPECT_NE(refusal("friction.coefficent=0.3").find("did you mean `coefficient`?"),
+            std::string::npos);
+  EXPECT_EQ(refusal("friction.coefficient=much").find("--set:2:15: friction.coefficient"), 0u);
+  EXPECT_EQ(refusal("friction.coefficient=-1").find("--set:2:15: friction.coefficient"), 0u);
+  EXPECT_EQ(refusal("title=\"a\"\n[load]"), refusal("title=\x7f"));
+  EXPECT_EQ(refusal("load.normal_force=1", "x = \n").find("case.toml:1"), 0u);
+}
