@@ -7,7 +7,7 @@
 
 `python3 -m rollfem_figures DIR` draws DIR/figures/*.svg and writes DIR/report.html.
 `python3 -m rollfem_figures --stress DIR` does so for a folder of `rollfem stress`, which
-`read_stress(DIR)` reads. Needs numpy and h5py to read, matplotlib to draw.
+`read_stress(DIR)` reads. Needs numpy and h5py.
 """
 from .reader import Body, Model, Point, Result, ResultError, read_result
 from .stress_reader import StressModel, StressResult, StressSet, read_stress

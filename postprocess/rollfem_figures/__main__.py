@@ -13,37 +13,40 @@ def main():
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
     parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
     parser.add_argument("--stress", metavar="DIR", help="draw this folder of rollfem stress instead")
-    parser.add_argument("--png", metavar="FOLDER", help="also write bitmaps of the figures there")
     options = parser.parse_args()
     given = (options.directory, options.profile, options.pair, options.stress)
     if sum(o is not None for o in given) != 1:
         parser.error("one of DIR, --profile, --pair and --stress is needed")
     try:
-        from .build import build
-        from .compare import build_comparison
-        from .study import build_study
         from .reader import ResultError
     except ImportError as error:
-        sys.exit(f"figures need matplotlib, numpy and h5py: {error}\n"
-                 "apt install python3-matplotlib python3-h5py")
+        sys.exit(f"figures need numpy and h5py: {error}\napt install python3-numpy python3-h5py")
     try:
-        if options.profile:
-            from .profile import draw
-            draw(options.profile, options.png)
-        elif options.pair:
-            from .places import draw_pair_file
-            draw_pair_file(options.pair, options.png)
-        elif options.stress:
-            from .stress_report import build as build_stress
-            build_stress(options.stress, options.png)
-        elif os.path.exists(os.path.join(options.directory, "compare.json")):
-            build_comparison(options.directory, options.png)
-        elif os.path.exists(os.path.join(options.directory, "study.json")):
-            build_study(options.directory, options.png)
-        else:
-            build(options.directory, options.png)
+        _draw(options)
     except (ResultError, OSError) as error:
         sys.exit(str(error))
+
+
+def _draw(options):
+    """Loads and runs what the call asks for: the user waits for every module."""
+    if options.profile:
+        from .profile import draw
+        draw(options.profile)
+    elif options.pair:
+        from .places import draw_pair_file
+        draw_pair_file(options.pair)
+    elif options.stress:
+        from .stress_report import build as build_stress
+        build_stress(options.stress)
+    elif os.path.exists(os.path.join(options.directory, "compare.json")):
+        from .compare import build_comparison
+        build_comparison(options.directory)
+    elif os.path.exists(os.path.join(options.directory, "study.json")):
+        from .study import build_study
+        build_study(options.directory)
+    else:
+        from .build import build
+        build(options.directory)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
 """All figures and the report of one result folder."""
-import multiprocessing
 import os
+from dataclasses import dataclass
 
-from . import curves, lateral, maps, overlay, places, stresses, style
+from . import curves, lateral, looks, maps, overlay, places, selection, stresses
+from .figure import folder_of
 from .reader import read_result
 from .report import write_report
 
@@ -10,7 +11,7 @@ from .report import write_report
 def captions(result):
     """(file name, caption, function that draws it or returns None) of every figure."""
     yield ("creep_curve.svg", "Creep curve: traction coefficient of every model with friction, and "
-           "below its difference to the reference model where there are several. Bars: error "
+           "beside it the difference to the reference model where there are several. Bars: error "
            "estimates.",
            lambda: curves.creep_curve(result))
     for axis, across in (("x", "y"), ("y", "x")):
@@ -33,7 +34,7 @@ def captions(result):
     for model in result.models:
         what = ("px", "Pressure and tangential traction") if model.has_friction else ("pn", "Pressure")
         yield (f"oblique_{what[0]}_{model.name}.svg",
-               f"{what[1]} over the patch: {style.label(model)}.",
+               f"{what[1]} over the patch: {looks.label(model)}.",
                lambda model=model: maps.oblique(result, model))
     for number, kind, body in stresses.lines(result):
         yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),
@@ -46,7 +47,7 @@ def place_captions(result):
     for (wheel, position) in result.profiles:
         if position in (numbers[0], numbers[-1]):
             yield (f"pair_{wheel}_{position:.0f}.svg",
-                   f"The {wheel} wheel on its rail at position {position:.0f}, with the contact "
+                   f"The {wheel} wheel on its rail{places.at_words(result, position)}, with the contact "
                    "points. Right: how far apart the two are beside them before they are pressed together.",
                    lambda wheel=wheel, position=position: places.pair(result, wheel, position))
     yield ("positions.svg", "Along the row of positions: where wheel and rail touch, and what comes of "
@@ -54,8 +55,15 @@ def place_captions(result):
            "Full: left wheel, open: right wheel.", lambda: places.sweep(result))
 
 
-# Of a row of positions, so many patches get figures of their own; the table has all.
-MOST_DRAWN = 4
+# With more patches than this each has the figures that tell most.
+MOST_FULL = 8
+
+
+def _telling(scene):
+    """Beginnings of the names of the figures that every patch of a long row has."""
+    reference = selection.reference_for_forces(scene) or selection.reference_for_patch(scene)
+    return ("creep_curve", "path_x", "path_y", "outlines", "stress_",
+            *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
 
 
 def all_captions(result):
@@ -64,53 +72,70 @@ def all_captions(result):
     scenes = result.scenes()
     if result.models and result.models[0].place:
         yield from place_captions(result)
-    for number, (label, scene) in enumerate(scenes[:MOST_DRAWN], 1):
+    for number, (label, scene) in enumerate(scenes, 1):
         for name, caption, draw in captions(scene):
+            if len(scenes) > MOST_FULL and not name.startswith(_telling(scene)):
+                continue
             if len(scenes) > 1:
                 name, caption = f"s{number}_{name}", f"{label[0].upper()}{label[1:]}. {caption}"
             yield name, caption, draw
 
 
-def draw_all(captioned, folder, png_folder=None):
-    """Draws figures, an iterable of (file name, caption, function that draws or returns None), on all
-    cores; returns (file name, caption) of those that there are, in their order."""
+@dataclass
+class Drawn:
+    """A figure: its file in figures/, its caption, and what a page holds of it (Figure.html)."""
+
+    name: str
+    caption: str
+    html: str
+
+
+# Fewer are drawn sooner than other processes are there.
+LEAST_SPREAD = 24
+
+
+def draw_all(captioned, folder):
+    """Draws figures, an iterable of (file name, caption, function that makes a Figure or returns None), and
+    writes their files, many on all cores; returns those that there are (Drawn), in their order."""
     captioned = list(captioned)
 
     def draw(number):
         name, _, function = captioned[number]
         figure = function()
-        if figure is not None:
-            style.save(figure, os.path.join(folder, name), png_folder)
-        return figure is not None
+        if figure is None:
+            return None
+        figure.save(os.path.join(folder, name))
+        return figure.html()
 
-    workers = min(len(os.sched_getaffinity(0)), len(captioned))
+    workers = len(os.sched_getaffinity(0)) if len(captioned) >= LEAST_SPREAD else 1
     drawn = _spread(draw, len(captioned), workers) if workers > 1 else map(draw, range(len(captioned)))
-    return [(name, caption) for (name, caption, _), there in zip(captioned, drawn) if there]
+    return [Drawn(name, caption, html) for (name, caption, _), html in zip(captioned, drawn) if html]
 
 
 _task = None  # of the processes that draw: they get it as they are forked, results and all
 
 
 def _spread(task, count, workers):
-    """task(0), ..., task(count - 1) by forked processes, the next number to whoever is free."""
+    """task(0), ..., task(count - 1) by forked processes, the next numbers to whoever is free."""
+    import multiprocessing  # pylint: disable=import-outside-toplevel; half as long as a report takes
+
     global _task
     _task = task
     with multiprocessing.get_context("fork").Pool(workers) as pool:
-        return pool.map(_do_task, range(count), chunksize=1)
+        return pool.map(_do_task, range(count), chunksize=4)
 
 
 def _do_task(number):
     return _task(number)
 
 
-def build(directory, png_folder=None, reference=""):
+def build(directory, reference=""):
     """Draws what the result has and writes the report; figures for which it has no data are left
     out. `reference`: name of the model that the others are compared with, where it is there. Returns
-    the result and the figures, (file name, caption)."""
+    the result and the figures (Drawn)."""
     result = read_result(directory)
     result.reference = reference
-    folder = style.figures_folder(result.directory, png_folder)
-    style.know({model.name: model.label for model in result.models})
-    figures = draw_all(all_captions(result), folder, png_folder)
+    looks.know({model.name: model.label for model in result.models})
+    figures = draw_all(all_captions(result), folder_of(result.directory))
     write_report(result, figures)
     return result, figures

@@ -4,14 +4,15 @@ from html import escape
 from types import SimpleNamespace
 
 import numpy as np
-from matplotlib import pyplot as plt
 
-from . import report, style, tables
-from .build import build
+from . import looks, page, report, tables
+from .build import build, draw_all
+from .figure import Figure, folder_of
 from .reader import ResultError, read_json
 
+
 def _model(name):
-    """What style asks a model for."""
+    """What a look is asked for."""
     return SimpleNamespace(name=name)
 
 
@@ -87,7 +88,7 @@ def _difference_table(columns, quantity, heading):
               if any(_standing(c, m, quantity) for c, _, _ in columns)]
     if not models:
         return ""
-    rows = [[escape(style.label(_model(model)))]
+    rows = [[escape(looks.label(_model(model)))]
             + [_difference_cell(_standing(case, model, quantity, place)) for case, place, _ in columns]
             for model in models]
     head = [heading] + [text for _, _, text in columns]
@@ -105,16 +106,16 @@ def _differences(cases, headings):
     shown = [q for q in headings if any(_standing(case, m, q, place) for m in models)]
     if not shown:
         return ""
-    rows = [[escape(style.label(_model(m)))] + [_difference_cell(_standing(case, m, q, place))
+    rows = [[escape(looks.label(_model(m)))] + [_difference_cell(_standing(case, m, q, place))
                                                 for q in shown] for m in models]
     return tables.table(["largest difference"] + [headings[q] for q in shown], rows)
 
 
 def _cost_table(cases):
     models = _models(cases)
-    rows = [[escape(style.label(_model(m)))]
+    rows = [[escape(looks.label(_model(m)))]
             + [tables.number(c["seconds"][m], 3) if m in c["seconds"] else "–" for c in cases]
-            + [f"<b>{tables.number(sum(c['seconds'].get(m, 0.0) for c in cases), 3)}</b>"]
+            + [tables.number(sum(c['seconds'].get(m, 0.0) for c in cases), 3)]
             for m in models]
     head = ["seconds"] + [escape(c["name"]) for c in cases] + ["all"]
     return tables.table(head, rows)
@@ -123,61 +124,50 @@ def _cost_table(cases):
 def cost_figure(cases):
     """Largest difference to the reference against seconds, one marker for each model and case. None
     when nothing was compared."""
-    panels = [(q, h, of) for q, h, of in (("max_pressure", "largest pressure $p_0$", "reference"),
-                                          ("traction_coefficient", "traction coefficient", r"$\mu$"))
-              if any(_standing(c, m, q) for c in cases for m in _models(cases))]
-    if not panels:
-        return None
-    figure, axes = plt.subplots(1, len(panels), figsize=(1.2 + 3.9 * len(panels), 3.7), squeeze=False)
-    shown = {}
-    for axis, (quantity, heading, of) in zip(axes.flat, panels):
+    figure, shown, said = Figure(2), {}, []
+    for quantity, title, of in (("max_pressure", "largest pressure $p_0$", "reference"),
+                                ("traction_coefficient", "traction coefficient", "$\\mu$")):
+        if not any(_standing(c, m, quantity) for c in cases for m in _models(cases)):
+            continue
+        panel = figure.add(320, 240, title, "seconds of the model on the case", f"largest difference [% of {of}]")
+        panel.x.log = panel.y.log = True
         for model in _models(cases):
-            spots = [(c["seconds"][model], 100 * abs(s["largest_difference"]))
+            spots = [(c["seconds"][model], max(100 * abs(s["largest_difference"]), 1e-4))
                      for c in cases if (s := _standing(c, model, quantity))]
             if spots:
-                at, high = np.array(spots).T
-                shown[model] = axis.plot(at, np.maximum(high, 1e-4), linestyle="none",
-                                         marker=style.marker(_model(model)), markersize=6,
-                                         color=style.colour(_model(model)), alpha=0.85)[0]
+                colour, _, marker = shown[model] = looks.of_model(_model(model))
+                panel.line(*zip(*spots), colour, marker=marker, size=3.8, joined=False)
+                said.append(f"{looks.label(_model(model))} {title}: up to {max(s[1] for s in spots):.2g} %")
         bars = [100 * s["allowed_there"] for c in cases for s in c["standings"]
                 if s["quantity"] == quantity and s["allowed_there"] > 0]
         if bars:
-            axis.axhline(np.median(bars), color=style.GREY, linewidth=0.9, linestyle=(0, (1, 1.5)))
-            axis.annotate("error bars, median", (0.5, np.median(bars)), ha="center", va="bottom",
-                          xycoords=("axes fraction", "data"), color=style.GREY, fontsize=8)
-        axis.set_xscale("log")
-        axis.set_yscale("log")
-        axis.margins(0.12)
-        low, high = axis.get_ylim()  # whole decades, so that every axis has labels
-        axis.set_ylim(10 ** np.floor(np.log10(low)), 10 ** np.ceil(np.log10(high)))
-        axis.set_title(heading)
-        axis.set_xlabel("seconds of the model on the case")
-        axis.set_ylabel(f"largest difference [% of {of}]")
-    figure.tight_layout(rect=(0, 0, 1, 0.92))
-    figure.legend(shown.values(), [style.label(_model(m)) for m in shown], loc="upper center",
-                  ncol=len(shown))
+            panel.y.see([np.median(bars)])
+            panel.level(np.median(bars))
+    if not figure.panels:
+        return None
+    for model, (colour, _, marker) in shown.items():
+        figure.entry(looks.label(_model(model)), colour, width=0, marker=marker)
+    figure.entry("error bars, median", "soft", (1.5, 2.2), 1.0)
+    figure.seen = f"Largest difference to the reference against seconds. {'; '.join(said)}."
     return figure
 
 
 def _missing(case):
     return "".join(
-        f"<p class={'bad' if m['failed'] else 'say'}><b>{escape(m['model'])}</b> "
+        f"<p class={'bad' if m['failed'] else 'say'}>{escape(m['model'])} "
         f"{'failed' if m['failed'] else 'is left out'}: {escape(m['reason'])}</p>"
         for m in case["missing"])
 
 
-def _case_section(comparison, case, directory, png_folder):
+def _case_section(comparison, case, directory):
     heading = f"<h2 id=\"{escape(case['name'])}\">{escape(case['title'] or case['name'])}</h2>"
     if not case["complete"]:
         return heading + _missing(case)
     folder = os.path.join(directory, case["name"])
-    png = os.path.join(png_folder, case["name"]) if png_folder else None
-    result, figures = build(folder, png, comparison["reference"] or "halfspace")
-    inner = report.touching(result, figures) + report.patches(result, figures, every=True)
+    result, figures = build(folder, comparison["reference"] or "halfspace")
+    inner = report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
     inner += "<h2>Cost</h2>" + tables.cost_table(result) + report.notes(result)
-    inner = inner.replace("<h3>", "<h4>").replace("</h3>", "</h4>")
-    inner = inner.replace("<h2>", "<h3>").replace("</h2>", "</h3>")
-    return "".join([heading, report.asked(result), _missing(case), inner,
+    return "".join([heading, report.asked(result), _missing(case), report.lower(inner),
                     f"<p class=screen><a href=\"{escape(case['name'])}/report.html\">"
                     "its own report with every number</a></p>"])
 
@@ -191,44 +181,46 @@ def _elasticity(cases):
             "patch is not flat (docs/verification.md).")
 
 
-def _asked(comparison):
-    names = ", ".join(escape(style.label(_model(m))) for m in comparison["models"])
+def _reference_words(comparison):
+    """To which model differences are, and to which where that one has no number."""
     wished = comparison["reference"] or "halfspace"
+    ways = list(dict.fromkeys([wished, *(m for m in ("halfspace", "fem") if m in comparison["models"])]))
+    first, *others = [escape(looks.label(_model(name))) for name in ways]
+    return f"Differences are to {first}" + (f" where it has the number, else to {' or '.join(others)}. " if others else ". ")
+
+
+def _asked(comparison):
+    names = ", ".join(escape(looks.label(_model(m))) for m in comparison["models"])
     cases = "".join(f"<li><a href=\"#{escape(c['name'])}\">{escape(c['name'])}</a>: "
                     f"{escape(c['title'])}</li>" for c in comparison["cases"])
-    return (f"<p>The models {names} on the same cases. Differences are to "
-            f"{escape(style.label(_model(wished)))} where it has the number, else to the half-space or FEM. "
+    return (f"<p>The models {names} on the same cases. {_reference_words(comparison)}"
             "Error bars are each model's own estimate of its numerical error; a theory without one "
             "(Hertz) counts as having none, so that what it leaves out shows as a difference.</p>"
             f"<ul>{cases}</ul>")
 
 
-def build_comparison(directory, png_folder=None):
+def build_comparison(directory):
     """Draws every case of the comparison in `directory` and writes compare.html."""
     comparison = read_json(directory, "compare.json")
     if comparison.get("kind") != "compare" or comparison.get("format") != 2:
         raise ResultError(f"{directory}/compare.json is not a comparison that this program reads")
-    style.know(comparison.get("labels", {}))
+    looks.know(comparison.get("labels", {}))
     cases = [c for c in comparison["cases"] if c["complete"]]
-    sections = [_case_section(comparison, c, directory, png_folder) for c in comparison["cases"]]
-    folder = style.figures_folder(directory, png_folder)
-    figure = cost_figure(cases)
-    picture = ""
-    if figure is not None:
-        style.save(figure, os.path.join(folder, "difference_cost.svg"), png_folder)
-        picture = report.image(directory, "difference_cost.svg",
-                               "What a model differs from the reference by, and what it costs: one marker "
-                               "for each case. Differences below 0.0001 % are drawn there.")
+    sections = [_case_section(comparison, c, directory) for c in comparison["cases"]]
+    drawn = draw_all([("difference_cost.svg", "What a model differs from the reference by, and what it costs: one "
+                       "marker for each case. Differences below 0.0001 % are drawn there.",
+                       lambda: cost_figure(cases))], folder_of(directory))
     found = _differences(cases, {name: _heading(quantity)
                                  for name, quantity in comparison["quantities"].items()})
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
-    report.write_page(os.path.join(directory, "compare.html"), report.page(title, [
-        report.heading(title, comparison["program"], comparison),
-        report.verdict(comparison["verdict"]), _asked(comparison), picture, found,
-        "<p class=hint>Largest difference over the load points of the case, with its sign. Bold: at least one "
-        "load point is beyond the error bars of both models together, at how many stands below; “bars”: "
-        f"what they allow at that point.{_elasticity(cases)}</p>" if found else "",
-        "<h2>Cost</h2>", _cost_table(cases), *sections,
-        "<h2>Signs</h2><p>", report.CONVENTIONS, "</p><p class=hint>Beside this file: compare.csv and "
-        "compare.json with every number, and a result folder for each case.</p>"]))
+    page.write_page(os.path.join(directory, "compare.html"), page.page(
+        title, page.heading(title, comparison["program"], comparison), [
+            report.verdict(comparison["verdict"]), _asked(comparison), "<h2>Differences</h2>" * bool(found),
+            *map(page.figure, drawn), found,
+            "<p class=hint>Largest difference over the load points of the case, with its sign. Bold: at least one "
+            "load point is beyond the error bars of both models together, at how many stands below; “bars”: "
+            f"what they allow at that point.{_elasticity(cases)}</p>" if found else "",
+            "<h2>Cost</h2>", _cost_table(cases), *sections,
+            "<h2>Signs</h2><p>", report.CONVENTIONS, "</p>"],
+        "Beside this file: compare.csv and compare.json with every number, and a result folder for each case."))

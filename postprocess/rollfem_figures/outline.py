@@ -1,5 +1,10 @@
-"""The edge of the patch below the element size."""
+"""The edge of the patch and the border between its zones below the element size."""
+from dataclasses import dataclass
+
 import numpy as np
+
+from . import contours
+from .reader import ADHESION, SLIP
 
 
 def edge_function(pressure):
@@ -66,3 +71,51 @@ def extent(models):
             half_x = max(half_x, np.abs(model.x[(pressure > 0).any(axis=0)]).max() + model.dx)
             half_y = max(half_y, np.abs(model.y[(pressure > 0).any(axis=1)]).max() + model.dy)
     return 1.06 * half_x, 1.06 * half_y
+
+
+def spread(state):
+    """1 in adhesion, 0 in slip, averaged over neighbours so that the border between the zones runs
+    through the steps of the elements, and continued beyond the edge of the patch."""
+    values = np.where(state == ADHESION, 1.0, 0.0)
+    known = (state > 0).astype(float)
+    for _ in range(2):
+        total, weight = np.zeros_like(values), np.zeros_like(values)
+        wide, mask = np.pad(values * known, 1), np.pad(known, 1)
+        for j, weight_j in enumerate((1, 2, 1)):
+            for i, weight_i in enumerate((1, 2, 1)):
+                part = (slice(j, j + values.shape[0]), slice(i, i + values.shape[1]))
+                total += weight_j * weight_i * wide[part]
+                weight += weight_j * weight_i * mask[part]
+        values = total / np.maximum(weight, 1e-9)
+        known = (weight > 0).astype(float)
+    return values
+
+
+@dataclass
+class Zones:
+    """Lines [n, 2], mm: of the edge of the patch, around adhesion, and between adhesion and slip."""
+
+    outline: list
+    adhesion: list
+    borders: list
+    has_state: bool
+
+
+def zones(model, point):
+    """Zones of a load point; None where nothing is in contact."""
+    pressure, state = point.fields.get("pressure"), point.fields.get("state")
+    if pressure is None or not (pressure > 0).any():
+        return None
+    edge = edge_function(pressure)
+    x, y, inside = padded(model, edge / pressure.max() ** 2, -1.0)
+    outline = contours.lines(x, y, inside, 0.0)
+    if state is None or not (state == ADHESION).any():
+        return Zones(outline, [], [], state is not None)
+    if not (state == SLIP).any():
+        return Zones(outline, outline, [], True)
+    _, _, sticking = padded(model, spread(state), 0.0)
+    borders = []
+    for line in contours.lines(x, y, sticking, 0.5):
+        known = np.flatnonzero(contours.at_points(x, y, inside, line) > 0)
+        borders += np.split(line[known], np.flatnonzero(np.diff(known) > 1) + 1)
+    return Zones(outline, contours.lines(x, y, np.minimum(inside, sticking - 0.5), 0.0), borders, True)

@@ -4,12 +4,12 @@ import math
 import os
 
 import numpy as np
-from matplotlib import pyplot as plt
 
-from . import style, tables
+from . import looks, tables
+from .figure import Figure
 
 # Colours of the patches of one wheel, the most loaded first.
-PATCH_COLOURS = ["#D55E00", "#0072B2", "#009E73", "#CC79A7"]
+PATCH_COLOURS = ["red", "blue", "green", "pink"]
 
 
 def first_of_scenes(result):
@@ -30,22 +30,20 @@ def _as_function(points):
     return y[keep], z[keep]
 
 
-def _draw_gap(panel, drawn, touching):
+def _draw_gap(panel, figure, drawn, touching):
     """Vertical distance between rail and wheel around the contact, before they are pressed together."""
     rail, wheel = _as_function(drawn["rail"]), _as_function(drawn["wheel"])
-    lower, upper = max(rail[0][0], wheel[0][0]), min(rail[0][-1], wheel[0][-1])
-    y = np.linspace(lower, upper, 3000)
+    low, high = min(p["y_track"] for p in touching) - 20, max(p["y_track"] for p in touching) + 20
+    y = np.linspace(max(rail[0][0], wheel[0][0], low), min(rail[0][-1], wheel[0][-1], high), 600)
     gap = np.interp(y, *rail) - np.interp(y, *wheel)
-    panel.plot(y, gap, color="#0072B2", linewidth=1.3)
+    panel.line(y, gap, "blue", 1.5)
     for k, place in enumerate(touching):
         ink = PATCH_COLOURS[k % len(PATCH_COLOURS)]
-        panel.plot(place["y_track"], np.interp(place["y_track"], y, gap), "o", color=ink, markersize=5,
-                   zorder=5, label=f"patch {place['patch']:.0f}: {math.degrees(place['contact_angle']):.2f}°, "
-                   f"radius {place['rolling_radius']:.3f} mm")
-    panel.set_xlim(min(p["y_track"] for p in touching) - 20, max(p["y_track"] for p in touching) + 20)
-    panel.set_ylim(-0.02, 0.6)
-    panel.set_ylabel("distance at the axle, unloaded [mm]")
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, 1.16), ncol=1)
+        panel.line([place["y_track"]], [np.interp(place["y_track"], y, gap)], ink, marker="o", size=3.6,
+                   joined=False, order=5)
+        figure.entry(f"patch {place['patch']:.0f}: {math.degrees(place['contact_angle']):.2f}°, radius "
+                     f"{place['rolling_radius']:.3f} mm", ink, width=0, marker="o")
+    panel.x.limits, panel.y.limits = (low, high), (-0.02, 0.6)
 
 
 def pair(result, wheel, position):
@@ -56,33 +54,31 @@ def pair(result, wheel, position):
                 if m.place["wheel"] == wheel and m.place["position"] == position]
     if drawn is None or not touching:
         return None
-    return draw_pair(drawn, touching, f"{wheel} wheel at position {position:.0f}")
+    return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}")
 
 
 def draw_pair(drawn, touching, title):
     """`drawn`: points y, z [n, 2] of "rail" and "wheel" on the track; `touching`: dicts with patch,
     y_track, z_track (mm), contact_angle (rad), rolling_radius (mm)."""
-    figure, panels = plt.subplots(1, 2, figsize=(9.4, 3.4), gridspec_kw={"width_ratios": [1.5, 1]})
-    for name, ink in (("rail", "black"), ("wheel", "#0072B2")):
+    figure = Figure(2)
+    shape = figure.add(380, 0, title, "$y$ on the track, to the right [mm]", "height over the rails [mm]", equal=True)
+    for name, ink in (("rail", "ink"), ("wheel", "blue")):
         y, z = drawn[name].T
-        panels[0].plot(y, -z, color=ink, linewidth=1.3, label=name)
+        shape.line(y, -z, ink, 1.5)
+        figure.entry(name, ink, width=1.5)
     for k, place in enumerate(touching):
-        panels[0].plot(place["y_track"], -place["z_track"], "o", markersize=5, zorder=5,
-                       color=PATCH_COLOURS[k % len(PATCH_COLOURS)])
-    panels[0].set_aspect("equal")
-    panels[0].set_ylabel("height over the rails [mm]")
-    panels[0].legend(loc="best")
-    _draw_gap(panels[1], drawn, touching)
-    for panel in panels:
-        panel.set_xlabel("$y$ on the track, to the right [mm]")
-    panels[0].set_title(title)
-    style.arrange(figure, panels[None, :], between=(0.75, 0), top=0.5)
+        shape.line([place["y_track"]], [-place["z_track"]], PATCH_COLOURS[k % len(PATCH_COLOURS)], marker="o",
+                   size=3.6, joined=False, order=5)
+    gap = figure.add(250, 210, "distance at the axle, unloaded", "$y$ on the track, to the right [mm]", "[mm]")
+    _draw_gap(gap, figure, drawn, touching)
+    figure.seen = f"{title}: " + "; ".join(
+        f"patch {p['patch']:.0f} touches at y = {p['y_track']:.2f} mm under {math.degrees(p['contact_angle']):.2f}°"
+        for p in touching) + "."
     return figure
 
 
-def draw_pair_file(path, png_folder=None):
+def draw_pair_file(path):
     """Draws NAME.svg of a table NAME.csv that `rollfem profile CASE.toml` wrote."""
-    style.use()
     with open(path, encoding="utf-8") as table:
         title = table.readline().lstrip("# ").strip()
         rows = list(csv.DictReader(table))
@@ -92,52 +88,96 @@ def draw_pair_file(path, png_folder=None):
                  "z_track": float(r["z [mm]"]), "contact_angle": float(r["angle [rad]"]),
                  "rolling_radius": float(r["radius [mm]"])}
                 for r in rows if r["part"].startswith("patch")]
-    style.save(draw_pair(drawn, touching, title), os.path.splitext(path)[0] + ".svg", png_folder)
+    draw_pair(drawn, touching, title).save(os.path.splitext(path)[0] + ".svg")
 
 
-def _curves(result):
-    """Panels of the sweep: (label, value of a model's first point and place)."""
-    return [("contact point on the rail\n$y$ of its profile [mm]", lambda m: m.place["y_rail"]),
-            ("contact point on the wheel\n$y$ of its profile [mm]", lambda m: m.place["y_wheel"]),
-            ("contact angle [°]", lambda m: math.degrees(m.place["contact_angle"])),
-            ("normal force [kN]", lambda m: m.points[0]["normal_force"] / 1e3),
-            ("largest pressure [MPa]", lambda m: m.points[0]["max_pressure"]),
-            (r"longitudinal creepage $\xi$ [%]",
-             lambda m: 100 * m.points[0]["longitudinal_creepage"])]
+def _curves():
+    """Panels of the sweep: (title, unit, least span of the scale, value of a model's first point and
+    place)."""
+    return [("contact point on the rail", "$y$ of its profile [mm]", 2.0, lambda m: m.place["y_rail"]),
+            ("contact point on the wheel", "$y$ of its profile [mm]", 2.0, lambda m: m.place["y_wheel"]),
+            ("contact angle", "[°]", 0.5, lambda m: math.degrees(m.place["contact_angle"])),
+            ("normal force", "[kN]", 1.0, lambda m: m.points[0]["normal_force"] / 1e3),
+            (PRESSURE, "[MPa]", 50.0, lambda m: m.points[0]["max_pressure"]),
+            ("contact area", "[mm²]", 5.0, lambda m: m.points[0]["contact_area"]),
+            ("longitudinal creepage $\\xi$", "[%]", 0.02, lambda m: 100 * m.points[0]["longitudinal_creepage"]),
+            ("spin $\\varphi$", "[rad/m]", 0.02, lambda m: 1e3 * m.points[0]["spin"])]
+
+
+PRESSURE = "largest pressure"
+
+
+def along(result):
+    """What a row of positions is drawn over: (values by position, axis label): the lateral shift, else
+    the yaw, in which no two are alike; else their numbers."""
+    at = {m.place["position"]: m.place for m in result.models if m.place}
+    for name, factor, label in (("lateral_shift", 1.0, "lateral shift of the wheelset [mm]"),
+                                ("yaw", 1e3, "yaw of the wheelset [mrad]")):
+        values = {number: factor * place[name] for number, place in at.items()}
+        if len({round(v, 9) for v in values.values()}) == len(values) > 1:
+            return values, label
+    return {number: number for number in at}, "position"
+
+
+def at_words(result, position):
+    """" at a lateral shift of 3 mm", where one of a row of positions is; empty of a single one."""
+    at, label = along(result)
+    if len(at) < 2:
+        return ""
+    what, _, unit = label.rstrip("]").partition(" of the wheelset [")
+    return f" at a {what} of {tables.plain(at[position])} {unit}" if unit else f" at position {position:.0f}"
+
+
+WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow markers
+
+
+def _radius_difference(figure, models, at, label):
+    """Right less left rolling radius of the most loaded patches; nothing for one wheel."""
+    radius = {(m.place["position"], m.place["wheel"]): m.place["rolling_radius"] for m in models
+              if m.place["patch"] == 1}
+    both = sorted((at[p], radius[p, "right"] - radius[p, "left"]) for p in at
+                  if (p, "left") in radius and (p, "right") in radius)
+    if both:
+        panel = figure.add(250, 165, "rolling radius, right less left", label, "[mm]")
+        panel.y.least = 0.2
+        panel.line(*zip(*both), "green", marker="D", size=2.6)
 
 
 def sweep(result):
-    """Contact point, angle, load, pressure and creepage over the positions; None for fewer than 3."""
-    numbers = positions(result)
-    if len(numbers) < 3:
+    """Contact point, angle, load, pressure, patch and creepages of both wheels over the positions; None
+    for fewer than 3."""
+    if len(positions(result)) < 3:
         return None
-    shifts = {m.place["position"]: m.place["lateral_shift"] for m in result.models}
-    by_shift = len({round(s, 9) for s in shifts.values()}) == len(shifts)
-    figure, panels = plt.subplots(2, 3, figsize=(9.4, 5.2), sharex=True)
+    at, label = along(result)
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
     # Of what all models share, the one that has most places: Hertz cannot take every patch.
-    reference = max(dict.fromkeys(m.name for m in models),
-                    key=lambda name: sum(m.name == name for m in models))
-    for panel, (label, value) in zip(panels.flat, _curves(result)):
-        per_model = label.startswith("largest")
-        for wheel, fill in (("left", "full"), ("right", "none")):
-            for name in sorted({m.name for m in models}) if per_model else [reference]:
-                for patch in (1, 2, 3):
-                    chosen = [m for m in models if m.name == name and m.place["wheel"] == wheel
-                              and m.place["patch"] == patch]
-                    if not chosen:
-                        continue
-                    x = [shifts[m.place["position"]] if by_shift else m.place["position"] for m in chosen]
-                    panel.plot(x, [value(m) for m in chosen], linestyle="-" if patch == 1 else "none",
-                               linewidth=0.9, color=style.colour(chosen[0]), fillstyle=fill,
-                               marker=style.marker(chosen[0]) if per_model else "o", markersize=4.5,
-                               label=f"{style.label(chosen[0])}, {wheel}" if patch == 1 else None)
-        panel.set_ylabel(label)
-    for panel in panels[1]:
-        panel.set_xlabel("lateral shift of the wheelset [mm]" if by_shift else "position")
-    handles, labels = panels[1, 1].get_legend_handles_labels()
-    style.arrange(figure, panels, between=(1.0, 0.2), left=0.95, top=0.35)
-    figure.legend(handles, labels, loc="upper center", ncol=min(5, max(1, len(labels))), borderaxespad=0.2)
+    reference = max(dict.fromkeys(m.name for m in models), key=lambda name: sum(m.name == name for m in models))
+    figure = Figure(3)
+    wheels = [w for w in WHEELS if any(m.place["wheel"] == w[0] for m in models)]
+    names = sorted({m.name for m in models})
+    for title, unit, least, value in _curves():
+        panel = figure.add(250, 165, title, label, unit)
+        panel.y.least = least
+        for name in names if title == PRESSURE else [reference]:
+            for wheel, dash, hollow in wheels:
+                here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
+                for joined in (True, False):
+                    chosen = sorted((at[m.place["position"]], value(m)) for m in here
+                                    if (m.place["patch"] == 1) == joined)
+                    if chosen:
+                        panel.line(*zip(*chosen), looks.of_model(here[0])[0], 1.2, dash, looks.marker(here[0]),
+                                   2.8, hollow, joined=joined)
+    _radius_difference(figure, [m for m in models if m.name == reference], at, label)
+    for name in names:
+        model = next(m for m in models if m.name == name)
+        for wheel, dash, hollow in wheels:
+            figure.entry(f"{looks.label(model)}, {wheel} wheel", looks.of_model(model)[0], dash, 1.2,
+                         looks.marker(model), hollow)
+    ends = f"{label} from {min(at.values()):.4g} to {max(at.values()):.4g}"
+    peak = max((m.points[0]["max_pressure"], at[m.place["position"]], m.place["wheel"]) for m in models
+               if m.name == reference)
+    figure.seen = (f"Contact points, contact angle, normal force, pressure, patch and creepages over the {ends}. The "
+                   f"largest pressure, {peak[0]:.4g} MPa, is at {peak[1]:.4g} on the {peak[2]} wheel.")
     return figure
 
 
@@ -147,7 +187,7 @@ def contact_table(result):
     names = list(dict.fromkeys(m.name for m in models))
     head = ["patch", "shift [mm]", "yaw [mrad]", "roll [mrad]", "y track [mm]", "y rail [mm]",
             "y wheel [mm]", "angle [°]", "radius [mm]", "F<sub>n</sub> [N]"]
-    head += [f"p<sub>0</sub> {style.label(next(m for m in models if m.name == n))} [MPa]" for n in names]
+    head += [f"p<sub>0</sub> {looks.label(next(m for m in models if m.name == n))} [MPa]" for n in names]
     rows = []
     for label, scene in result.scenes():
         place = scene.models[0].place

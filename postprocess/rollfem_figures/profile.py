@@ -2,9 +2,12 @@
 import os
 
 import numpy
-from matplotlib import pyplot as plt
 
-from . import style
+from .figure import Figure
+from .reader import ResultError
+
+LINEAR = 1e-3  # 1/mm: the scale of curvature is linear below, logarithmic beyond: radii from 10 mm to 10 m
+DECADE = 0.6  # how long the linear part is, in decades
 
 
 def read(path):
@@ -13,7 +16,7 @@ def read(path):
         title = table.readline().lstrip("# ").strip()
     columns = numpy.loadtxt(path, delimiter=",", skiprows=2, ndmin=2)
     if columns.shape[1] != 5:
-        raise OSError(f"{path}: not a table of a profile")
+        raise ResultError(f"{path}: not a table of a profile")
     return title, columns.T
 
 
@@ -22,39 +25,41 @@ def joints(s):
     return numpy.flatnonzero(numpy.diff(s) == 0.0)
 
 
-def draw(path, png_folder=None):
-    style.use()
-    title, (s, y, z, _, curvature) = read(path)
+def on_scale(curvature):
+    """Where a curvature (1/mm) is on the scale: linear about 0, logarithmic beyond."""
+    size = numpy.abs(numpy.asarray(curvature, dtype=float)) / LINEAR
+    return numpy.sign(curvature) * numpy.where(size <= 1, DECADE * size, DECADE + numpy.log10(numpy.maximum(size, 1)))
+
+
+def _ticks(curvature):
+    largest = max(numpy.abs(curvature).max(), LINEAR)
+    sizes = [10.0**e for e in range(-3, int(numpy.ceil(numpy.log10(largest))) + 1)]
+    low, high = 2.0 * min(curvature.min(), 0.0), 2.0 * max(curvature.max(), 0.0)
+    shown = [-t for t in sizes if -t >= low] + [0.0] + [t for t in sizes if t <= high]
+    return [(float(on_scale(t)), f"{t:g}".replace("-", "−")) for t in sorted(shown)]
+
+
+def drawn(title, columns):
+    """The figure of a profile."""
+    s, y, z, _, curvature = columns
     places = joints(s)
-    width, height = max(numpy.ptp(y), 1.0), max(numpy.ptp(z), 1.0)
-    shape_height = min(max(6.5 * height / width, 1.2), 6.0)
-    figure, (shape, bend) = plt.subplots(
-        2, 1, figsize=(7.0, shape_height + 3.0), sharex=True,
-        gridspec_kw={"height_ratios": [shape_height, 2.4]}, layout="constrained")
-    ink = style.BLUE
-    shape.plot(y, z, color=ink, linewidth=1.5)
-    shape.plot(y[places], z[places], "o", color=style.SLIP_COLOUR, markeredgecolor="black",
-               markeredgewidth=0.5, markersize=4.5, linestyle="none",
-               label="joint: the radius changes")
-    shape.set_aspect("equal", adjustable="datalim")
-    shape.invert_yaxis()
-    shape.set_ylabel("z, down [mm]")
-    shape.set_title(title)
-    shape.tick_params(labelbottom=False)
-    for place in places:
-        bend.axvline(y[place], color=style.GREY, linewidth=0.6, linestyle=(0, (3, 2)))
-    bend.plot(y, curvature, color=ink, linewidth=1.3)
-    # Radii from 10 mm to 10 m in one figure: linear about 0, logarithmic beyond.
-    bend.set_yscale("symlog", linthresh=1e-3, linscale=0.6)
-    bend.set_ylabel("curvature [1/mm]")
-    bend.set_xlabel("y, to the field side [mm]")
-    largest = max(numpy.abs(curvature).max(), 1e-3)
-    exponents = range(-3, int(numpy.ceil(numpy.log10(largest))) + 1)
-    ticks = [10.0**e for e in exponents if 10.0**e <= 2.0 * largest]
-    shown = [-t for t in reversed(ticks) if -t >= 2.0 * min(curvature.min(), 0.0)]
-    shown += [0.0] + [t for t in ticks if t <= 2.0 * max(curvature.max(), 0.0)]
-    bend.set_yticks(shown, [f"{t:g}" for t in shown])
-    bend.yaxis.set_minor_locator(plt.NullLocator())
+    figure = Figure(1, title)
+    shape = figure.add(560, 0, "", "$y$, to the field side [mm]", "$z$, down [mm]", equal=True)
+    shape.line(y, z, "blue", 1.8)
+    shape.y.flipped = True
     if len(places):
-        shape.legend(loc="best")
-    style.save(figure, os.path.splitext(path)[0] + ".svg", png_folder)
+        shape.line(y[places], z[places], "slip", marker="o", size=3.4, joined=False, order=4)
+        figure.entry("joint: the radius changes", "slip", width=0, marker="o")
+    bend = figure.add(560, 200, "", "$y$, to the field side [mm]", "curvature [1/mm]")
+    for place in places:
+        bend.level(y[place], "soft", (3, 2), 0.6, upright=True)
+    bend.line(y, on_scale(curvature), "blue", 1.5)
+    bend.y.ticks = _ticks(curvature)
+    figure.seen = (f"{title}: shape from y = {y.min():.4g} to {y.max():.4g} mm, {numpy.ptp(z):.3g} mm high; curvature "
+                   f"from {curvature.min():.3g} to {curvature.max():.3g} 1/mm, {len(places)} joints.")
+    return figure
+
+
+def draw(path):
+    """NAME.svg of a table NAME.csv that `rollfem profile` wrote."""
+    drawn(*read(path)).save(os.path.splitext(path)[0] + ".svg")

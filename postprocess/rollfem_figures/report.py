@@ -1,35 +1,12 @@
-"""report.html: one file with everything in it, for the screen, the phone and the printer."""
-import base64
+"""report.html: what was asked for, the patch, forces, tractions and stresses of every model."""
 import os
 import re
 from html import escape
 
-from . import places, selection, stresses, style, tables
+from . import looks, places, selection, stresses, tables
+from .chooser import chooser
+from .page import figure, heading, page, write_page
 from .reader import place_label
-
-CSS = """
-:root{color-scheme:light}
-body{font:16px/1.5 system-ui,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;color:#1a1a1a;background:#fff;
-margin:0 auto;max-width:62rem;padding:1rem}
-h1{font-size:1.6rem;line-height:1.2;margin:.6rem 0}h2{font-size:1.15rem;margin:2rem 0 .4rem;
-border-bottom:2px solid #0072B2;padding-bottom:.15rem}
-p,li{max-width:48rem}.meta,figcaption,.d,.e,.hint{color:#555;font-size:.85rem}
-.wide{overflow-x:auto}.side{display:flex;flex-wrap:wrap;gap:0 2.5rem}.side .wide{max-width:100%}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem;
-margin:.4rem 0}th,td{padding:.25rem .8rem;border-bottom:1px solid #ddd;text-align:right;
-vertical-align:top;white-space:nowrap}thead th{border-bottom:2px solid #888;vertical-align:bottom}
-tbody th{font-weight:normal;text-align:left}thead th:first-child{text-align:left}
-table.left td:nth-child(3),table.left th:nth-child(3){text-align:left;white-space:normal;min-width:11rem}
-td .e{white-space:nowrap}figure{margin:1.2rem 0;break-inside:avoid}
-figure img{max-width:100%;height:auto;display:block}.scroll{overflow-x:auto}
-pre{background:#f5f5f5;padding:.7rem;overflow-x:auto;font-size:.82rem;line-height:1.35}
-summary{cursor:pointer;color:#0072B2}.say{border-left:4px solid #E69F00;padding:.1rem .8rem;margin:.8rem 0}
-.bad{border-left:4px solid #D55E00;padding:.1rem .8rem}
-@media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
-.scroll img{min-width:34rem}tbody th{white-space:normal;min-width:5.5rem}}code{overflow-wrap:anywhere}
-@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}.hint{break-before:avoid}table,tr{break-inside:avoid}
-.wide{overflow:visible}table,td .d,td .e,th .d{font-size:7pt}th,td{padding:.12rem .28rem;
-white-space:normal}tbody th{white-space:nowrap}summary,.screen{display:none}}
-"""
 
 CONVENTIONS = """x is the rolling direction, and material enters the patch at large x (on the right of
 the figures); y is lateral; z points into the wheel. Tractions and forces are those acting on the wheel.
@@ -41,16 +18,6 @@ coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises wit
 BARS = ("±: what grid and solver leave uncertain, as the model estimates it, in the unit of the value; the word in its "
         "place says why there is none (exact: a closed form; theory: one that is no exact solution). "
         "“model ±”: what the model leaves out whatever its grid; from what it was taken, the notes say.")
-
-
-def image(directory, name, caption):
-    """A figure of a folder with its caption, as part of the page."""
-    with open(os.path.join(directory, "figures", name), "rb") as file:
-        data = base64.b64encode(file.read()).decode("ascii")
-    kind = "fits" if name == "creep_curve.svg" else "scroll"  # what a phone shows whole
-    return (f'<figure><div class={kind}><img alt="{escape(caption)}" '
-            f'src="data:image/svg+xml;base64,{data}"></div><figcaption>{escape(caption)}</figcaption>'
-            "</figure>")
 
 
 def asked(result):
@@ -99,12 +66,12 @@ def _numbers(result):
     if reference is None:
         return "<p>No model was run.</p>"
     html = ["<h2>Patch and pressure</h2>", tables.patch_table(result), tables.published_table(result),
-            f"<p class=hint>Small percentages: difference to {escape(style.label(reference))}, of its value; "
+            f"<p class=hint>Small percentages: difference to {escape(looks.label(reference))}, of its value; "
             f"bold: more than both error bars allow. {BARS}</p>"]
-    failed = [f"{style.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
+    failed = [f"{looks.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
               for m in result.models for p in m.points if not p["converged"]]
     if failed:
-        html.insert(0, f"<p class=bad><b>Not converged:</b> {escape('; '.join(failed))}. These numbers "
+        html.insert(0, f"<p class=bad>Not converged: {escape('; '.join(failed))}. These numbers "
                     "cannot be trusted.</p>")
     return "".join(html)
 
@@ -118,7 +85,7 @@ def _forces(result, creep_curve):
     shared = tables.shared_creepage(models)
     note = ""
     if len(models) > 1:
-        note = (f"Small percentages: difference to {escape(style.label(reference))}, in percent of full "
+        note = (f"Small percentages: difference to {escape(looks.label(reference))}, in percent of full "
                 "sliding (μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow.")
     hint = f"<p class=hint>{note}{shared}</p>" if note or shared else ""
     html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
@@ -142,47 +109,53 @@ def _stresses(result, images):
 
 
 def notes(result):
-    said = dict.fromkeys((style.label(m), note) for m in result.models
+    said = dict.fromkeys((looks.label(m), note) for m in result.models
                          for note in m.notes + [f"model error: {m.model_error_source}"] * bool(m.model_error_source))
-    rows = [f"<li><b>{escape(name)}</b>: {escape(note)}</li>" for name, note in said]
+    rows = [f"<li>{escape(name)}: {escape(note)}</li>" for name, note in said]
     return "<h2>What to know about the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
 
 
 def _details(result):
-    return "".join(f"<details><summary>all numbers of {escape(style.label(m))}"
+    return "".join(f"<details><summary>all numbers of {escape(looks.label(m))}"
                    f"{', ' if m.place else ''}{escape(place_label(m.place))}</summary>"
                    f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
 
 
-def _patch(result, images, heading):
+def lower(html):
+    """The HTML with every heading one level below."""
+    for level in (3, 2):
+        html = html.replace(f"<h{level}>", f"<h{level + 1}>").replace(f"</h{level}>", f"</h{level + 1}>")
+    return html
+
+
+def _patch(scene, images, heading):
     """Everything about one patch; `images(start)` gives its figures whose names begin so."""
-    html = [_numbers(result), images("outlines", "contact_area"), _forces(result, images("creep_curve")),
-            "<h2>Tractions in the patch</h2>" if images("path", "strip_force", "oblique") else "",
-            images("path", "strip_force", "oblique"), _stresses(result, images("stress_"))]
+    tractions = images("path", "strip_force", "oblique")
+    html = [_numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_curve")),
+            "<h2>Tractions in the patch</h2>" if tractions else "", tractions, _stresses(scene, images("stress_"))]
     text = "".join(html)
-    if heading:
-        text = f"<h2>{escape(heading)}</h2>" + text.replace("<h2>", "<h3>").replace("</h2>", "</h3>")
-    return text
+    return f"<h3>{escape(heading)}</h3>" + lower(lower(text)) if heading else text
 
 
-def patches(result, figures, every=False):
-    """The patches one after the other; of a long row of positions the first ones have figures, and the
-    others tables if `every` one is wanted."""
+# Of so many patches the printer gets all.
+MOST_PRINTED = 4
+
+
+def patches(result, figures, name="patch"):
+    """The patch; one of several is shown, which the reader chooses. `name`: of the choice."""
     scenes = result.scenes()
-    drawn = {name.split("_", 1)[0] for name, _ in figures if name[0] == "s" and name[1].isdigit()}
-    html = []
+    articles = []
     for number, (label, scene) in enumerate(scenes, 1):
         prefix = f"s{number}_" if len(scenes) > 1 else ""
-        if prefix and f"s{number}" not in drawn and not every:
-            break
 
         def images(*starts, prefix=prefix):
-            return "".join(image(result.directory, n, c) for n, c in figures
-                           if n.startswith(tuple(prefix + s for s in starts)))
+            return "".join(figure(f) for f in figures if f.name.startswith(tuple(prefix + s for s in starts)))
 
-        heading = label[0].upper() + label[1:] if label else ""
-        html.append(_patch(scene, images, heading if len(scenes) > 1 else ""))
-    return "".join(html)
+        words = places.at_words(result, scene.models[0].place["position"]) if len(scenes) > 1 else ""
+        articles.append(_patch(scene, images, label[0].upper() + label[1:] + words if words or prefix else ""))
+    if len(scenes) < 2:
+        return "".join(articles)
+    return "<h2>The patches</h2>" + chooser(result, scenes, articles, name, len(scenes) <= MOST_PRINTED)
 
 
 def touching(result, figures):
@@ -192,22 +165,20 @@ def touching(result, figures):
     return ("<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
             + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
             "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
-            + "".join(image(result.directory, n, c) for n, c in figures
-                      if n.startswith(("pair_", "positions"))))
+            + "".join(figure(f) for f in figures if f.name.startswith(("pair_", "positions"))))
 
 
 def report_html(result, figures):
-    """The page as text; `figures` are (file name in figures/, caption)."""
+    """The page as text; `figures` are what is drawn (build.Drawn)."""
     made = result.provenance
     title = escape(result.title or result.case_file or "rollfem result")
-    return page(title, [
-        heading(title, made, made),
+    return page(title, heading(title, made, made), [
         asked(result), touching(result, figures), patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
         notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
-        "<div class=screen><h2>Every load point</h2>", _details(result),
-        "<p class=hint>Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
+        "<div class=screen><h2>Every load point</h2>", _details(result), "</div>"],
+        "Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
         "contacts.csv with profiles, path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ "
-        "(for ParaView), figures/.</p></div>"])
+        "(for ParaView), figures/.")
 
 
 # What a verdict, made for a terminal, looks like on a page.
@@ -218,31 +189,9 @@ def verdict(text):
     """The verdict of a comparison or study, models by the names that figures and tables have."""
     text = escape(text)
     for pattern, look in LOOKS + [(rf"(?<![\w.-]){name}(?![\w-])", label)
-                                  for name, label in style.LABELS.items()]:
+                                  for name, label in looks.LABELS.items()]:
         text = re.sub(pattern, look, text)
     return f"<p class=say>{text}</p>" if text else ""
-
-
-def heading(title, program, run):
-    """What the page is about, as HTML, and which call of which program has made it."""
-    made = f"rollfem {program['version']} ({program['commit']}), {run['started']}, {run['host']}"
-    if run["processes"] > 1:
-        made += f", {run['processes']} processes"
-    return f"<h1>{title}</h1><p class=meta>{escape(made)}<br><code>{escape(run['command'])}</code></p>"
-
-
-def page(title, parts):
-    """A whole page from its parts; the title is HTML."""
-    return "".join([
-        "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
-        '<meta name=viewport content="width=device-width,initial-scale=1">'
-        f"<title>{title}</title><style>{CSS}</style></head><body>", *parts, "</body></html>\n"])
-
-
-def write_page(path, text):
-    """Writes a page whole or not at all."""
-    with style.whole(path) as part, open(part, "w", encoding="utf-8") as file:
-        file.write(text)
 
 
 def write_report(result, figures):

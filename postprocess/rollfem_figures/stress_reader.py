@@ -59,13 +59,13 @@ class StressResult:
 
 
 def _rows(path):
-    """{(model key, set, body): {column: array}} of stress.csv, columns without their units."""
+    """{(model key, load point, set, body): {column: array}} of stress.csv, columns without their units."""
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
     names = [column.split(" [")[0] for column in rows[0]]
     groups = {}
     for row in rows[1:]:
-        groups.setdefault((row[0], row[2], row[3]), []).append([float(v) for v in row[4:]])
+        groups.setdefault((row[0], int(row[1]), row[2], row[3]), []).append([float(v) for v in row[4:]])
     return {key: dict(zip(names[4:], np.array(values).T)) for key, values in groups.items()}
 
 
@@ -81,7 +81,7 @@ def read_stress(directory):
         for entry in data["models"]:
             sets = [StressSet(s["name"], s["kind"], s["body"],
                               (s["points_across"], s["points_along"]),
-                              rows[(entry["key"], s["name"], s["body"])], s["largest"])
+                              rows[(entry["key"], entry["point"], s["name"], s["body"])], s["largest"])
                     for s in entry["sets"]]
             models.append(StressModel(entry["name"], entry["key"], sets, entry,
                                       entry.get("label", "")))

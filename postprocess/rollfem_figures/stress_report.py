@@ -1,17 +1,18 @@
 """Figures of what `rollfem stress` wrote: depth profiles, lines, planes, the shakedown map."""
-import os
+import math
 
 import numpy as np
-from matplotlib import pyplot as plt
 
-from . import style
+from . import contours, looks
+from .axes import nice_step
+from .build import draw_all
+from .figure import Figure, folder_of
 from .stress_reader import read_stress
 
 # measure: (column, label, colour). One colour a measure where they share a panel.
-MEASURES = [("von_mises", "von Mises", "#0072B2"), ("tresca", "Tresca", "#D55E00"),
-            ("orthogonal_shear", "orthogonal shear", "#009E73"),
-            ("hydrostatic", "hydrostatic", "#666666")]
-DASHES = ["-", (0, (5, 1.5)), (0, (1, 1)), (0, (4, 1, 1, 1))]
+MEASURES = [("von_mises", "von Mises", "blue"), ("tresca", "Tresca", "red"),
+            ("orthogonal_shear", "orthogonal shear", "green"), ("hydrostatic", "hydrostatic", "soft")]
+DASHES = [(), (7.5, 2.3), (1.5, 1.5), (6, 1.5, 1.5, 1.5)]
 MOST_FIGURES = 40  # of each kind
 
 
@@ -40,45 +41,47 @@ def _bodies(result, name):
     return [b for b in ("wheel", "rail") if any(m.set(name, b) for m in result.models)]
 
 
-def _legend(figure, result, with_measures):
-    """Measures by colour and models by dash, four in a row over the panels; and the load point.
-    Returns the number of rows."""
-    handles = []
-    if with_measures:
-        handles += [style.entry(label, color=ink, linewidth=1.6) for _, label, ink in MEASURES]
-        if len(result.models) > 1:
-            handles += [style.entry(style.label(m), color="black", linewidth=1.3, linestyle=dash)
-                        for m, dash in zip(result.models, DASHES)]
-    else:
-        handles += [style.entry(style.label(m), **style.line(m)) for m in result.models]
-    handles.append(style.entry("; ".join(sorted({_load_point(m) for m in result.models}))))
-    figure.legend(handles=handles, loc="upper center", ncol=min(len(handles), 4),
-                  bbox_to_anchor=(0.5, 1.0))
-    return 1 + (len(handles) - 1) // 4
-
-
 def depth_profile(result, name):
     """Stresses down from the surface, one panel for each body. `name`: depth_centre, ..."""
     bodies = _bodies(result, name)
-    figure, axes = plt.subplots(1, len(bodies), sharey=True, squeeze=False,
-                                figsize=(3.6 * len(bodies), 4.4))
-    for panel, body in zip(axes[0], bodies):
-        for model, dash in zip(result.models, DASHES):
+    figure = Figure(2)
+    said = []
+    for body in bodies:
+        panel = figure.add(270, 300, f"{body}, {_where(result, name, body)}", "stress [MPa]",
+                           "depth below the surface [mm]")
+        panel.y.flipped, panel.y.limits, panel.y.margin = True, (0.0, None), 0.0
+        panel.level(0, dash=(), upright=True)
+        for model, dash in zip(result.models, DASHES * len(result.models)):
             part = model.set(name, body)
             if part is None:
                 continue
             for column, _, ink in MEASURES:
-                panel.plot(part[column], part["distance"], color=ink, linestyle=dash, linewidth=1.5)
-        panel.axvline(0, color=style.GREY, linewidth=0.7, zorder=1)
-        panel.set_title(f"{body}, {_where(result, name, body)}")
-        panel.set_xlabel("stress [MPa]")
-    axes[0, 0].set_ylabel("depth below the surface [mm]")
-    axes[0, 0].set_ylim(bottom=0)
-    axes[0, 0].invert_yaxis()
-    axes[0, 0].margins(y=0)
-    rows = _legend(figure, result, True)
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.055 * rows))
+                panel.line(part[column], part["distance"], ink, 1.6, dash)
+            deep = int(np.argmax(part["von_mises"]))
+            said.append(f"{looks.label(model)}, {body}, {_load_point(model)}: von Mises up to "
+                        f"{part['von_mises'][deep]:.4g} MPa, {part['distance'][deep]:.3g} mm deep")
+    for _, label, ink in MEASURES:
+        figure.entry(label, ink)
+    _model_entries(figure, result)
+    figure.seen = "Stress against depth: " + "; ".join(said) + "."
     return figure
+
+
+def _name(result, model):
+    """What tells one entry from the others: its model, its load point, or both."""
+    models, points = ({key(m) for m in result.models} for key in (looks.label, _load_point))
+    return ", ".join(([looks.label(model)] if len(models) > 1 or len(points) < 2 else [])
+                     + ([_load_point(model)] if len(points) > 1 else []))
+
+
+def _model_entries(figure, result):
+    """Models and load points by dash; what all share as text."""
+    if len(result.models) > 1:
+        for model, dash in zip(result.models, DASHES * len(result.models)):
+            figure.entry(_name(result, model), "ink", dash)
+    points = sorted({_load_point(m) for m in result.models})
+    if len(points) == 1:
+        figure.entry(points[0])
 
 
 def _where(result, name, body):
@@ -87,29 +90,41 @@ def _where(result, name, body):
     return f"under x = {texts[0]}, y = {texts[1]} mm"
 
 
+# Load points of one model beside each other: the colours, from the first on.
+POINT_COLOURS = ["blue", "red", "green", "pink", "amber", "sky", "brown", "violet", "wine", "forest"]
+
+
+def _looks(result):
+    """A look of each entry: of its model where they differ in that, else a colour for each load point."""
+    if len({m.name for m in result.models}) == len(result.models):
+        return [looks.line(m) for m in result.models]
+    names = list(dict.fromkeys(m.name for m in result.models))
+    points = list(dict.fromkeys(_load_point(m) for m in result.models))
+    return [{"colour": POINT_COLOURS[points.index(_load_point(m)) % len(POINT_COLOURS)],
+             "dash": DASHES[names.index(m.name) % len(DASHES)]} for m in result.models]
+
+
 def along_line(result, name, body):
-    """Four measures along a line, every model in its own colour."""
-    figure, axes = plt.subplots(2, 2, sharex=True, figsize=(7.2, 5.0))
-    text = ""
-    for model in result.models:
-        part = model.set(name, body)
-        if part is None:
-            continue
-        at, text = _position(part)
-        for panel, (column, _, _) in zip(axes.flat, MEASURES):
-            panel.plot(at, part[column], **style.line(model))
-    for panel, (column, label, _) in zip(axes.flat, MEASURES):
-        panel.set_ylabel(f"{label} stress [MPa]" if column != "orthogonal_shear" else f"{label} [MPa]")
-        panel.margins(x=0)
+    """Four measures along a line, every model and load point in a look of its own."""
+    figure = Figure(2)
+    drawn = [(m, m.set(name, body), look) for m, look in zip(result.models, _looks(result)) if m.set(name, body)]
+    axis_label = _position(drawn[0][1])[1]
+    for column, label, _ in MEASURES:
+        panel = figure.add(300, 165, label + (" stress" if column != "orthogonal_shear" else ""), axis_label, "[MPa]")
+        panel.x.margin = 0.0
         if column == "hydrostatic":
-            panel.axhline(0, color=style.GREY, linewidth=0.7, zorder=1)
+            panel.level(0, dash=())
         else:
-            panel.set_ylim(bottom=0)
-    for panel in axes[1]:
-        panel.set_xlabel(text)
-    figure.align_ylabels()
-    rows = _legend(figure, result, False)
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.05 * rows))
+            panel.y.limits = (0.0, None)
+        for _, part, look in drawn:
+            panel.line(_position(part)[0], part[column], **look)
+    for model, _, look in drawn:
+        figure.entry(_name(result, model), look["colour"], look["dash"])
+    points = sorted({_load_point(m) for m in result.models})
+    if len(points) == 1:
+        figure.entry(points[0])
+    figure.seen = f"Stress in the {body} along a line: " + "; ".join(
+        f"{_name(result, m)} von Mises up to {part['von_mises'].max():.4g} MPa" for m, part, _ in drawn) + "."
     return figure
 
 
@@ -148,43 +163,69 @@ def _lattice(part):
     return found[0][1], found[1][1], found[0][2], found[1][2]
 
 
+# The colour map viridis, in steps; and where on it the words are white.
+VIRIDIS = ("#440154 #481b6d #46327e #3f4788 #365c8d #2e6e8e #277f8e #21918c #1fa187 #2db27d #4ac16d #73d056 "
+           "#a0da39 #d0e11c #fde725").split()
+
+
+def _filled(panel, right, up, values):
+    """Areas above ever higher levels over each other. The lattice may be askew: levels are found over the
+    numbers of its points. Returns the levels."""
+    low, high = float(values.min()), float(values.max())
+    step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
+    first = math.floor(low / step + 1e-9)
+    levels = [step * n for n in range(first, first + len(VIRIDIS)) if step * n < high]
+    rows, columns = values.shape
+    # A ring around, beyond the border, closes the lines; the border cuts it off.
+    x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)
+    x[[0, -1]], y[[0, -1]] = (-1e-3, columns - 1 + 1e-3), (-1e-3, rows - 1 + 1e-3)
+    wide = np.pad(values, 1, constant_values=low - 1e3 * (high - low or 1.0))
+    panel.area([_edge(right, up)], VIRIDIS[0])
+    for number, level in enumerate(levels[1:], 1):
+        rings = contours.lines(x, y, wide, level)
+        panel.area([np.stack([contours.at_points(np.arange(columns), np.arange(rows), part, ring)
+                              for part in (right, up)], axis=1) for ring in rings],
+                   VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))])
+    return levels, step
+
+
+def _edge(right, up):
+    """The border of a lattice."""
+    return np.concatenate([np.stack([part[side] for part in (right, up)], axis=1) for side in (
+        np.s_[0, :], np.s_[1:, -1], np.s_[-1, -2::-1], np.s_[-2:0:-1, 0])])
+
+
+def _scale(figure, levels, step, height):
+    """A panel with the colours of the levels."""
+    panel = figure.add(14, height, " ")
+    panel.x.ticks, panel.x.limits, panel.room_left = [], (0.0, 1.0), 34
+    panel.y.limits = (levels[0], levels[-1] + step)
+    for number, level in enumerate(levels):
+        colour = VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
+        panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], colour)
+
+
 def plane(result, model, part):
     """Filled contours of four measures on a plane."""
     right, up, right_label, up_label = _lattice(part)
+    figure = Figure(4, f"{looks.label(model)}, {part.body}, {_load_point(model)}", in_rows=True)
     wide, high = np.ptp(right), max(np.ptp(up), 1e-9)
-    height = np.clip(2.75 * high / wide + 0.75, 1.6, 4.5)
-    figure, axes = plt.subplots(2, 2, sharex=True, sharey=True, figsize=(7.4, 2 * height),
-                                layout="constrained")
-    for panel, (column, label, _) in zip(axes.flat, MEASURES):
+    width = min(300.0, 330.0 * wide / high)
+    for column, label, _ in MEASURES:
         values = part[column].reshape(part.shape)
-        drawn = panel.contourf(right, up, values, 14, cmap="viridis")
+        panel = figure.add(width, 0, label + (" stress" if column != "orthogonal_shear" else "") + " [MPa]",
+                           right_label, up_label, equal=True)
+        panel.x.limits, panel.y.limits = (right.min(), right.max()), (up.min(), up.min() + high)
+        levels, step = _filled(panel, right, up, values)
         if column != "hydrostatic":
             peak = np.unravel_index(np.argmax(values), values.shape)
-            panel.plot(right[peak], up[peak], marker="x", color="white", markersize=7,
-                       markeredgewidth=3, clip_on=False)
-            panel.plot(right[peak], up[peak], marker="x", color="black", markersize=6,
-                       markeredgewidth=1.3, clip_on=False)
-        panel.set_title(label + (" stress" if column != "orthogonal_shear" else ""))
-        panel.set_aspect("equal")
-        panel.grid(False)
-        figure.colorbar(drawn, ax=panel, label="MPa", aspect=14)
-    for panel in axes[1]:
-        panel.set_xlabel(right_label)
-    for panel in axes[:, 0]:
-        panel.set_ylabel(up_label)
-    figure.suptitle(f"{style.label(model)}, {part.body}, {_load_point(model)}", fontsize=9.5)
+            for ink, size in (("ground", 4.4), ("ink", 3.6)):
+                panel.line([right[peak]], [up[peak]], ink, marker="x", size=size, joined=False, order=4)
+        panel.fit()
+        _scale(figure, levels, step, panel.height)
+    figure.seen = f"Stress in the {part.body} on a plane, {looks.label(model)}: " + "; ".join(
+        f"{label} from {part[column].min():.4g} to {part[column].max():.4g} MPa" for column, label, _ in MEASURES) + "."
     return figure
-
-
-def _name_ends(axis, model, curve):
-    """Creepages (number of the step in a history) of the first and the last load point of a path."""
-    if len(curve) < 2:
-        return
-    for point, side in ((curve[0], "left"), (curve[-1], "right")):
-        text = f"step {point['point'] + 1}" if model.data["step"] else (
-            rf"$\xi$ = {100 * point['longitudinal_creepage']:.4g} %")
-        axis.annotate(text, (point["tangential_coefficient"], point["load_factor"]),
-                      (5, 6), textcoords="offset points", ha=side, va="bottom", fontsize=8)
 
 
 def shakedown_map(result):
@@ -193,64 +234,63 @@ def shakedown_map(result):
     bounds = result.shakedown_map
     if bounds is None:
         return None
-    figure, axis = plt.subplots(figsize=(6.4, 4.6))
+    figure = Figure(1)
+    panel = figure.add(440, 300, f"yield stress in shear $k$ = {result.yield_shear_stress:.4g} MPa",
+                       "tangential force over normal force $T/F_z$ [-]", "load factor $p_0/k$ [-]")
     at = bounds["tangential_coefficient"]
-    points = [p for m in result.models for p in m.data["shakedown"]]
-    top = max([5.2] + [1.15 * p["load_factor"] for p in points])
-    for kind, dash, name in (("line", (0, (5, 2)), "line contact"), ("circle", "-", "circular contact")):
-        axis.plot(at, bounds[f"{kind}_shakedown"], color="black", linestyle=dash, linewidth=1.5,
-                  label=f"shakedown limit, {name}")
-        axis.plot(at, bounds[f"{kind}_elastic"], color=style.GREY, linestyle=dash, linewidth=1.2,
-                  label=f"elastic limit, {name}")
-    for size, model in zip((8, 5, 4, 3), result.models):  # models that agree stay visible
+    models = list({m.key: m for m in result.models}.values())
+    top = max([5.2] + [1.15 * p["load_factor"] for m in models for p in m.data["shakedown"]])
+    panel.x.limits, panel.y.limits = (0.0, max(at)), (0.0, top)
+    for kind, dash, name in KINDS:
+        if f"{kind}_shakedown" in bounds:
+            panel.line(at, bounds[f"{kind}_shakedown"], "ink", 1.6, dash)
+            panel.line(at, bounds[f"{kind}_elastic"], "soft", 1.2, dash)
+            figure.entry(f"shakedown limit, {name}", "ink", dash)
+            figure.entry(f"elastic limit, {name}", "soft", dash, 1.2)
+    said = []
+    for size, model in zip((4.5, 3.2, 2.6, 2.2) * len(models), models):  # models that agree stay visible
         curve = model.data["shakedown"]
-        axis.plot([p["tangential_coefficient"] for p in curve], [p["load_factor"] for p in curve],
-                  marker=style.marker(model), markersize=size, markerfacecolor="white",
-                  **style.line(model), label=style.label(model), clip_on=False, zorder=4)
-        if model is result.models[0]:
-            _name_ends(axis, model, curve)
-        here = curve[model.data["point"]]
-        axis.plot(here["tangential_coefficient"], here["load_factor"], marker=style.marker(model),
-                  markersize=size, linestyle="none", color=style.colour(model), clip_on=False, zorder=5)
-    axis.set_xlim(0, max(at))
-    axis.set_ylim(0, top)
-    axis.set_xlabel(r"tangential force over normal force $T/F_z$ [-]")
-    axis.set_ylabel(r"load factor $p_0/k$ [-]")
-    axis.text(0.02, 0.35, "elastic", color=style.GREY)
+        spots = [(p["tangential_coefficient"], p["load_factor"]) for p in curve]
+        panel.line(*zip(*spots), marker=looks.marker(model), size=size, hollow=True, order=4, **looks.line(model))
+        chosen = [spots[m.data["point"]] for m in result.models if m.key == model.key]
+        panel.line(*zip(*chosen), looks.of_model(model)[0], marker=looks.marker(model), size=size, joined=False, order=5)
+        figure.entry(f"{looks.label(model)} (filled: the load points of the stresses)", *looks.of_model(model)[:2],
+                     marker=looks.marker(model))
+        said += [f"{looks.label(model)} at {x:.3g}, {y:.3g}" for x, y in chosen]
+    panel.text(0.012, 0.3, "elastic")
     if top < 6:  # else there is no room between the limits
-        axis.text(0.01, 3.17, "elastic shakedown", color=style.GREY, fontsize=8.5)
-    axis.text(0.45, 0.93, "material flows at every passage", transform=axis.transAxes, color=style.GREY)
-    figure.tight_layout(rect=(0, 0, 1, 0.87))
-    handles, labels = axis.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", ncol=2,
-                  title=f"yield stress in shear $k$ = {result.yield_shear_stress:.4g} MPa; filled: the load "
-                        "point of the stresses", title_fontsize=8.5)
-    figure.tight_layout(rect=(0, 0, 1, 0.93 - 0.045 * ((len(handles) + 1) // 2)))
+        panel.text(0.008, 3.2, "elastic shakedown")
+    panel.text(0.97, 0.93, "material flows at every passage", "end", share=(True, True))
+    figure.seen = ("Shakedown map, tangential force over normal force against the load factor: " + "; ".join(said)
+                   + ". The words beside it say in which region they are.")
     return figure
 
 
+KINDS = (("line", (7.5, 3), "line contact"), ("circle", (), "circular contact"))
+
+
 def figures(result):
-    """(file name, function that draws it or returns None) of everything."""
+    """(file name, caption, function that makes the figure or returns None) of everything."""
     for name in _names(result, "depth_"):
-        yield f"{name}.svg", lambda name=name: depth_profile(result, name)
+        yield (f"{name}.svg", "Stress against depth under the " + name[6:].replace("_", " ") + " of the patch.",
+               lambda name=name: depth_profile(result, name))
     for name in _names(result, "line_"):
         for body in _bodies(result, name):
-            yield f"{name}_{body}.svg", lambda name=name, body=body: along_line(result, name, body)
+            yield (f"{name}_{body}.svg", f"Stress in the {body} along {name.replace('_', ' ')}.",
+                   lambda name=name, body=body: along_line(result, name, body))
     for name in _names(result, "plane_"):
         for model in result.models:
             for part in model.sets:
                 if part.name == name:
-                    yield (f"{name}_{part.body}_{model.name}.svg",
+                    several = len({m.key for m in result.models}) < len(result.models)
+                    file = f"{name}_{part.body}_{model.name}" + (f"_{model.data['point']}" if several else "")
+                    yield (f"{file}.svg", f"Stress in the {part.body} on {name.replace('_', ' ')}; cross: the largest.",
                            lambda model=model, part=part: plane(result, model, part))
-    yield "shakedown_map.svg", lambda: shakedown_map(result)
+    yield "shakedown_map.svg", "Shakedown map.", lambda: shakedown_map(result)
 
 
-def build(directory, png_folder=None):
+def build(directory):
     """Draws what the folder has to its figures/."""
     result = read_stress(directory)
-    folder = style.figures_folder(directory, png_folder)
-    style.know({model.name: model.label for model in result.models})
-    for name, draw in figures(result):
-        figure = draw()
-        if figure is not None:
-            style.save(figure, os.path.join(folder, name), png_folder)
+    looks.know({model.name: model.label for model in result.models})
+    return draw_all(figures(result), folder_of(directory))

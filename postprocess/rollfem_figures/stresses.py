@@ -2,9 +2,9 @@
 from html import escape
 
 import numpy as np
-from matplotlib import pyplot as plt
 
-from . import selection, style
+from . import keys, looks, selection
+from .figure import Figure
 from .tables import measured, number, plain, table
 
 
@@ -23,9 +23,8 @@ def measures(stress):
     }
 
 
-PANELS = [("von_mises", "von Mises stress [MPa]"), ("tresca", "Tresca stress [MPa]"),
-          ("orthogonal_shear", "orthogonal shear stress [MPa]"),
-          ("hydrostatic", "hydrostatic stress [MPa]")]
+PANELS = [("von_mises", "von Mises stress"), ("tresca", "Tresca stress"),
+          ("orthogonal_shear", "orthogonal shear stress"), ("hydrostatic", "hydrostatic stress")]
 
 
 def lines(result):
@@ -71,28 +70,25 @@ def along_line(result, number_of_request):
             drawn.append((model, point.subsurface[number_of_request]))
     if not drawn:
         return None
-    figure, axes = plt.subplots(2, 2, sharex=True, figsize=(7.2, 5.0))
-    for model, part in drawn:
-        at, axis_label = _position(part["points"])
-        values = measures(part["stress"])
-        for panel, (name, _) in zip(axes.flat, PANELS):
-            panel.plot(at, values[name], label=style.label(model), **style.line(model))
-    for panel, (name, text) in zip(axes.flat, PANELS):
-        panel.set_ylabel(text)
-        panel.margins(x=0)
-        if name != "hydrostatic":
-            panel.set_ylim(bottom=0)
+    figure = Figure(2)
+    axis_label = _position(drawn[0][1]["points"])[1]
+    for name, text in PANELS:
+        panel = figure.add(300, 165, text, axis_label, "[MPa]")
+        panel.x.margin = 0.0
+        if name == "hydrostatic":
+            panel.level(0, dash=())
         else:
-            panel.axhline(0, color=style.GREY, linewidth=0.7, zorder=1)
-    for panel in axes[1]:
-        panel.set_xlabel(axis_label)
-    figure.align_ylabels()
-    style.arrange(figure, axes, between=(0.75, 0.2), top=0.5)
-    texts, shared = style.key_texts(selection.all_keys(result.models))
+            panel.y.limits = (0.0, None)
+        for model, part in drawn:
+            panel.line(_position(part["points"])[0], measures(part["stress"])[name], **looks.line(model))
+    for model, _ in drawn:
+        figure.entry(looks.label(model), *looks.of_model(model)[:2])
+    texts, shared = keys.key_texts(selection.all_keys(result.models))
     heading = ", ".join(t for t in (f"in the {drawn[0][1]['body']}", texts.get(key, ""), shared) if t)
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    handles.append(plt.Line2D([], [], linestyle="none"))
-    figure.legend(handles, labels + [heading], loc="upper center", ncol=len(labels) + 1)
+    figure.entry(heading)
+    figure.seen = f"Stress {heading}, along {axis_label}: " + "; ".join(
+        f"{looks.label(m)} von Mises up to {measures(part['stress'])['von_mises'].max():.4g} MPa"
+        for m, part in drawn) + "."
     return figure
 
 
@@ -136,4 +132,4 @@ def maxima_table(result):
                              else f", ξ = {plain(100 * point['longitudinal_creepage'])} %")
                 row.append(html + "</span>")
             rows.append(row)
-    return table(["largest"] + [escape(style.label(m)) for m in models], rows)
+    return table(["largest"] + [escape(looks.label(m)) for m in models], rows)

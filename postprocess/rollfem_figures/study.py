@@ -4,10 +4,12 @@ from html import escape
 from types import SimpleNamespace
 
 import numpy as np
-from matplotlib import pyplot as plt
 
-from . import report, style, tables
+from . import looks, page, report, tables
+from .build import draw_all
+from .figure import Figure, folder_of
 from .reader import Quantity, ResultError, read_json
+from .words import math
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
 SMALLEST = 1e-9  # relative; below it an error is nothing that a figure can show
@@ -27,7 +29,7 @@ def _xi(place, key):
 
 def _title(place, key):
     if quantity := place["quantities"].get(key):
-        return quantity.title + (f" ${quantity.symbol}$" if quantity.symbol else "")
+        return quantity.title + (f" {math(quantity.symbol)}" if quantity.symbol else "")
     return rf"traction coefficient, $\xi$ = {_xi(place, key):.4g} %"
 
 
@@ -53,9 +55,8 @@ def _curve(series, key, across):
     return np.array(rows).T if rows else None
 
 
-# Series of one model refined in different ways: dash, marker, whether it is filled.
-VARIANTS = [(None, None, True), ((0, (1, 1)), None, False), ((0, (4, 1, 1, 1)), "^", False),
-            ((0, (2, 2)), "v", True)]
+# Series of one model refined in different ways: dash, marker, whether it is hollow.
+VARIANTS = [(None, None, False), ((1.5, 1.5), None, True), ((6, 1.5, 1.5, 1.5), "^", True), ((3, 3), "v", False)]
 
 
 def _variant(place, series):
@@ -63,90 +64,91 @@ def _variant(place, series):
     return [s["vary"] for s in place["series"] if s["model"] == series["model"]].index(series["vary"])
 
 
+def _look(place, series):
+    """(colour, dash, marker, whether hollow) of a series."""
+    dash, marker, hollow = VARIANTS[_variant(place, series) % len(VARIANTS)]
+    colour, own_dash, own_marker = looks.of_model(_model(series))
+    return colour, dash or own_dash, marker or own_marker, hollow
+
+
 def _name(place, series):
-    text = style.label(_model(series))
+    text = looks.label(_model(series))
     same = [s for s in place["series"] if s["model"] == series["model"]]
     return f"{text}, {series['vary']}" if len(same) > 1 and series["vary"] else text
 
 
-def _uncertainty(axis, place, key, friction):
-    """A band of errors that the reference cannot tell; its handle for the legend, by name."""
+def _uncertainty(panel, place, key, friction):
+    """A band of errors that the reference cannot tell; whether there is one."""
     reference = place["references"][key]
     scale = friction if _is_coefficient(key) else abs(reference["value"])
     if not reference["uncertainty"] > 0 or not scale > 0:
-        return {}
-    level = 100 * reference["uncertainty"] / scale
-    low, high = axis.get_ylim()
+        return False
+    level, low = 100 * reference["uncertainty"] / scale, panel.y.range()[0]
     if level <= low:
-        return {}
-    band = axis.axhspan(min(low, level / 10), min(level, high), color="#e6e6e6", zorder=0)
-    axis.set_ylim(low, high)
-    return {"uncertainty of the reference": band}
+        return False
+    panel.band(low, level)
+    return True
 
 
-def _order_guide(axis, curve):
-    """The slope of order 2 on a surface: error falls as 1/unknowns."""
+def _order_guide(panel, curve):
+    """The slope of order 2 on a surface: error falls as 1/unknowns; whether it is drawn."""
     at, high = curve
     if len(at) < 3:
-        return {}
+        return False
     ends = np.array([at[0], at[-1]]) * 1.6
-    return {"order 2": axis.plot(ends, 1.6 * high[0] * (ends / ends[0]) ** -1, color=style.GREY,
-                                 linewidth=0.8, linestyle=(0, (1, 1.5)))[0]}
+    panel.line(ends, 1.6 * high[0] * (ends / ends[0]) ** -1, "soft", 1.0, (1.5, 2.2))
+    return True
 
 
-def _panel(axis, place, key, across, friction):
-    drawn, guides = {}, {}
+def _panel(figure, place, key, across, friction):
+    """One panel; returns the names of the guides in it."""
+    panel = figure.add(250, 190, _title(place, key),
+                       "time for all load points [s]" if across == "seconds" else "unknowns [-]",
+                       "error [% of $\\mu$]" if _is_coefficient(key) else "error [%]")
+    panel.x.log = panel.y.log = True
+    guides = set()
     for series in place["series"]:
         curve = _curve(series, key, across)
         if curve is None:
             continue
-        ink = style.line(_model(series))
-        dash, marker, filled = VARIANTS[_variant(place, series) % len(VARIANTS)]
-        ink["linestyle"] = dash or ink["linestyle"]
-        drawn[_name(place, series)] = axis.plot(
-            *curve, marker=marker or style.marker(_model(series)), markersize=5.5,
-            markerfacecolor=ink["color"] if filled else "white", **ink)[0]
-        if across == "unknowns" and series["model"] == "halfspace":
-            guides |= _order_guide(axis, curve)
-    axis.set_xscale("log")
-    axis.set_yscale("log")
-    for limits, change in ((axis.get_xlim, axis.set_xlim), (axis.get_ylim, axis.set_ylim)):
-        low, high = limits()  # whole decades, so that every axis has labels
-        change(10 ** np.floor(np.log10(low)), 10 ** np.ceil(np.log10(high)))
-    axis.set_title(_title(place, key))
-    axis.set_ylabel(r"error [% of $\mu$]" if _is_coefficient(key) else "error [%]")
-    axis.set_xlabel("time for all load points [s]" if across == "seconds" else "unknowns [-]")
-    return drawn, guides | _uncertainty(axis, place, key, friction)
+        colour, dash, marker, hollow = _look(place, series)
+        panel.line(*curve, colour, dash=dash, marker=marker, hollow=hollow)
+        if across == "unknowns" and series["model"] == "halfspace" and _order_guide(panel, curve):
+            guides.add("order 2")
+    if _uncertainty(panel, place, key, friction):
+        guides.add("band")
+    return guides
 
 
-def errors_figure(place, across, keys, friction):
+def errors_figure(place, across, wanted, friction):
     """Errors of the keys against "seconds" or "unknowns", log-log. None when there are none."""
-    keys = [k for k in keys if any(_curve(s, k, across) is not None for s in place["series"])]
-    if not keys:
+    wanted = [k for k in wanted if any(_curve(s, k, across) is not None for s in place["series"])]
+    if not wanted:
         return None
-    columns = min(3 if len(keys) > 4 else 2, len(keys))
-    rows = -(-len(keys) // columns)
-    figure, axes = plt.subplots(rows, columns, squeeze=False,
-                                figsize=(1.0 + (3.9 if columns < 3 else 2.9) * columns, 0.9 + 2.7 * rows))
-    drawn, guides = {}, {}
-    for axis, key in zip(axes.flat, keys):
-        lines, more = _panel(axis, place, key, across, friction)
-        drawn |= lines
-        guides |= more
-    drawn |= guides
-    for axis in axes.flat[len(keys):]:
-        axis.set_visible(False)
-    for name, handle in drawn.items():
-        handle.set_label(name)
-    style.legend_above(figure, axes, list(drawn.values()), max(2, int(figure.get_figwidth() / 2.2)),
-                       between=(0.78, 0.8))
+    figure = Figure(3 if len(wanted) > 4 else 2)
+    guides, said = set(), []
+    for key in wanted:
+        guides |= _panel(figure, place, key, across, friction)
+    for series in place["series"]:
+        found = {k: _curve(series, k, across) for k in wanted}
+        if any(curve is not None for curve in found.values()):
+            colour, dash, marker, hollow = _look(place, series)
+            figure.entry(_name(place, series), colour, dash, marker=marker, hollow=hollow)
+            key, (at, high) = next((k, c) for k, c in found.items() if c is not None)
+            said.append(f"{_name(place, series)}, {_title(place, key)}: from {high[0]:.2g} % at {at[0]:.3g} to "
+                        f"{high[-1]:.2g} % at {at[-1]:.3g}")
+    if "order 2" in guides:
+        figure.entry("order 2", "soft", (1.5, 2.2), 1.0)
+    if "band" in guides:
+        figure.entry("uncertainty of the reference", fill="band")
+    figure.seen = f"Errors against {across}, both on logarithmic scales. " + "; ".join(said) + "."
     return figure
 
 
 def speed_error(place, friction):
     """Error in the largest pressure and in a traction coefficient against seconds, every model."""
-    keys = [k for k in ("max_pressure", typical_coefficient(place, friction)) if k]
-    return errors_figure(place, "seconds", keys, friction)
+    wanted = [k for k in ("max_pressure", typical_coefficient(place, friction)) if k]
+    return errors_figure(place, "seconds", wanted, friction)
 
 
 def _heading(place, key):
@@ -178,8 +180,7 @@ def _limit_cell(limit):
     if limit is None:
         return "–"
     value = tables.number(limit["value"], 6)
-    html = f"<b>{value}</b>" if "order" in limit else value
-    html += f" <span class=e>± {tables.number(limit['uncertainty'], 2)}</span><br><span class=d>"
+    html = f"{value} <span class=e>± {tables.number(limit['uncertainty'], 2)}</span><br><span class=d>"
     if "order" not in limit:
         return html + ("settled to rounding" if limit.get("settled") else "no order") + "</span>"
     return html + f"order {tables.number(limit['order'], 3)}{', fitted' if limit['fitted'] else ''}</span>"
@@ -212,7 +213,7 @@ def _overview(study):
             levels = [level for level in series["levels"] if "max_pressure" in level["values"]]
             if not levels:
                 continue
-            name = style.label(_model(series)) + (f", {series['vary']}" if series["vary"] else "")
+            name = looks.label(_model(series)) + (f", {series['vary']}" if series["vary"] else "")
             rows.append([escape(place["name"]), tables.plain(place.get("lateral_shift", 0)),
                          tables.plain(1e3 * place.get("yaw", 0)), escape(name), escape(levels[-1]["label"]),
                          _value_cell(place, series, levels[-1], "max_pressure"),
@@ -237,23 +238,17 @@ estimates included."""
 MOST_OPEN = 3
 
 
-def _figures(study, place, directory, folder, png_folder):
-    """The figures of a place, written, as parts of the page."""
+def _figures(study):
+    """(file name, caption, function that makes the figure or returns None) of all places."""
     friction = study["friction_coefficient"]
-    suffix = f"_{place['key']}" if place["key"] else ""
-    wanted = []
-    if len(study["places"]) <= MOST_OPEN or len(place["series"]) > 1:
-        wanted.append(("speed_error", "Error against seconds. Where a line stays flat the theory ends, not the "
-                       "grid; what has no error (Hertz where it is the reference) is not drawn.",
-                       speed_error(place, friction)))
-    wanted.append(("error_unknowns", "Error against unknowns, every quantity of the study.",
-                   errors_figure(place, "unknowns", _keys(place), friction)))
-    images = ""
-    for name, caption, figure in wanted:
-        if figure is not None:
-            style.save(figure, os.path.join(folder, f"{name}{suffix}.svg"), png_folder)
-            images += report.image(directory, f"{name}{suffix}.svg", caption)
-    return images
+    for place in study["places"]:
+        suffix = f"_{place['key']}" if place["key"] else ""
+        if len(study["places"]) <= MOST_OPEN or len(place["series"]) > 1:
+            yield (f"speed_error{suffix}.svg", "Error against seconds. Where a line stays flat the theory ends, not "
+                   "the grid; what has no error (Hertz where it is the reference) is not drawn.",
+                   lambda place=place: speed_error(place, friction))
+        yield (f"error_unknowns{suffix}.svg", "Error against unknowns, every quantity of the study.",
+               lambda place=place: errors_figure(place, "unknowns", _keys(place), friction))
 
 
 def _place_parts(study, place, images):
@@ -261,7 +256,7 @@ def _place_parts(study, place, images):
     heading = "h3" if place["name"] else "h2"
     parts = [images]
     for series in place["series"]:
-        name = escape(style.label(_model(series)))
+        name = escape(looks.label(_model(series)))
         parts.append(f"<{heading}>{name}{', refined in ' if series['vary'] else ''}{escape(series['vary'])}"
                      f"</{heading}>")
         if series["failure"]:
@@ -278,15 +273,14 @@ def _place_parts(study, place, images):
     return [f"<details><summary>{title}</summary>"] + parts + ["</details>"]
 
 
-def build_study(directory, png_folder=None):
+def build_study(directory):
     """Draws the study in `directory` and writes study.html."""
     study = read_json(directory, "study.json")
     if study.get("kind") != "study" or study.get("format") != 3:
         raise ResultError(f"{directory}/study.json is not a study that this program reads")
-    folder = style.figures_folder(directory, png_folder)
-    style.know(study.get("labels", {}))
+    looks.know(study.get("labels", {}))
     title = "Refinement study: " + escape(study["title"] or study["case_file"])
-    parts = [report.heading(title, study["program"], study), report.verdict(study["verdict"]),
+    parts = [report.verdict(study["verdict"]),
              f"<details><summary>case file {escape(study['case_file'])}</summary>"
              f"<pre>{escape(study['case_text'])}</pre></details>"]
     parts += [f"<p class=hint>{escape(note)}.</p>" for note in study["notes"]]
@@ -295,7 +289,13 @@ def build_study(directory, png_folder=None):
     quantities = {name: Quantity(**quantity) for name, quantity in study["quantities"].items()}
     for place in study["places"]:
         place["quantities"] = quantities
-        parts += _place_parts(study, place, _figures(study, place, directory, folder, png_folder))
-    parts += [f"<p class=hint>{HINTS}</p>",
-              "<p class=hint>Beside this file: study.json and study.csv with every number, figures/.</p>"]
-    report.write_page(os.path.join(directory, "study.html"), report.page(title, parts))
+    drawn = draw_all(_figures(study), folder_of(directory))
+    for place in study["places"]:
+        suffix = f"_{place['key']}.svg" if place["key"] else ".svg"
+        images = "".join(page.figure(f) for f in drawn
+                         if f.name in (f"speed_error{suffix}", f"error_unknowns{suffix}"))
+        parts += _place_parts(study, place, images)
+    parts.append(f"<p class=hint>{HINTS}</p>")
+    page.write_page(os.path.join(directory, "study.html"), page.page(
+        title, page.heading(title, study["program"], study), parts,
+        "Beside this file: study.json and study.csv with every number, figures/."))

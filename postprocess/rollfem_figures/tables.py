@@ -3,7 +3,7 @@ import math
 import re
 from html import escape
 
-from . import curves, published, selection, style
+from . import curves, looks, published, selection
 from .reader import full_sliding, place_label
 
 
@@ -40,7 +40,7 @@ ROUNDING = 1e-7  # of a value: a bar below is not worth a line
 
 def measured(value, bar, digits=5):
     """value ± bar, or the word in place of the bar."""
-    html = f"<b>{number(value, digits)}</b>"
+    html = number(value, digits)
     if isinstance(bar, str):
         return html + (f"&nbsp;<span class=e>{escape(bar)}</span>" if bar else "")
     if bar and bar > ROUNDING * abs(value):
@@ -73,13 +73,21 @@ def differing(difference, beyond):
     return f"<br><span class=d>{text}</span>"
 
 
+# Columns that a page stands on end for when it is printed.
+MANY = 9
+
+
 def table(head, rows, kind=""):
-    """HTML table; the first cell of a row is its heading."""
-    html = [f'<div class=wide><table class="{kind}"><thead><tr>']
-    html += [f"<th>{h}</th>" for h in head]
+    """HTML table that scrolls within its frame where it is wider than the page; the first cell of a row is
+    its heading."""
+    name = re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", head[0])).strip()
+    many = " many" if len(head) >= MANY else ""
+    html = [f'<div class="wide{many}" role=region tabindex=0 aria-label="table: {name}">'
+            f'<table class="{kind}"><thead><tr>']
+    html += [f"<th scope=col>{h}</th>" for h in head]
     html.append("</tr></thead><tbody>")
     for row in rows:
-        html.append("<tr><th>" + row[0] + "</th>" + "".join(f"<td>{c}</td>" for c in row[1:]) + "</tr>")
+        html.append("<tr><th scope=row>" + row[0] + "</th>" + "".join(f"<td>{c}</td>" for c in row[1:]) + "</tr>")
     html.append("</tbody></table></div>")
     return "".join(html)
 
@@ -162,7 +170,7 @@ def patch_table(result):
                 beyond = _beyond(point, base, quantity)
             row.append(with_bar(point, quantity, 6) + differing(against, beyond))
         rows.append(row)
-    return table(["first load point"] + [escape(style.label(m)) for m in models], rows)
+    return table(["first load point"] + [escape(looks.label(m)) for m in models], rows)
 
 
 def published_table(result):
@@ -234,7 +242,7 @@ def creepage_table(result, quantity):
                            + differing(_difference(point[quantity], base[quantity], sliding or None),
                                        _beyond(point, base, quantity)))
         rows.append(row)
-    head = [", ".join(c[0] for c in columns)] + [escape(style.label(m)) for m in models]
+    head = [", ".join(c[0] for c in columns)] + [escape(looks.label(m)) for m in models]
     return table(head, rows)
 
 
@@ -244,10 +252,10 @@ def cost_table(result):
         other = {k: v for k, v in model.seconds.items() if k != "total"}
         parts = ", ".join(f"{escape(k)} {number(v, 3)}" for k, v in
                           sorted(other.items(), key=lambda item: -item[1]))
-        name = escape(style.label(model))
+        name = escape(looks.label(model))
         if model.place:
             name += f"<br><span class=d>{escape(place_label(model.place))}</span>"
-        rows.append([name, f"<b>{number(model.seconds.get('total'), 3)}</b>",
+        rows.append([name, number(model.seconds.get('total'), 3),
                      parts or "–", f"{model.unknowns:,}".replace(",", " "),
                      f"{model.contact_elements:,}".replace(",", " "), str(len(model.points))])
     return table(["model", "seconds", "of which", "unknowns", "contact elements", "load points"], rows,
@@ -260,7 +268,7 @@ def points_table(result, model):
     names = [n for n in result.quantities
              if n != "converged" and any(p.scalars.get(n) for p in model.points)]
     rows = [[", ".join(plain(p.key[k] * f) for _, k, f in columns)]
-            + [barred(p, n) for n in names] + ["yes" if p["converged"] else "<b>no</b>"]
+            + [barred(p, n) for n in names] + ["yes" if p["converged"] else "no"]
             for p in model.points]
     quantities = [result.quantities[n] for n in names]
     head = [(symbol(q.symbol) or escape(q.title)) + unit(q) for q in quantities]

@@ -90,7 +90,7 @@ std::string run(std::vector<std::string> call, std::vector<std::string> environm
   if (error != 0) {
     ::close(ends[0]);
     return fmt::format(
-        "cannot run {}: {}; install python3 python3-matplotlib python3-h5py or name "
+        "cannot run {}: {}; install python3 python3-numpy python3-h5py or name "
         "another Python in ROLLFEM_PYTHON",
         call[0], std::strerror(error));
   }
@@ -128,9 +128,8 @@ std::string python_path() {
 }
 
 /// Runs the package with these arguments, which name files by absolute paths; returns what went
-/// wrong, empty when nothing did. Python looks for modules (and matplotlib for its settings) in the
-/// folder where it is started before any other place: that is the package's, never the user's,
-/// where a numpy.py would be run.
+/// wrong, empty when nothing did. Python looks for modules in the folder where it is started before any other
+/// place: that is the package's, never the user's, where a numpy.py would be run.
 std::string draw(const fs::path& directory, const std::string& script_directory,
                  const std::vector<std::string>& arguments) {
   const fs::path parent = package_parent(script_directory);

@@ -380,7 +380,7 @@ TEST_F(StressTest, FiguresAreDrawn) {
                     "-3,0,-1:3,0,-1:21", "--plane", "-3,0,0:3,0,0:-3,0,-4:21,11"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   if (outcome.err.find("figures need") != std::string::npos)
-    GTEST_SKIP() << "needs apt install python3-matplotlib python3-h5py";
+    GTEST_SKIP() << "needs apt install python3-numpy python3-h5py";
   EXPECT_EQ(outcome.err, "");
   for (const char* name :
        {"depth_centre", "line_1_rail", "plane_1_rail_halfspace", "shakedown_map"})

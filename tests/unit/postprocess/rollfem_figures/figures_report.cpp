@@ -1,5 +1,5 @@
 // Figures and report are made from a written result by Debian's Python, whatever the result holds.
-// Skipped with a message where matplotlib or h5py is not installed.
+// Skipped with a message where numpy or h5py is not installed.
 #include "postprocess/write/output.hpp"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ using testing::scripts;
 class FiguresTest : public testing::InFolder {
  protected:
   void SetUp() override {
-    if (!testing::python_can_import("matplotlib, h5py, numpy"))
-      GTEST_SKIP() << "no figures without apt install python3-matplotlib python3-h5py";
+    if (!testing::python_can_import("h5py, numpy"))
+      GTEST_SKIP() << "no figures without apt install python3-numpy python3-h5py";
   }
 
   /// Writes the run and draws it; returns the folder.
@@ -51,19 +51,20 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   EXPECT_FALSE(fs::exists(folder / "figures/oblique_px_hertz.svg"));
 
   const std::string report = contents(folder / "report.html");
-  for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url("})
+  for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url(", "<img"})
     EXPECT_EQ(report.find(link), std::string::npos) << link;
-  std::size_t images = 0;
-  for (std::size_t at = report.find("data:image/svg"); at != std::string::npos;
-       at = report.find("data:image/svg", at + 1))
-    ++images;
-  EXPECT_EQ(images, 10U);
+  std::size_t figures = 0;
+  for (std::size_t at = report.find("<figure>"); at != std::string::npos;
+       at = report.find("<figure>", at + 1))
+    ++figures;
+  EXPECT_EQ(figures, 10U);
   for (const char* text :
        {"thesis case a: conforming plane", "578.7", "0.51136", "half-space", "FEM", "446 000",
         "symmetry plane y = 0 used", "normal_force = 50e3", "not converged",
         // headings from what the file says of its scalars
-        "<th>largest pressure p<sub>0</sub> [MPa]", "<th>−F<sub>x</sub>/F<sub>z</sub></th>",
-        "<th>|p<sub>t</sub>| [MPa]</th>", "<th>contact area [mm²]"})
+        "<th scope=row>largest pressure p<sub>0</sub> [MPa]",
+        "<th scope=col>−F<sub>x</sub>/F<sub>z</sub></th>",
+        "<th scope=col>|p<sub>t</sub>| [MPa]</th>", "<th scope=row>contact area [mm²]"})
     EXPECT_EQ(report.find(text) != std::string::npos, std::string(text) != "not converged") << text;
 }
 
@@ -125,7 +126,7 @@ TEST_F(FiguresTest, StressAlongLinesIsDrawnAndTheLargestIsTabulated) {
   EXPECT_TRUE(fs::exists(folder / "figures/stress_3.svg"));
   const std::string report = contents(folder / "report.html");
   for (const char* text :
-       {"Stress in the bodies", "wheel: von Mises", "345.6", "456.7</b>&nbsp;<span class=e>±",
+       {"Stress in the bodies", "wheel: von Mises", "345.6", "456.7&nbsp;<span class=e>±",
         "at (0, 0, 1.25) mm, ξ = 0.3 %", "rail: Tresca", "On the surface of the rail"})
     EXPECT_NE(report.find(text), std::string::npos) << text;
   // The measures of the figures are those of the result, the others by hand: uniaxial 400 MPa with
@@ -205,10 +206,9 @@ TEST_F(FiguresTest, TakeNothingFromTheCurrentFolder) {
   const fs::path hostile = base_ / "hostile";
   fs::create_directories(hostile / "h5py");
   const std::string trap = "open('" + (hostile / "ran").string() + "', 'a').write('x')\n";
-  for (const char* name : {"numpy.py", "matplotlib.py", "argparse.py", "h5py/__init__.py",
+  for (const char* name : {"numpy.py", "argparse.py", "h5py/__init__.py",
                            "sitecustomize.py", "rollfem_figures.py"})
     std::ofstream(hostile / name) << trap;
-  std::ofstream(hostile / "matplotlibrc") << "svg.fonttype: nonsense\n";
   // All modules are imported before a folder is looked at that is not there.
   const std::string message = make_report("/nowhere", scripts);
   EXPECT_NE(message.find("/nowhere"), std::string::npos) << message;

@@ -1,0 +1,109 @@
+"""A figure: panels beside each other under one legend, as a file (SVG) and as part of a page, where
+the panels flow into the room there is."""
+import os
+from html import escape
+
+from . import looks, words
+from .panel import Panel, marker_path, strokes
+from .whole import whole
+
+
+class Figure:
+    """`columns`: panels in a row of the file, and of the page too where `in_rows`. `seen`: what the
+    figure shows, in words, for who cannot see it."""
+
+    def __init__(self, columns=3, heading="", in_rows=False):
+        self.panels, self.columns, self.heading, self.in_rows = [], columns, heading, in_rows
+        self.legend, self.seen = [], ""
+
+    def add(self, *arguments, **options):
+        """A new panel (Panel)."""
+        self.panels.append(Panel(*arguments, **options))
+        return self.panels[-1]
+
+    def entry(self, text, colour=None, dash=(), width=1.6, marker=None, hollow=False, fill=None, opacity=1):
+        """An entry of the legend: a line that looks so, an area, or the text alone."""
+        self.legend.append((text, colour, dash, width, marker, hollow, fill, opacity))
+
+    def _key(self, entry):
+        """The sign of an entry, 26 by 12 px; empty for a text alone."""
+        _, colour, dash, width, marker, hollow, fill, opacity = entry
+        if fill:
+            return f'<path class="f-{fill}" opacity="{opacity:g}" d="M3 1h20v10h-20z"/>'
+        if not colour:
+            return ""
+        text = f'<path {strokes(colour, width, dash)} d="M1 6h24"/>' if width else ""
+        if marker:
+            filled = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
+            text += f'<path {strokes(colour, 1.2, (), filled)} d="{marker_path(marker, [13], [6], 3)}"/>'
+        return text
+
+    def html(self):
+        """Legend and panels as part of a page."""
+        items = []
+        for entry in self.legend:
+            key = self._key(entry)
+            key = f'<svg class="plot" width="26" height="12" aria-hidden="true">{key}</svg>' if key else ""
+            items.append(f"<li>{key}{words.html(entry[0])}</li>")
+        parts = [f'<ul class="legend">{"".join(items)}</ul>'] if items else []
+        if self.heading:
+            parts.insert(0, f'<p class="name">{words.html(self.heading)}</p>')
+        for number, panel in enumerate(self.panels):
+            if self.in_rows and number and number % self.columns == 0:
+                parts.append("<span class=row></span>")
+            wide, high, content = panel.svg()
+            parts.append(f'<svg class="plot" width="{wide:.0f}" height="{high:.0f}" '
+                         f'viewBox="0 0 {wide:.0f} {high:.0f}" aria-hidden="true">{content}</svg>')
+        seen = escape(words.plain(self.seen), quote=True)
+        return f'<div class="panels" role="img" aria-label="{seen}">{"".join(parts)}</div>'
+
+    def _legend_rows(self, room):
+        """The legend within so many px: (height, content)."""
+        x, y, out = 8.0, 16.0, []
+        for entry in self.legend:
+            key = self._key(entry)
+            need = (32 if key else 0) + words.width(entry[0]) + 20
+            if x > 8 and x + need > room:
+                x, y = 8.0, y + 19
+            if key:
+                out.append(f'<g transform="translate({x:.0f} {y - 10:.0f})">{key}</g>')
+            out.append(f'<text class="f-ink" x="{x + (32 if key else 0):.0f}" y="{y:.0f}">'
+                       f"{words.svg(entry[0])}</text>")
+            x += need
+        return (y + 8 if self.legend else 0.0), "".join(out)
+
+    def svg(self):
+        """The whole figure as the text of a file."""
+        drawn = [panel.svg() for panel in self.panels]
+        rows = [drawn[k:k + self.columns] for k in range(0, len(drawn), self.columns)]
+        widths = [max(row[k][0] for row in rows if k < len(row)) for k in range(len(rows[0]))] if rows else []
+        wide = max(sum(widths), 240)
+        top = 20 if self.heading else 0
+        high, legend = self._legend_rows(wide)
+        parts = [f'<g transform="translate(0 {top})">{legend}</g>']
+        if self.heading:
+            parts.append(f'<text class="f-ink t" x="8" y="16">{words.svg(self.heading)}</text>')
+        at = top + high
+        for row in rows:
+            x = 0.0
+            for (_, _, content), width in zip(row, widths):
+                parts.append(f'<g transform="translate({x:.0f} {at:.0f})">{content}</g>')
+                x += width
+            at += max(part[1] for part in row)
+        seen = words.plain(self.seen)
+        return (f'<svg xmlns="http://www.w3.org/2000/svg" class="plot" width="{wide:.0f}" height="{at:.0f}" '
+                f'viewBox="0 0 {wide:.0f} {at:.0f}" role="img"><title>{escape(seen)}</title>'
+                f'<style>{looks.css()}</style><rect class="f-ground" width="100%" height="100%"/>'
+                f'{"".join(parts)}</svg>\n')
+
+    def save(self, path):
+        """Writes the file whole or not at all."""
+        with whole(path) as part, open(part, "w", encoding="utf-8") as file:
+            file.write(self.svg())
+
+
+def folder_of(directory):
+    """The folder of the figures of a result, made if it is not there."""
+    folder = os.path.join(directory, "figures")
+    os.makedirs(folder, exist_ok=True)
+    return folder

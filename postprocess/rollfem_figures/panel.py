@@ -1,0 +1,219 @@
+"""A panel of a figure: axes and what is drawn in them, written as SVG with classes for colours, so
+that the page that holds it decides on light or dark ground (looks.css)."""
+import numpy as np
+
+from . import words
+from .axes import Axis
+
+_SCALE = 10  # what is drawn between the axes is in whole tenths of a pixel
+
+
+def _number(value):
+    return f"{value:.1f}".rstrip("0").rstrip(".") if value else "0"
+
+
+def _moves(points, close):
+    steps = np.diff(points, axis=0)
+    steps = steps[steps.any(axis=1)]
+    text = " ".join(map(str, steps.ravel().tolist())).replace(" -", "-") if len(steps) else "0 0"
+    return f"M{points[0, 0]} {points[0, 1]}l{text}{'z' * close}"
+
+
+def _spots(marker, r):
+    """The corners of a marker of radius r about 0, whether closed; pairs of ends of open ones."""
+    k = 0.8 * r
+    return {"o": None, "s": [(-k, -k), (k, -k), (k, k), (-k, k)], "D": [(0, -r), (r, 0), (0, r), (-r, 0)],
+            "^": [(0, -r), (r, k), (-r, k)], "v": [(0, r), (r, -k), (-r, -k)],
+            "<": [(-r, 0), (k, -r), (k, r)], ">": [(r, 0), (-k, -r), (-k, r)],
+            "h": [(0, -r), (k, -r / 2), (k, r / 2), (0, r), (-k, r / 2), (-k, -r / 2)],
+            "*": [(0, -r), (r / 3, -r / 3), (r, 0), (r / 3, r / 3), (0, r), (-r / 3, r / 3), (-r, 0),
+                  (-r / 3, -r / 3)],
+            "P": [(-r, 0), (r, 0), (0, 0), (0, -r), (0, r), (0, 0)],
+            "+": [(-r, 0), (r, 0), (0, 0), (0, -r), (0, r), (0, 0)],
+            "x": [(-k, -k), (k, k), (0, 0), (-k, k), (k, -k), (0, 0)]}[marker]
+
+
+def marker_path(marker, x, y, r):
+    """Markers at (x, y), whole numbers, as the data of one path."""
+    corners = _spots(marker, r)
+    out = []
+    for a, b in zip(x, y):
+        if corners is None:
+            out.append(f"M{a - r} {b}a{r} {r} 0 1 0 {2 * r} 0a{r} {r} 0 1 0-{2 * r} 0z")
+        else:
+            out.append(_moves(np.rint(np.array(corners) + (a, b)).astype(int), True))
+    return "".join(out)
+
+
+def strokes(colour, width, dash=(), fill=None, scale=1):
+    """Attributes of a path; nothing drawn along it for colour None."""
+    names = [f"s-{colour}"] if colour else []
+    names.append(f"f-{fill}" if fill else "n")
+    text = f'class="{" ".join(names)}"'
+    if colour:
+        text += f' stroke-width="{_number(width * scale)}"'
+    if dash and colour:
+        text += f' stroke-dasharray="{" ".join(_number(d * scale) for d in dash)}"'
+    return text
+
+
+class Panel:
+    """`width`, `height` of the field between the axes, px. `equal`: mm of both axes are as long: the
+    height follows from the limits, which must be given. `bare`: no axes."""
+
+    def __init__(self, width, height, title="", xlabel="", ylabel="", equal=False, bare=False):
+        self.width, self.height, self.title = width, height, title
+        self.x, self.y = Axis(xlabel, margin=0.03), Axis(ylabel)
+        self.equal, self.bare, self.room_left = equal, bare, 54
+        self._marks = []
+
+    def _add(self, order, draw, text=False):
+        self._marks.append((order, len(self._marks), text, draw))
+
+    def _tenths(self, x, y):
+        points = np.stack([self.x.shares(x) * self.width, (1.0 - self.y.shares(y)) * self.height], axis=-1)
+        return np.rint(np.clip(points, -3000, 6000) * _SCALE).astype(int)
+
+    def line(self, x, y, colour="ink", width=1.6, dash=(), marker=None, size=3.2, hollow=False, order=2,
+             opacity=1, see=True, joined=True):
+        """A curve, broken where a value is NaN, with markers; markers alone unless `joined`. `hollow`: filled
+        with the ground; "open": not at all."""
+        x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+        if see:
+            self.x.see(x), self.y.see(y)
+
+        def draw():
+            whole = np.isfinite(x) & np.isfinite(y)
+            points = self._tenths(np.where(whole, x, 0), np.where(whole, y, 0))
+            shade = f' opacity="{opacity:g}"' if opacity != 1 else ""
+            text = ""
+            if joined:
+                known = np.flatnonzero(whole)
+                runs = np.split(points[known], np.flatnonzero(np.diff(known) > 1) + 1)
+                data = "".join(_moves(r, False) for r in runs if len(r) > 1)
+                text = f'<path {strokes(colour, width, dash, scale=_SCALE)}{shade} d="{data}"/>' if data else ""
+            if marker:
+                at = points[whole]
+                fill = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
+                text += (f'<path {strokes(colour, 1.2, (), fill, _SCALE)}{shade} '
+                         f'd="{marker_path(marker, *at.T.tolist(), round(size * _SCALE))}"/>')
+            return text
+
+        self._add(order, draw)
+
+    def bars(self, x, y, errors, colour):
+        """Error bars with caps."""
+        x, y, errors = (np.asarray(v, dtype=float) for v in (x, y, errors))
+        self.y.see(y - errors), self.y.see(y + errors)
+
+        def draw():
+            low, high = self._tenths(x, y - errors), self._tenths(x, y + errors)
+            data = "".join(f"M{a} {b}V{c}m-25 0h50M{a - 25} {b}h50" for (a, b), (_, c) in
+                           zip(low.tolist(), high.tolist()) if b - c > 4)
+            return f'<path {strokes(colour, 1, (), None, _SCALE)} d="{data}"/>' if data else ""
+
+        self._add(2, draw)
+
+    def area(self, rings, fill, opacity=1, order=1, colour=None, width=1.0):
+        """Areas within closed lines [n, 2]; a line within another makes a hole."""
+        def draw():
+            data = "".join(_moves(self._tenths(*ring.T), True) for ring in rings if len(ring) > 2)
+            shade = f' opacity="{opacity:g}"' if opacity != 1 else ""
+            what = f'fill="{fill}"' if fill.startswith("#") else strokes(colour, width, (), fill, _SCALE)
+            return f'<path fill-rule="evenodd" {what}{shade} d="{data}"/>' if data else ""
+
+        self._add(order, draw)
+
+    def paths(self, lines, colour, width=1.2, dash=(), order=2, opacity=1):
+        """Several lines [n, 2] alike, as one path."""
+        def draw():
+            data = "".join(_moves(self._tenths(*part.T), False) for part in lines if len(part) > 1)
+            shade = f' opacity="{opacity:g}"' if opacity != 1 else ""
+            return f'<path {strokes(colour, width, dash, None, _SCALE)}{shade} d="{data}"/>' if data else ""
+
+        self._add(order, draw)
+
+    def level(self, value, colour="soft", dash=(1.5, 2.2), width=1.0, upright=False):
+        """A line all across the panel."""
+        def draw():
+            share = (self.x if upright else self.y).shares([value])[0]
+            if upright:
+                return f'<path {strokes(colour, width, dash, None, _SCALE)} d="M{share * self.width * _SCALE:.0f} 0v{self.height * _SCALE:.0f}"/>'
+            return (f'<path {strokes(colour, width, dash, None, _SCALE)} '
+                    f'd="M0 {(1 - share) * self.height * _SCALE:.0f}h{self.width * _SCALE:.0f}"/>')
+
+        self._add(1, draw)
+
+    def band(self, low, high, fill="band"):
+        """Shaded between two values of y."""
+        def draw():
+            top, bottom = ((1 - s) * self.height * _SCALE for s in np.clip(self.y.shares([high, low]), 0, 1))
+            return f'<path class="f-{fill}" d="M0 {top:.0f}h{self.width * _SCALE:.0f}V{bottom:.0f}h-{self.width * _SCALE:.0f}z"/>'
+
+        self._add(0, draw)
+
+    def text(self, x, y, text, anchor="start", colour="soft", shift=(0, 0), share=(False, False), small=True,
+             order=5):
+        """A word at a place, moved by `shift` px to the right and down; `share`: x, y are shares of the
+        panel, from the left and from below."""
+        def draw():
+            across = x if share[0] else self.x.shares([x])[0]
+            up = y if share[1] else self.y.shares([y])[0]
+            return (f'<text x="{_number(across * self.width + shift[0])}" '
+                    f'y="{_number((1 - up) * self.height + shift[1])}" text-anchor="{anchor}" '
+                    f'class="{"sm " if small else ""}f-{colour}">{words.svg(text)}</text>')
+
+        self._add(order, draw, text=True)
+
+    def fit(self):
+        """With equal axes, the height (or the width, if that was None) that the limits ask for."""
+        if self.equal:
+            (left, right), (low, high) = self.x.range(), self.y.range()
+            self.height = self.width * (high - low) / (right - left)
+
+    def _frame(self):
+        """(grid and axes, words, room on the left) of the ticks."""
+        across = self.x.marks(self.width, True)
+        up = self.y.marks(self.height, False)
+        grid, names = [], []
+        for value, text in across:
+            at = self.x.shares([value])[0] * self.width
+            grid.append(f"M{_number(at)} 0V{_number(self.height)}")
+            names.append(f'<text x="{_number(at)}" y="{_number(self.height + 15)}" text-anchor="middle">{text}</text>')
+        for value, text in up:
+            at = (1 - self.y.shares([value])[0]) * self.height
+            grid.append(f"M0 {_number(at)}H{_number(self.width)}")
+            names.append(f'<text x="-6" y="{_number(at + 4)}" text-anchor="end">{text}</text>')
+        left = max([words.width(text) for _, text in up] + [0]) + 9
+        if self.x.label:
+            names.append(f'<text x="{_number(self.width / 2)}" y="{_number(self.height + 32)}" '
+                         f'text-anchor="middle">{words.svg(self.x.label)}</text>')
+        for number, row in enumerate(reversed(self.y.label.split("\n"))):
+            if row:
+                names.append(f'<text transform="translate({_number(-left - 4 - 14 * number)} '
+                             f'{_number(self.height / 2)})rotate(-90)" text-anchor="middle">{words.svg(row)}</text>')
+                left += 0 if number else 16
+        left += 14 * self.y.label.count("\n")
+        axes = f'<path class="s-soft n" stroke-width=".8" d="M0 0V{_number(self.height)}H{_number(self.width)}"/>'
+        return f'<path class="s-grid n" stroke-width=".8" d="{"".join(grid)}"/>', axes, "".join(names), left
+
+    def svg(self):
+        """(width, height, content) of the panel with its words."""
+        self.fit()
+        rows = self.title.split("\n") if self.title else []
+        top, bottom, left = 8 + 16 * len(rows), 4, 4
+        grid = axes = names = ""
+        if not self.bare:
+            grid, axes, names, left = self._frame()
+            left, bottom = max(left + 6, self.room_left), 40 if self.x.label else 22
+        marks = sorted(self._marks, key=lambda mark: mark[:2])
+        inner = "".join(draw() for _, _, text, draw in marks if not text)
+        texts = "".join(draw() for _, _, text, draw in marks if text)
+        names += "".join(
+            f'<text class="t" x="{_number(self.width / 2)}" y="{_number(-6 - 16 * (len(rows) - 1 - k))}" '
+            f'text-anchor="middle">{words.svg(row)}</text>' for k, row in enumerate(rows))
+        field = (f'<svg width="{_number(self.width)}" height="{_number(self.height)}" overflow="hidden" '
+                 f'viewBox="0 0 {_number(self.width * _SCALE)} {_number(self.height * _SCALE)}">{inner}</svg>')
+        return (left + self.width + 12, top + self.height + bottom,
+                f'<g transform="translate({_number(left)} {_number(top)})">{grid}{field}{axes}'
+                f'<g class="f-ink">{names}</g>{texts}</g>')

@@ -1,0 +1,68 @@
+"""Labels of figures: plain text with symbols between dollars, as $p_n$ or $\\xi$, for SVG, for HTML and
+for whoever hears it read."""
+import re
+from html import escape
+
+GREEK = {"xi": "ξ", "eta": "η", "varphi": "φ", "mu": "μ", "int": "∫", "rightarrow": "→"}
+
+
+def math(symbol):
+    """A symbol of the files ("F_x", "xi") as one of a label."""
+    return "$" + re.sub(r"\b(xi|eta|phi|mu)\b", lambda found: "\\" + found[1].replace("phi", "varphi"), symbol) + "$"
+
+
+def _parts(text):
+    """(symbols, what) of a label: pieces outside and within dollars."""
+    for number, part in enumerate(text.split("$")):
+        if part:
+            yield number % 2 == 1, part
+
+
+def _pieces(symbols):
+    """(kind, text) of symbols: it (a letter), sub (an index) or empty."""
+    for word, index, other in re.findall(r"(\\[a-z]+|[A-Za-z])|_\{?([A-Za-z0-9]+)\}?|([^A-Za-z_\\{}])", symbols):
+        if word.startswith("\\") and word[1:] not in GREEK:
+            yield "", " "  # \, and the like
+        elif word:
+            yield ("" if word in ("\\int", "\\rightarrow") else "it"), GREEK.get(word[1:], word)
+        elif index:
+            yield "sub", index
+        else:
+            yield "", other.replace("-", "−")
+
+
+def svg(text):
+    """The label as content of <text>."""
+    out = []
+    for symbols, part in _parts(text.replace("\\,", " ")):
+        if not symbols:
+            out.append(escape(part))
+            continue
+        for kind, piece in _pieces(part):
+            if kind == "sub":
+                out.append(f'<tspan class="sub" dy="3">{escape(piece)}</tspan><tspan dy="-3">&#8203;</tspan>')
+            elif kind:
+                out.append(f'<tspan class="it">{escape(piece)}</tspan>')
+            else:
+                out.append(escape(piece))
+    return "".join(out)
+
+
+def html(text):
+    tags = {"it": "i", "sub": "sub"}
+    return "".join(
+        "".join(f"<{tags[kind]}>{escape(piece)}</{tags[kind]}>" if kind else escape(piece)
+                for kind, piece in _pieces(part)) if symbols else escape(part)
+        for symbols, part in _parts(text.replace("\\,", " ")))
+
+
+def plain(text):
+    """The label as it is read."""
+    return "".join("".join(piece for _, piece in _pieces(part)) if symbols else part
+                   for symbols, part in _parts(text.replace("\\,", " ")))
+
+
+def width(text, size=12.0):
+    """About how wide the label is, px."""
+    return sum(0.3 if c in " .,:;|il'()[]" else 0.66 if c.isupper() or c in "−+=%→mw" else 0.57
+               for c in plain(text)) * size
