@@ -36,6 +36,19 @@ double radius_across(const Scene& scene) {
                   mean_radius(surface.profiles->wheel(), patch.y_lower, patch.y_upper));
 }
 
+/// Of Hertz's patches: sizes go with the cube root of the force, the square root of the approach.
+double smallest_part(const Scene& scene) {
+  double least = contact::infinity, most = 0.0;
+  for (const contact::LoadPoint& point : scene.points) {
+    const contact::NormalLoad& load = point.load;
+    const double size =
+        load.force ? std::cbrt(*load.force) : std::sqrt(load.approach.value_or(0.0));
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  return least > 0.0 && most > 0.0 ? least / most : 1.0;
+}
+
 choice::ContactSize size_of(const Scene& scene) {
   const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
   choice::ContactSize size;
@@ -47,6 +60,7 @@ choice::ContactSize size_of(const Scene& scene) {
     size.radius_across = radius_across(scene);
   }
   size.friction = scene.friction() != nullptr;
+  size.smallest_part = smallest_part(scene);
   size.load_points = std::max<std::size_t>(1, scene.points.size());
   return size;
 }
@@ -184,8 +198,10 @@ std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& mode
   const choice::ContactSize size = size_of(scene);
   std::vector<Forecast> all{choice::halfspace_forecast(size), choice::hybrid_forecast(size),
                             choice::fem_forecast(size)};
-  for (Forecast& forecast : all)
-    forecast.cannot = out_of_question(models.find(forecast.model), scene);
+  for (Forecast& forecast : all) {
+    const std::string why = out_of_question(models.find(forecast.model), scene);
+    if (!why.empty()) forecast.cannot = why;
+  }
   return all;
 }
 

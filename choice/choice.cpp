@@ -69,7 +69,8 @@ class Choice {
       : candidates_(std::move(candidates)),
         wanted_(wanted),
         accuracy_(*wanted.accuracy.relative),
-        attempts_(candidates_.size()) {
+        attempts_(candidates_.size()),
+        failed_once_(candidates_.size(), false) {
     for (const Candidate& candidate : candidates_) forecasts_.push_back(candidate.forecast);
   }
 
@@ -114,11 +115,24 @@ class Choice {
     try {
       ModelResult result = candidates_[plan.model].solve(across);
       judge(plan, watch.seconds(), std::move(result));
+    } catch (const contact::UnfitGrid& error) {
+      leave_out_grid(plan, error.what());
     } catch (const contact::SolveError& error) {
-      leave_out(forecast, error.what());
+      if (failed_once_[plan.model]) return leave_out(forecast, error.what());
+      failed_once_[plan.model] = true;
+      leave_out_grid(plan, error.what());  // another one may have a solution: a second chance
     } catch (const contact::InputError& error) {
       leave_out(forecast, error.what());
     }
+  }
+
+  /// While an exception is handled.
+  void leave_out_grid(const Plan& plan, const std::string& why) {
+    std::vector<Level>& levels = forecasts_[plan.model].levels;
+    if (!wanted_.go_on) throw;
+    if (!failure_) failure_ = std::current_exception();
+    levels.erase(levels.begin() + static_cast<std::ptrdiff_t>(plan.level));
+    if (levels.empty()) leave_out(forecasts_[plan.model], why);
   }
 
   /// While an exception is handled.
@@ -235,6 +249,7 @@ class Choice {
   double accuracy_;
   std::vector<Forecast> forecasts_;
   std::vector<std::optional<Attempt>> attempts_;
+  std::vector<bool> failed_once_;
   std::optional<Best> best_;
   std::exception_ptr failure_;
   double times_ = 1.0;

@@ -1,5 +1,7 @@
 #include "choice/laws.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +19,10 @@ constexpr int measured_cells = 16;
 constexpr double fem_error_with_friction = 0.012, fem_error_without_friction = 0.006;
 
 // Seconds of one core of an idle machine at 2.5 GHz, -O3.
+/// Elements across the smallest patch that results must have (contact/result/validity.cpp), and one
+/// more, since the patch need not lie well among them.
+constexpr double fewest_across = 5.0;
+
 constexpr double start = 5e-3;             ///< whatever the grid
 constexpr double per_element = 9e-6;       ///< of the patch, and load point
 constexpr double of_model_error = 0.1;     ///< a load point
@@ -33,13 +39,29 @@ double elongation(const ContactSize& size) {
   return std::max(size.half_length, size.half_width) / std::min(size.half_length, size.half_width);
 }
 
+/// A grid on which the smallest patch has too few elements to be looked at at all.
+bool too_coarse(const ContactSize& size, int across) {
+  return across * size.smallest_part < fewest_across;
+}
+
+void leave_out_too_coarse(const ContactSize& size, Forecast& forecast) {
+  std::vector<Level>& levels = forecast.levels;
+  levels.erase(std::remove_if(levels.begin(), levels.end(),
+                              [&](const Level& level) { return too_coarse(size, level.across); }),
+               levels.end());
+  if (levels.empty())
+    forecast.cannot = fmt::format(
+        "its elements are too large for the patch of the smallest load, {:.2g} of the largest",
+        size.smallest_part);
+}
+
 double elements(int across) {
   constexpr double pi = 3.14159265358979323846;
   return 0.25 * pi * across * across;
 }
 
-double law(double error, int at, int across) {
-  return error * std::pow(static_cast<double>(at) / across, assumed_order);
+double law(double error, int at, double across) {
+  return error * std::pow(at / across, assumed_order);
 }
 
 Forecast on_grids(const ContactSize& size, double fixed, double times) {
@@ -47,8 +69,9 @@ Forecast on_grids(const ContactSize& size, double fixed, double times) {
   const double error = size.friction ? error_with_friction : error_without_friction;
   for (const int across : grids_across())
     forecast.levels.push_back(
-        {across, law(error, measured_across, across),
+        {across, law(error, measured_across, across * size.smallest_part),
          fixed + times * per_element * elements(across) * static_cast<double>(size.load_points)});
+  leave_out_too_coarse(size, forecast);
   return forecast;
 }
 
@@ -101,8 +124,9 @@ Forecast fem_forecast(const ContactSize& size) {
   const double seconds = unknowns * (fem_start + fem_point * static_cast<double>(size.load_points));
   for (const int across : cells_across())
     forecast.levels.push_back(
-        {across, law(error, measured_cells, across),
+        {across, law(error, measured_cells, across * size.smallest_part),
          seconds * std::pow(static_cast<double>(across) / measured_cells, fem_power)});
+  leave_out_too_coarse(size, forecast);
   return forecast;
 }
 

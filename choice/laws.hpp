@@ -16,6 +16,8 @@ struct ContactSize {
   bool friction = false;        ///< tractions are asked for
   bool bodies_known = true;     ///< by radii or profiles; else by their distance alone
   std::size_t load_points = 1;
+  /// The patch of the smallest load over that of the largest: elements are of one size.
+  double smallest_part = 1.0;
 };
 
 /// Grids that are tried.

@@ -15,6 +15,17 @@ Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order,
           coupled};
 }
 
+/// The approach of a given force makes the mean gap under pressure vanish: what an outer iteration
+/// leaves of that mean is not in its residual, and on a few elements may be all there is.
+void take_up_mean(const NormalLoad& load, const VerticalFrame& frame, NormalSolution& normal) {
+  const Field pressed = (normal.pressure.array() > 0.0).cast<double>();
+  const Field to_vertical = frame.plane() ? Field(Field::Ones(pressed.size())) : frame.to_vertical;
+  const double mean =
+      normal.gap.cwiseProduct(to_vertical).dot(pressed) / std::max(1.0, pressed.sum());
+  normal.gap -= mean * to_vertical.cwiseInverse();
+  normal.approach += frame.plane() ? mean : mean * load.direction[1];
+}
+
 }  // namespace
 
 ContactProblem::ContactProblem(const Compliance& whole, const SolvableCompliance& standin,
@@ -44,6 +55,7 @@ void ContactProblem::set_gap(const NormalLoad& load, const Field& displacement,
     gap.array() -= normal.approach;
   else
     gap -= normal.approach / load.direction[1] * frame.to_vertical.cwiseInverse();
+  if (load.force) take_up_mean(load, frame, normal);
 }
 
 const NormalSolution& ContactProblem::press(const NormalLoad& load, const Field& start) {

@@ -175,6 +175,34 @@ TEST(Spence, ElasticSpherePressedOnARigidOne) {
   rollfem::testing::record("approach", point.approach);
 }
 
+TEST(Spence, FirstStepOnFourElements) {
+  // A load whose patch is four elements: friction has changed their displacement alike, and the
+  // gap is closed where the approach has followed.
+  Case input;
+  input.file = "test.toml";
+  input.wheel.rolling_radius = input.wheel.transverse_radius = 121.5;
+  input.wheel.material = {1.0, 0.0};
+  input.rail.material = {infinity, 0.0};
+  input.friction_coefficient = 0.2986;
+  input.contact_grid.elements_across = 20;
+  input.rolling.problem = Problem::shift;
+  input.load.normal_force = 0.4495;
+  for (const double force : {0.00011, 0.4495}) {
+    HistoryStep step;
+    step.normal_force = force;
+    input.history.push_back(step);
+  }
+  input.rolling.creepages.assign(input.history.size(), {});
+  const ModelResult result = halfspace::run_halfspace(input, {});
+  const PointResult& first = result.points.front();
+  const Field& pressure = first.fields.traction.n;
+  ASSERT_EQ((pressure.array() > 0.0).count(), 4);
+  const double left =
+      (pressure.array() > 0.0).select(first.fields.gap.array().abs(), 0.0).maxCoeff();
+  EXPECT_LT(left, 1e-6 * first.approach);
+  EXPECT_TRUE(first.converged);
+}
+
 /// Case b rolled over `lengths` patch lengths from rest, in steps of `step` elements.
 ModelResult transient(UpwindOrder order, double lengths, double step) {
   Case input = rollfem::testing::thesis_case('b');

@@ -131,6 +131,18 @@ TEST(Choice, LeavesOutWhatFailsOrCannot) {
   EXPECT_NE(result.choice.find("corrected: not in this build"), std::string::npos) << result.choice;
 }
 
+TEST(Choice, TriesOneMoreGridWhereOneFails) {
+  Toys toys;
+  auto all = candidates(toys);
+  all[0].solve = [&](int across) {
+    toys.solved.emplace_back("plain", across);
+    if (across == 32) throw contact::SolveError("single elements go round");
+    return result_of("plain", toys.plain, across);
+  };
+  EXPECT_EQ(choose(all, wanted(0.01)).name, "plain");
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 32}, {"plain", 64}}));
+}
+
 TEST(Choice, GivesTheBestWhereNothingDoesAndFailsWhereItWasAskedFor) {
   Toys toys;
   toys.plain.model_error = 0.03;

@@ -49,6 +49,20 @@ TEST(Laws, BarsOfTheHalfSpaceAreThoseOfCaseAWithinAFactorOfTwo) {
       }
 }
 
+TEST(Laws, GridsAreFineEnoughForTheSmallestLoad) {
+  ContactSize size = case_a;
+  size.smallest_part = 0.1;
+  const Forecast halfspace = halfspace_forecast(size);
+  ASSERT_FALSE(halfspace.levels.empty());
+  EXPECT_EQ(halfspace.levels.front().across, 64);  // 6.4 across its patch; on 48 they are 4.8
+  EXPECT_GT(halfspace.levels.front().discretisation, 0.04);  // as on six across
+  EXPECT_EQ(halfspace.cannot, "");
+  const Forecast elements = fem_forecast(size);
+  EXPECT_TRUE(elements.levels.empty());
+  EXPECT_NE(elements.cannot.find("too large for the patch of the smallest load"),
+            std::string::npos);
+}
+
 TEST(Laws, SecondsOfFiniteElementsAreThoseOfTheThesisWithinATenthOrTwo) {
   const ContactSize case_b = thesis(5.8, 6.67, 500.0);
   EXPECT_NEAR(fem_forecast(case_a).levels.front().seconds, 22.4, 4.0);
