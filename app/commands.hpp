@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/compare.hpp"
+#include "app/convert.hpp"
 #include "app/mesh.hpp"
 #include "app/profile.hpp"
 #include "app/run.hpp"
@@ -24,6 +25,7 @@ struct Call {
   MeshRequest mesh = {};
   StressRequest stress = {};
   ProfileRequest profile = {};
+  ConvertRequest convert = {};
   std::string check_file = {};
   std::vector<std::string> check_changes = {};
   std::string new_case_file = {};
@@ -38,7 +40,8 @@ void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 /// Each adds its commands; `call` outlives the parse.
 void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study
 void add_stress_command(CLI::App& program, Call& call);
-void add_input_commands(CLI::App& program,
-                        Call& call);  ///< mesh, profile, check, new-case, report, cache, docs
+void add_input_commands(
+    CLI::App& program,
+    Call& call);  ///< mesh, profile, check, new-case, convert, report, cache, docs
 
 }  // namespace rollfem::app

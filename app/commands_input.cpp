@@ -103,6 +103,21 @@ std::string page_text(const std::string& page, const CLI::App& program,
   return contact::case_reference_markdown(model_words(models));
 }
 
+void add_convert_command(CLI::App& program, Call& call) {
+  CLI::App* convert = program.add_subcommand(
+      "convert", "turn an input file of CONTACT (modules 1 and 3) into case files");
+  convert->add_option("file", call.convert.file, "input file (.inp)")->required();
+  convert->add_option("-o,--output", call.convert.directory,
+                      "folder for the case files; without it <name of the file>_cases");
+  convert->add_flag(
+      "--partial", call.convert.partial,
+      "leave out cases whose physics has no equivalent; without it they are an error");
+  convert->footer(
+      "example: rollfem convert cattaneo.inp\n"
+      "What becomes of every digit and sign: docs/coming_from_contact.md");
+  convert->callback([&call] { app::convert(call.convert, call.models); });
+}
+
 }  // namespace
 
 void add_input_commands(CLI::App& program, Call& call) {
@@ -141,6 +156,8 @@ void add_input_commands(CLI::App& program, Call& call) {
   fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");
   fresh->footer("example: rollfem new-case -o my_case.toml");
   fresh->callback([&call] { new_case(call.new_case_file, call.models); });
+
+  add_convert_command(program, call);
 
   CLI::App* report = program.add_subcommand(
       "report", "draw figures and report of a result again, or of one that was written without");

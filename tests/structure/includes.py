@@ -2,7 +2,7 @@
 """Checks that includes between modules, and between the rooms of contact, run one way.
 
 contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds; choice
-knows results, and is given what solves; meshes knows cases and
+knows results, and is given what solves; convert knows cases and closed forms; meshes knows cases and
 scenes, no solver; wheelset balances loads and rotation over the patches that meshes finds and knows
 halfspace too; postprocess knows results, never solvers; app knows all; deal.II is seen in fem only.
 Inside contact: base <- case <- scene <- result <- solve. Call: includes.py SOURCE_DIR
@@ -28,7 +28,8 @@ ALLOWED = {
     "fem": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
     "hybrid": {"contact": ANY, "halfspace": ANY},
     "choice": {"contact": {"base", "result"}},
-    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "choice": ANY, "meshes": ANY,
+    "convert": {"contact": {"base", "case", "scene"}, "halfspace": {"closed_forms"}},
+    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "choice": ANY, "convert": ANY, "meshes": ANY,
             "wheelset": ANY, "postprocess": ANY,
             "fem": {"model", "body"}},
 }

@@ -1,0 +1,41 @@
+// From a CONTACT input file to case files: consecutive cases that differ in their load points alone
+// share one.
+#pragma once
+
+#include "convert/contact_case.hpp"
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rollfem::convert {
+
+/// A case file to be.
+struct CaseFile {
+  std::string name;        ///< with .toml, without a folder
+  std::vector<int> cases;  ///< of CONTACT, from 1; load points are in this order
+  std::string text;
+  std::map<std::string, std::string> beside;  ///< further files: name, text
+  std::vector<std::string> notes;             ///< also comments of the text
+};
+
+/// A case without an equivalent.
+struct Refusal {
+  int number = 0;
+  std::size_t line = 0;
+  std::vector<std::string> reasons;
+};
+
+struct Conversion {
+  std::vector<CaseFile> files;
+  std::vector<Refusal> refused;
+};
+
+/// `stem` begins the names of the files; `source` is what they call the input file;
+/// `profile_folder`: see equivalent_of.
+Conversion convert_cases(const std::vector<ContactCase>& cases, const std::string& stem,
+                         const std::string& source, const std::string& profile_folder);
+
+/// "1, 3 to 30": for comments and messages.
+std::string numbers_text(const std::vector<int>& numbers);
+
+}  // namespace rollfem::convert

@@ -1,0 +1,47 @@
+// What a case of CONTACT comes to in keys of a case file, and what of it has no equivalent. The map
+// of digits and signs is docs/coming_from_contact.md.
+#pragma once
+
+#include "convert/contact_case.hpp"
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rollfem::convert {
+
+/// A text of a case file, in quotes.
+std::string quoted(const std::string& text);
+
+struct Equivalent {
+  std::string model = "halfspace";
+  std::string problem;     ///< a word of rolling.problem
+  bool continues = false;  ///< begins from the state of the case before
+  /// Lines `key = value` of each section, the same for all cases that share a file.
+  std::map<std::string, std::vector<std::string>> fixed;
+  /// What may differ from load point to load point, by `section.key`.
+  std::map<std::string, double> varied;
+  std::map<std::string, std::string> files;  ///< beside the case file: name without stem, text
+
+  bool too_coarse = false;              ///< impossible only because the patch is a few elements
+  std::vector<std::string> impossible;  ///< physics without an equivalent, one sentence each
+  std::vector<std::string> notes;       ///< what is left out or done otherwise, the physics kept
+
+  bool history() const { return problem == "shift" || problem == "transient"; }
+  void set(const std::string& section, const std::string& key, double value,
+           const std::string& comment = {});
+  void set_pair(const std::string& section, const std::string& key, double first, double second,
+                const std::string& comment = {});
+  void set_word(const std::string& section, const std::string& key, const std::string& word);
+};
+
+/// `profile_folder`: how a case file names the folder of the input file, whose profiles are
+/// relative to it; empty: the same folder.
+Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder);
+
+/// Parts of it.
+void judge_digits(const ContactCase& given, Equivalent& made);
+void note_settings(const ContactCase& given, Equivalent& made);
+void fill_single_contact(const ContactCase& given, Equivalent& made);
+void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder, Equivalent& made);
+
+}  // namespace rollfem::convert

@@ -1,0 +1,114 @@
+#include "convert/input_lines.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
+#include "contact/base/text_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <utility>
+
+namespace rollfem::convert {
+
+namespace {
+
+/// Fields of a line; what stands in quotes is one, and keeps its first quote as a mark.
+std::vector<std::string> quoted_fields(std::string_view line) {
+  std::vector<std::string> fields;
+  while (!line.empty()) {
+    const std::size_t quote = line.find('\'');
+    for (const std::string_view field : contact::fields_of(line.substr(0, quote), " \t,"))
+      fields.emplace_back(field);
+    if (quote == std::string_view::npos) break;
+    const std::size_t end = line.find('\'', quote + 1);
+    fields.emplace_back(line.substr(quote, end == std::string_view::npos ? end : end - quote));
+    if (end == std::string_view::npos) break;
+    line.remove_prefix(end + 1);
+  }
+  return fields;
+}
+
+/// A number as Fortran writes it (1.5, 1., 1d-5), or an angle in degrees (90d), in rad.
+std::optional<double> number(std::string field) {
+  const auto is_d = [](char letter) { return letter == 'd' || letter == 'D'; };
+  if (is_d(field.back())) {
+    const auto degrees = contact::number_of(field.substr(0, field.size() - 1));
+    if (!degrees) return std::nullopt;
+    return *degrees * contact::pi / 180.0;
+  }
+  std::replace_if(field.begin(), field.end(), is_d, 'e');
+  return contact::number_of(field);
+}
+
+}  // namespace
+
+InputLines::InputLines(std::string_view text, std::string name) : name_(std::move(name)) {
+  for (contact::TextLines lines(text); lines.next();) {
+    std::vector<std::string> fields =
+        quoted_fields(contact::trimmed(contact::without_comment(lines.line(), "%")));
+    if (!fields.empty()) lines_.push_back({lines.number(), std::move(fields)});
+  }
+}
+
+void InputLines::fail(const std::string& wrong, const std::string& action) const {
+  throw contact::InputError(fmt::format("{}:{}: {}; do: {}", name_, line_, wrong, action));
+}
+
+const InputLines::Line& InputLines::take() {
+  const Line& line = lines_[next_++];
+  line_ = line.number;
+  return line;
+}
+
+std::vector<double> InputLines::numbers(const std::vector<std::string>& names, std::size_t more) {
+  std::vector<double> values;
+  const std::vector<std::string>* fields = nullptr;
+  std::size_t at = 0, first = 0;
+  while (values.size() < names.size()) {
+    const std::string& missing = names[values.size()];
+    if (fields == nullptr || at == fields->size()) {
+      if (at_end()) fail("the file ends before " + missing, "look whether it is complete");
+      fields = &take().fields;
+      if (first == 0) first = line_;
+      at = 0;
+    }
+    const auto value = number((*fields)[at++]);
+    if (!value)
+      fail(fmt::format("expected {}, got {}", missing, contact::printable((*fields)[at - 1])),
+           "look whether a value or a line is missing, or the file is of another version");
+    values.push_back(*value);
+  }
+  for (; fields != nullptr && at < fields->size() && more > 0; --more) {
+    const auto value = number((*fields)[at++]);
+    if (!value) break;
+    values.push_back(*value);
+  }
+  if (first > 0) line_ = first;
+  return values;
+}
+
+std::vector<double> InputLines::array(const std::string& name, std::size_t count) {
+  return numbers(std::vector<std::string>(count, name));
+}
+
+InputLines::Named InputLines::named(const std::string& what, const std::vector<std::string>& names,
+                                    std::size_t more) {
+  if (at_end()) fail("the file ends before " + what, "look whether it is complete");
+  // The text is taken off its line, whose numbers are then read as those of any other.
+  std::vector<std::string>& fields = lines_[next_].fields;
+  line_ = lines_[next_].number;
+  if (fields.front().front() != '\'')
+    fail(fmt::format("expected {} in quotes, got {}", what, contact::printable(fields.front())),
+         "look whether a line is missing");
+  Named result;
+  result.text = std::string(contact::trimmed(std::string_view(fields.front()).substr(1)));
+  fields.erase(fields.begin());
+  if (fields.empty()) ++next_;
+  result.numbers = numbers(names, more);
+  return result;
+}
+
+}  // namespace rollfem::convert

@@ -1,0 +1,54 @@
+// The lines of CONTACT's input files: numbers at the beginning of a line, words behind them for the
+// reader, comments after %, more lines where one has too few numbers. Only the layout is known
+// here.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rollfem::convert {
+
+class InputLines {
+ public:
+  /// `name` stands in messages for the file.
+  InputLines(std::string_view text, std::string name);
+
+  /// Nothing but comments and empty lines is left.
+  bool at_end() const { return next_ == lines_.size(); }
+
+  /// One number for each of `names`, which messages quote, and up to `more` that may follow on the
+  /// same line. Angles may be given in degrees (`90d`) and come in rad; exponents may have a d.
+  /// Throws contact::InputError naming file, line and the number that is missing.
+  std::vector<double> numbers(const std::vector<std::string>& names, std::size_t more = 0);
+
+  /// `count` numbers that share a name.
+  std::vector<double> array(const std::string& name, std::size_t count);
+
+  /// A text in quotes, the numbers of `names` behind it and up to `more`.
+  struct Named {
+    std::string text;
+    std::vector<double> numbers;
+  };
+  Named named(const std::string& what, const std::vector<std::string>& names, std::size_t more);
+
+  /// Line on which the last thing read began, from 1.
+  std::size_t line() const { return line_; }
+
+  /// Throws contact::InputError for that line: `wrong` is what is wrong there, `action` what to do.
+  [[noreturn]] void fail(const std::string& wrong, const std::string& action) const;
+
+ private:
+  struct Line {
+    std::size_t number;
+    std::vector<std::string> fields;
+  };
+  const Line& take();
+
+  std::string name_;
+  std::vector<Line> lines_;
+  std::size_t next_ = 0, line_ = 0;
+};
+
+}  // namespace rollfem::convert

@@ -1,0 +1,244 @@
+// Module 3: contacts given by their undeformed distance or their ellipse.
+#include "contact/base/grid.hpp"
+#include "contact/base/material.hpp"
+#include "contact/base/pi.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include <fmt/format.h>
+
+#include "convert/equivalent.hpp"
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace rollfem::convert {
+
+namespace {
+
+/// Axes of CONTACT to ours: -1 where it rolls along its -x and both are turned by half a turn.
+std::optional<double> turn(const ContactCase& given, Equivalent& made) {
+  if (given.digits.T < 2) return 1.0;
+  const double chi = std::remainder(given.rolling[0], 2.0 * contact::pi);
+  if (std::abs(chi) < 1e-9) return 1.0;
+  if (std::abs(std::abs(chi) - contact::pi) < 1e-9) {
+    made.notes.push_back(
+        "CHI = 180 degrees: the case rolls along +x here, in axes turned by half a turn; against "
+        "CONTACT x, y, F_x and F_y change their sign, the spin and M_z do not");
+    return -1.0;
+  }
+  made.impossible.push_back(fmt::format(
+      "CHI = {:g} degrees: bodies roll along x; allowed: 0 and 180", chi * 180.0 / contact::pi));
+  return std::nullopt;
+}
+
+contact::Material material(const BodyConstants& bodies, std::size_t body) {
+  contact::Material made;
+  made.poisson_ratio = bodies.poisson[body];
+  made.young_modulus = 2.0 * bodies.shear_modulus[body] * (1.0 + made.poisson_ratio);
+  return made;
+}
+
+void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
+  const Digits& digits = given.digits;
+  const auto& k = given.kinematics;
+  const bool shift = made.problem == "shift";
+  if (digits.N == 0 && k[0] <= 0.0) made.impossible.push_back("PEN is not positive");
+  made.varied[std::string(made.history() ? "history." : "load.") +
+              (digits.N == 0 ? "approach" : "normal_force")] = k[0];
+  if (digits.T == 0) return;
+  if (digits.F > 0 && digits.N == 0) {
+    made.impossible.push_back(
+        "digits N = 0, F > 0: tangential forces over a normal force that is not known before");
+    return;
+  }
+  const std::array<const char*, 2> names{"longitudinal", "lateral"};
+  for (int direction = 0; direction < 2; ++direction) {
+    const double value = sign * k[static_cast<std::size_t>(1 + direction)];
+    const std::string name = names[static_cast<std::size_t>(direction)];
+    if (digits.F > direction)
+      made.varied["rolling." + name + "_force"] = value * given.fstat * k[0];
+    else
+      made.varied[shift ? "history." + name + "_shift" : "rolling." + name + "_creepage"] = value;
+  }
+  made.varied[shift ? "history.spin_shift" : "rolling.spin"] = k[3];
+  if (made.problem == "transient") made.varied["history.step_length"] = given.rolling[1];
+}
+
+/// Lower corner and elements of the potential contact.
+struct Area {
+  double x = 0.0, y = 0.0, dx = 0.0, dy = 0.0;
+};
+
+void set_grid(const ContactCase& given, const Area& area, double sign, Equivalent& made) {
+  const double length = area.dx * given.potential.mx, width = area.dy * given.potential.my;
+  made.set_pair("contact_grid", "cell_size", area.dx, area.dy, "mm");
+  made.set_pair("contact_grid", "extent", length, width,
+                fmt::format("mm, {} by {} elements", given.potential.mx, given.potential.my));
+  const double x = sign * (area.x + 0.5 * length), y = sign * (area.y + 0.5 * width);
+  const double rounding = 1e-9 * (length + width);
+  if (std::abs(x) > rounding || std::abs(y) > rounding)
+    made.set_pair("contact_grid", "middle", x, y, "mm");
+}
+
+Area stated_area(const PotentialContact& given) {
+  const auto& s = given.size;
+  switch (given.ipotcn) {
+    case 1:
+      return {s[0], s[1], s[2], s[3]};
+    case 2:
+      return {s[0], s[1], (s[2] - s[0]) / given.mx, (s[3] - s[1]) / given.my};
+    case 3:
+      return {s[0] - 0.5 * s[2], s[1] - 0.5 * s[3], s[2], s[3]};
+    default: {  // 4: between the centres of the first and the last element
+      const double dx = given.mx > 1 ? (s[2] - s[0]) / (given.mx - 1) : 2.0 * (s[2] - s[0]);
+      const double dy = given.my > 1 ? (s[3] - s[1]) / (given.my - 1) : 2.0 * (s[3] - s[1]);
+      return {s[0] - 0.5 * dx, s[1] - 0.5 * dy, dx, dy};
+    }
+  }
+}
+
+using halfspace::HertzContact;
+
+/// Hertz's contact with these semi-axes, of the largest pressure 1 MPa.
+HertzContact unit_ellipse(double a, double b) {
+  return {a, b, 1.0, 0.0, 2.0 / 3.0 * contact::pi * a * b};
+}
+
+/// Ellipse and curvatures of IPOTCN = -1 to -3.
+struct Ellipse {
+  HertzContact hertz;
+  contact::Curvatures curvatures;
+};
+
+HertzContact hertz_of(const ContactCase& given, double A, double B, double modulus) {
+  const double load = given.kinematics[0];
+  return given.digits.N == 1 ? halfspace::hertz_from_force(A, B, modulus, load)
+                             : halfspace::hertz_from_approach(A, B, modulus, load);
+}
+
+Ellipse ellipse_of(const ContactCase& given, double modulus) {
+  const auto& s = given.potential.size;
+  const bool by_force = given.digits.N == 1;
+  const double load = given.kinematics[0];
+  if (given.potential.ipotcn == -3) {
+    HertzContact hertz = unit_ellipse(s[0], s[1]);
+    const contact::Curvatures unit = halfspace::hertz_curvatures(hertz, modulus);
+    const HertzContact found =
+        halfspace::hertz_from_force(unit.A, unit.B, modulus, hertz.normal_force);
+    const double factor = by_force ? load / hertz.normal_force : load / found.approach;
+    return {{s[0], s[1], factor, factor * found.approach, factor * hertz.normal_force},
+            {factor * unit.A, factor * unit.B}};
+  }
+  double B = s[1];
+  if (given.potential.ipotcn == -2) {
+    const contact::Curvatures unit = halfspace::hertz_curvatures(unit_ellipse(s[1], 1.0), modulus);
+    B = s[0] * unit.B / unit.A;
+  }
+  return {hertz_of(given, s[0], B, modulus), {s[0], B}};
+}
+
+/// Results of fewer than four elements across the patch are refused by the models.
+void judge_resolution(const HertzContact& hertz, double dx, double dy, Equivalent& made) {
+  const double along = std::round(2.0 * hertz.semi_axis_x / dx);
+  const double across = std::round(2.0 * hertz.semi_axis_y / dy);
+  if (along >= 4.0 && across >= 4.0) return;
+  made.too_coarse = made.impossible.empty();
+  made.impossible.push_back(fmt::format(
+      "the patch is {:g} by {:g} elements; allowed: at least 4 each way", along, across));
+}
+
+void fill_ellipse(const ContactCase& given, double modulus, double sign, Equivalent& made) {
+  const PotentialContact& potential = given.potential;
+  if (potential.ipotcn == -6) {
+    made.impossible.push_back("IPOTCN = -6: the contact area of SDEC");
+    return;
+  }
+  if (potential.ipotcn <= -4) {
+    made.impossible.push_back(fmt::format("IPOTCN = {}: line contact", potential.ipotcn));
+    return;
+  }
+  const Ellipse ellipse = ellipse_of(given, modulus);
+  const double scale = potential.size[2];
+  const double a = ellipse.hertz.semi_axis_x, b = ellipse.hertz.semi_axis_y;
+  if (given.digits.M == 0 && given.digits.B == 2) {
+    made.set("given_pressure", "semi_axis_x", a, "mm");
+    made.set("given_pressure", "semi_axis_y", b, "mm");
+  } else {
+    made.set_pair("undeformed_distance", "quadratic", ellipse.curvatures.A, ellipse.curvatures.B,
+                  "1/mm, h = A x^2 + B y^2");
+  }
+  const Area area{-scale * a, -scale * b, 2.0 * scale * a / potential.mx,
+                  2.0 * scale * b / potential.my};
+  set_grid(given, area, sign, made);
+  judge_resolution(ellipse.hertz, area.dx, area.dy, made);
+  if (given.digits.M != 3) return;
+  made.model = "fastsim";
+  made.set_word("fastsim", "bound", given.digits.B == 3 ? "parabolic" : "elliptic");
+  made.set_word("fastsim", "elements", "grid");
+  made.set("fastsim", "strips", std::round(potential.my / scale), "MY / SCALE");
+  made.set("fastsim", "strip_elements", std::round(potential.mx / scale), "MX / SCALE");
+}
+
+/// h of all elements, in our axes, as a file of lines x, y, h.
+std::string lattice_text(const ContactCase& given, const Area& area, double sign) {
+  const auto& values = given.distance.values;
+  std::string text = "x, y, h\n";
+  for (int j = 0; j < given.potential.my; ++j)
+    for (int i = 0; i < given.potential.mx; ++i) {
+      const double x = area.x + (i + 0.5) * area.dx, y = area.y + (j + 0.5) * area.dy;
+      const double h = given.distance.ibase == 9
+                           ? values[static_cast<std::size_t>(j * given.potential.mx + i)]
+                           : values[0] * x * x + values[1] * x * y + values[2] * y * y +
+                                 values[3] * x + values[4] * y + values[5];
+      text += fmt::format("{:.12g}, {:.12g}, {:.12g}\n", sign * x, sign * y, h);
+    }
+  return text;
+}
+
+void fill_distance(const ContactCase& given, double modulus, double sign, Equivalent& made) {
+  const UndeformedDistance& distance = given.distance;
+  const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
+  if (distance.iplan != 1) refuse(fmt::format("IPLAN = {}: a given planform", distance.iplan));
+  if (distance.ibase == 2 || distance.ibase == 3)
+    refuse(fmt::format("IBASE = {}: this kind of undeformed distance (1 and 9 can be had)",
+                       distance.ibase));
+  if (given.potential.my == 1) refuse("MY = 1: line contact, one row of long elements");
+  if (!made.impossible.empty()) return;
+  const Area area = stated_area(given.potential);
+  set_grid(given, area, sign, made);
+  const auto& B = distance.values;
+  const bool plain = distance.ibase == 1 && B[1] == 0.0 && B[3] == 0.0 && B[4] == 0.0 &&
+                     B[5] == 0.0 && B[0] > 0.0 && B[2] > 0.0;
+  if (plain) {
+    made.set_pair("undeformed_distance", "quadratic", B[0], B[2], "1/mm, h = A x^2 + B y^2");
+    judge_resolution(hertz_of(given, B[0], B[2], modulus), area.dx, area.dy, made);
+    return;
+  }
+  made.files["distance.csv"] = lattice_text(given, area, sign);
+}
+
+}  // namespace
+
+void fill_single_contact(const ContactCase& given, Equivalent& made) {
+  const auto sign = turn(given, made);
+  const std::array<const char*, 2> sections{"wheel", "rail"};
+  for (std::size_t body = 0; body < 2; ++body) {
+    const contact::Material of = material(given.bodies, body);
+    made.set(sections[body], "young_modulus", of.young_modulus,
+             fmt::format("MPa, G = {:g}", given.bodies.shear_modulus[body]));
+    made.set(sections[body], "poisson_ratio", of.poisson_ratio);
+  }
+  if (!sign) return;
+  fill_motion(given, *sign, made);
+  if (!made.impossible.empty()) return;
+  const double modulus =
+      contact::combine(material(given.bodies, 0), material(given.bodies, 1)).contact_modulus;
+  if (given.potential.ipotcn < 0)
+    fill_ellipse(given, modulus, *sign, made);
+  else
+    fill_distance(given, modulus, *sign, made);
+  if (made.model == "halfspace" && (given.digits.T == 2 || given.digits.T == 3))
+    made.set_word("rolling", "upwind_order", "first");
+}
+
+}  // namespace rollfem::convert

@@ -1,0 +1,81 @@
+// convert: from an input file of CONTACT to a result, which a closed form knows.
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/contact_inputs.hpp"
+#include "support/program.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem::testing;
+
+TEST(Convert, PushedBallHasTheShiftOfCattaneoAndMindlin) {
+  const Folder folder;
+  const std::string file = folder.file("ball.inp", pushed_ball);
+  const Outcome made = call(folder, {"convert", file});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.err, "");
+  EXPECT_EQ(made.out.rfind("ball_cases/ball.toml: case 1\n", 0), 0u) << made.out;
+  ASSERT_EQ(call(folder, {"run", "ball_cases/ball.toml", "-o", "out", "--no-report"}).status, 0);
+  const auto summary = nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"));
+  const auto& point = summary["models"][0]["points"][0];
+  // Hertz: R = 25 mm, E* = G / (1 - nu). Mindlin: shift for a force of half of mu F_z.
+  const double force = 20.0, G = 300.0, nu = 0.25, mu = 0.3;
+  const double radius = std::cbrt(0.75 * force * 25.0 * (1.0 - nu) / G);
+  const double shift = 3.0 * mu * force * (2.0 - nu) / (8.0 * G * radius) * (1.0 - std::cbrt(0.25));
+  EXPECT_NEAR(point["max_pressure"].get<double>(), 1.5 * force / (M_PI * radius * radius),
+              0.002 * point["max_pressure"].get<double>());
+  EXPECT_NEAR(point["longitudinal_force"].get<double>(), -0.5 * mu * force, 1e-5 * mu * force);
+  EXPECT_NEAR(point["longitudinal_shift"].get<double>(), shift, 0.005 * shift);
+}
+
+TEST(Convert, WritesTheOthersWhenToldTo) {
+  const Folder folder;
+  const std::string file = folder.file(
+      "two.inp", replaced(rolling_ellipse, " 0\n",
+                          " 3\n 203100\n 000000\n 0101341\n 40000. 0.002 0. 0.\n 0.4 0.3\n 0\n"));
+  const Outcome refused = call(folder, {"convert", file, "-o", "made"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("case 4: no equivalent: FSTAT = 0.4 and FKIN = 0.3 differ"),
+            std::string::npos)
+      << refused.err;
+  EXPECT_NE(refused.err.find("write the others with --partial"), std::string::npos);
+  EXPECT_TRUE(folder.made().empty());
+  const Outcome made = call(folder, {"convert", file, "-o", "made", "--partial"});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(folder.made(), (std::vector<std::string>{"made", "made/two_1.toml"}));
+  EXPECT_EQ(call(folder, {"check", "made/two_1.toml"}).status, 0);
+  // Never over another.
+  const Outcome again = call(folder, {"convert", file, "-o", "made", "--partial"});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_NE(again.err.find("made/two_1.toml is there already"), std::string::npos) << again.err;
+  EXPECT_EQ(folder.made().size(), 2U);
+}
+
+TEST(Convert, PointwiseDistanceIsRead) {
+  const Folder folder;
+  const std::string file = folder.file(
+      "turned.inp", replaced(pushed_ball, "0.02 0.0 0.02\n 0.0 0.0", "0.02 0.004 0.02\n 0.0 0.0"));
+  const Outcome made = call(folder, {"convert", file, "-o", "."});
+  ASSERT_EQ(made.status, 0) << made.err;
+  ASSERT_EQ(call(folder, {"run", "turned.toml", "-o", "out", "--no-report"}).status, 0);
+  const auto summary = nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"));
+  // An ellipse at 45 degrees: the principal curvatures are those on the diagonals.
+  const double expected =
+      rollfem::halfspace::hertz_from_force(0.022, 0.018, 300.0 / 0.75, 20.0).max_pressure;
+  EXPECT_NEAR(summary["models"][0]["points"][0]["max_pressure"].get<double>(), expected,
+              0.003 * expected);
+}
+
+TEST(Convert, FilesThatAreNoInputAreRefused) {
+  const Folder folder;
+  expect_refused(call(folder, {"convert", "none.inp"}), "none.inp");
+  expect_refused(call(folder, {"convert", folder.file("text.inp", "hello\n")}),
+                 "expected the module number, got hello");
+  EXPECT_TRUE(folder.made().empty());
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+// Reading CONTACT's input files: the layout of lines, what a case keeps of those before it, and
+// messages.
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "convert/contact_reader.hpp"
+#include "convert/input_lines.hpp"
+#include "support/contact_inputs.hpp"
+#include <cmath>
+
+namespace {
+
+using namespace rollfem::convert;
+using namespace rollfem::testing;
+using rollfem::contact::InputError;
+
+std::string message_of(const std::string& text) {
+  try {
+    read_contact_file(text, "made.inp");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(InputLines, TakesNumbersFortranWaysAndLeavesTheWords) {
+  InputLines lines("% all of it\n\n 1d-5 2. +3.5E2 -90d  A, B, 4 % 5\n7,8,\n 9\n", "x.inp");
+  const auto first = lines.numbers({"a", "b", "c", "d"});
+  EXPECT_DOUBLE_EQ(first[0], 1e-5);
+  EXPECT_DOUBLE_EQ(first[1], 2.0);
+  EXPECT_DOUBLE_EQ(first[2], 350.0);
+  EXPECT_DOUBLE_EQ(first[3], -M_PI / 2.0);
+  EXPECT_EQ(lines.line(), 3U);
+  EXPECT_EQ(lines.numbers({"e", "f", "g"}), (std::vector<double>{7.0, 8.0, 9.0}));
+  EXPECT_TRUE(lines.at_end());
+}
+
+TEST(InputLines, TakesWhatMayFollowFromTheSameLineOnly) {
+  InputLines lines("1 2\n3 word 4\n'a b.prr' 0 1.0\n", "x.inp");
+  EXPECT_EQ(lines.numbers({"a"}, 3).size(), 2U);
+  EXPECT_EQ(lines.numbers({"b"}, 3).size(), 1U);
+  const auto named = lines.named("a file", {"mirror", "scale"}, 0);
+  EXPECT_EQ(named.text, "a b.prr");
+  EXPECT_EQ(named.numbers, (std::vector<double>{0.0, 1.0}));
+}
+
+TEST(ContactInput, ReadsDigitsAndValuesOfACase) {
+  const auto cases = read_contact_file(pushed_ball, "made.inp");
+  ASSERT_EQ(cases.size(), 1U);
+  const ContactCase& only = cases[0];
+  EXPECT_EQ(only.line, 2U);
+  EXPECT_EQ(only.digits.P * 1000 + only.digits.T * 100 + only.digits.N * 10 + only.digits.F, 2112);
+  EXPECT_EQ(only.digits.L * 100 + only.digits.D * 10 + only.digits.Z, 22);
+  EXPECT_EQ(only.kinematics[1], -0.5);
+  EXPECT_EQ(only.potential.ipotcn, 1);
+  EXPECT_EQ(only.potential.size[2], 0.075);
+  EXPECT_EQ(only.distance.values, (std::vector<double>{0.02, 0.0, 0.02, 0.0, 0.0, 0.0}));
+}
+
+TEST(ContactInput, KeepsOfTheCaseBeforeWhatDigitsSay) {
+  const auto cases = read_contact_file(rolling_ellipse, "made.inp");
+  ASSERT_EQ(cases.size(), 3U);
+  EXPECT_EQ(cases[2].kinematics[1], 0.0012);
+  EXPECT_EQ(cases[2].friction_law, 0);
+  EXPECT_EQ(cases[2].fstat, 0.35);
+  EXPECT_EQ(cases[2].potential.size[0], 5.0);
+  EXPECT_EQ(cases[2].bodies.shear_modulus[1], 82000.0);
+}
+
+TEST(ContactInput, SkipsWhatIsNotConvertedAndFindsTheNextCase) {
+  // Debugging digits (X = 1), settings of GDsteady, stresses in two blocks of points.
+  std::string text = replaced(rolling_ellipse, " 203100 ", " 203103 ");
+  text = replaced(text, " 0001341  H-G-I-A-O-W-R", "10501341\n 1000005 P-S-F-L-R-I-N");
+  text = replaced(text, " 200 100 30 1 1e-6", " 200 100 30 1 1e-6\n 1 0.5 1 1.0 0.0 1.0 1.0 1.0");
+  text = replaced(text, "1.1                MX MY AA BB SCALE\n",
+                  "1.1\n 1 1\n 2\n 1 1 45\n 23 1 23\n 1 1e-6 1e-6\n 9\n 1 2 3\n 0.\n 0. 1.\n"
+                  " 0. 0.5\n 1.\n 0\n");
+  const auto cases = read_contact_file(text, "made.inp");
+  ASSERT_EQ(cases.size(), 3U);
+  EXPECT_EQ(cases[0].potential.mx, 22);
+  EXPECT_EQ(cases[1].kinematics[1], 0.0008);
+}
+
+TEST(ContactInput, ReadsWheelAndRail) {
+  const auto cases = read_contact_file(left_wheel, "made.inp");
+  ASSERT_EQ(cases.size(), 1U);
+  const WheelRail& pair = cases[0].wheel_rail;
+  EXPECT_EQ(pair.rail.name, "rail.csv");
+  EXPECT_EQ(pair.wheel.mirror_y, 1);
+  EXPECT_EQ(pair.wheel.mirror_z, 1);
+  EXPECT_EQ(pair.gauge, 1435.0);
+  EXPECT_EQ(pair.position[1], 1.5);
+  EXPECT_EQ(pair.velocity[5], -20.02);
+}
+
+TEST(ContactInput, SaysWhereItStoppedToUnderstand) {
+  EXPECT_EQ(
+      message_of(replaced(pushed_ball, "0.30  0.30  ", "0.30  FKIN  ")),
+      "made.inp:8: expected FKIN, got FKIN; do: look whether a value or a line is missing, or "
+      "the file is of another version");
+  EXPECT_EQ(message_of(pushed_ball.substr(0, pushed_ball.find("0.02 0.0"))),
+            "made.inp:12: the file ends before B1; do: look whether it is complete");
+  EXPECT_NE(message_of(" 4 module\n").find("module 4; allowed: 1 (wheel and rail), 3"),
+            std::string::npos);
+  EXPECT_NE(message_of("% nothing\n").find("no case in this file"), std::string::npos);
+  EXPECT_NE(message_of(replaced(rolling_ellipse, " 022020 ", " 122020 "))
+                .find("digit L of the first case keeps the friction of a case before"),
+            std::string::npos);
+  EXPECT_NE(message_of(replaced(pushed_ball, " 36 36 ", " 36.5 36 ")).find("MX = 36.5; allowed"),
+            std::string::npos);
+}
+
+}  // namespace

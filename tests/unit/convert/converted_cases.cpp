@@ -1,0 +1,203 @@
+// What becomes of CONTACT's cases: load points, signs, grids, bodies, and what is refused.
+#include "contact/case/case_reader.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include <gtest/gtest.h>
+
+#include "convert/contact_reader.hpp"
+#include "convert/conversion.hpp"
+#include "support/contact_inputs.hpp"
+
+namespace {
+
+using namespace rollfem;
+using namespace rollfem::testing;
+using contact::Case;
+using convert::Conversion;
+
+Conversion converted(const std::string& text) {
+  return convert::convert_cases(convert::read_contact_file(text, "made.inp"), "made", "made.inp",
+                                "../profiles");
+}
+
+/// The only file of it, as it is read.
+Case only(const std::string& text) {
+  const Conversion made = converted(text);
+  EXPECT_EQ(made.files.size(), 1U);
+  EXPECT_TRUE(made.refused.empty());
+  return contact::parse_case(made.files.at(0).text, "made.toml");
+}
+
+std::string refusal(const std::string& text) {
+  const Conversion made = converted(text);
+  return made.refused.empty() ? "none" : made.refused[0].reasons.at(0);
+}
+
+TEST(ConvertedCase, PushedBallHasForcesInNewtonsAndTheGridOfItsFile) {
+  const Case made = only(pushed_ball);
+  EXPECT_EQ(made.rolling.problem, contact::Problem::shift);
+  ASSERT_EQ(made.rolling.forces.size(), 1U);
+  EXPECT_DOUBLE_EQ(*made.rolling.forces[0].longitudinal, -0.5 * 0.3 * 20.0);
+  EXPECT_DOUBLE_EQ(*made.rolling.forces[0].lateral, 0.0);
+  EXPECT_DOUBLE_EQ(*made.history.at(0).normal_force, 20.0);
+  EXPECT_DOUBLE_EQ(made.wheel.material.young_modulus, 750.0);  // 2 G (1 + nu)
+  EXPECT_DOUBLE_EQ((*made.contact_grid.cell_size)[0], 0.075);
+  EXPECT_DOUBLE_EQ((*made.contact_grid.extent)[1], 2.7);
+  EXPECT_DOUBLE_EQ(made.contact_grid.middle[0], 0.0);
+  EXPECT_DOUBLE_EQ((*made.undeformed_distance.quadratic)[1], 0.02);
+}
+
+TEST(ConvertedCase, CasesThatDifferInCreepageAreLoadPoints) {
+  const Conversion made = converted(rolling_ellipse);
+  ASSERT_EQ(made.files.size(), 1U);
+  EXPECT_EQ(made.files[0].cases, (std::vector<int>{1, 2, 3}));
+  const Case input = contact::parse_case(made.files[0].text, "made.toml");
+  ASSERT_EQ(input.rolling.creepages.size(), 3U);
+  EXPECT_DOUBLE_EQ(input.rolling.creepages[2].longitudinal, 0.0012);
+  EXPECT_DOUBLE_EQ(input.rolling.creepages[2].lateral, -0.0002);
+  EXPECT_DOUBLE_EQ(input.rolling.creepages[2].spin, 0.0003);
+  EXPECT_EQ(input.rolling.upwind_order, contact::UpwindOrder::first);
+  // The curvatures make Hertz's ellipse of 5 by 3 mm under 40 kN: E* = G / (1 - nu).
+  const auto [A, B] = *input.undeformed_distance.quadratic;
+  const auto hertz = halfspace::hertz_from_force(A, B, 82000.0 / 0.72, 40e3);
+  EXPECT_NEAR(hertz.semi_axis_x, 5.0, 1e-9);
+  EXPECT_NEAR(hertz.semi_axis_y, 3.0, 1e-9);
+  EXPECT_NEAR((*input.contact_grid.cell_size)[0], 0.5, 1e-12);  // 2 SCALE AA / MX
+}
+
+TEST(ConvertedCase, EllipsesAreTheSameHoweverTheyAreGiven) {
+  const Case by_axes = only(rolling_ellipse);
+  const auto [A, B] = *by_axes.undeformed_distance.quadratic;
+  for (const std::string& given :
+       {std::string("  -1\n 22 22 ") + std::to_string(A) + " " + std::to_string(B),
+        std::string("  -2\n 22 22 ") + std::to_string(A) + " 1.6666666667"}) {
+    const Case made = only(replaced(rolling_ellipse, "  -3\n 22 22 5.0 3.0", given));
+    EXPECT_NEAR((*made.undeformed_distance.quadratic)[1], B, 1e-3 * B) << given;
+    EXPECT_NEAR((*made.contact_grid.extent)[0], 11.0, 0.01) << given;
+  }
+}
+
+TEST(ConvertedCase, PotentialContactsAreTheSameHoweverTheyAreGiven) {
+  const std::string first =
+      "   1                              IPOTCN\n 36 36  -1.35 -1.35 0.075 0.075";
+  for (const char* given :
+       {"   2\n 36 36 -1.35 -1.35 1.35 1.35", "   3\n 36 36 -1.3125 -1.3125 0.075 0.075",
+        "   4\n 36 36 -1.3125 -1.3125 1.3125 1.3125"}) {
+    const Case made = only(replaced(pushed_ball, first, given));
+    EXPECT_NEAR((*made.contact_grid.cell_size)[0], 0.075, 1e-12) << given;
+    EXPECT_NEAR(made.contact_grid.middle[1], 0.0, 1e-12) << given;
+  }
+}
+
+TEST(ConvertedCase, RollingBackwardsIsTurnedByHalfATurn) {
+  const Case made = only(replaced(rolling_ellipse, " 0.0 0.5 20000.", " 180.0d 0.5 20000."));
+  EXPECT_DOUBLE_EQ(made.rolling.creepages[0].longitudinal, -0.0004);
+  EXPECT_DOUBLE_EQ(made.rolling.creepages[0].lateral, 0.0002);
+  EXPECT_DOUBLE_EQ(made.rolling.creepages[0].spin, 0.0003);
+}
+
+TEST(ConvertedCase, ShiftThatRollsOnIsATransient) {
+  const std::string onset = replaced(pushed_ball, " 0 module", R"( 3 module
+ 002120
+ 102000
+ 0111341
+ 20.0 -0.5 0.0 0.0
+ 0.0 0.1 1000.
+ 0.25 0.25 300. 300.
+ 3 module
+ 002120
+ 100000
+ 0111341
+ 20.0 -0.6 0.0 0.0
+ 0 module)");
+  const Case made = only(onset);
+  EXPECT_EQ(made.rolling.problem, contact::Problem::transient);
+  ASSERT_EQ(made.history.size(), 3U);
+  EXPECT_DOUBLE_EQ(made.history[0].step_length, 0.1);
+  EXPECT_DOUBLE_EQ(*made.rolling.forces[2].longitudinal, -0.6 * 0.3 * 20.0);
+}
+
+TEST(ConvertedCase, DistanceOfEveryElementGoesIntoAFile) {
+  const Conversion made =
+      converted(replaced(pushed_ball, "0.02 0.0 0.02\n 0.0 0.0", "0.02 0.001 0.02\n 0.0 0.0"));
+  ASSERT_EQ(made.files.size(), 1U);
+  const std::string& lattice = made.files[0].beside.at("made_distance.csv");
+  // The first element is at (-1.3125, -1.3125): 0.041 * 1.3125^2.
+  EXPECT_EQ(lattice.substr(0, 40), "x, y, h\n-1.3125, -1.3125, 0.07062890625\n");
+}
+
+TEST(ConvertedCase, WheelAndRailHaveTheirOrderAndMotion) {
+  const Case made = only(left_wheel);
+  // Body 1 of module 1 is the rail.
+  EXPECT_DOUBLE_EQ(made.rail.material.young_modulus, 2.0 * 70000.0 * 1.3);
+  EXPECT_DOUBLE_EQ(made.wheel.material.young_modulus, 2.0 * 80000.0 * 1.28);
+  EXPECT_DOUBLE_EQ(*made.load.vertical_force, 45000.0);
+  EXPECT_DOUBLE_EQ(made.wheel.rolling_radius, 450.0);
+  const std::string text = converted(left_wheel).files.at(0).text;
+  for (const char* line :
+       {"side = \"left\"", "lateral_shift = 1.5", "yaw = 0.003", "roll = -0.0001",
+        "rotation_change = 0.001 ", "lateral_velocity = 0.002 ", "yaw_velocity = 1e-05 ",
+        "inclination = 0.025", "profile = \"../profiles/wheel.csv\"",
+        "[wheel_profile]\nmirror = true\nflip = true\n", "cell_size = [0.25, 0.2]"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << '\n' << text;
+}
+
+TEST(ConvertedCase, WhatHasNoEquivalentIsNamed) {
+  struct Row {
+    std::string text, piece, by, reason;
+  };
+  for (const Row& row :
+       {Row{rolling_ellipse, "0.35 0.35", "0.35 0.30",
+            "FSTAT = 0.35 and FKIN = 0.3 differ: there is one coefficient, the same for adhesion "
+            "and slip"},
+        Row{rolling_ellipse, " 022020   L-D-C-M-Z-E", " 022120",
+            "digit M = 1: viscoelastic bodies"},
+        Row{rolling_ellipse, " 203100 ", " 213100 ",
+            "digit B = 1: a thin sheet in place of the half-space"},
+        Row{rolling_ellipse, " 0.0 0.5 20000.", " 90d 0.5 20000.",
+            "CHI = 90 degrees: bodies roll along x; allowed: 0 and 180"},
+        Row{pushed_ball, " 36 36 ", " 36 1 ", "MY = 1: line contact, one row of long elements"},
+        Row{left_wheel, " 0203100 ", " 0203000 ",
+            "digit N = 0: the height of the wheelset in place of its load"},
+        Row{left_wheel, " 14.5 0 ", " 0.0 0 ",
+            "GAUGHT <= 0: a rail placed by RAILY0, RAILZ0 in place of the gauge"},
+        Row{left_wheel, "'rail.csv' 0 1.0 0.0", "'rail.csv' 0 1.0 0.6",
+            "profile of the rail 'rail.csv': smoothing by CONTACT's spline (SMOOTH, PRFOPT); give "
+            "it as 0 and use wheel_profile.smoothing or rail_profile.smoothing"},
+        Row{left_wheel, " 0203100 ", " 4203100 ", "digit C1 = 4: a roller rig"}}) {
+    std::string text = replaced(row.text, row.piece, row.by);
+    if (row.reason == "digit M = 1: viscoelastic bodies")
+      text = replaced(text, "82000. 82000.\n", "82000. 82000.\n 1. 1. 0.1 0.1\n");
+    if (row.piece == " 203100 ") text = replaced(text, "82000. 82000.\n", "82000. 82000.\n 1e-4\n");
+    EXPECT_EQ(refusal(text), row.reason);
+  }
+}
+
+TEST(ConvertedCase, HistoryBeginsWhereThePatchHasElementsEnough) {
+  // 0.02 N: a diameter of 0.20 mm on cells of 0.075 mm.
+  const std::string next = " 3 module\n 001120\n 100000\n 0101341\n 20. -0.6 0. 0.\n 0 module";
+  const Conversion made =
+      converted(replaced(replaced(pushed_ball, "20.0  -0.5", "0.02  0.0 "), " 0 module", next));
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_EQ(made.refused[0].reasons.at(0),
+            "the patch is 3 by 3 elements; allowed: at least 4 each way");
+  ASSERT_EQ(made.files.size(), 1U);
+  EXPECT_EQ(made.files[0].cases, (std::vector<int>{2}));
+  EXPECT_NE(made.files[0].text.find("# note: the history begins here"), std::string::npos);
+}
+
+TEST(ConvertedCase, WhatContinuesARefusedCaseIsRefused) {
+  const Conversion made = converted(replaced(
+      replaced(pushed_ball, "0.30  0.30", "0.30  0.20"), " 0 module",
+      " 3 module\n 001120\n 100000\n 0001341\n 200 100 30 1 1e-6\n 20. -0.6 0. 0.\n 0 module"));
+  ASSERT_EQ(made.refused.size(), 2U);
+  EXPECT_TRUE(made.files.empty());
+  EXPECT_EQ(made.refused[1].number, 2);
+}
+
+TEST(Numbers, AreWrittenAsRanges) {
+  EXPECT_EQ(convert::numbers_text({1}), "1");
+  EXPECT_EQ(convert::numbers_text({1, 2, 4, 5, 6, 9}), "1, 2, 4 to 6, 9");
+}
+
+}  // namespace
