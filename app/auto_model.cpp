@@ -60,6 +60,7 @@ choice::ContactSize size_of(const Scene& scene) {
     size.radius_across = radius_across(scene);
   }
   size.friction = scene.friction() != nullptr;
+  size.symmetric = scene.is_symmetric();
   size.smallest_part = smallest_part(scene);
   size.load_points = std::max<std::size_t>(1, scene.points.size());
   return size;

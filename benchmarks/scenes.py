@@ -6,6 +6,7 @@ import math
 import os
 import random
 import subprocess
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -153,10 +154,10 @@ def run(program, folder, name, text, *arguments):
     if kept.exists() and case.exists() and case.read_text("utf-8") == text:
         return json.loads(kept.read_text("utf-8"))
     case.write_text(text, "utf-8")
-    nothing_kept = {**os.environ, "ROLLFEM_CACHE": ""}  # no run has the corrections of another: seconds are from nothing
     before = os.times()
-    done = subprocess.run([program, "run", str(case), *arguments, "--no-report", "-q", "-o", str(folder / name)],
-                          capture_output=True, text=True, check=False, env=nothing_kept)
+    with tempfile.TemporaryDirectory() as cache:  # no run has the corrections of another: seconds are from nothing
+        done = subprocess.run([program, "run", str(case), *arguments, "--no-report", "-q", "-o", str(folder / name)],
+                              capture_output=True, text=True, check=False, env={**os.environ, "ROLLFEM_CACHE": cache})
     after = os.times()
     summary = folder / name / "summary.json"
     if done.returncode in (0, 1) and summary.exists():

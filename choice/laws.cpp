@@ -16,27 +16,36 @@ constexpr double error_with_friction = 0.006, error_without_friction = 0.0035;
 
 /// Of finite elements on 16 cells across.
 constexpr int measured_cells = 16;
-constexpr double fem_error_with_friction = 0.012, fem_error_without_friction = 0.006;
+constexpr double fem_error_with_friction = 0.006, fem_error_without_friction = 0.003;
 
 // Seconds of one core of an idle machine at 2.5 GHz, -O3.
 /// Elements across the smallest patch that results must have (contact/result/validity.cpp), and one
 /// more, since the patch need not lie well among them.
 constexpr double fewest_across = 5.0;
 
-constexpr double start = 5e-3;             ///< whatever the grid
-constexpr double per_element = 9e-6;       ///< of the patch, and load point
-constexpr double of_model_error = 0.1;     ///< a load point
-constexpr double hybrid_times = 9.0;       ///< what the hybrid takes where the half-space takes 1
-constexpr double hybrid_correction = 6.0;  ///< where it is not kept from an earlier run
-/// Of finite elements, on 16 cells across, per 100 000 unknowns.
-constexpr double fem_start = 1.0, fem_point = 1.0;
-constexpr double fem_power = 2.5;  ///< of cells across
+constexpr double start = 5e-3;          ///< whatever the grid
+constexpr double per_element = 9e-6;    ///< of the patch, and load point
+constexpr double of_model_error = 0.1;  ///< a load point
+constexpr double hybrid_times = 9.0;    ///< what the hybrid takes where the half-space takes 1
+/// The hybrid's correction where it is not kept from an earlier run, of halved and of whole bodies,
+/// and by how much the patch is longer one way.
+constexpr double halved_correction = 6.5, halved_correction_of_length = 1.5;
+constexpr double whole_correction = 17.0, whole_correction_of_length = 6.0;
+/// Of finite elements, on 16 cells across, per 100 000 unknowns of halved bodies.
+constexpr double fem_start = 2.5, fem_point = 0.75, fem_whole_times = 1.5;
+constexpr double fem_power = 1.5;  ///< of cells across
 /// 100 000 unknowns on 16 cells across: a patch of the same length and width, and by how much the
 /// longer exceeds the shorter.
 constexpr double fem_unknowns = 1.7, fem_unknowns_of_length = 0.61;
 
 double elongation(const ContactSize& size) {
   return std::max(size.half_length, size.half_width) / std::min(size.half_length, size.half_width);
+}
+
+double correction_seconds(const ContactSize& size) {
+  const double longer = elongation(size) - 1.0;
+  return size.symmetric ? halved_correction + halved_correction_of_length * longer
+                        : whole_correction + whole_correction_of_length * longer;
 }
 
 /// A grid on which the smallest patch has too few elements to be looked at at all.
@@ -68,9 +77,9 @@ Forecast on_grids(const ContactSize& size, double fixed, double times) {
   Forecast forecast;
   const double error = size.friction ? error_with_friction : error_without_friction;
   for (const int across : grids_across())
-    forecast.levels.push_back(
-        {across, law(error, measured_across, across * size.smallest_part),
-         fixed + times * per_element * elements(across) * static_cast<double>(size.load_points)});
+    forecast.levels.push_back({across, law(error, measured_across, across * size.smallest_part),
+                               fixed + times * per_element * elements(across) * elongation(size) *
+                                           static_cast<double>(size.load_points)});
   leave_out_too_coarse(size, forecast);
   return forecast;
 }
@@ -106,7 +115,7 @@ Forecast halfspace_forecast(const ContactSize& size) {
 }
 
 Forecast hybrid_forecast(const ContactSize& size) {
-  Forecast forecast = on_grids(size, hybrid_correction, hybrid_times);
+  Forecast forecast = on_grids(size, correction_seconds(size), hybrid_times);
   forecast.model = "hybrid";
   forecast.label = "hybrid";
   forecast.corrects = "halfspace";
@@ -121,7 +130,8 @@ Forecast fem_forecast(const ContactSize& size) {
   forecast.label = "finite elements";
   const double error = size.friction ? fem_error_with_friction : fem_error_without_friction;
   const double unknowns = fem_unknowns + fem_unknowns_of_length * (elongation(size) - 1.0);
-  const double seconds = unknowns * (fem_start + fem_point * static_cast<double>(size.load_points));
+  const double seconds = (size.symmetric ? 1.0 : fem_whole_times) * unknowns *
+                         (fem_start + fem_point * static_cast<double>(size.load_points));
   for (const int across : cells_across())
     forecast.levels.push_back(
         {across, law(error, measured_cells, across * size.smallest_part),

@@ -18,6 +18,7 @@ struct ContactSize {
   std::size_t load_points = 1;
   /// The patch of the smallest load over that of the largest: elements are of one size.
   double smallest_part = 1.0;
+  bool symmetric = true;  ///< about the plane along rolling: half of each body is meshed
 };
 
 /// Grids that are tried.
