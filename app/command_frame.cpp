@@ -5,18 +5,16 @@
 #include "app/models.hpp"
 #include "app/places.hpp"
 #include "app/processes.hpp"
+#include "app/provenance.hpp"
 #include "app/version.hpp"
 #include "contact/case/plausibility.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <csignal>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
-#include <unistd.h>
 
 namespace rollfem::app {
 
@@ -48,20 +46,6 @@ class SignalsHeld {
   std::array<struct sigaction, 3> before_{};
 };
 
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
-
-std::string host_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
 }  // namespace
 
 CommandFrame::CommandFrame(const ComputingRequest& request, const contact::ModelRegistry& known,
@@ -86,14 +70,8 @@ void CommandFrame::say(const std::string& line) {
 }
 
 postprocess::Provenance CommandFrame::provenance() const {
-  postprocess::Provenance made;
-  made.version = version();
-  made.commit = commit();
-  made.host = host_name();
-  made.started = utc_now();
-  made.command = request_.command;
+  postprocess::Provenance made = provenance_of(known_, request_.command);
   made.processes = parallel_ ? processes_ : 1;
-  for (const contact::ModelInfo& model : known_.all()) made.labels[model.name] = model.label;
   return made;
 }
 

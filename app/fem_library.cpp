@@ -23,9 +23,10 @@ void one_thread_for_blas() {
 }
 
 void* open_library() {
-  const std::filesystem::path program = program_directory();
+  const std::filesystem::path program = program_directory(), code = code_directory();
   std::string problems;
-  for (const auto& folder : {program / ".." / "fem", program / ".." / ROLLFEM_LIBDIR}) {
+  for (const auto& folder :
+       {program / ".." / "fem", program / ".." / ROLLFEM_LIBDIR, code / ".." / "fem", code}) {
     const std::filesystem::path file = folder / ROLLFEM_FEM_LIBRARY;
     // Global: MPI and PETSc open parts of themselves at run time, which look for these symbols.
     if (void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL)) return library;

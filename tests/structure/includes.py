@@ -4,7 +4,8 @@
 contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds; choice
 knows results, and is given what solves; convert knows cases and closed forms; meshes knows cases and
 scenes, no solver; wheelset balances loads and rotation over the patches that meshes finds and knows
-halfspace too; postprocess knows results, never solvers; app knows all; deal.II is seen in fem only.
+halfspace too; postprocess knows results, never solvers; app knows all; interface, which others build on, hands app on, and
+python stands on interface; deal.II is seen in fem only.
 Inside contact: base <- case <- scene <- result <- solve. Call: includes.py SOURCE_DIR
 """
 
@@ -32,6 +33,8 @@ ALLOWED = {
     "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "choice": ANY, "convert": ANY, "meshes": ANY,
             "wheelset": ANY, "postprocess": ANY,
             "fem": {"model", "body"}},
+    "interface": {"contact": ANY, "postprocess": ANY, "app": ANY},
+    "python": {"contact": ANY, "postprocess": ANY},
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")

@@ -1,0 +1,15 @@
+// Who makes a result, where and when: what every result carries.
+#pragma once
+
+#include "contact/solve/models.hpp"
+#include "postprocess/write/output.hpp"
+
+#include <string>
+
+namespace rollfem::app {
+
+/// Of what is computed now by this process. `command`: the whole call.
+postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
+                                      const std::string& command);
+
+}  // namespace rollfem::app

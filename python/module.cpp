@@ -1,0 +1,127 @@
+// rollfem._core: what the Python package rollfem/ is made on. Cases and results are opaque here;
+// solving lets other Python threads run, and hears Ctrl-C at every iteration.
+#include "contact/case/case_keys.hpp"
+#include "contact/case/plausibility.hpp"
+#include "python/records.hpp"
+
+#include <optional>
+#include <pybind11/stl.h>
+
+namespace rollfem::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// A Python exception on its way through the solver: no std::exception, which some model might take
+/// for one of its own.
+struct Ended {};
+
+/// Calls back into Python, and remembers what was raised there.
+class Caller {
+ public:
+  explicit Caller(py::object callback) : callback_(std::move(callback)) {}
+
+  Progress progress() {
+    return [this](const ProgressEvent& event) { tell(event); };
+  }
+  /// Throws what was raised. With the GIL.
+  void rethrow() {
+    if (raised_) throw std::move(*raised_);
+  }
+
+ private:
+  void tell(const ProgressEvent& event) {
+    const py::gil_scoped_acquire gil;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!callback_.is_none()) callback_(event);
+    } catch (py::error_already_set& error) {
+      raised_.emplace(std::move(error));
+      throw Ended();
+    }
+  }
+
+  py::object callback_;
+  std::optional<py::error_already_set> raised_;
+};
+
+Shared solved(const Case& input, const std::vector<std::string>& models, py::object callback) {
+  Caller caller(std::move(callback));
+  try {
+    const py::gil_scoped_release free;
+    return std::make_shared<const Result>(solve(input, models, caller.progress()));
+  } catch (const Ended&) {
+    caller.rethrow();
+    throw;
+  }
+}
+
+/// Not while Python's own handler of Ctrl-C may interrupt: writing is whole or not at all anyhow.
+std::string written(const Shared& result, const std::string& folder, bool report) {
+  const py::gil_scoped_release free;
+  return write(folder, *result, report);
+}
+
+/// [(section, key)] of the case file.
+std::vector<std::pair<std::string, std::string>> keys() {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const contact::Key& key : contact::case_keys()) found.emplace_back(key.section, key.name);
+  return found;
+}
+
+void define_progress(py::module_& module) {
+  py::class_<ProgressEvent>(module, "Progress", R"(What a running model tells of itself.)")
+      .def_readonly("model", &ProgressEvent::model)
+      .def_readonly("stage", &ProgressEvent::stage, "'normal', 'rolling', 'mesh', ...")
+      .def_readonly("point", &ProgressEvent::point, "load point from 1; 0: none")
+      .def_readonly("points", &ProgressEvent::points, "number of load points")
+      .def_readonly("creepage", &ProgressEvent::creepage, "longitudinal creepage of the point")
+      .def_readonly("iteration", &ProgressEvent::iteration)
+      .def_readonly("residual", &ProgressEvent::residual, "relative; 0: it has none")
+      .def_readonly("finished", &ProgressEvent::finished, "the stage is over")
+      .def_readonly("note", &ProgressEvent::note)
+      .def("__repr__", [](const ProgressEvent& event) {
+        return "<rollfem.Progress " + event.model + ": " + event.stage + ", point " +
+               std::to_string(event.point) + " of " + std::to_string(event.points) +
+               ", iteration " + std::to_string(event.iteration) + ">";
+      });
+}
+
+}  // namespace
+
+}  // namespace rollfem::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace rollfem;
+  namespace py = pybind11;
+  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError);
+  python::define_progress(module);
+  py::class_<Case>(module, "Case")
+      .def_readonly("title", &Case::title)
+      .def_readonly("text", &Case::text)
+      .def_readonly("models", &Case::models)
+      .def_property_readonly("load_points",
+                             [](const Case& input) { return input.rolling.creepages.size(); })
+      .def_property_readonly("doubts",
+                             [](const Case& input) { return contact::implausible_values(input); })
+      .def("describe", [](const Case& input) { return describe(input); });
+  py::class_<Result, std::shared_ptr<Result>>(module, "Result");
+  module.def("read_case", &read_case);
+  module.def("parse_case", &parse_case);
+  module.def("models", &models);
+  module.def("solve", [](const Case& input, const std::vector<std::string>& names,
+                         const py::object& callback) {
+    return std::const_pointer_cast<Result>(python::solved(input, names, callback));
+  });
+  module.def("models_of",
+             [](const std::shared_ptr<Result>& result) { return python::models_of(result); });
+  module.def("write", [](const std::shared_ptr<Result>& result, const std::string& folder,
+                         bool report) { return python::written(result, folder, report); });
+  module.def("keys", &python::keys);
+  module.def("quantities", &python::quantities);
+  module.def("fields", &python::fields);
+  module.def("figures_directory", &figures_directory);
+  module.def("version", &version);
+}

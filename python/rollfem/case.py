@@ -1,0 +1,228 @@
+"""Cases: what a case file says, as values in Python."""
+import copy
+import json
+import math
+import numbers
+import os
+import re
+import tomllib
+
+import numpy as np
+
+from . import _core
+from ._core import InputError
+
+BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def _key(name):
+    return name if BARE_KEY.fullmatch(name) else json.dumps(name, ensure_ascii=False)
+
+
+def _value(value, where):
+    """A value as TOML."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        value = float(value)
+        return repr(value) if math.isfinite(value) else "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+    if isinstance(value, (str, os.PathLike)):
+        return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007F")
+    if isinstance(value, (list, tuple, range)):
+        return "[" + ", ".join(_value(each, where) for each in value) + "]"
+    raise InputError(f"{where}: {value!r} is no value of a case; allowed: numbers, strings, true or false, and lists "
+                     "of these; do: leave the key out where its default is meant")
+
+
+def _tables(table, path):
+    """Lines of a table: its own values first, then the tables in it."""
+    later = []
+    for name, value in table.items():
+        if not isinstance(name, str):
+            raise InputError(f"{'.'.join(path)}: {name!r} is no key; allowed: strings")
+        here = [*path, name]
+        if isinstance(value, dict):
+            later += ["", f"[{'.'.join(map(_key, here))}]", *_tables(value, here)]
+        elif isinstance(value, (list, tuple)) and value and all(isinstance(each, dict) for each in value):
+            for each in value:
+                later += ["", f"[[{'.'.join(map(_key, here))}]]", *_tables(each, here)]
+        else:
+            yield f"{_key(name)} = {_value(value, '.'.join(here))}"
+    yield from later
+
+
+def _plain(value):
+    """A copy without anything of numpy, which cannot be compared as a whole."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, (list, tuple, range)):
+        return [_plain(each) for each in value]
+    if isinstance(value, dict):
+        return {name: _plain(each) for name, each in value.items()}
+    return copy.deepcopy(value)
+
+
+def _merge(into, other):
+    """`other` into a dict of sections: sections key by key, all else as it is."""
+    for name, value in other.items():
+        if isinstance(value, dict):
+            kept = into.setdefault(name, {})
+            if not isinstance(kept, dict):
+                raise InputError(f"{name} is no section")
+            _merge(kept, value)
+        else:
+            into[name] = _plain(value)
+
+
+def nested(changes):
+    """{"friction.coefficient": 0.3} and {"friction__coefficient": 0.3} as sections; a name without a section is
+    looked for in all of them."""
+    found = {}
+    for name, value in changes.items():
+        parts = name.replace("__", ".").split(".")
+        if len(parts) == 1 and not isinstance(value, dict):
+            parts = path_of(name)
+        for part in reversed(parts):
+            value = {part: value}
+        _merge(found, value)
+    return found
+
+
+def path_of(name):
+    """Section and name of a key that is given by its name alone: "spin" is ["rolling", "spin"]. One that nobody knows
+    stays, so that the reader refuses it."""
+    sections = [section for section, key in _core.keys() if key == name]
+    if "" in sections or not sections:
+        return [name]
+    if len(sections) > 1 and "history" in sections:
+        sections.remove("history")  # what it has of the same name is for single steps
+    if len(sections) > 1:
+        raise InputError(f"{name}: several sections have this key; allowed: "
+                         + ", ".join(f"{section}.{name}" for section in sections))
+    return [sections[0], name]
+
+
+class Case:
+    """What is to be solved: the sections and keys of a case file (docs/case-file.md), checked as a file is.
+
+    rollfem.Case("case.toml"), rollfem.Case({"load": {"normal_force": 50e3}, ...}), rollfem.Case(load={...}, ...), or a
+    file or dict with keywords, which then replace single keys. A case never changes; `with_` makes another. Raises
+    rollfem.InputError.
+    """
+
+    def __init__(self, source=None, /, **sections):
+        self._file, data = "", {}
+        if isinstance(source, Case):
+            self._file, data = source._file, source.data
+        elif isinstance(source, dict):
+            data = _plain(source)
+        elif source is not None:
+            self._file = os.fspath(source)
+            core = _core.read_case(self._file)
+            data = tomllib.loads(core.text)
+        _merge(data, nested(sections))
+        self._data = data
+        if isinstance(source, (str, os.PathLike)) and not sections:
+            self.core = core
+        else:
+            self.core = self._parsed()
+
+    def _parsed(self):
+        name = self._file or "case"
+        text = "\n".join(_tables(self._data, [])).lstrip("\n") + "\n"
+        try:
+            return _core.parse_case(text, name)
+        except InputError as error:
+            # Lines and columns are those of a text that nobody has written.
+            raise InputError(re.sub(rf"^{re.escape(name)}:\d+:\d+:", f"{name}:", str(error))) from None
+
+    def with_(self, changes=None, /, **keys):
+        """Another case with these keys: with_(friction__coefficient=0.3), with_(spin=1e-4), with_({"load.normal_force":
+        60e3}), with_(rolling={"spin": 0.0}). A key set to None is taken away."""
+        asked = nested({**(changes or {}), **keys})
+        data = self.data
+        _drop(data, asked)
+        made = Case.__new__(Case)
+        made._file, made._data = self._file, data
+        _merge(made._data, asked)
+        made.core = made._parsed()
+        return made
+
+    def __getitem__(self, name):
+        """case["friction.coefficient"], or a section as a dict. KeyError for what the case does not say."""
+        found = self._data
+        for part in name.split("."):
+            found = found[part]
+        return copy.deepcopy(found)
+
+    @property
+    def data(self):
+        """All keys as a dict of sections; a copy."""
+        return copy.deepcopy(self._data)
+
+    @property
+    def file(self):
+        """The case file, or "" for a case made in Python."""
+        return self._file
+
+    @property
+    def title(self):
+        """As the case has it."""
+        return self.core.title
+
+    @property
+    def text(self):
+        """The case as TOML."""
+        return self.core.text
+
+    @property
+    def models(self):
+        """Names of the models that it asks for."""
+        return list(self.core.models)
+
+    @property
+    def load_points(self):
+        """Number of load points of every scene."""
+        return self.core.load_points
+
+    def describe(self):
+        """Every key with its value, unit and whether it is the default, as `rollfem check` prints it."""
+        return self.core.describe()
+
+    def write(self, file):
+        """Writes the case file, and returns its name."""
+        with open(file, "w", encoding="utf-8") as out:
+            out.write(self.text)
+        return file
+
+    def __eq__(self, other):
+        return isinstance(other, Case) and (self._data, self._file) == (other._data, other._file)
+
+    def __hash__(self):
+        return hash(self.text)
+
+    def __reduce__(self):
+        return _restored, (self._file, self.data)
+
+    def __repr__(self):
+        count = self.load_points
+        return f"<rollfem.Case {self.title or self._file or 'without a title'!r}: {count} load point{'s' * (count > 1)}>"
+
+
+def _drop(data, asked):
+    """Takes keys that are None out of both."""
+    for name in list(asked):
+        if asked[name] is None:
+            del asked[name]
+            data.pop(name, None)
+        elif isinstance(asked[name], dict):
+            _drop(data.get(name, {}), asked[name])
+
+
+def _restored(file, data):
+    case = Case.__new__(Case)
+    case._file, case._data = file, data
+    case.core = case._parsed()
+    return case

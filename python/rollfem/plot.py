@@ -1,0 +1,112 @@
+"""Figures of results; each returns matplotlib's axes, made here unless they are given."""
+import numpy as np
+
+STATE_COLOURS = {"adhesion": "#56B4E9", "slip": "#E69F00"}
+
+
+def _axes(ax):
+    if ax is not None:
+        return ax
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise ImportError("figures need matplotlib; do: apt install python3-matplotlib") from error
+    return pyplot.subplots(layout="constrained")[1]
+
+
+def _describe(name):
+    from .result import QUANTITIES
+    return QUANTITIES[name].label
+
+
+def _edges(centres, size):
+    return np.append(centres - 0.5 * size, centres[-1] + 0.5 * size)
+
+
+def creep_curve(model, x="longitudinal_creepage", y="traction_coefficient", ax=None, **style):
+    """One quantity over another, by their names, with error bars where there are any."""
+    ax = _axes(ax)
+    bars = model.bars(y)
+    style = {"marker": "o", "markersize": 4, "capsize": 2, "label": model.label or model.name, **style}
+    ax.errorbar(model.values(x), model.values(y), None if np.isnan(bars).all() else np.nan_to_num(bars), **style)
+    ax.set_xlabel(_describe(x))
+    ax.set_ylabel(_describe(y))
+    return ax
+
+
+def creep_curves(result, x="longitudinal_creepage", y="traction_coefficient", ax=None, **style):
+    """The same of every model, and patch, that has more than one load point; of all where none has."""
+    ax = _axes(ax)
+    several = [model for model in result if len(model) > 1] or list(result)
+    for model in several:
+        label = model.label or model.name
+        creep_curve(model, x, y, ax, **{"label": label if model.place is None else f"{label}: {model.key}", **style})
+    ax.legend()
+    return ax
+
+
+def _map(model, values, ax, label, **style):
+    ax = _axes(ax)
+    drawn = ax.pcolormesh(_edges(model.x, model.dx), _edges(model.y, model.dy), values, **style)
+    ax.figure.colorbar(drawn, ax=ax, label=label)
+    ax.set_aspect("equal")
+    ax.set_xlabel("x along rolling (mm)")
+    ax.set_ylabel("y (mm)")
+    return ax
+
+
+def pressure(model, point=0, ax=None, **style):
+    """Pressure over the patch at a load point (from 0)."""
+    values = model.points[point]["pressure"]
+    return _map(model, np.ma.masked_less_equal(values, 0.0), ax, "pressure (MPa)", **{"cmap": "viridis", **style})
+
+
+def traction(model, point=0, ax=None, arrows=12, **style):
+    """Size of the tangential traction over the patch, with arrows of its direction on the wheel, some `arrows` each
+    way, and the border between adhesion and slip."""
+    at = model.points[point]
+    px, py = at["traction_x"], at["traction_y"]
+    outside = at["pressure"] <= 0.0
+    ax = _map(model, np.ma.masked_array(np.hypot(px, py), outside), ax, "tangential traction (MPa)",
+              **{"cmap": "viridis", **style})
+    steps = [max(1, round(n / arrows)) for n in px.shape]
+    some = tuple(slice(step // 2, None, step) for step in steps)
+    kept = ~outside[some]
+    grid = np.meshgrid(model.x, model.y)
+    ax.quiver(grid[0][some][kept], grid[1][some][kept], px[some][kept], py[some][kept], color="white", angles="xy",
+              width=0.008)
+    if at.state is not None and (at.state == 1).any() and (at.state == 2).any():
+        ax.contour(model.x, model.y, (at.state == 1).astype(float), levels=[0.5], colors="black", linewidths=1.0)
+    return ax
+
+
+def path(model, axis="x", point=0, ax=None):
+    """Tangential traction and its bound along the middle line of the patch: axis "x" or "y"."""
+    ax = _axes(ax)
+    for field, label, line in (("traction_bound", "bound", "--"), ("traction_x", "$p_x$", "-"),
+                               ("traction_y", "$p_y$", "-")):
+        if field in model.points[point].fields:
+            ax.plot(*model.middle(field, axis, point), line, label=label)
+    ax.set_xlabel(f"{axis} (mm)")
+    ax.set_ylabel("traction (MPa)")
+    ax.legend()
+    return ax
+
+
+def surface(sweep, quantity="traction_coefficient", ax=None, **style):
+    """A quantity over the first axis of a sweep, a curve for each value of the second, if there is one."""
+    ax = _axes(ax)
+    values = sweep.values(quantity)
+    names = list(sweep.axes)
+    if values.ndim > 2:
+        raise ValueError(f"a sweep over {values.ndim} keys has no one figure; do: plot slices of sweep.values({quantity!r})")
+    first = np.asarray(sweep.axes[names[0]])
+    if values.ndim == 1:
+        ax.plot(first, values, **{"marker": "o", "markersize": 4, **style})
+    else:
+        for k, other in enumerate(sweep.axes[names[1]]):
+            ax.plot(first, values[:, k], **{"marker": "o", "markersize": 4, "label": f"{names[1]} {other:g}", **style})
+        ax.legend()
+    ax.set_xlabel(names[0])
+    ax.set_ylabel(_describe(quantity))
+    return ax

@@ -1,0 +1,81 @@
+"""Stored results, in the types of solved ones."""
+import importlib
+import os
+import sys
+import tomllib
+
+from . import _core
+from .case import Case, _restored
+from .result import ModelResult, Result
+
+
+def _reader():
+    """The reader of the plotting program, which knows earlier formats and checksums."""
+    folder = os.path.dirname(_core.figures_directory())
+    if folder not in sys.path:
+        sys.path.append(folder)
+    try:
+        return importlib.import_module("rollfem_figures.reader")
+    except ImportError as error:
+        raise ImportError(f"reading results needs h5py and {folder}/rollfem_figures: {error}; "
+                          "do: apt install python3-h5py") from error
+
+
+def _body(body):
+    return {name: getattr(body, name) for name in ("points", "cells", "displacement", "stress")}
+
+
+def _point(point):
+    return {"scalars": point.scalars, "fields": point.fields, "error_estimate": point.errors, "no_bar": point.no_bar,
+            "model_error": point.model_errors, "richardson": getattr(point, "richardson", {}),
+            "subsurface": point.subsurface, "stress_maxima": point.stress_maxima,
+            "bodies": {name: _body(body) for name, body in point.bodies.items()}}
+
+
+def _model(model):
+    place = dict(model.place) if model.place else None
+    for name in ("position", "patch", "patches"):
+        if place and name in place:
+            place[name] = int(place[name])
+    return ModelResult({
+        "name": model.name, "label": model.label, "key": model.key, "seconds": model.seconds,
+        "unknowns": model.unknowns, "contact_elements": model.contact_elements, "notes": model.notes, "choice": "",
+        "shortfall": "", "model_error_source": model.model_error_source, "dx": model.dx, "dy": model.dy, "x": model.x,
+        "y": model.y, "place": place, "points": [_point(point) for point in model.points]})
+
+
+def read(folder):
+    """A folder that `rollfem run` or `Result.write` has written, or its results.h5, as a rollfem.Result. Raises
+    rollfem.InputError when it is no whole result."""
+    reader = _reader()
+    try:
+        stored = reader.read_result(os.fspath(folder))
+    except (reader.ResultError, OSError) as error:
+        raise _core.InputError(str(error)) from error
+    return Result(StoredCase(stored), [_model(model) for model in stored.models], provenance=stored.provenance,
+                  folder=stored.directory)
+
+
+class StoredCase(Case):
+    """The case of a stored result. It is read as a case again when it is asked for more than title and text: files that
+    it names may have gone, and that is no reason not to show a result."""
+
+    def __init__(self, stored):
+        self._stored, self._file = stored, stored.case_file
+        self._data = tomllib.loads(stored.case_text)
+
+    @property
+    def core(self):
+        """Reads the case."""
+        return _restored(self._file, self._data).core
+
+    @property
+    def title(self):
+        return self._stored.title
+
+    @property
+    def text(self):
+        return self._stored.case_text
+
+    def __repr__(self):
+        return f"<rollfem.Case {self.title!r}, stored>"

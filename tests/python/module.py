@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""The Python module against closed forms, the program's own files, and its promises about errors, threads and Ctrl-C.
+Call: module.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
+import json
+import math
+import os
+import pathlib
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import types
+import unittest
+from unittest import mock
+
+import numpy as np
+
+import rollfem
+
+ROOT, PROGRAM = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+SMALL = {"load": {"normal_force": 50e3}, "friction": {"coefficient": 0.5},
+         "wheel": {"rolling_radius": 400.0, "transverse_radius": math.inf}, "rail": {"transverse_radius": 400.0},
+         "contact_grid": {"elements_across": 12}}
+
+
+class Cases(unittest.TestCase):
+    def test_hertz_between_a_cylinder_and_a_crossed_one_is_the_circle(self):
+        # Equal radii crossed: a sphere of 400 mm on a plane. E = 210 GPa, nu = 0.3 by default.
+        modulus = 210e3 / (2 * (1 - 0.3**2))
+        radius = (3 * 50e3 * 400.0 / (4 * modulus)) ** (1 / 3)
+        point = rollfem.solve(SMALL, model="hertz").points[0]
+        self.assertAlmostEqual(point.semi_axis_x / radius, 1.0, 6)
+        self.assertAlmostEqual(point.max_pressure / (1.5 * 50e3 / (math.pi * radius**2)), 1.0, 6)
+
+    def test_file_dict_and_keywords_are_one_case(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = rollfem.Case(SMALL).write(os.path.join(folder, "small.toml"))
+            texts = {rollfem.Case(source).text for source in (file, SMALL)} | {rollfem.Case(**SMALL).text}
+        self.assertEqual(len(texts), 1)
+
+    def test_every_committed_case_goes_through_a_dict(self):
+        for file in sorted((ROOT / "cases").glob("*.toml")):
+            case = rollfem.Case(file)
+            # Only the title is another; files that the case names are found beside it.
+            self.assertEqual(case.with_(title="x").describe().split("\n", 1)[1:],
+                             rollfem.Case(file).with_(title="x").describe().split("\n", 1)[1:])
+            self.assertEqual(case.with_().data, case.data, file)
+
+    def test_with_changes_one_key_and_not_the_case(self):
+        case = rollfem.Case(SMALL)
+        other = case.with_({"load.normal_force": 60e3}, friction__coefficient=np.float64(0.3), spin=np.array([0, 1e-4]))
+        self.assertEqual((other["load.normal_force"], other["friction.coefficient"]), (60e3, 0.3))
+        self.assertEqual((case["load.normal_force"], other.load_points), (50e3, 2))
+        self.assertNotIn("rolling", case.data)
+        self.assertEqual(other.with_(spin=None).load_points, 1)
+        self.assertEqual(pickle.loads(pickle.dumps(other)), other)
+
+    def test_errors_are_those_of_files_without_lines_nobody_wrote(self):
+        for change, words in (({"friction.coeficient": 1}, "case: friction.coeficient: is not a key"),
+                              ({"load.normal_force": -1}, "case: load.normal_force = -1: is out of bounds"),
+                              ({"nonsense": 1}, "case: nonsense: is not a key"),
+                              ({"extent": 1}, "several sections have this key")):
+            with self.assertRaises(rollfem.InputError) as caught:
+                rollfem.Case(SMALL).with_(change)
+            self.assertIn(words, str(caught.exception))
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "case.toml")
+            file.write_text("[load]\nnormal_forc = 1\n")
+            with self.assertRaises(rollfem.InputError) as caught:
+                rollfem.Case(file)
+        self.assertIn("case.toml:2:1: load.normal_forc: is not a key", str(caught.exception))
+        for call in (lambda: rollfem.solve(SMALL, model="none"), lambda: rollfem.solve(SMALL, model="a", models=["b"]),
+                     lambda: rollfem.read(ROOT), lambda: rollfem.sweep(SMALL)):
+            self.assertRaises(rollfem.InputError, call)
+
+    def test_a_slip_of_units_warns(self):
+        with self.assertWarns(rollfem.DoubtWarning):
+            rollfem.solve({**SMALL, "wheel": {"rolling_radius": 0.4, "transverse_radius": math.inf}}, model="hertz")
+
+
+class Results(unittest.TestCase):
+    def test_numbers_and_arrays_are_those_of_the_program(self):
+        case = rollfem.Case(SMALL).with_(longitudinal_creepage=[0.0, 0.002])
+        result = rollfem.solve(case, model="halfspace")
+        with tempfile.TemporaryDirectory() as folder:
+            file = case.write(os.path.join(folder, "small.toml"))
+            subprocess.run([PROGRAM, "run", file, "--model", "halfspace", "-q", "--no-report", "-o", f"{folder}/run"],
+                           check=True)
+            result.write(f"{folder}/written")
+            of_program, of_module = rollfem.read(f"{folder}/run"), rollfem.read(f"{folder}/written/results.h5")
+            summary = json.loads(pathlib.Path(folder, "run/summary.json").read_text())
+        for stored in (of_program, of_module):
+            for here, there in zip(result.points, stored.points):
+                for name, value in here.scalars.items():
+                    if name != "seconds":
+                        self.assertEqual(value, there.scalars[name], name)
+                self.assertEqual(here.fields.keys(), there.fields.keys())
+                for name, values in here.fields.items():
+                    np.testing.assert_array_equal(values, there.fields[name], name)
+                self.assertEqual(here.error_estimate, there.error_estimate)
+        self.assertEqual(summary["models"][0]["points"][1]["max_pressure"], result.points[1].max_pressure)
+        self.assertEqual(of_program.case.with_(spin=1e-4)["rolling.spin"], 1e-4)
+
+    def test_tractions_sum_to_the_forces_and_outlive_the_result(self):
+        model = rollfem.solve(rollfem.Case(SMALL).with_(longitudinal_creepage=0.002), model="halfspace")[0]
+        point, area = model.points[0], model.dx * model.dy
+        pressure = point.pressure
+        self.assertAlmostEqual(point.traction_x.sum() * area / point.longitudinal_force, 1.0, 9)
+        self.assertLess(point.longitudinal_force, 0.0)
+        force = point.normal_force
+        del model, point
+        self.assertAlmostEqual(pressure.sum() * area / force, 1.0, 9)
+        self.assertFalse(pressure.flags.writeable)
+
+    def test_columns_make_a_data_frame(self):
+        result = rollfem.solve(SMALL, models=["hertz", "fastsim"])
+        pandas = types.SimpleNamespace(DataFrame=lambda columns: columns)
+        with mock.patch.dict(sys.modules, {"pandas": pandas}):
+            frame = result.to_dataframe()
+        self.assertEqual(frame["model"].tolist(), ["hertz", "fastsim"])
+        self.assertEqual(frame["max_pressure"][0], result["hertz"].points[0].max_pressure)
+        with mock.patch.dict(sys.modules, {"pandas": None}), self.assertRaisesRegex(ImportError, "python3-pandas"):
+            result.to_dataframe()
+        self.assertRaises(ValueError, lambda: result.points)
+
+    def test_every_quantity_says_what_it_is(self):
+        for name, quantity in rollfem.QUANTITIES.items():
+            self.assertIn(f"[{quantity.unit}]", getattr(rollfem.Point, name).__doc__)
+        for name, field in rollfem.FIELDS.items():
+            self.assertIn(field.unit, getattr(rollfem.Point, name).__doc__)
+
+    def test_patches_of_wheels_have_their_place(self):
+        result = rollfem.solve(ROOT / "cases/s1002_uic60_left.toml", model="hertz")
+        self.assertEqual(result[0].place["wheel"], "left")
+        self.assertEqual(result["hertz"].key, result[0].key)
+        self.assertEqual(result.columns()["patch"][0], 1)
+
+
+class Sweeps(unittest.TestCase):
+    def test_axes_are_in_the_order_of_the_keys(self):
+        sweep = rollfem.sweep(SMALL, {"friction.coefficient": [0.2, 0.4]}, longitudinal_creepage=[0.001, 0.002, 0.03],
+                              model="fastsim")
+        self.assertEqual(sweep.traction_coefficient.shape, (2, 3))
+        # Full sliding at the last: mu, to what 100 strips make of the ellipse.
+        np.testing.assert_allclose(sweep.traction_coefficient[:, 2], [0.2, 0.4], rtol=1e-4)
+        alone = rollfem.solve(rollfem.Case(SMALL).with_(longitudinal_creepage=0.002, friction__coefficient=0.4),
+                              model="fastsim")
+        self.assertAlmostEqual(sweep.values("longitudinal_force")[1, 1], alone.points[0].longitudinal_force, 6)
+        columns = sweep.columns()
+        self.assertEqual(columns["friction.coefficient"].tolist(), [0.2] * 3 + [0.4] * 3)
+
+    def test_combinations_without_a_solution_are_skipped_only_when_asked(self):
+        with mock.patch("rollfem.sweeping.solve", side_effect=self.failing(rollfem.sweeping.solve)):
+            self.assertRaises(rollfem.SolveError, rollfem.sweep, SMALL, spin=[0.0, 1e-4], model="fastsim")
+            sweep = rollfem.sweep(SMALL, spin=[0.0, 1e-4], model="fastsim", skip_failures=True)
+        self.assertEqual(sweep.failures, {(1,): "no solution"})
+        np.testing.assert_array_equal(np.isnan(sweep.max_pressure), [False, True])
+
+    @staticmethod
+    def failing(solve):
+        def some(case, **how):
+            if 1e-4 in np.atleast_1d(case["rolling.spin"]):
+                raise rollfem.SolveError("no solution")
+            return solve(case, **how)
+        return some
+
+
+class Solving(unittest.TestCase):
+    def test_what_progress_raises_ends_the_solution(self):
+        seen = []
+
+        def stop(event):
+            seen.append(event.stage)
+            if len(seen) == 3:
+                raise KeyError("enough")
+        with self.assertRaises(KeyError):
+            rollfem.solve(SMALL, model="halfspace", progress=stop)
+        self.assertEqual(len(seen), 3)
+
+    def test_ctrl_c_is_heard_within_a_solution(self):
+        case = rollfem.Case(SMALL).with_(longitudinal_creepage=list(np.linspace(0, 0.01, 400)), elements_across=60)
+        main = threading.main_thread().ident
+        timer = threading.Timer(0.3, lambda: signal.pthread_kill(main, signal.SIGINT))
+        timer.start()
+        begin = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            rollfem.solve(case, model="halfspace")
+        self.assertLess(time.monotonic() - begin, 5.0)
+
+    def test_other_threads_run_meanwhile(self):
+        case = rollfem.Case(SMALL).with_(longitudinal_creepage=list(np.linspace(0, 0.01, 20)))
+        found, turns = [], 0
+        worker = threading.Thread(target=lambda: found.append(rollfem.solve(case, model="halfspace")))
+        worker.start()
+        while worker.is_alive():
+            turns += 1
+            time.sleep(0.001)
+        self.assertGreater(turns, 10)
+        again = rollfem.solve(case, model="halfspace")
+        np.testing.assert_array_equal(found[0][0].traction_coefficient, again[0].traction_coefficient)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
