@@ -122,9 +122,10 @@ void check_stored(const StoredModel& stored, const PointResult& point, std::size
                   const StressRequest& request, const contact::ModelRegistry& models) {
   if (!in_bodies(stored.name, models)) {
     if (point.fields.traction.n.size() == 0)
-      throw InputError(
-          fmt::format("{}: model {} stores no tractions; do: name another with --model",
-                      request.result, stored.key));
+      throw InputError(fmt::format(
+          "{}: model {} stores no tractions at load point {}; do: name another with "
+          "--point or --model, or run the case again with [output] grid_fields = \"all\"",
+          request.result, stored.key, number));
     return;
   }
   const std::vector<std::size_t>& kept = stored.points_with_bodies;

@@ -202,11 +202,30 @@ struct FemOptions {
 /// Of which load points displacement and stress of the whole bodies are kept.
 enum class BodyFields { all, last, none };
 
+/// Which load points keep the fields on the contact grid; `automatic`: all of a list of up to
+/// OutputOptions::most_whole, else some.
+enum class GridFields { automatic, all, some, none };
+
 struct OutputOptions {
+  static constexpr std::size_t most_whole = 100;  ///< load points
+  static constexpr std::size_t some_points = 25;
   std::vector<std::string> paths{"x", "y"};   ///< middle lines written as path_x.csv, path_y.csv
   bool fields = true;                         ///< ParaView files, and what body_fields says
   BodyFields body_fields = BodyFields::none;  ///< only with `fields`
+  GridFields grid_fields = GridFields::automatic;
   bool stress_maxima = false;
+  /// Whether load point k of `count` keeps its fields: of some the first, the last and those evenly
+  /// between them.
+  bool keeps_grid(std::size_t k, std::size_t count) const {
+    if (grid_fields == GridFields::none) return false;
+    const bool whole = grid_fields == GridFields::all ||
+                       (grid_fields == GridFields::automatic && count <= most_whole);
+    if (whole || count <= some_points) return true;
+    // Whether one of the places j (count - 1)/(some - 1), rounded down, is k.
+    const std::size_t parts = some_points - 1, last = count - 1;
+    const std::size_t j = (k * parts + last - 1) / last;
+    return j * last / parts == k;
+  }
   /// Whether load point k of `count` keeps displacement and stress of wheel and rail.
   bool keeps_bodies(std::size_t k, std::size_t count) const {
     return fields &&

@@ -12,9 +12,21 @@ SectionWithKeys output_section() {
       .into(&OutputOptions::paths);
   keys.toggle("fields")
       .says(
-          "Write the contact surfaces as ParaView files, and wheel and rail of the model fem as "
+          "Write the contact surfaces of the load points of `grid_fields` as ParaView files, and "
+          "wheel and rail of the model fem as "
           "`body_fields` says.")
       .into(&OutputOptions::fields);
+  keys.choice("grid_fields")
+      .says(
+          "Load points at which pressure, tractions, slip, gap and displacement on the contact "
+          "grid "
+          "are kept, in results.h5, path_x.csv, path_y.csv and as ParaView files: `some` are 25 "
+          "from the first to the last, `auto` all of up to 100 and some of more; scalars are kept "
+          "of all. Figures and rollfem stress of half-spaces need them.")
+      .into(&OutputOptions::grid_fields, {{"auto", GridFields::automatic},
+                                          {"all", GridFields::all},
+                                          {"some", GridFields::some},
+                                          {"none", GridFields::none}});
   keys.choice("body_fields")
       .says(
           "Load points at which displacement (mm) and stress (MPa) of wheel and rail (model fem) "

@@ -124,6 +124,7 @@ class Model:
     bodies: Mapping = field(default_factory=dict)
     label: str = ""  # what figures call it
     model_error_source: str = ""  # what the model errors were taken from, or why there are none
+    _found: dict = field(default=None, repr=False, compare=False)  # points by key, made when first asked
 
     @property
     def has_friction(self):
@@ -137,8 +138,13 @@ class Model:
 
     def at(self, key):
         """The point with that key, (xi, eta, spin) in steady rolling; or None."""
+        if self._found is None:
+            self._found = {point.key: point for point in reversed(self.points)}
+        if key in self._found:
+            return self._found[key]
         for point in self.points:
-            if len(point.key) == len(key) and np.allclose(point.key, key, rtol=1e-9, atol=1e-15):
+            if len(point.key) == len(key) and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15)
+                                                  for a, b in zip(point.key, key)):
                 return point
         return None
 

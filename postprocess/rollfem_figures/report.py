@@ -83,6 +83,9 @@ def _forces(result, creep_curve):
     models = selection.friction_models(result)
     points = [p for m in models for p in m.points]
     shared = tables.shared_creepage(models)
+    count = len(selection.all_keys(models))
+    if count > selection.MOST_ROWS:
+        shared += f" {selection.MOST_ROWS} of {count} load points; all are in creep_curve.csv."
     note = ""
     if len(models) > 1:
         note = (f"Small percentages: difference to {escape(looks.label(reference))}, in percent of full "

@@ -25,18 +25,28 @@ def _first_of(models, names):
 
 def all_keys(models):
     """The key of every load point of the models, in the order of the first that has it."""
-    seen = []
-    for model in models:
-        for point in model.points:
-            if point.key not in seen:
-                seen.append(point.key)
-    return seen
+    return list(dict.fromkeys(point.key for model in models for point in model.points))
+
+
+# Rows of a table of load points; of longer lists it has some, and files have all.
+MOST_ROWS = 60
+
+
+def shown_keys(models):
+    """All keys, or of a long list some: the first, the last and those evenly between them."""
+    found = all_keys(models)
+    if len(found) <= MOST_ROWS:
+        return found
+    return [found[round(k * (len(found) - 1) / (MOST_ROWS - 1))] for k in range(MOST_ROWS)]
 
 
 def chosen_keys(models, count):
     """Up to `count` load points with tractions, spread over the creep curve."""
     loaded = [c for c in all_keys(models)
               if any((p := m.at(c)) and p["max_traction"] > 0 for m in models)]
+    # A long list keeps the fields of some.
+    with_fields = [c for c in loaded if any((p := m.at(c)) and "pressure" in p.fields for m in models)]
+    loaded = with_fields or loaded
     sticking = [any((p := m.at(c)) and p["adhesion_area"] > 0 for m in models) for c in loaded]
     if True in sticking:  # of those that slip everywhere the first tells all
         sliding = [c for c, sticks in zip(loaded, sticking) if not sticks]

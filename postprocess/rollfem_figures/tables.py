@@ -227,7 +227,7 @@ def creepage_table(result, quantity):
     columns = _creepage_head(models)
     percent_of = result.quantities[quantity].percent_of
     rows = []
-    for creepages in selection.all_keys(models):
+    for creepages in selection.shown_keys(models):
         row = [", ".join(plain(creepages[k] * factor) for _, k, factor in columns)]
         base = reference.at(creepages)
         for model in models:
@@ -269,7 +269,7 @@ def points_table(result, model):
              if n != "converged" and any(p.scalars.get(n) for p in model.points)]
     rows = [[", ".join(plain(p.key[k] * f) for _, k, f in columns)]
             + [barred(p, n) for n in names] + ["yes" if p["converged"] else "no"]
-            for p in model.points]
+            for p in map(model.at, selection.shown_keys([model]))]
     quantities = [result.quantities[n] for n in names]
     head = [(symbol(q.symbol) or escape(q.title)) + unit(q) for q in quantities]
     return table([", ".join(c[0] for c in columns)] + head + ["converged"], rows)

@@ -239,7 +239,8 @@ std::string path_csv(const RunRecord& run, Path path) {
   for (const PointField& field : point_fields()) text += header(field.name, field.unit);
   text += '\n';
   for (const ModelResult& model : run.models)
-    for (std::size_t k = 0; k < model.points.size(); ++k) append_path(text, model, k, path);
+    for (std::size_t k = 0; k < model.points.size(); ++k)
+      if (run.input.output.keeps_grid(k, model.points.size())) append_path(text, model, k, path);
   return text;
 }
 

@@ -69,6 +69,8 @@ Handle create_file_in_memory() {
   // The name is never used on disk, but must not be one of a file that exists.
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), "H5Pcreate");
   check(H5Pset_userblock(creation, seal_size), "H5Pset_userblock");
+  // Every dataset is one chunk, whose index would take 2 kB.
+  check(H5Pset_istore_k(creation, 1), "H5Pset_istore_k");
   return {H5Fcreate("rollfem-results-in-memory.h5", H5F_ACC_TRUNC, creation, access), "H5Fcreate"};
 }
 

@@ -14,19 +14,26 @@
 namespace rollfem::postprocess {
 namespace {
 
-/// The surface of every load point, the series of them, and the last one under a name of its own.
-void write_contact(ResultFolder& folder, const contact::ModelResult& model) {
+/// The surface of every load point that keeps it, the series of them, and the last one under a name
+/// of its own.
+void write_contact(ResultFolder& folder, const contact::ModelResult& model,
+                   const contact::OutputOptions& wanted) {
   const std::string stem = model.key() + "_contact";
+  const std::vector<double> all = series_times(model.points);
+  std::vector<double> times;
   std::vector<std::vector<std::string>> files;
+  std::string content;
   for (std::size_t k = 0; k < model.points.size(); ++k) {
     if (model.points[k].fields.traction.n.size() == 0) return;
+    if (!wanted.keeps_grid(k, model.points.size())) continue;
     files.push_back({fmt::format("{}_{:04}.vtu", stem, k)});
-    const std::string content = contact_vtu(model.grid, model.points[k]);
+    times.push_back(all[k]);
+    content = contact_vtu(model.grid, model.points[k]);
     folder.write("fields/" + files.back().front(), content);
-    if (k + 1 == model.points.size()) folder.write("fields/" + stem + ".vtu", content);
   }
-  if (!files.empty())
-    folder.write("fields/" + stem + ".pvd", series_pvd(series_times(model.points), files));
+  if (files.empty()) return;
+  folder.write("fields/" + stem + ".vtu", content);
+  folder.write("fields/" + stem + ".pvd", series_pvd(times, files));
 }
 
 /// Wheel and rail of every load point that keeps them, alike.
@@ -71,7 +78,7 @@ void write_results(const std::string& directory, const RunRecord& run) {
   if (!patches.empty()) folder.write("patches.csv", patches);
   if (run.input.output.fields)
     for (const contact::ModelResult& model : run.models) {
-      write_contact(folder, model);
+      write_contact(folder, model, run.input.output);
       write_body_files(folder, model);
     }
   folder.write("results.h5", results_hdf5(run));

@@ -128,8 +128,8 @@ std::string python_path() {
 }
 
 /// Runs the package with these arguments, which name files by absolute paths; returns what went
-/// wrong, empty when nothing did. Python looks for modules in the folder where it is started before any other
-/// place: that is the package's, never the user's, where a numpy.py would be run.
+/// wrong, empty when nothing did. Python looks for modules in the folder where it is started before
+/// any other place: that is the package's, never the user's, where a numpy.py would be run.
 std::string draw(const fs::path& directory, const std::string& script_directory,
                  const std::vector<std::string>& arguments) {
   const fs::path parent = package_parent(script_directory);

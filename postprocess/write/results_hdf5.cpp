@@ -213,7 +213,7 @@ void write_by_quantity(hid_t parent, const char* name, const char* comment,
   for (const auto& [quantity, value] : numbers) write_attribute(group, quantity, value);
 }
 
-void write_point(hid_t points, std::size_t number, const ModelResult& model) {
+void write_point(hid_t points, std::size_t number, const ModelResult& model, bool with_fields) {
   const PointResult& point = model.points[number];
   const Handle group = create_group(
       points, fmt::format("{:04}", number),
@@ -233,7 +233,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model) {
   if (!point.richardson.empty())
     write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",
                       point.richardson);
-  write_point_fields(group, model.grid, point);
+  if (with_fields) write_point_fields(group, model.grid, point);
   write_subsurface(group, point.subsurface);
   write_stress_maxima(group, point.stress_maxima);
   write_body_values(group, model.bodies, point);
@@ -247,7 +247,8 @@ void write_place(hid_t model, const contact::ContactPlace& place) {
     write_attribute(group, scalar.name, scalar.value(place));
 }
 
-void write_model(hid_t models, const ModelResult& model, long order) {
+void write_model(hid_t models, const ModelResult& model, long order,
+                 const contact::OutputOptions& wanted) {
   const Handle group = create_group(models, model.key(), "Result of the model " + model.name);
   write_attribute(group, "model", model.name);
   if (!model.label.empty()) write_attribute(group, "label", model.label);
@@ -262,7 +263,8 @@ void write_model(hid_t models, const ModelResult& model, long order) {
   write_comment(notes, "What a reader must know: domain, symmetry, limits");
   write_grid(group, model.grid);
   const Handle points = create_group(group, "points", "Load points in the order of the case");
-  for (std::size_t k = 0; k < model.points.size(); ++k) write_point(points, k, model);
+  for (std::size_t k = 0; k < model.points.size(); ++k)
+    write_point(points, k, model, wanted.keeps_grid(k, model.points.size()));
   write_bodies(group, model);
 }
 
@@ -299,7 +301,7 @@ std::string results_hdf5(const RunRecord& run) {
         file, "models",
         "One group per model; with profiles per model and patch, MODEL_SIDE_POSITION_PATCH");
     for (std::size_t k = 0; k < run.models.size(); ++k)
-      write_model(models, run.models[k], static_cast<long>(k));
+      write_model(models, run.models[k], static_cast<long>(k), run.input.output);
   }
   // Last, so that a reader can tell a whole file from one whose writing was cut short.
   write_attribute(file, "complete", 1L);

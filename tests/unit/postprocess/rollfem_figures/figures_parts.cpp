@@ -1,0 +1,133 @@
+// What figures and pages are made of, asked one by one in Debian's Python: scales, contours, words,
+// the structure of a page. Skipped with a message where numpy or h5py is not installed.
+#include "postprocess/write/output.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/output_in_folder.hpp"
+#include "support/output_placed_run.hpp"
+#include "support/output_python.hpp"
+#include <string>
+
+namespace rollfem::postprocess {
+namespace {
+
+using testing::scripts;
+
+/// What a script prints that finds the package; empty where all its assertions hold.
+std::string said(const std::string& script, const std::string& argument = "") {
+  return testing::python("import sys\nsys.dont_write_bytecode = True\nsys.path.insert(0, '" +
+                             scripts + "')\nimport numpy as np\n" + script,
+                         argument);
+}
+
+class PartsTest : public testing::InFolder {
+ protected:
+  void SetUp() override {
+    if (!testing::python_can_import("h5py, numpy"))
+      GTEST_SKIP() << "no figures without apt install python3-numpy python3-h5py";
+  }
+};
+
+TEST_F(PartsTest, AScaleDoesNotBlowUpAConstantAndHasRoundTicks) {
+  EXPECT_EQ(said(R"(
+from rollfem_figures.axes import Axis, nice_step, tick_text
+axis = Axis()
+axis.see([10000.0, 10000.0 + 1e-6, 10000.0 - 1e-6])      # rounding
+low, high = axis.range()
+assert high - low >= 200 and low < 10000 < high, (low, high)
+assert abs((low + high) / 2 - 10000) < 1e-3
+axis = Axis(least=0.5)
+axis.see([0.0, 1e-17])
+low, high = axis.range()
+assert 0.5 <= high - low < 0.6
+axis = Axis()                                             # what does differ keeps its scale
+axis.see([1.0, 2.0])
+assert np.allclose(axis.range(), (0.95, 2.05))
+assert nice_step(8.04, 5) == 2 and nice_step(1.0, 4) == 0.5 and nice_step(0.03, 3) == 0.01
+assert [tick_text(v, 0.05) for v in (-0.1, 0.0, 0.15)] == ['−0.10', '0', '0.15']
+assert tick_text(2e-7, 1e-7) == '2·10⁻⁷'
+axis = Axis(log=True)
+axis.see([0.02, 0.0, 3.0])                                # 0 is nowhere on it
+assert np.allclose(axis.range(), (0.01, 10.0)) and [t for _, t in axis.marks(300, False)] == ['0.01', '0.1', '1', '10']
+)"),
+            "");
+}
+
+TEST_F(PartsTest, ContoursAreTheLinesOfTheField) {
+  EXPECT_EQ(said(R"(
+from rollfem_figures import contours
+from rollfem_figures.profile import on_scale
+x, y = np.linspace(-2, 2, 81), np.linspace(-3, 3, 91)
+rings = contours.lines(x, y, 1 - x[None, :] ** 2 - (y[:, None] / 2) ** 2, 0.0)
+assert len(rings) == 1 and np.allclose(rings[0][0], rings[0][-1])   # closed
+a, b = rings[0].T
+assert np.abs(a ** 2 + (b / 2) ** 2 - 1).max() < 2e-3
+area = 0.5 * abs(np.sum(a[:-1] * b[1:] - a[1:] * b[:-1]))
+assert abs(area - 2 * np.pi) < 5e-3
+# Two ends at the border, and a saddle makes two lines that do not cross.
+assert len(contours.lines(x, y, x[None, :] + 0 * y[:, None], 0.3)) == 1
+assert len(contours.lines(x, y, x[None, :] * y[:, None] + 1e-3, 0.0)) == 2
+points = np.array([[0.31, -1.7], [-1.99, 2.99]])
+assert np.allclose(contours.at_points(x, y, 3 * x[None, :] - y[:, None], points), 3 * points[:, 0] - points[:, 1])
+assert np.allclose(on_scale([0, 1e-3, -1e-2, 1e-1]), [0, 0.6, -1.6, 2.6])
+)"),
+            "");
+}
+
+TEST_F(PartsTest, LabelsHaveTheirSymbolsInSvgHtmlAndWords) {
+  EXPECT_EQ(said(R"(
+from rollfem_figures import words
+label = 'coefficient $-F_x/F_z$ at $\\xi$ < 1 %'
+assert words.plain(label) == 'coefficient −Fx/Fz at ξ < 1 %', words.plain(label)
+assert words.html(label) == 'coefficient −<i>F</i><sub>x</sub>/<i>F</i><sub>z</sub> at <i>ξ</i> &lt; 1 %'
+assert words.svg(label).count('class="sub"') == 2 and '&lt;' in words.svg(label)
+assert words.plain(words.math('phi')) == 'φ' and words.plain(words.math('p_0')) == 'p0'
+)"),
+            "");
+}
+
+TEST_F(PartsTest, APageIsReadByEarAndHasEveryPatchOfARow) {
+  const std::string folder = (base_ / "row").string();
+  write_results(folder, testing::placed_run(3));
+  ASSERT_EQ(make_report(folder, scripts), "");
+  EXPECT_EQ(said(R"(
+import re
+from html.parser import HTMLParser
+from rollfem_figures import read_result
+text = open(sys.argv[1] + '/report.html', encoding='utf-8').read()
+tags = []
+class Reader(HTMLParser):
+    def handle_starttag(self, tag, attributes):
+        tags.append((tag, dict(attributes)))
+Reader().feed(text)
+ids = [a['id'] for _, a in tags if 'id' in a]
+assert len(ids) == len(set(ids)), 'two of one id'
+for mark in ('header', 'nav', 'main', 'footer'):
+    assert sum(tag == mark for tag, _ in tags) == 1, mark
+assert all(a.get('scope') in ('row', 'col') for tag, a in tags if tag == 'th')
+figures = [a for _, a in tags if a.get('role') == 'img']
+assert figures and len(figures) == text.count('<figure>')
+assert all(re.search(r'\d', a['aria-label']) for a in figures), 'an alternative without a number'
+targets = [a['href'][1:] for tag, a in tags if tag == 'a' and a.get('href', '').startswith('#')]
+assert len(targets) > 4 and set(targets) <= set(ids), set(targets) - set(ids)
+for need in ('prefers-color-scheme:dark', '@media print', 'max-width:40rem', 'overflow-x:auto'):
+    assert need in text, need
+scenes = read_result(sys.argv[1]).scenes()
+picks = [a for tag, a in tags if tag == 'input']
+labels = [a['for'] for tag, a in tags if tag == 'label']
+assert len(picks) == len(scenes) > 3
+assert sorted(labels) == sorted(a['id'] for a in picks), 'a patch that cannot be chosen'
+assert [a['id'] for a in picks if 'checked' in a] == [picks[0]['id']]
+for a in picks:
+    assert '#' + a['id'] + ':checked~#of-' + a['id'] + '{display:block}' in text
+    assert 'of-' + a['id'] in ids
+row = open(sys.argv[1] + '/figures/positions.svg', encoding='utf-8').read()
+assert 'lateral shift of the wheelset [mm]' in row and 'NaN' not in row and 'nan' not in row
+)",
+                 folder),
+            "");
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess
