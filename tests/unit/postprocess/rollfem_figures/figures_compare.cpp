@@ -146,7 +146,8 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   for (const char* text :
        {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
         "ran out of memory", "Finest levels against their references: half-space (grid) ",
-        "order 2", "no order", "exact", "extrapolated", "<th scope=col>largest pressure p<sub>0</sub> [MPa]"})
+        "order 2", "no order", "exact", "extrapolated",
+        "<th scope=col>largest pressure p<sub>0</sub> [MPa]"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   EXPECT_EQ(count(page, "<figure>"), 2U);
   for (const char* name : {"speed_error.svg", "error_unknowns.svg"})

@@ -206,8 +206,8 @@ TEST_F(FiguresTest, TakeNothingFromTheCurrentFolder) {
   const fs::path hostile = base_ / "hostile";
   fs::create_directories(hostile / "h5py");
   const std::string trap = "open('" + (hostile / "ran").string() + "', 'a').write('x')\n";
-  for (const char* name : {"numpy.py", "argparse.py", "h5py/__init__.py",
-                           "sitecustomize.py", "rollfem_figures.py"})
+  for (const char* name :
+       {"numpy.py", "argparse.py", "h5py/__init__.py", "sitecustomize.py", "rollfem_figures.py"})
     std::ofstream(hostile / name) << trap;
   // All modules are imported before a folder is looked at that is not there.
   const std::string message = make_report("/nowhere", scripts);
