@@ -1,0 +1,56 @@
+// Of a long list of load points the fields on the contact grid are those of some.
+#include "postprocess/read/results_reader.hpp"
+#include "postprocess/write/output.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/output_synthetic_run.hpp"
+#include "support/temporary_folder.hpp"
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+TEST(GridFields, ALongListKeepsTheFieldsOfSomeOfItsLoadPoints) {
+  const testing::TemporaryFolder folder;
+  RunRecord run = testing::synthetic_run();
+  run.models = {contact::ModelResult(run.models[1])};
+  run.models[0].points.assign(101, run.models[0].points[3]);
+  const auto kept = [&](contact::GridFields which, std::size_t count) {
+    run.input.output.grid_fields = which;
+    run.models[0].points.resize(count);
+    write_results((fs::path(folder.path()) / "long").string(), run);
+    const ResultsFile read((fs::path(folder.path()) / "long").string());
+    const contact::ModelResult found = read.read(read.models()[0]);
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < found.points.size(); ++k) {
+      EXPECT_EQ(found.points[k].max_pressure, run.models[0].points[k].max_pressure) << k;
+      if (found.points[k].fields.traction.n.size() > 0) numbers.push_back(k);
+    }
+    std::size_t files = 0;  // one for each, the last once more, and the series
+    if (fs::exists(fs::path(folder.path()) / "long/fields"))
+      for ([[maybe_unused]] const auto& entry :
+           fs::directory_iterator(fs::path(folder.path()) / "long/fields"))
+        ++files;
+    EXPECT_EQ(files, numbers.empty() ? 0U : numbers.size() + 2);
+    return numbers;
+  };
+  using contact::GridFields;
+  const auto some = kept(GridFields::automatic, 101);
+  ASSERT_EQ(some.size(), 25U);
+  for (std::size_t j = 0; j < some.size(); ++j) EXPECT_EQ(some[j], j * 100 / 24);
+  EXPECT_EQ(kept(GridFields::some, 26), [] {
+    std::vector<std::size_t> all;  // of 26 one is left out
+    for (std::size_t j = 0; j < 25; ++j) all.push_back(j * 25 / 24);
+    return all;
+  }());
+  EXPECT_EQ(kept(GridFields::some, 7).size(), 7U);
+  EXPECT_TRUE(kept(GridFields::none, 7).empty());
+  run.models[0].points.assign(101, run.models[0].points[3]);
+  EXPECT_EQ(kept(GridFields::all, 101).size(), 101U);
+}
+
+}  // namespace
+}  // namespace rollfem::postprocess
