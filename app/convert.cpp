@@ -113,6 +113,22 @@ void refuse(const std::string& file, const Refused& refused, bool nothing_left) 
                                : "change them, or write the others with --partial"));
 }
 
+/// Profiles that the run will not find.
+void warn_of_missing_profiles(const std::vector<convert::ContactCase>& cases,
+                              const fs::path& file) {
+  std::vector<std::string> names;
+  for (const convert::ContactCase& given : cases) {
+    if (given.module != 1) continue;
+    for (const std::string& name : {given.wheel_rail.rail.name, given.wheel_rail.wheel.name})
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  for (const std::string& name : names)
+    if (!fs::exists(file.parent_path() / name))
+      std::cerr << fmt::format(
+          "warning: the profile {} is not there; do: put it beside {} before you run the cases\n",
+          name, file.string());
+}
+
 }  // namespace
 
 void convert(const ConvertRequest& request, const contact::ModelRegistry& models) {
@@ -149,6 +165,7 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
   if (!refused.empty() && (kept.empty() || !request.partial))
     refuse(request.file, refused, kept.empty());
   written.keep();
+  warn_of_missing_profiles(cases, file);
   std::vector<std::string> said;
   for (const convert::CaseFile& made : kept) {
     std::cout << fmt::format("{}: {}\n", (directory / made.name).string(), case_words(made.cases));

@@ -54,6 +54,12 @@ struct WheelRail {
   std::array<double, 6> velocity{};  ///< VS, VY, VZ, VROLL, VYAW, VPITCH (or FX, MY)
 };
 
+/// Points below the surface: all of x by y by z.
+struct StressBlock {
+  bool by_element = false;      ///< x and y are numbers of elements, from 1, in place of mm
+  std::vector<double> x, y, z;  ///< z > 0 in the upper body
+};
+
 struct ContactCase {
   int module = 3;
   int number = 0;        ///< from 1, as CONTACT counts
@@ -68,6 +74,7 @@ struct ContactCase {
   PotentialContact potential;
   UndeformedDistance distance;
   WheelRail wheel_rail;
+  std::vector<StressBlock> stress_blocks;  ///< as they were last given
 };
 
 }  // namespace rollfem::convert

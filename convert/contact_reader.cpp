@@ -37,7 +37,7 @@ void read_single_contact(InputLines& lines, ContactCase& next) {
   if (digits.E == 9)
     lines.array("EXRHS", 2 * static_cast<std::size_t>(next.potential.mx) *
                              static_cast<std::size_t>(next.potential.my));
-  read_subsurface(lines, digits);
+  read_subsurface(lines, next);
 }
 
 void read_wheel_on_rail(InputLines& lines, ContactCase& next) {
@@ -45,10 +45,10 @@ void read_wheel_on_rail(InputLines& lines, ContactCase& next) {
   if (digits.G != 1) read_solver(lines, next);
   if (digits.L != 1)
     read_friction(lines, next,
-                  digits.V == 0 ? 1 : static_cast<int>(lines.numbers({"NVF"}).front()));
+                  digits.V == 0 ? 1 : lines.whole(lines.numbers({"NVF"}).front(), "NVF", 1, 10000));
   if (digits.C >= 2 && digits.C <= 4) read_material(lines, next);
   read_wheel_rail(lines, next);
-  read_subsurface(lines, digits);
+  read_subsurface(lines, next);
 }
 
 /// What a first case cannot take from one before.

@@ -75,6 +75,7 @@ bool admits(Group& group, const Equivalent& next) {
 void add(Group& group, int number, const Equivalent& made) {
   group.cases.push_back(number);
   group.points.push_back(made.varied);
+  if (group.first.stresses.empty()) group.first.stresses = made.stresses;
   for (const std::string& note : made.notes)
     if (std::find(group.notes.begin(), group.notes.end(), note) == group.notes.end())
       group.notes.push_back(note);
@@ -138,7 +139,7 @@ std::string case_text(const Group& group, const std::string& name, const std::st
   };
   for (const char* section : sections) write(section, lines_of(group, section, several));
   write("fastsim", lines_of(group, "fastsim", several));
-  return text + body;
+  return text + body + group.first.stresses;
 }
 
 }  // namespace

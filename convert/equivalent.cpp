@@ -1,5 +1,7 @@
 #include "convert/equivalent.hpp"
 
+#include "contact/base/errors.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,6 +21,10 @@ const char* problem_of(int T) {
 }
 
 }  // namespace
+
+double in_mm(double place) {
+  return std::round(place * 1e10) / 1e10;
+}
 
 std::string quoted(const std::string& text) {
   std::string made = "\"";
@@ -54,10 +60,14 @@ Equivalent equivalent_of(const ContactCase& given, const std::string& profile_fo
   note_settings(given, made);
   if (!made.impossible.empty()) return made;
   made.set("friction", "coefficient", given.fstat);
-  if (given.module == 3)
-    fill_single_contact(given, made);
-  else
-    fill_wheel_rail(given, profile_folder, made);
+  try {
+    if (given.module == 3)
+      fill_single_contact(given, made);
+    else
+      fill_wheel_rail(given, profile_folder, made);
+  } catch (const contact::InputError& error) {  // of Hertz, for values that make no contact
+    made.impossible.push_back(error.what());
+  }
   return made;
 }
 

@@ -12,6 +12,9 @@ namespace rollfem::convert {
 /// A text of a case file, in quotes.
 std::string quoted(const std::string& text);
 
+/// A place without the rounding of the sum that it came from.
+double in_mm(double place);
+
 struct Equivalent {
   std::string model = "halfspace";
   std::string problem;     ///< a word of rolling.problem
@@ -20,6 +23,7 @@ struct Equivalent {
   std::map<std::string, std::vector<std::string>> fixed;
   /// What may differ from load point to load point, by `section.key`.
   std::map<std::string, double> varied;
+  std::string stresses;                      ///< [[subsurface.*]] entries
   std::map<std::string, std::string> files;  ///< beside the case file: name without stem, text
 
   bool too_coarse = false;              ///< impossible only because the patch is a few elements
@@ -42,6 +46,12 @@ Equivalent equivalent_of(const ContactCase& given, const std::string& profile_fo
 void judge_digits(const ContactCase& given, Equivalent& made);
 void note_settings(const ContactCase& given, Equivalent& made);
 void fill_single_contact(const ContactCase& given, Equivalent& made);
+/// Entries for the points of digit S, whose elements begin at (x, y); `sign` is that of our axes.
+struct ElementPlaces {
+  double x = 0.0, y = 0.0, dx = 0.0, dy = 0.0;
+};
+void fill_stresses(const ContactCase& given, const ElementPlaces& elements, double sign,
+                   Equivalent& made);
 void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder, Equivalent& made);
 
 }  // namespace rollfem::convert

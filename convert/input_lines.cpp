@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -63,12 +63,14 @@ const InputLines::Line& InputLines::take() {
   return line;
 }
 
-std::vector<double> InputLines::numbers(const std::vector<std::string>& names, std::size_t more) {
+template <class NameOf>
+std::vector<double> InputLines::take_numbers(std::size_t count, std::size_t more,
+                                             const NameOf& name_of) {
   std::vector<double> values;
   const std::vector<std::string>* fields = nullptr;
   std::size_t at = 0, first = 0;
-  while (values.size() < names.size()) {
-    const std::string& missing = names[values.size()];
+  while (values.size() < count) {
+    const std::string& missing = name_of(values.size());
     if (fields == nullptr || at == fields->size()) {
       if (at_end()) fail("the file ends before " + missing, "look whether it is complete");
       fields = &take().fields;
@@ -90,8 +92,20 @@ std::vector<double> InputLines::numbers(const std::vector<std::string>& names, s
   return values;
 }
 
+std::vector<double> InputLines::numbers(const std::vector<std::string>& names, std::size_t more) {
+  return take_numbers(names.size(), more,
+                      [&](std::size_t k) -> const std::string& { return names[k]; });
+}
+
 std::vector<double> InputLines::array(const std::string& name, std::size_t count) {
-  return numbers(std::vector<std::string>(count, name));
+  return take_numbers(count, 0, [&](std::size_t) -> const std::string& { return name; });
+}
+
+int InputLines::whole(double value, const char* name, int least, int most) const {
+  if (value != std::floor(value) || value < least || value > most)
+    fail(fmt::format("{} = {:g}; allowed: a whole number from {} to {}", name, value, least, most),
+         "look whether a value or a line is missing above it");
+  return static_cast<int>(value);
 }
 
 InputLines::Named InputLines::named(const std::string& what, const std::vector<std::string>& names,

@@ -23,7 +23,7 @@ class InputLines {
   /// Throws contact::InputError naming file, line and the number that is missing.
   std::vector<double> numbers(const std::vector<std::string>& names, std::size_t more = 0);
 
-  /// `count` numbers that share a name.
+  /// `count` numbers that share a name, on as many lines as it takes.
   std::vector<double> array(const std::string& name, std::size_t count);
 
   /// A text in quotes, the numbers of `names` behind it and up to `more`.
@@ -32,6 +32,10 @@ class InputLines {
     std::vector<double> numbers;
   };
   Named named(const std::string& what, const std::vector<std::string>& names, std::size_t more);
+
+  /// A count or a choice: `value` as a whole number. Throws contact::InputError, which calls it
+  /// `name`, where it is none from `least` to `most`.
+  int whole(double value, const char* name, int least, int most) const;
 
   /// Line on which the last thing read began, from 1.
   std::size_t line() const { return line_; }
@@ -45,6 +49,9 @@ class InputLines {
     std::vector<std::string> fields;
   };
   const Line& take();
+  /// `count` numbers, `name_of(k)` that of the k-th.
+  template <class NameOf>
+  std::vector<double> take_numbers(std::size_t count, std::size_t more, const NameOf& name_of);
 
   std::string name_;
   std::vector<Line> lines_;

@@ -110,10 +110,10 @@ void note_settings(const ContactCase& given, Equivalent& made) {
   note(
       "digits G, I, A, O, W and MAXGS to EPS have no equivalent: the solvers need no settings, "
       "and all fields are in results.h5");
-  if (digits.S > 0)
+  if (digits.S > 0 && (given.module == 1 || digits.M != 0))
     note(
         "stresses below the surface (digit S) are not converted: rollfem stress computes them "
-        "after the run, or [[subsurface.point]] and its like with it");
+        "after the run");
   if (digits.H > 0) note("temperatures (digit H) are not computed");
   if (digits.R >= 2)
     note(fmt::format("digit R = {}: CONTACT would not compute this case", digits.R));

@@ -11,15 +11,6 @@ namespace rollfem::convert {
 
 namespace {
 
-/// A count or a choice.
-int whole(const InputLines& lines, double value, const char* name, int least, int most) {
-  if (value != std::floor(value) || value < least || value > most)
-    lines.fail(
-        fmt::format("{} = {:g}; allowed: a whole number from {} to {}", name, value, least, most),
-        "look whether a value or a line is missing above it");
-  return static_cast<int>(value);
-}
-
 /// The last digits of a control integer go to the last of `digits`, and so on; what is before them
 /// is 0.
 void unpack(int packed, std::initializer_list<int*> digits) {
@@ -29,22 +20,23 @@ void unpack(int packed, std::initializer_list<int*> digits) {
   }
 }
 
-constexpr int largest_grid = 100000;  ///< elements along one direction
+constexpr int largest_grid = 100000;  // elements along one direction
+constexpr double largest_area = 4e6;  // elements
 
 }  // namespace
 
 void read_digits(InputLines& lines, ContactCase& next) {
   Digits& d = next.digits;
   constexpr int seven = 9999999, eight = 99999999;
-  unpack(whole(lines, lines.numbers({"the control integers P-B-T-N-F-S"}).front(), "P-B-T-N-F-S", 0,
-               seven),
+  unpack(lines.whole(lines.numbers({"the control integers P-B-T-N-F-S"}).front(), "P-B-T-N-F-S", 0,
+                     seven),
          {&d.config, &d.P, &d.B, &d.T, &d.N, &d.F, &d.S});
   const auto second = lines.numbers({"the control integers V-L-D-C-M-Z-E"}, 1);
-  unpack(whole(lines, second[0], "V-L-D-C-M-Z-E", 0, seven),
+  unpack(lines.whole(second[0], "V-L-D-C-M-Z-E", 0, seven),
          {&d.V, &d.L, &d.D, &d.C, &d.M, &d.Z, &d.E});
-  d.M2 = second.size() > 1 ? whole(lines, second[1], "digit M2", 0, 9) : 0;
-  unpack(whole(lines, lines.numbers({"the control integers H-G-I-A-O-W-R"}).front(),
-               "H-G-I-A-O-W-R", 0, eight),
+  d.M2 = second.size() > 1 ? lines.whole(second[1], "digit M2", 0, 9) : 0;
+  unpack(lines.whole(lines.numbers({"the control integers H-G-I-A-O-W-R"}).front(), "H-G-I-A-O-W-R",
+                     0, eight),
          {&d.X, &d.H, &d.G, &d.I, &d.A, &d.O, &d.W, &d.R});
   if (d.X >= 1) lines.numbers({"the control integers P-S-F-L-R-I-N (X >= 1)"}, 1);
   if (next.number == 1) d.P = 2;  // as CONTACT does: there is no case before
@@ -52,7 +44,7 @@ void read_digits(InputLines& lines, ContactCase& next) {
 
 void read_solver(InputLines& lines, ContactCase& next) {
   const auto limits = lines.numbers({"MAXGS", "MAXIN", "MAXNR", "MAXOUT", "EPS"});
-  next.max_outer = whole(lines, limits[3], "MAXOUT", 1, 9999);
+  next.max_outer = lines.whole(limits[3], "MAXOUT", 1, 9999);
   const int G = next.digits.G;
   if (G == 2 || G == 3) lines.numbers({"OMEGAH", "OMEGAS", "INISLP", "OMGSLP"});
   if (G == 4) lines.numbers({"INISLP", "OMGSLP"});
@@ -104,7 +96,7 @@ void read_material(InputLines& lines, ContactCase& next) {
   if (d.C == 4 && next.module == 3) {
     const auto method = lines.numbers({"IF_METH", "VARIANT", "NN"});
     lines.array("the surface inclinations",
-                2 * static_cast<std::size_t>(whole(lines, method[2], "NN", 1, largest_grid)));
+                2 * static_cast<std::size_t>(lines.whole(method[2], "NN", 1, largest_grid)));
   }
   if (d.C == 4 && next.module == 1) lines.numbers({"IF_METH", "VARIANT"});
   if (d.C == 9) lines.named("the name of a file of influence coefficients", {}, 0);
@@ -127,7 +119,7 @@ void read_material(InputLines& lines, ContactCase& next) {
 
 void read_potential_contact(InputLines& lines, ContactCase& next) {
   PotentialContact& area = next.potential;
-  area.ipotcn = whole(lines, lines.numbers({"IPOTCN"}).front(), "IPOTCN", -6, 4);
+  area.ipotcn = lines.whole(lines.numbers({"IPOTCN"}).front(), "IPOTCN", -6, 4);
   std::vector<std::string> names{"MX", "MY"};
   switch (area.ipotcn) {
     case -1:
@@ -162,8 +154,12 @@ void read_potential_contact(InputLines& lines, ContactCase& next) {
       lines.fail("IPOTCN = 0; allowed: -6 to -1, 1 to 4", "look at the line above");
   }
   const auto values = lines.numbers(names);
-  area.mx = whole(lines, values[0], "MX", 1, largest_grid);
-  area.my = whole(lines, values[1], "MY", 1, largest_grid);
+  area.mx = lines.whole(values[0], "MX", 1, largest_grid);
+  area.my = lines.whole(values[1], "MY", 1, largest_grid);
+  if (static_cast<double>(area.mx) * area.my > largest_area)
+    lines.fail(fmt::format("MX MY = {} by {} elements; allowed: {:g} in all", area.mx, area.my,
+                           largest_area),
+               "take fewer elements");
   area.size = {};
   for (std::size_t k = 2; k < values.size(); ++k) area.size[k - 2] = values[k];
 }
@@ -178,7 +174,7 @@ void read_planform(InputLines& lines, int iplan) {
   if (iplan == 2) lines.array("the planform", 6);
   if (iplan == 3) lines.array("the planform", 8);
   if (iplan != 4) return;
-  const int patches = whole(lines, lines.numbers({"NPATCH"}).front(), "NPATCH", 1, 100);
+  const int patches = lines.whole(lines.numbers({"NPATCH"}).front(), "NPATCH", 1, 100);
   lines.array("YSEP", count(patches - 1));
   lines.array("FAC", count(patches * (patches - 1) / 2));
 }
@@ -188,13 +184,13 @@ void read_planform(InputLines& lines, int iplan) {
 void read_undeformed_distance(InputLines& lines, ContactCase& next) {
   UndeformedDistance& distance = next.distance;
   const auto kind = lines.numbers({"IBASE", "IPLAN"});
-  distance.ibase = whole(lines, kind[0], "IBASE", 1, 9);
-  distance.iplan = whole(lines, kind[1], "IPLAN", 1, 4);
+  distance.ibase = lines.whole(kind[0], "IBASE", 1, 9);
+  distance.iplan = lines.whole(kind[1], "IPLAN", 1, 4);
   if (distance.ibase == 1) {
     distance.values = lines.numbers({"B1", "B2", "B3", "B4", "B5", "B6"});
   } else if (distance.ibase == 2) {
     const auto values = lines.numbers({"NN", "XM", "RX1", "Y1", "DY1"});
-    lines.array("the heights", count(whole(lines, values[0], "NN", 1, largest_grid)));
+    lines.array("the heights", count(lines.whole(values[0], "NN", 1, largest_grid)));
   } else if (distance.ibase == 3) {
     lines.array("the geometry", 8);
   } else if (distance.ibase == 9) {
@@ -205,38 +201,6 @@ void read_undeformed_distance(InputLines& lines, ContactCase& next) {
                "look whether a line is missing above it");
   }
   read_planform(lines, distance.iplan);
-}
-
-void read_subsurface(InputLines& lines, const Digits& digits) {
-  if (digits.S < 2) return;
-  lines.numbers({"MATFIL", "OUTPUT"});
-  if (digits.S < 3) return;
-  const auto points = [&](double value, const char* name) {
-    return count(whole(lines, value, name, 1, largest_grid));
-  };
-  while (true) {
-    const int block = whole(lines, lines.numbers({"ISUBS"}).front(), "ISUBS", 0, 9);
-    if (block == 0) return;
-    if (block == 4 || block == 8)
-      lines.fail(fmt::format("ISUBS = {}; allowed: 0 to 3, 5 to 7, 9", block),
-                 "look at the line above");
-    if (block == 2 || block == 6) {
-      lines.numbers({"IXL", "IXINC", "IXH"});
-      lines.numbers({"IYL", "IYINC", "IYH"});
-    }
-    if (block == 3 || block == 7) {
-      const auto n = lines.numbers({"NX", "NY"});
-      lines.array("IX", points(n[0], "NX"));
-      lines.array("IY", points(n[1], "NY"));
-    }
-    if (block <= 3) lines.numbers({"NZ", "ZL", "DZ"});
-    if (block >= 5 && block <= 7) lines.array("Z", points(lines.numbers({"NZ"}).front(), "NZ"));
-    if (block != 9) continue;
-    const auto n = lines.numbers({"NX", "NY", "NZ"});
-    lines.array("X", points(n[0], "NX"));
-    lines.array("Y", points(n[1], "NY"));
-    lines.array("Z", points(n[2], "NZ"));
-  }
 }
 
 }  // namespace rollfem::convert

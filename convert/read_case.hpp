@@ -16,6 +16,6 @@ void read_material(InputLines& lines, ContactCase& next);
 void read_potential_contact(InputLines& lines, ContactCase& next);
 void read_undeformed_distance(InputLines& lines, ContactCase& next);
 void read_wheel_rail(InputLines& lines, ContactCase& next);  ///< grid, track, wheelset
-void read_subsurface(InputLines& lines, const Digits& digits);
+void read_subsurface(InputLines& lines, ContactCase& next);
 
 }  // namespace rollfem::convert

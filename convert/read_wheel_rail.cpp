@@ -9,10 +9,10 @@ ProfileFile read_profile(InputLines& lines, const char* what) {
   const auto given = lines.named(what, {"MIRRORY", "SCALE", "SMOOTH"}, 2);
   ProfileFile profile;
   profile.name = given.text;
-  profile.mirror_y = static_cast<int>(given.numbers[0]);
+  profile.mirror_y = lines.whole(given.numbers[0], "MIRRORY", -1, 1);
   profile.scale = given.numbers[1];
   profile.smooth = given.numbers[2];
-  if (given.numbers.size() > 3) profile.mirror_z = static_cast<int>(given.numbers[3]);
+  if (given.numbers.size() > 3) profile.mirror_z = lines.whole(given.numbers[3], "MIRRORZ", -1, 1);
   const double option = given.numbers.size() > 4 ? given.numbers[4] : 0.0;
   profile.has_options = option >= 1.0;
   if (option >= 1.0) lines.numbers({"ISMOOTH", "ZIGTHRS", "KINKHIGH", "KINKLOW", "KINKWID"});

@@ -38,11 +38,40 @@ contact::Material material(const BodyConstants& bodies, std::size_t body) {
   return made;
 }
 
+/// Beyond this ratio of curvatures a contact is a line for all that can be computed.
+constexpr double largest_ratio = 1e8;
+
+bool is_line(double A, double B) {
+  return A > largest_ratio * B || B > largest_ratio * A;
+}
+
+/// What must be positive, so that what follows from it is a number.
+void judge_values(const ContactCase& given, Equivalent& made) {
+  const auto demand = [&](bool right, const char* what) {
+    if (!right) made.impossible.push_back(what);
+  };
+  for (std::size_t body = 0; body < 2; ++body) {
+    const double nu = given.bodies.poisson[body];
+    demand(given.bodies.shear_modulus[body] > 0.0, "GG must be positive");
+    demand(nu >= 0.0 && nu < 0.5, "POISS must be from 0 to below 0.5");
+  }
+  demand(given.kinematics[0] > 0.0,
+         given.digits.N == 0 ? "PEN must be positive" : "FN must be positive");
+  const auto& size = given.potential.size;
+  if (given.potential.ipotcn < 0 && given.potential.ipotcn >= -3)
+    demand(size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0,
+           "the curvatures or semi-axes and SCALE behind MX, MY must be positive");
+  const double power = given.potential.ipotcn == -1 ? 1.0 : 2.0;  // of a ratio of semi-axes
+  const double first = given.potential.ipotcn == -2 ? 1.0 : size[0];
+  if (given.potential.ipotcn < 0 && given.potential.ipotcn >= -3)
+    demand(!is_line(std::pow(first, power), std::pow(size[1], power)),
+           "curvatures so different are a line contact");
+}
+
 void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
   const Digits& digits = given.digits;
   const auto& k = given.kinematics;
   const bool shift = made.problem == "shift";
-  if (digits.N == 0 && k[0] <= 0.0) made.impossible.push_back("PEN is not positive");
   made.varied[std::string(made.history() ? "history." : "load.") +
               (digits.N == 0 ? "approach" : "normal_force")] = k[0];
   if (digits.T == 0) return;
@@ -64,20 +93,19 @@ void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
   if (made.problem == "transient") made.varied["history.step_length"] = given.rolling[1];
 }
 
-/// Lower corner and elements of the potential contact.
-struct Area {
-  double x = 0.0, y = 0.0, dx = 0.0, dy = 0.0;
-};
+using Area = ElementPlaces;
 
 void set_grid(const ContactCase& given, const Area& area, double sign, Equivalent& made) {
   const double length = area.dx * given.potential.mx, width = area.dy * given.potential.my;
   made.set_pair("contact_grid", "cell_size", area.dx, area.dy, "mm");
   made.set_pair("contact_grid", "extent", length, width,
                 fmt::format("mm, {} by {} elements", given.potential.mx, given.potential.my));
-  const double x = sign * (area.x + 0.5 * length), y = sign * (area.y + 0.5 * width);
+  const double x = in_mm(sign * (area.x + 0.5 * length));
+  const double y = in_mm(sign * (area.y + 0.5 * width));
   const double rounding = 1e-9 * (length + width);
   if (std::abs(x) > rounding || std::abs(y) > rounding)
     made.set_pair("contact_grid", "middle", x, y, "mm");
+  fill_stresses(given, area, sign, made);
 }
 
 Area stated_area(const PotentialContact& given) {
@@ -205,10 +233,12 @@ void fill_distance(const ContactCase& given, double modulus, double sign, Equiva
   if (given.potential.my == 1) refuse("MY = 1: line contact, one row of long elements");
   if (!made.impossible.empty()) return;
   const Area area = stated_area(given.potential);
-  set_grid(given, area, sign, made);
   const auto& B = distance.values;
+  if (area.dx <= 0.0 || area.dy <= 0.0) return refuse("the elements have no size");
   const bool plain = distance.ibase == 1 && B[1] == 0.0 && B[3] == 0.0 && B[4] == 0.0 &&
                      B[5] == 0.0 && B[0] > 0.0 && B[2] > 0.0;
+  if (plain && is_line(B[0], B[2])) return refuse("curvatures so different are a line contact");
+  set_grid(given, area, sign, made);
   if (plain) {
     made.set_pair("undeformed_distance", "quadratic", B[0], B[2], "1/mm, h = A x^2 + B y^2");
     judge_resolution(hertz_of(given, B[0], B[2], modulus), area.dx, area.dy, made);
@@ -220,6 +250,8 @@ void fill_distance(const ContactCase& given, double modulus, double sign, Equiva
 }  // namespace
 
 void fill_single_contact(const ContactCase& given, Equivalent& made) {
+  judge_values(given, made);
+  if (!made.impossible.empty()) return;
   const auto sign = turn(given, made);
   const std::array<const char*, 2> sections{"wheel", "rail"};
   for (std::size_t body = 0; body < 2; ++body) {

@@ -70,6 +70,15 @@ TEST(Convert, PointwiseDistanceIsRead) {
               0.003 * expected);
 }
 
+TEST(Convert, ProfilesThatAreNotThereAreWarnedOf) {
+  const Folder folder;
+  const std::string file = folder.file("wheel.inp", left_wheel);
+  const Outcome made = call(folder, {"convert", file});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("warning: the profile rail.csv is not there"), std::string::npos);
+  EXPECT_NE(made.err.find("warning: the profile wheel.csv is not there"), std::string::npos);
+}
+
 TEST(Convert, FilesThatAreNoInputAreRefused) {
   const Folder folder;
   expect_refused(call(folder, {"convert", "none.inp"}), "none.inp");

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Mutates case files, profiles and lattices and looks for what must not happen: a signal, a hang, an
-'internal error', an exit status other than 0, 1 and 2, a result that cannot be.
+"""Mutates case files, profiles, lattices and input files of CONTACT and looks for what must not happen: a signal, a
+hang, an 'internal error', an exit status other than 0, 1 and 2, a result that cannot be.
 
     tests/fuzz/mutate.py --build build-halfspace                     the figures of docs/robustness.md
-    tests/fuzz/mutate.py --build build-halfspace --cases 1000 --profiles 0 --lattices 0 --runs 0 --checks 0
+    tests/fuzz/mutate.py --build build-halfspace --cases 1000 --profiles 0 --lattices 0 --inputs 0 --runs 0 --checks 0
 
 Inputs are made from the cases and profiles of the source by a seeded generator. Most go through the fuzz
 targets in one process (fuzz_*_replay --records), some through `rollfem check` and `rollfem run`. What fails is
@@ -281,7 +281,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", required=True, type=pathlib.Path, help="build folder with the replay programs and rollfem")
     parser.add_argument("--seed", type=int, default=1)
-    for name, count in (("cases", 100000), ("profiles", 10000), ("lattices", 10000), ("checks", 2000), ("runs", 1000)):
+    for name, count in (("cases", 100000), ("profiles", 10000), ("lattices", 10000), ("inputs", 10000), ("checks", 2000), ("runs", 1000)):
         parser.add_argument("--" + name, type=int, default=count, metavar="N")
     parser.add_argument("--run-limit", type=float, default=30.0, help="s for a run, which may be asked for much")
     parser.add_argument("--keep", type=pathlib.Path, default=pathlib.Path("results/mutants"), help="folder for what fails")
@@ -295,6 +295,8 @@ def main():
     campaign.run("cases", options.cases, Replay(tests / "fuzz_case_file_replay"), cases, ".toml", grammar_differs)
     campaign.run("profiles", options.profiles, Replay(tests / "fuzz_profile_replay"), profiles(root), ".txt")
     campaign.run("lattices", options.lattices, Replay(tests / "fuzz_lattice_replay"), lattices(1) + lattices(2), ".csv")
+    campaign.run("inputs", options.inputs, Replay(tests / "fuzz_contact_input_replay"),
+                 read_all(root / "tests" / "fuzz" / "corpus" / "contact_input", ["*.inp"]), ".inp")
     folder = (options.keep / "work").resolve()
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copytree(root / "cases", folder, dirs_exist_ok=True)

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Lets libFuzzer look for inputs that break a target: search.sh [SECONDS [TARGET ...]], 20 s for each
-# of case_file, profile and lattice; FUZZ_SEED is libFuzzer's, another every time without it. Needs
+# of case_file, profile, lattice and contact_input; FUZZ_SEED is libFuzzer's, another every time without it. Needs
 # clang with libFuzzer. Begins with the corpus and the cases of the source; what it finds goes to
 # build-fuzz/found, with the call that shows it again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=${1:-20}
 targets=("${@:2}")
-if [ ${#targets[@]} -eq 0 ]; then targets=(case_file profile lattice); fi
+if [ ${#targets[@]} -eq 0 ]; then targets=(case_file profile lattice contact_input); fi
 cmake --preset fuzz >build-fuzz.log || { cat build-fuzz.log >&2; exit 1; }
 mv build-fuzz.log build-fuzz/configure.log
 nice ninja -C build-fuzz --quiet "${targets[@]/#/fuzz_}"

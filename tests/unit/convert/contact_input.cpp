@@ -101,6 +101,9 @@ TEST(ContactInput, SaysWhereItStoppedToUnderstand) {
       "the file is of another version");
   EXPECT_EQ(message_of(pushed_ball.substr(0, pushed_ball.find("0.02 0.0"))),
             "made.inp:12: the file ends before B1; do: look whether it is complete");
+  EXPECT_NE(message_of(replaced(pushed_ball, " 36 36 ", " 99999 99999 "))
+                .find("MX MY = 99999 by 99999 elements; allowed: 4e+06 in all"),
+            std::string::npos);
   EXPECT_NE(message_of(" 4 module\n").find("module 4; allowed: 1 (wheel and rail), 3"),
             std::string::npos);
   EXPECT_NE(message_of("% nothing\n").find("no case in this file"), std::string::npos);

@@ -173,6 +173,23 @@ TEST(ConvertedCase, WhatHasNoEquivalentIsNamed) {
   }
 }
 
+TEST(ConvertedCase, PointsBelowTheSurfaceAreLinesAndPoints) {
+  std::string text = replaced(rolling_ellipse, " 203100 ", " 203103 ");
+  // Below elements 11 and 12 of row 11, at two depths; three depths at one place.
+  text = replaced(text, "1.1                MX MY AA BB SCALE\n",
+                  "1.1\n 1 1\n 6\n 11 1 12\n 11 1 11\n 2\n 0.5 1.5\n 9\n 1 1 3\n 0.\n 0.25\n"
+                  " -0.1 -0.2 -0.4\n 0\n");
+  const Conversion made = converted(text);
+  ASSERT_EQ(made.files.size(), 1U);
+  const Case input = contact::parse_case(made.files[0].text, "made.toml");
+  EXPECT_EQ(made.files[0].cases.size(), 3U);
+  const std::string& written = made.files[0].text;
+  for (const char* entry : {"[[subsurface.line]]\nbody = \"wheel\"\nfrom = [-0.25, -0.15, 0.5]\n"
+                            "to = [0.25, -0.15, 0.5]\npoints = 2\n",
+                            "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0.25, -0.4]\n"})
+    EXPECT_NE(written.find(entry), std::string::npos) << entry << written;
+}
+
 TEST(ConvertedCase, HistoryBeginsWhereThePatchHasElementsEnough) {
   // 0.02 N: a diameter of 0.20 mm on cells of 0.075 mm.
   const std::string next = " 3 module\n 001120\n 100000\n 0101341\n 20. -0.6 0. 0.\n 0 module";
