@@ -1,5 +1,6 @@
 # One call makes a folder a module: rollfem_module(contact DEPENDS ... LIBRARIES ...) builds all its
-# .cpp files into librollfem_contact.so, exports it as rollfem::contact and installs its headers.
+# .cpp files into librollfem_contact.so and exports it as rollfem::contact. Headers that are installed:
+# interface/public_headers.txt.
 function(rollfem_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
     -Woverloaded-virtual $<$<BOOL:${ROLLFEM_WERROR}>:-Werror>)
@@ -45,6 +46,4 @@ function(rollfem_module name)
   list(REMOVE_ITEM sources "" ${ARG_EXCEPT})
   rollfem_library(${name} SOURCES ${sources} ${headers} DEPENDS ${ARG_DEPENDS}
     LIBRARIES ${ARG_LIBRARIES} PRIVATE_LIBRARIES ${ARG_PRIVATE_LIBRARIES})
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rollfem/${name} FILES_MATCHING PATTERN "*.hpp")
 endfunction()

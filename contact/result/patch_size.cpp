@@ -29,11 +29,16 @@ struct Chord {
   double covered = 0.0;
 };
 
+/// Elements that a parabola goes through at most.
+constexpr int most_for_parabola = 12;
+
 /// The first root, from the edge element outwards, of a parabola through p^2 of the elements
 /// `first` to `first` + count - 1 places in; none where p^2 does not fall towards the edge.
 std::optional<double> root_of_parabola(const Line& inward, int first, int count) {
-  Eigen::MatrixXd basis(count, 3);
-  Eigen::VectorXd values(count);
+  // Of a size known beforehand, so that nothing is allocated: there are two for every row and
+  // column.
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, most_for_parabola, 3> basis(count, 3);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_for_parabola, 1> values(count);
   for (int k = 0; k < count; ++k) {
     const double t = -static_cast<double>(k + first);
     basis.row(k) << 1.0, t, t * t;
@@ -81,7 +86,8 @@ Edge edge_beyond(const Line& inward) {
   if (!outer || *outer > farthest) return {};
   const int skipped = available < 12 ? 1 : 2;
   const std::optional<double> inner = root_of_parabola(
-      inward, skipped, std::clamp(available / 3, 3, std::min(12, available - skipped)));
+      inward, skipped,
+      std::clamp(available / 3, 3, std::min(most_for_parabola, available - skipped)));
   if (inner && std::abs(*inner - *outer) < same_place) return {*inner, same_place};
   const double root = std::clamp(*outer, 0.0, largest_of_solutions);
   const std::optional<double> second = root_of_parabola(inward, 1, 3);

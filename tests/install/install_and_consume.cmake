@@ -1,5 +1,5 @@
 # Installs the build into an empty folder, moves it (an installed tree must not care), builds the
-# consumer against it and runs both the consumer and the installed program.
+# examples against it and runs them, the installed program and the installed Python module.
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -13,12 +13,27 @@ file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
 file(RENAME ${WORK}/first ${WORK}/prefix)
-step(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -DCMAKE_PREFIX_PATH=${WORK}/prefix
-  -DCMAKE_CXX_COMPILER=${COMPILER})
-step(${CMAKE_COMMAND} --build ${WORK}/consumer)
+foreach(example case_in_cpp wheelset_in_c)
+  step(${CMAKE_COMMAND} -S ${EXAMPLES}/${example} -B ${WORK}/${example} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_C_COMPILER=${C_COMPILER})
+  step(${CMAKE_COMMAND} --build ${WORK}/${example})
+endforeach()
 set(case ${WORK}/prefix/${DATADIR}/rollfem/cases/thesis_a.toml)
-step(${WORK}/consumer/consumer ${case})
-message(STATUS "consumer: ${output}")
+step(${WORK}/case_in_cpp/case_in_cpp ${case})
+message(STATUS "case_in_cpp: ${output}")
+step(${WORK}/wheelset_in_c/wheelset_in_c 20)
+message(STATUS "wheelset_in_c: ${output}")
+if(PYTHON_DIR)
+  step(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/${PYTHON_DIR} /usr/bin/python3 -c
+    "import rollfem; assert abs(rollfem.solve('${case}', model='hertz').points[0].max_pressure - 578.967) < 1e-3")
+endif()
+# Nothing else of the headers is for others.
+file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix ${WORK}/prefix/*.hpp)
+foreach(header ${headers})
+  if(header MATCHES "/(halfspace|fem|app|meshes|wheelset|hybrid|choice)/")
+    message(FATAL_ERROR "${header} is installed, and is no public header")
+  endif()
+endforeach()
 step(${WORK}/prefix/${BINDIR}/rollfem check ${case})
 step(${WORK}/prefix/${BINDIR}/rollfem run ${case} --quiet --model hertz -o ${WORK}/results)
 if(NOT EXISTS ${WORK}/results/report.html)

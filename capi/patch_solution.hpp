@@ -1,0 +1,16 @@
+// One patch on one grid, in milliseconds: without the coarser grids that bars are taken from, and
+// with a patch that is looked for on few elements.
+#pragma once
+
+#include "contact/result/result.hpp"
+#include "contact/scene/scene.hpp"
+#include "meshes/track/contact_search.hpp"
+
+namespace rollfem::capi {
+
+/// The first load point of a scene on a grid of `across` elements over the patch each way. Throws
+/// contact::SolveError and contact::InputError as the model halfspace does.
+contact::PointResult solve_patch(const contact::Scene& scene,
+                                 const meshes::WheelRailContact& contact, int across);
+
+}  // namespace rollfem::capi

@@ -1,0 +1,209 @@
+// rollfem.h against Hertz, full sliding, the model halfspace on a fine grid, and itself: units,
+// sides, threads, refusals.
+#include "contact/case/case_reader.hpp"
+#include "halfspace/model/model.hpp"
+#include "wheelset/balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rollfem/rollfem.h"
+#include "support/temporary_folder.hpp"
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace {
+
+using Pair = std::unique_ptr<rollfem_pair, void (*)(rollfem_pair*)>;
+
+rollfem_definition defaults(rollfem_side side = ROLLFEM_LEFT, rollfem_units units = ROLLFEM_MM_N) {
+  rollfem_definition definition;
+  rollfem_defaults(&definition, units);
+  definition.side = side;
+  return definition;
+}
+
+Pair make(const rollfem_definition& definition) {
+  char message[1000];
+  Pair pair(rollfem_create(&definition, message, sizeof message), rollfem_destroy);
+  EXPECT_NE(pair, nullptr) << message;
+  return pair;
+}
+
+rollfem_result solve(const Pair& pair, const rollfem_state& state) {
+  char message[1000];
+  rollfem_result result;
+  EXPECT_EQ(rollfem_solve(pair.get(), &state, &result, message, sizeof message), ROLLFEM_OK)
+      << message;
+  return result;
+}
+
+/// mm, rad, mm/s, N.
+rollfem_state state_at(double shift, double yaw) {
+  return {shift, yaw, 0.0, 20e3, 30.0, 0.0, 20e3 / 460.0 * 1.001, 50e3};
+}
+
+TEST(CInterface, CrownedRailUnderACylindricalWheelIsHertz) {
+  const rollfem::testing::TemporaryFolder folder;
+  std::string wheel = "# y z, mm\n", rail = wheel;
+  for (double y = -40.0; y <= 40.0; y += 0.25) wheel += std::to_string(y) + " 0.0\n";
+  for (double y = -36.0; y <= 36.0; y += 0.25)
+    rail +=
+        std::to_string(y) + " " + std::to_string(300.0 - std::sqrt(300.0 * 300.0 - y * y)) + "\n";
+  rollfem_definition definition = defaults();
+  const std::string wheel_file = folder.file("wheel.txt", wheel),
+                    rail_file = folder.file("rail.txt", rail);
+  definition.wheel_profile = wheel_file.c_str();
+  definition.rail_profile = rail_file.c_str();
+  definition.rolling_radius = 300.0;
+  definition.inclination = 0.0;
+  definition.gauge = 1451.0;
+  definition.gauge_height = 1.0;  // 24.5 mm beside the middle of the rail
+  rollfem_state state = state_at(0.0, 0.0);
+  state.rotation_speed = 20e3 / 300.0 * 1.1;  // slides all over
+  state.lateral_velocity = 0.0;
+  const rollfem_result result = solve(make(definition), state);
+  ASSERT_EQ(result.patches, 1);
+  // A sphere of 300 mm on a plane.
+  const double modulus = 210e3 / (2.0 * (1.0 - 0.09));
+  const double a = std::cbrt(0.75 * 50e3 * 300.0 / modulus);
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(result.patch[0].max_pressure / (1.5 * 50e3 / (pi * a * a)), 1.0, 0.01);
+  EXPECT_NEAR(result.patch[0].length / (2.0 * a), 1.0, 0.01);
+  EXPECT_NEAR(result.patch[0].width / (2.0 * a), 1.0, 0.01);
+  // Its surface moves backwards over the rail, which pushes it forwards by mu N, with the arm of
+  // the radius about the axle.
+  EXPECT_NEAR(result.force[0], 0.3 * 50e3, 1e-3 * 15e3);
+  EXPECT_NEAR(result.force[2], -50e3, 1e-3);
+  EXPECT_NEAR(result.moment[1] / (300.0 * result.force[0]), 1.0, 2e-3);
+}
+
+/// The model halfspace on 32 elements across.
+double largest_difference(double shift, double yaw) {
+  rollfem_definition definition = defaults(ROLLFEM_RIGHT);
+  const rollfem_result quick = solve(make(definition), state_at(shift, yaw));
+  rollfem::contact::Case input = rollfem::contact::parse_case(R"(
+    [load]
+    vertical_force = 50e3
+    [friction]
+    coefficient = 0.3
+    [wheel]
+    rolling_radius = 460.0
+    profile = "S1002"
+    [rail]
+    profile = "60E1"
+    [track]
+    inclination = "1:40"
+    [wheelset]
+    side = "right"
+    roll = 0.0
+    lateral_velocity = 0.0015
+    rotation_change = 0.001
+    [contact_grid]
+    elements_across = 32
+  )",
+                                                              "case");
+  input.wheelset.lateral_shift = {shift};
+  input.wheelset.yaw = {yaw};
+  const auto scenes = rollfem::wheelset::balance(input).scenes;
+  EXPECT_EQ(scenes.size(), 1u);
+  const auto fine = rollfem::halfspace::run_halfspace(scenes.front(), {}).points.front();
+  EXPECT_NEAR(quick.patch[0].max_pressure / fine.max_pressure, 1.0, 0.01);
+  return std::hypot(quick.patch[0].longitudinal_force - fine.longitudinal_force,
+                    quick.patch[0].lateral_force - fine.lateral_force) /
+         (0.3 * fine.normal_force);
+}
+
+TEST(CInterface, ForcesAreWithinOnePercentOfTheModelHalfspace) {
+  EXPECT_LT(largest_difference(-2.0, -0.001), 0.01);
+  EXPECT_LT(largest_difference(3.0, 0.002), 0.01);
+  EXPECT_LT(largest_difference(6.0, 0.0), 0.01);
+}
+
+TEST(CInterface, LeftMirrorsRight) {
+  rollfem_state state = state_at(3.0, 0.002);
+  const rollfem_result right = solve(make(defaults(ROLLFEM_RIGHT)), state);
+  state.lateral_shift = -3.0;
+  state.yaw = -0.002;
+  state.lateral_velocity = -30.0;
+  const rollfem_result left = solve(make(defaults(ROLLFEM_LEFT)), state);
+  const double of_force = 1e-6 * 50e3;
+  EXPECT_NEAR(left.force[0], right.force[0], of_force);
+  EXPECT_NEAR(left.force[1], -right.force[1], of_force);
+  EXPECT_NEAR(left.force[2], -50e3, of_force);
+  EXPECT_NEAR(left.moment[0], -right.moment[0], 750.0 * of_force);
+  EXPECT_NEAR(left.moment[2], -right.moment[2], 750.0 * of_force);
+  EXPECT_NEAR(left.patch[0].position[1], -right.patch[0].position[1], 1e-6);
+}
+
+TEST(CInterface, UnitsAreOnlyUnits) {
+  const rollfem_result mm = solve(make(defaults()), state_at(2.0, 0.001));
+  const struct {
+    rollfem_units units;
+    double length, force;  // what one of them is in mm, N
+  } others[] = {{ROLLFEM_M_N, 1e3, 1.0}, {ROLLFEM_MM_KN, 1.0, 1e3}};
+  for (const auto& [units, length, force] : others) {
+    rollfem_state state = state_at(2.0, 0.001);
+    state.lateral_shift /= length;
+    state.forward_speed /= length;
+    state.lateral_velocity /= length;
+    state.vertical_force /= force;
+    const rollfem_result other = solve(make(defaults(ROLLFEM_LEFT, units)), state);
+    const rollfem_patch &a = mm.patch[0], &b = other.patch[0];
+    EXPECT_NEAR(b.longitudinal_force * force / a.longitudinal_force, 1.0, 1e-6);
+    EXPECT_NEAR(b.max_pressure * force / (length * length) / a.max_pressure, 1.0, 1e-6);
+    EXPECT_NEAR(b.spin / length / a.spin, 1.0, 1e-6);
+    EXPECT_NEAR(b.area * length * length / a.area, 1.0, 1e-6);
+    EXPECT_NEAR(other.moment[2] * force * length / mm.moment[2], 1.0, 1e-6);
+    EXPECT_NEAR(other.height * length / mm.height, 1.0, 1e-6);
+  }
+}
+
+TEST(CInterface, ThreadsSolveWithOnePair) {
+  const Pair pair = make(defaults());
+  const rollfem_result alone[] = {solve(pair, state_at(1.0, 0.0)),
+                                  solve(pair, state_at(4.0, 0.001))};
+  rollfem_result found[2];
+  std::thread first([&] { found[0] = solve(pair, state_at(1.0, 0.0)); });
+  std::thread second([&] { found[1] = solve(pair, state_at(4.0, 0.001)); });
+  first.join();
+  second.join();
+  for (int k = 0; k < 2; ++k)
+    for (int d = 0; d < 3; ++d) EXPECT_EQ(found[k].force[d], alone[k].force[d]);
+}
+
+TEST(CInterface, RefusesWithAReasonAndAZeroResult) {
+  char message[1000];
+  rollfem_definition definition = defaults();
+  definition.friction_coefficient = -1.0;
+  EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);
+  EXPECT_NE(std::strstr(message, "friction.coefficient = -1"), nullptr) << message;
+  definition = defaults();
+  definition.wheel_profile = "no\"such";
+  EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);
+  definition.wheel_profile = nullptr;
+  EXPECT_EQ(rollfem_create(&definition, nullptr, 0), nullptr);
+  definition = defaults();
+  definition.units = static_cast<rollfem_units>(7);
+  EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);
+
+  const Pair pair = make(defaults());
+  rollfem_result result;
+  for (double rollfem_state::*member :
+       {&rollfem_state::lateral_shift, &rollfem_state::yaw, &rollfem_state::forward_speed,
+        &rollfem_state::rotation_speed, &rollfem_state::vertical_force}) {
+    rollfem_state state = state_at(0.0, 0.0);
+    state.*member = std::nan("");
+    EXPECT_EQ(rollfem_solve(pair.get(), &state, &result, message, sizeof message), ROLLFEM_REFUSED);
+    EXPECT_NE(std::strstr(message, "out of bounds"), nullptr) << message;
+    EXPECT_EQ(result.patches, 0);
+  }
+  rollfem_state state = state_at(200.0, 0.0);  // between the rails
+  EXPECT_NE(rollfem_solve(pair.get(), &state, &result, message, 10), ROLLFEM_OK);
+  EXPECT_EQ(std::strlen(message), 9u);
+  EXPECT_EQ(result.force[2], 0.0);
+}
+
+}  // namespace
