@@ -50,7 +50,8 @@ def printed_cases(path):
 
 def run(program, case_file, folder):
     if not (folder / "summary.json").exists():
-        subprocess.run([program, "run", case_file, "-o", folder, "--no-report"], check=True,
+        subprocess.run([program, "run", case_file, "-o", folder, "--no-report",
+                        "--set", "output.grid_fields=\"all\""], check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     model = json.loads((folder / "summary.json").read_text())["models"][0]
     points = model.get("points") or [p for patch in model["patches"] for p in patch["points"]]
