@@ -87,7 +87,10 @@ _rollfem() {{
   COMPREPLY=($(compgen -W "$words" -- "$current"))
   case $current in
     -*) ;;
-    *) COMPREPLY+=($(compgen -f -X '!*.toml' -- "$current") $(compgen -d -- "$current")) ;;
+    *)
+      local kind=toml
+      [ "${{COMP_WORDS[1]}}" != convert ] || kind=inp
+      COMPREPLY+=($(compgen -f -X "!*.$kind" -- "$current") $(compgen -d -- "$current")) ;;
   esac
 }}
 complete -o filenames -F _rollfem rollfem ./rollfem
@@ -119,7 +122,7 @@ _rollfem() {{
   esac
   case $words[2] in
 {}  esac
-  _files -g '*.toml'
+  if [[ $words[2] == convert ]]; then _files -g '*.inp'; else _files -g '*.toml'; fi
 }}
 _rollfem "$@"
 )",

@@ -49,6 +49,8 @@ TEST(Shell, BashCompletesCommandsOptionsAndModels) {
   EXPECT_EQ(completed(folder, "rollfem run --model fas"), "fastsim\n");
   EXPECT_EQ(call(folder, {"new-case", "-o", "mine.toml"}).status, 0);
   EXPECT_EQ(completed(folder, "rollfem run mi"), "mine.toml\n");
+  std::filesystem::copy_file(folder.work() / "mine.toml", folder.work() / "mine.inp");
+  EXPECT_EQ(completed(folder, "rollfem convert mi"), "mine.inp\n");
 }
 
 TEST(Shell, ManualPageNamesEveryCommandAndOption) {
