@@ -30,7 +30,7 @@ endif()
 # Nothing else of the headers is for others.
 file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix ${WORK}/prefix/*.hpp)
 foreach(header ${headers})
-  if(header MATCHES "/(halfspace|fem|app|meshes|wheelset|hybrid|choice)/")
+  if(header MATCHES "/(halfspace|fem|app|meshes|wheelset|hybrid|choice|convert)/")
     message(FATAL_ERROR "${header} is installed, and is no public header")
   endif()
 endforeach()
