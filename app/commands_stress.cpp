@@ -19,8 +19,16 @@ void add_stress_command(CLI::App& program, Call& call) {
       ->allow_extra_args(false);
   stress->add_option("--patch", request.patch,
                      "with profiles: SIDE,POSITION,PATCH, as left,1,1; without it the first");
-  stress->add_option("--point", request.point, "load point, from 0; without it the last one");
-  stress->add_option("--creepage", request.creepage, "load point of this longitudinal creepage");
+  stress
+      ->add_option("--point", request.points,
+                   "load points, from 0, separated by commas; without it the last one")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  stress
+      ->add_option("--creepage", request.creepages,
+                   "load points of these longitudinal creepages, separated by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   stress->add_option("--at", request.places, "x,y,z in mm: a place; may be repeated")
       ->allow_extra_args(false);
   stress

@@ -112,10 +112,11 @@ fs::path output_folder(const ResultsFile& file, const StressRequest& request) {
   return fs::path(file.directory()) / ".." / (folder.filename().string() + "_stress");
 }
 
-/// Figures of an earlier call that this one may not draw.
+/// Page and figures of an earlier call that this one may not draw.
 void remove_figures(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder / "stress.json", error)) return;
+  fs::remove(folder / "stress.html", error);
   for (fs::directory_iterator entry(folder / "figures", error), end; !error && entry != end;
        entry.increment(error))
     for (const char* ours : {"depth_", "line_", "plane_", "shakedown_map"})
@@ -139,23 +140,25 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
            "may go unnoticed; do: run the case again when in doubt\n";
   report.source = file.path();
   report.title = file.input().title;
-  report.point_named = request.point || request.creepage;
+  report.point_named = !request.points.empty() || !request.creepages.empty();
   std::string left_out;
   for (const StoredModel& stored : chosen_models(file, request, models)) {
-    ModelResult model = file.read(stored);
-    const std::size_t point = chosen_point(model, request);
-    try {
-      check_stored(stored, model.points[point], point, request, models);
-    } catch (const InputError& error) {
-      // Only what the user names must be there.
-      if (!request.models.empty()) throw;
-      left_out = error.what();
-      continue;
+    const ModelResult whole = file.read(stored);
+    for (const std::size_t point : chosen_points(whole, request)) {
+      try {
+        check_stored(stored, whole.points[point], point, request, models);
+      } catch (const InputError& error) {
+        // Only what the user names must be there.
+        if (!request.models.empty()) throw;
+        left_out = error.what();
+        continue;
+      }
+      ModelResult model = whole;
+      const bool bodies = in_bodies(stored.name, models);
+      if (bodies) file.read_bodies(stored, point, model);
+      report.models.push_back(
+          stress_of(file.input(), std::move(model), point, asked, request, bodies));
     }
-    const bool bodies = in_bodies(stored.name, models);
-    if (bodies) file.read_bodies(stored, point, model);
-    report.models.push_back(
-        stress_of(file.input(), std::move(model), point, asked, request, bodies));
   }
   if (report.models.empty()) throw InputError(left_out);
 
@@ -174,7 +177,7 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   if (!request.quiet)
     std::cout << stress_table(report) << "\nstresses: " << folder.string()
               << " (stress.csv, stress.json"
-              << (request.figures && problem.empty() ? ", figures" : "") << ")\n";
+              << (request.figures && problem.empty() ? ", stress.html, figures" : "") << ")\n";
 }
 
 }  // namespace rollfem::app

@@ -78,6 +78,27 @@ std::vector<StoredModel> models_by_name(const std::vector<StoredModel>& there,
   return chosen;
 }
 
+std::size_t numbered(const ModelResult& model, int point) {
+  const int count = static_cast<int>(model.points.size());
+  if (point < 0 || point >= count)
+    throw InputError(
+        fmt::format("--point {}: model {} has load points 0 to {}; do: name one of them", point,
+                    model.key(), count - 1));
+  return static_cast<std::size_t>(point);
+}
+
+std::size_t with_creepage(const ModelResult& model, double creepage) {
+  for (std::size_t k = 0; k < model.points.size(); ++k) {
+    const double xi = model.points[k].creepage.longitudinal;
+    if (std::abs(xi - creepage) <= 1e-9 * std::max(std::abs(xi), 1e-6)) return k;
+  }
+  throw InputError(fmt::format(
+      "--creepage {:g}: model {} has no load point of it; allowed: {}; do: name one of them",
+      creepage, model.key(), listed(model.points, [](const PointResult& point) {
+        return fmt::format("{:g}", point.creepage.longitudinal);
+      })));
+}
+
 }  // namespace
 
 std::vector<StoredModel> chosen_models(const ResultsFile& file, const StressRequest& request,
@@ -85,32 +106,21 @@ std::vector<StoredModel> chosen_models(const ResultsFile& file, const StressRequ
   return models_by_name(models_of_patch(file, request.patch), request, models);
 }
 
-std::size_t chosen_point(const ModelResult& model, const StressRequest& request) {
+std::vector<std::size_t> chosen_points(const ModelResult& model, const StressRequest& request) {
   if (model.points.empty())
     throw InputError(fmt::format("{}: model {} has no load points; do: run the case again",
                                  request.result, model.key()));
-  const int count = static_cast<int>(model.points.size());
-  if (request.point && request.creepage)
+  if (!request.points.empty() && !request.creepages.empty())
     throw InputError(
         "--point and --creepage are both given; allowed: one of them; do: leave one out");
-  if (request.point) {
-    if (*request.point < 0 || *request.point >= count)
-      throw InputError(
-          fmt::format("--point {}: model {} has load points 0 to {}; do: name one of "
-                      "them",
-                      *request.point, model.key(), count - 1));
-    return static_cast<std::size_t>(*request.point);
-  }
-  if (!request.creepage) return model.points.size() - 1;
-  for (std::size_t k = 0; k < model.points.size(); ++k) {
-    const double xi = model.points[k].creepage.longitudinal;
-    if (std::abs(xi - *request.creepage) <= 1e-9 * std::max(std::abs(xi), 1e-6)) return k;
-  }
-  throw InputError(fmt::format(
-      "--creepage {:g}: model {} has no load point of it; allowed: {}; do: name one of them",
-      *request.creepage, model.key(), listed(model.points, [](const PointResult& point) {
-        return fmt::format("{:g}", point.creepage.longitudinal);
-      })));
+  std::vector<std::size_t> chosen;
+  const auto take = [&](std::size_t k) {
+    if (std::find(chosen.begin(), chosen.end(), k) == chosen.end()) chosen.push_back(k);
+  };
+  for (const int point : request.points) take(numbered(model, point));
+  for (const double creepage : request.creepages) take(with_creepage(model, creepage));
+  if (chosen.empty()) chosen.push_back(model.points.size() - 1);
+  return chosen;
 }
 
 bool in_bodies(const std::string& model, const contact::ModelRegistry& models) {

@@ -16,8 +16,10 @@ std::vector<postprocess::StoredModel> chosen_models(const postprocess::ResultsFi
                                                     const StressRequest& request,
                                                     const contact::ModelRegistry& models);
 
-/// Number of the load point that is asked for, else of the last. Throws contact::InputError.
-std::size_t chosen_point(const contact::ModelResult& model, const StressRequest& request);
+/// Numbers of the load points that are asked for, each once, else of the last. Throws
+/// contact::InputError.
+std::vector<std::size_t> chosen_points(const contact::ModelResult& model,
+                                       const StressRequest& request);
 
 /// Whether stresses are those of wheel and rail as stored, not the sum over the contact elements.
 bool in_bodies(const std::string& model, const contact::ModelRegistry& models);

@@ -36,7 +36,7 @@ def _draw(options):
         from .places import draw_pair_file
         draw_pair_file(options.pair)
     elif options.stress:
-        from .stress_report import build as build_stress
+        from .stress_page import build as build_stress
         build_stress(options.stress)
     elif os.path.exists(os.path.join(options.directory, "compare.json")):
         from .compare import build_comparison

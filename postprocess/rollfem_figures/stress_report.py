@@ -5,9 +5,7 @@ import numpy as np
 
 from . import contours, looks
 from .axes import nice_step
-from .build import draw_all
-from .figure import Figure, folder_of
-from .stress_reader import read_stress
+from .figure import Figure
 
 # measure: (column, label, colour). One colour a measure where they share a panel.
 MEASURES = [("von_mises", "von Mises", "blue"), ("tresca", "Tresca", "red"),
@@ -16,7 +14,7 @@ DASHES = [(), (7.5, 2.3), (1.5, 1.5), (6, 1.5, 1.5, 1.5)]
 MOST_FIGURES = 40  # of each kind
 
 
-def _load_point(model):
+def load_point(model):
     """Which load point of the model is drawn."""
     if model.data["step"]:
         return f"step {model.data['step']}"
@@ -31,10 +29,8 @@ def _load_point(model):
 
 def _names(result, prefix):
     """Names of the sets that begin so, in order."""
-    found = []
-    for model in result.models:
-        found += [s.name for s in model.sets if s.name.startswith(prefix) and s.name not in found]
-    return found[:MOST_FIGURES]
+    found = dict.fromkeys(s.name for m in result.models for s in m.sets if s.name.startswith(prefix))
+    return list(found)[:MOST_FIGURES]
 
 
 def _bodies(result, name):
@@ -58,7 +54,7 @@ def depth_profile(result, name):
             for column, _, ink in MEASURES:
                 panel.line(part[column], part["distance"], ink, 1.6, dash)
             deep = int(np.argmax(part["von_mises"]))
-            said.append(f"{looks.label(model)}, {body}, {_load_point(model)}: von Mises up to "
+            said.append(f"{looks.label(model)}, {body}, {load_point(model)}: von Mises up to "
                         f"{part['von_mises'][deep]:.4g} MPa, {part['distance'][deep]:.3g} mm deep")
     for _, label, ink in MEASURES:
         figure.entry(label, ink)
@@ -67,19 +63,19 @@ def depth_profile(result, name):
     return figure
 
 
-def _name(result, model):
+def entry_name(result, model):
     """What tells one entry from the others: its model, its load point, or both."""
-    models, points = ({key(m) for m in result.models} for key in (looks.label, _load_point))
+    models, points = ({key(m) for m in result.models} for key in (looks.label, load_point))
     return ", ".join(([looks.label(model)] if len(models) > 1 or len(points) < 2 else [])
-                     + ([_load_point(model)] if len(points) > 1 else []))
+                     + ([load_point(model)] if len(points) > 1 else []))
 
 
 def _model_entries(figure, result):
     """Models and load points by dash; what all share as text."""
     if len(result.models) > 1:
         for model, dash in zip(result.models, DASHES * len(result.models)):
-            figure.entry(_name(result, model), "ink", dash)
-    points = sorted({_load_point(m) for m in result.models})
+            figure.entry(entry_name(result, model), "ink", dash)
+    points = sorted({load_point(m) for m in result.models})
     if len(points) == 1:
         figure.entry(points[0])
 
@@ -99,8 +95,8 @@ def _looks(result):
     if len({m.name for m in result.models}) == len(result.models):
         return [looks.line(m) for m in result.models]
     names = list(dict.fromkeys(m.name for m in result.models))
-    points = list(dict.fromkeys(_load_point(m) for m in result.models))
-    return [{"colour": POINT_COLOURS[points.index(_load_point(m)) % len(POINT_COLOURS)],
+    points = list(dict.fromkeys(load_point(m) for m in result.models))
+    return [{"colour": POINT_COLOURS[points.index(load_point(m)) % len(POINT_COLOURS)],
              "dash": DASHES[names.index(m.name) % len(DASHES)]} for m in result.models]
 
 
@@ -119,12 +115,12 @@ def along_line(result, name, body):
         for _, part, look in drawn:
             panel.line(_position(part)[0], part[column], **look)
     for model, _, look in drawn:
-        figure.entry(_name(result, model), look["colour"], look["dash"])
-    points = sorted({_load_point(m) for m in result.models})
+        figure.entry(entry_name(result, model), look["colour"], look["dash"])
+    points = sorted({load_point(m) for m in result.models})
     if len(points) == 1:
         figure.entry(points[0])
     figure.seen = f"Stress in the {body} along a line: " + "; ".join(
-        f"{_name(result, m)} von Mises up to {part['von_mises'].max():.4g} MPa" for m, part, _ in drawn) + "."
+        f"{entry_name(result, m)} von Mises up to {part['von_mises'].max():.4g} MPa" for m, part, _ in drawn) + "."
     return figure
 
 
@@ -208,7 +204,7 @@ def _scale(figure, levels, step, height):
 def plane(result, model, part):
     """Filled contours of four measures on a plane."""
     right, up, right_label, up_label = _lattice(part)
-    figure = Figure(4, f"{looks.label(model)}, {part.body}, {_load_point(model)}", in_rows=True)
+    figure = Figure(4, f"{looks.label(model)}, {part.body}, {load_point(model)}", in_rows=True)
     wide, high = np.ptp(right), max(np.ptp(up), 1e-9)
     width = min(300.0, 330.0 * wide / high)
     for column, label, _ in MEASURES:
@@ -241,12 +237,14 @@ def shakedown_map(result):
     models = list({m.key: m for m in result.models}.values())
     top = max([5.2] + [1.15 * p["load_factor"] for m in models for p in m.data["shakedown"]])
     panel.x.limits, panel.y.limits = (0.0, max(at)), (0.0, top)
+    if "ellipse_shakedown" in bounds:
+        panel.line(at, bounds["ellipse_shakedown"], "ink", 1.8)
+        figure.entry(f"shakedown limit of the ellipse, $b/a$ = {bounds['ellipse_ratio']:.3g}", "ink", width=1.8)
     for kind, dash, name in KINDS:
-        if f"{kind}_shakedown" in bounds:
-            panel.line(at, bounds[f"{kind}_shakedown"], "ink", 1.6, dash)
-            panel.line(at, bounds[f"{kind}_elastic"], "soft", 1.2, dash)
-            figure.entry(f"shakedown limit, {name}", "ink", dash)
-            figure.entry(f"elastic limit, {name}", "soft", dash, 1.2)
+        panel.line(at, bounds[f"{kind}_shakedown"], "soft", 1.1, dash)
+        panel.line(at, bounds[f"{kind}_elastic"], "sky", 1.1, dash)
+        figure.entry(f"shakedown limit, {name}", "soft", dash, 1.1)
+        figure.entry(f"elastic limit, {name}", "sky", dash, 1.1)
     said = []
     for size, model in zip((4.5, 3.2, 2.6, 2.2) * len(models), models):  # models that agree stay visible
         curve = model.data["shakedown"]
@@ -266,7 +264,7 @@ def shakedown_map(result):
     return figure
 
 
-KINDS = (("line", (7.5, 3), "line contact"), ("circle", (), "circular contact"))
+KINDS = (("line", (7.5, 3), "line contact"), ("circle", (1.5, 1.5), "circular contact"))
 
 
 def figures(result):
@@ -287,10 +285,3 @@ def figures(result):
                     yield (f"{file}.svg", f"Stress in the {part.body} on {name.replace('_', ' ')}; cross: the largest.",
                            lambda model=model, part=part: plane(result, model, part))
     yield "shakedown_map.svg", "Shakedown map.", lambda: shakedown_map(result)
-
-
-def build(directory):
-    """Draws what the folder has to its figures/."""
-    result = read_stress(directory)
-    looks.know({model.name: model.label for model in result.models})
-    return draw_all(figures(result), folder_of(directory))

@@ -2,6 +2,7 @@
 
 #include "contact/result/bars.hpp"
 #include "contact/result/stress_measures.hpp"
+#include "postprocess/stress/ellipse_shear.hpp"
 #include "postprocess/stress/shakedown.hpp"
 #include "postprocess/write/csv.hpp"
 
@@ -117,18 +118,39 @@ double yield_ratio(const std::vector<StressMaximum>& maxima, double k) {
   return most / (std::sqrt(3.0) * k);
 }
 
-/// Of a load point: of the one that was looked at closely what was found there, of the others what
+/// Of a load point: of those that were looked at closely what was found there, of the others what
 /// is stored, which may be nothing.
-std::optional<double> yield_ratio_at(const StressOfModel& model, std::size_t number, double k) {
-  if (number == model.point) return yield_ratio(model.maxima, k);
+std::optional<double> yield_ratio_at(const StressReport& report, const StressOfModel& model,
+                                     std::size_t number, double k) {
+  for (const StressOfModel& other : report.models)
+    if (other.point == number && other.result.key() == model.result.key())
+      return yield_ratio(other.maxima, k);
   const auto& stored = model.result.points[number].stress_maxima;
   if (stored.empty()) return std::nullopt;
   return yield_ratio(stored, k);
 }
 
+/// The ellipse that fits the patch of the load point.
+EllipseShear ellipse_of(const StressOfModel& model) {
+  const PointResult& point = model.result.points[model.point];
+  return EllipseShear(point.semi_axis_x > 0.0 ? point.semi_axis_y / point.semi_axis_x : 1.0);
+}
+
+/// What becomes of the material: of the stress itself whether it yields at first, where it is
+/// known, else of the lower elastic limit of line and circle; of the ellipse whether residual
+/// stress stops that.
+std::string verdict(double load_factor, double traction, double shakedown_limit,
+                    std::optional<double> ratio) {
+  const double elastic =
+      std::min(line_contact_limits(traction).elastic, point_contact_limits(traction).elastic);
+  if (load_factor > shakedown_limit) return "beyond shakedown";
+  return (ratio ? *ratio < 1.0 : load_factor <= elastic) ? "elastic" : "elastic shakedown";
+}
+
 /// Every load point in the map.
-Json shakedown_json(const StressOfModel& model, double k) {
+Json shakedown_json(const StressReport& report, const StressOfModel& model, double k) {
   Json list = Json::array();
+  const EllipseShear ellipse = ellipse_of(model);
   for (std::size_t number = 0; number < model.result.points.size(); ++number) {
     const PointResult& point = model.result.points[number];
     const double traction = tangential_coefficient(point);
@@ -141,14 +163,18 @@ Json shakedown_json(const StressOfModel& model, double k) {
                     {"surface_fatigue_index", surface_fatigue_index(traction, factor)},
                     {"line", limits_json(line_contact_limits(traction), factor)},
                     {"circle", limits_json(point_contact_limits(traction), factor)}});
-    if (const auto ratio = yield_ratio_at(model, number, k)) list.back()["yield_ratio"] = *ratio;
+    const auto ratio = yield_ratio_at(report, model, number, k);
+    const double limit = ellipse.shakedown_limit(traction);
+    list.back()["ellipse"] = {{"ratio", ellipse.ratio()}, {"shakedown", limit}};
+    list.back()["verdict"] = verdict(factor, traction, limit, ratio);
+    if (ratio) list.back()["yield_ratio"] = *ratio;
   }
   return list;
 }
 
 /// The boundaries as curves, for drawing.
-Json map_json() {
-  Json map;
+Json map_json(const EllipseShear& ellipse) {
+  Json map{{"ellipse_ratio", ellipse.ratio()}};
   for (int step = 0; step <= 60; ++step) {
     const double traction = 0.01 * step;
     const ShakedownLimits line = line_contact_limits(traction);
@@ -158,6 +184,7 @@ Json map_json() {
     map["line_shakedown"].push_back(line.shakedown);
     map["circle_elastic"].push_back(circle.elastic);
     map["circle_shakedown"].push_back(circle.shakedown);
+    map["ellipse_shakedown"].push_back(ellipse.shakedown_limit(traction));
   }
   return map;
 }
@@ -190,34 +217,35 @@ std::string row(const std::string& what, const StressMaximum& maximum, const Poi
                      zero(p[2]));
 }
 
-std::string shakedown_table(const StressOfModel& model, double k) {
+/// Whether stresses at a load point were asked for.
+bool is_chosen(const StressReport& report, const StressOfModel& model, std::size_t number) {
+  return std::any_of(report.models.begin(), report.models.end(), [&](const StressOfModel& other) {
+    return other.point == number && other.result.key() == model.result.key();
+  });
+}
+
+/// Of all load points of a model.
+std::string shakedown_table(const StressReport& report, const StressOfModel& model, double k) {
+  const EllipseShear ellipse = ellipse_of(model);
   std::string text = fmt::format(
-      "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limits of p0/k: line | circle\n"
-      "  {:<6}{:>11}{:>8}{:>8}{:>17}{:>17}   {:<38}{:>8}{:>8}\n",
-      k, "point", "xi", "T/F_z", "p0/k", "elastic", "shakedown", "region: line | circle", "FI_surf",
-      "Y-ratio");
+      "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limit of p0/k of the ellipse "
+      "that "
+      "fits, b/a = {:.2f}\n  {:<6}{:>11}{:>8}{:>8}{:>10}{:>9}{:>8}  {}\n",
+      k, ellipse.ratio(), "point", "xi", "T/F_z", "p0/k", "limit", "FI_surf", "Y-ratio", "verdict");
   for (std::size_t number = 0; number < model.result.points.size(); ++number) {
     const PointResult& point = model.result.points[number];
     const double traction = tangential_coefficient(point);
-    const double factor = point.max_pressure / k;
-    const ShakedownLimits line = line_contact_limits(traction);
-    const ShakedownLimits circle = point_contact_limits(traction);
-    const std::optional<double> ratio = yield_ratio_at(model, number, k);
+    const double factor = point.max_pressure / k, limit = ellipse.shakedown_limit(traction);
+    const std::optional<double> ratio = yield_ratio_at(report, model, number, k);
     text += fmt::format(
-        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>8.2f} |{:>7.2f}{:>8.2f} |{:>7.2f}   "
-        "{:<38}{:>8.3f}{:>8}{}\n",
-        number, point.creepage.longitudinal, traction, factor, line.elastic, circle.elastic,
-        line.shakedown, circle.shakedown,
-        shakedown_region(line, factor) + " | " + shakedown_region(circle, factor),
+        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>10.2f}{:>9.3f}{:>8}  {}{}\n", number,
+        point.creepage.longitudinal, traction, factor, limit,
         surface_fatigue_index(traction, factor), ratio ? fmt::format("{:.3f}", *ratio) : "-",
-        number == model.point ? "  <" : "");
+        verdict(factor, traction, limit, ratio), is_chosen(report, model, number) ? "  <" : "");
   }
-  const double here = yield_ratio(model.maxima, k);
-  return text + fmt::format(
-                    "  this contact at load point {}: largest von Mises stress / (sqrt(3) k) "
-                    "(Y-ratio) = {:.3f}: {}\n",
-                    model.point, here,
-                    here < 1.0 ? "nothing yields" : "it yields where that is reached");
+  return text +
+         "  elastic: the largest von Mises stress is below sqrt(3) k (Y-ratio; where it is not "
+         "known, p0 below the limits of line and circle); shakedown: of full slip\n";
 }
 
 }  // namespace
@@ -261,11 +289,11 @@ std::string stress_json(const StressReport& report) {
     for (const StressSet& set : model.sets) entry["sets"].push_back(set_json(set, point));
     if (k) {
       entry["yield_ratio"] = yield_ratio(model.maxima, *k);
-      entry["shakedown"] = shakedown_json(model, *k);
+      entry["shakedown"] = shakedown_json(report, model, *k);
     }
     json["models"].push_back(entry);
   }
-  if (k) json["shakedown_map"] = map_json();
+  if (k) json["shakedown_map"] = map_json(ellipse_of(report.models.front()));
   return json.dump(2) + "\n";
 }
 
@@ -279,7 +307,10 @@ std::string stress_table(const StressReport& report) {
     for (const StressMaximum& maximum : model.maxima) text += row("of the body", maximum, point);
     for (const StressSet& set : model.sets)
       for (const StressMaximum& maximum : largest(set)) text += row(set.name, maximum, point);
-    if (report.yield_shear_stress) text += shakedown_table(model, *report.yield_shear_stress);
+    const bool last_of_model =
+        &model == &report.models.back() || (&model)[1].result.key() != model.result.key();
+    if (report.yield_shear_stress && last_of_model)
+      text += shakedown_table(report, model, *report.yield_shear_stress);
   }
   return text;
 }

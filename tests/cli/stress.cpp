@@ -207,6 +207,12 @@ TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
   EXPECT_NEAR(points[2]["surface_fatigue_index"].get<double>(), 0.5495 - 300.22 / 578.97, 5e-3);
   EXPECT_NEAR(points[2]["max_traction_over_k"].get<double>(), 0.55 * 578.97 / 300.22, 0.01);
   EXPECT_EQ(data["shakedown_map"]["circle_shakedown"].size(), 61U);
+  // One verdict, with the ellipse of case a: b/a = 10.873/3.792.
+  EXPECT_NEAR(points[0]["ellipse"]["ratio"].get<double>(), 10.87295 / 3.79236, 0.01);
+  EXPECT_LT(points[0]["ellipse"]["shakedown"], points[0]["circle"]["shakedown"]);
+  EXPECT_GT(points[0]["ellipse"]["shakedown"], points[0]["line"]["shakedown"]);
+  EXPECT_EQ(points[0]["verdict"], "elastic");
+  EXPECT_EQ(points[2]["verdict"], "beyond shakedown");
   // Without a yield stress there is no map.
   ASSERT_EQ(stress({}).status, 0);
   EXPECT_FALSE(report(made()).contains("shakedown_map"));
@@ -385,9 +391,14 @@ TEST_F(StressTest, FiguresAreDrawn) {
   for (const char* name :
        {"depth_centre", "line_1_rail", "plane_1_rail_halfspace", "shakedown_map"})
     EXPECT_GT(fs::file_size(made() / "figures" / (std::string(name) + ".svg")), 5000U) << name;
+  const std::string page = contents(made() / "stress.html");
+  for (const char* text : {"Largest stresses", "half-space, ", "Shakedown, k = 250.0 MPa",
+                           "<figure>", "aria-label=\"Shakedown map"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
   // What a later call does not draw goes.
   ASSERT_EQ(stress({"--at", "0,0,-1"}).status, 0);
   EXPECT_FALSE(fs::exists(made() / "figures" / "shakedown_map.svg"));
+  EXPECT_FALSE(fs::exists(made() / "stress.html"));
 }
 
 }  // namespace

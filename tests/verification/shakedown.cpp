@@ -4,6 +4,7 @@
 
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "postprocess/stress/ellipse_shear.hpp"
 
 #include <gtest/gtest.h>
 
@@ -161,6 +162,22 @@ TEST(Shakedown, RegionsAndIndexFollowFromTheBoundaries) {
   EXPECT_NEAR(yield_shear_stress(520.0), 300.22, 0.01);
   EXPECT_NEAR(surface_fatigue_index(0.4, 2.5), 0.0, 1e-12);
   EXPECT_NEAR(surface_fatigue_index(0.4, 4.0), 0.15, 1e-12);
+}
+
+TEST(Shakedown, OfAnEllipseIsThatOfCircleAndLineAtItsEnds) {
+  const EllipseShear circle(1.0), wide(50.0), between(3.0);
+  // Johnson 1985: 0.2500 p0 at the line, half width 50 times less than the length; Ponter, Hearle
+  // and Johnson 1985: 4.68 k at the circle.
+  EXPECT_NEAR(wide.largest(0.0), 0.25, 1e-3);
+  EXPECT_NEAR(circle.shakedown_limit(0.0), 4.68, 0.02);
+  for (const double friction : {0.0, 0.1, 0.2, 0.3, 0.5}) {
+    const double round = point_contact_limits(friction).shakedown;
+    const double line = line_contact_limits(friction).shakedown;
+    EXPECT_NEAR(circle.shakedown_limit(friction), round, 5e-3 * round) << friction;
+    EXPECT_NEAR(wide.shakedown_limit(friction), line, 5e-3 * line) << friction;
+    EXPECT_GE(between.shakedown_limit(friction), line * (1 - 5e-3)) << friction;
+    EXPECT_LE(between.shakedown_limit(friction), round * (1 + 5e-3)) << friction;
+  }
 }
 
 }  // namespace

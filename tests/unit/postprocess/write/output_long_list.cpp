@@ -16,7 +16,7 @@ namespace {
 TEST(GridFields, ALongListKeepsTheFieldsOfSomeOfItsLoadPoints) {
   const testing::TemporaryFolder folder;
   RunRecord run = testing::synthetic_run();
-  run.models = {contact::ModelResult(run.models[1])};
+  run.models = {testing::synthetic_model("halfspace", {}, 12, 12, {0.0, 0.001, 0.002, 0.003})};
   run.models[0].points.assign(101, run.models[0].points[3]);
   const auto kept = [&](contact::GridFields which, std::size_t count) {
     run.input.output.grid_fields = which;

@@ -1,0 +1,91 @@
+"""stress.html: what `rollfem stress` found, at all load points that were asked for."""
+import os
+from html import escape
+
+from . import looks, words
+from .build import draw_all
+from .figure import folder_of
+from .page import figure, page, write_page
+from .stress_reader import read_stress
+from .stress_report import figures, load_point
+from .tables import measured, number, plain, table
+
+NAMES = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orthogonal shear",
+         "principal_1": "principal, tension"}
+REGIONS = {"elastic": "nothing yields", "elastic shakedown": "it yields at first, then residual stress keeps every "
+           "passage elastic", "beyond shakedown": "it flows at every passage"}
+
+
+def _largest_cell(found):
+    """Value, bar and place of a largest stress."""
+    place = ", ".join(number(round(float(x), 2) + 0.0, 3) for x in found["place"])
+    over = f", {number(found['over_max_pressure'], 3)} p<sub>0</sub>" if "over_max_pressure" in found else ""
+    return (measured(found["value"], found.get("error_estimate", found.get("no_bar", "")), 4)
+            + f"<br><span class=d>at ({place}) mm{over}</span>")
+
+
+def _largest(result):
+    """The largest stresses of both bodies, a column for each model and load point."""
+    rows = []
+    for body in ("wheel", "rail"):
+        for measure, name in NAMES.items():
+            cells = [next((_largest_cell(found) for found in model.data["maxima"]
+                           if (found["body"], found["measure"]) == (body, measure)), "–") for model in result.models]
+            if any(cell != "–" for cell in cells):
+                rows.append([f"{body}: {name} [MPa]", *cells])
+    head = [words.html(f"{looks.label(m)}, {load_point(m)}") for m in result.models]
+    return table(["largest", *head], rows)
+
+
+def _contacts(result):
+    rows = [[words.html(f"{looks.label(m)}, {load_point(m)}"), number(m.data["normal_force"], 6),
+             number(m.data["max_pressure"], 5), number(m.data["max_traction"], 4),
+             number(m.data["tangential_coefficient"], 4)] for m in result.models]
+    return table(["load point", "F<sub>z</sub> [N]", "p<sub>0</sub> [MPa]", "largest |p<sub>t</sub>| [MPa]",
+                  "T/F<sub>z</sub>"], rows)
+
+
+def _verdicts(result):
+    """One verdict of shakedown for every load point of every model; nothing without a yield stress."""
+    if result.yield_shear_stress is None:
+        return ""
+    html = [f"<h2>Shakedown, k = {number(result.yield_shear_stress, 4)} MPa</h2>"]
+    for model in {m.key: m for m in result.models}.values():
+        chosen = {m.data["point"] for m in result.models if m.key == model.key}
+        curve = model.data["shakedown"]
+        for point in (p for p in curve if p["point"] in chosen):
+            verdict = point["verdict"]
+            html.append(f"<p class={'bad' if verdict.startswith('beyond') else 'say'}>{escape(looks.label(model))}, "
+                        f"ξ = {plain(100 * point['longitudinal_creepage'])} %: {verdict}; {REGIONS[verdict]}.</p>")
+        rows = [[plain(100 * p["longitudinal_creepage"]), number(p["tangential_coefficient"], 4),
+                 number(p["load_factor"], 4), number(p["ellipse"]["shakedown"], 4),
+                 number(p.get("yield_ratio"), 4), number(p["surface_fatigue_index"], 3), p["verdict"]] for p in curve]
+        html.append(table([f"{escape(looks.label(model))}: ξ [%]", "T/F<sub>z</sub>", "p<sub>0</sub>/k",
+                           "shakedown limit", "σ<sub>v</sub>/(√3 k)", "surface fatigue index", "verdict"], rows))
+    ratio = result.models[0].data["shakedown"][0]["ellipse"]["ratio"]
+    html.append(f"<p class=hint>The limit is that of an ellipse b/a = {number(ratio, 3)}, as the patch, in full slip: where "
+                "the largest shear on planes parallel to the surface is k. Whether it yields at first, the "
+                "largest von Mises stress σ<sub>v</sub> of this very contact says where it is known; else the lower of the "
+                "elastic limits of line and circle.</p>")
+    return "".join(html)
+
+
+def stress_html(result, drawn):
+    """The page as text; `drawn` are the figures (build.Drawn)."""
+    title = "Stress below the surface: " + escape(result.title)
+    maps = [f for f in drawn if f.name.startswith("shakedown")]
+    below = "".join(map(figure, (f for f in drawn if f not in maps)))
+    return page(title, f"<h1>{title}</h1><p class=meta>from <code>{escape(result.source)}</code></p>", [
+        "<h2>Load points</h2>", _contacts(result), "<h2>Largest stresses</h2>", _largest(result),
+        "<p class=hint>±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
+        "the wheel). Tension is positive.</p>",
+        _verdicts(result), *map(figure, maps), "<h2>Lines and planes</h2>" + below if below else ""],
+        "Beside this file: stress.csv with every place, stress.json, figures/.")
+
+
+def build(directory):
+    """Draws what the folder has to its figures/ and writes stress.html."""
+    result = read_stress(directory)
+    looks.know({model.name: model.label for model in result.models})
+    drawn = draw_all(figures(result), folder_of(directory))
+    write_page(os.path.join(directory, "stress.html"), stress_html(result, drawn))
