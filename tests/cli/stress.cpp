@@ -379,26 +379,4 @@ TEST_F(StressTest, FilesThatAreNoResultsAreRefused) {
   EXPECT_FALSE(fs::exists(made()));
 }
 
-TEST_F(StressTest, FiguresAreDrawn) {
-  compute("100.0", "20", "[0.0, 0.002]");
-  const Outcome outcome =
-      call(folder, {"stress", "r", "--yield-shear-stress", "250", "--depth-profile", "--line",
-                    "-3,0,-1:3,0,-1:21", "--plane", "-3,0,0:3,0,0:-3,0,-4:21,11"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  if (outcome.err.find("figures need") != std::string::npos)
-    GTEST_SKIP() << "needs apt install python3-numpy python3-h5py";
-  EXPECT_EQ(outcome.err, "");
-  for (const char* name :
-       {"depth_centre", "line_1_rail", "plane_1_rail_halfspace", "shakedown_map"})
-    EXPECT_GT(fs::file_size(made() / "figures" / (std::string(name) + ".svg")), 5000U) << name;
-  const std::string page = contents(made() / "stress.html");
-  for (const char* text : {"Largest stresses", "half-space, ", "Shakedown, k = 250.0 MPa",
-                           "<figure>", "aria-label=\"Shakedown map"})
-    EXPECT_NE(page.find(text), std::string::npos) << text;
-  // What a later call does not draw goes.
-  ASSERT_EQ(stress({"--at", "0,0,-1"}).status, 0);
-  EXPECT_FALSE(fs::exists(made() / "figures" / "shakedown_map.svg"));
-  EXPECT_FALSE(fs::exists(made() / "stress.html"));
-}
-
 }  // namespace

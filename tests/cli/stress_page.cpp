@@ -1,0 +1,80 @@
+// The page of the command stress, and several load points in one call.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/case_examples.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using namespace rollfem::testing;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Of a half-space on a narrow patch at three creepages.
+class StressPage : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string text = "models = [\"halfspace\"]\n" + with("2000.0", "100.0") +
+                             "[rolling]\nlongitudinal_creepage = [0.0, 0.002, 0.006]\n"
+                             "[contact_grid]\nelements_across = 16\n";
+    const Outcome outcome =
+        call(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  json stored() const { return json::parse(contents(made() / "stress.json")); }
+  fs::path made() const { return folder.work() / "r_stress"; }
+  Folder folder;
+};
+
+TEST_F(StressPage, HasFiguresAndOneVerdict) {
+  const Outcome outcome =
+      call(folder, {"stress", "r", "--yield-shear-stress", "250", "--depth-profile", "--line",
+                    "-3,0,-1:3,0,-1:21", "--plane", "-3,0,0:3,0,0:-3,0,-4:21,11"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  if (outcome.err.find("figures need") != std::string::npos)
+    GTEST_SKIP() << "needs apt install python3-numpy python3-h5py";
+  EXPECT_EQ(outcome.err, "");
+  for (const char* name :
+       {"depth_centre", "line_1_rail", "plane_1_rail_halfspace", "shakedown_map"})
+    EXPECT_GT(fs::file_size(made() / "figures" / (std::string(name) + ".svg")), 5000U) << name;
+  const std::string page = contents(made() / "stress.html");
+  for (const char* text : {"Largest stresses", "half-space, ", "Shakedown, k = 250.0 MPa",
+                           "<figure>", "aria-label=\"Shakedown map"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  // What a later call does not draw goes.
+  ASSERT_EQ(call(folder, {"stress", "r", "--no-figures", "--at", "0,0,-1"}).status, 0);
+  EXPECT_FALSE(fs::exists(made() / "figures" / "shakedown_map.svg"));
+  EXPECT_FALSE(fs::exists(made() / "stress.html"));
+}
+
+TEST_F(StressPage, SeveralLoadPointsAreThoseOfSingleCalls) {
+  const std::vector<std::string> common{"stress", "r", "--no-figures", "--at", "0,0,-2"};
+  const auto ask = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    const Outcome outcome = call(folder, more);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  ask({"--creepage", "0.002"});
+  const json alone = stored()["models"][0];
+  const std::string table =
+      ask({"--creepage", "0,0.002,0.002", "--yield-shear-stress", "300"});  // twice is once
+  const json both = stored()["models"];
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0]["point"], 0);
+  EXPECT_EQ(both[1]["point"], 1);
+  EXPECT_EQ(both[1]["sets"], alone["sets"]);
+  EXPECT_EQ(both[1]["maxima"], alone["maxima"]);
+  EXPECT_NE(both[0]["sets"], alone["sets"]);
+  // One map for both, with what is known of either.
+  EXPECT_EQ(table.find("shakedown map"), table.rfind("shakedown map"));
+  const json& map = both[0]["shakedown"];
+  EXPECT_EQ(map, both[1]["shakedown"]);
+  EXPECT_TRUE(map[0].contains("yield_ratio") && map[1].contains("yield_ratio"));
+  EXPECT_FALSE(map[2].contains("yield_ratio"));
+  ask({"--point", "2,0"});
+  EXPECT_EQ(stored()["models"][0]["point"], 2);
+}
+
+}  // namespace
