@@ -90,10 +90,12 @@ class Axis:
             first, last = round(math.log10(low)), round(math.log10(high))
             every = max(1, math.ceil((last - first) * (34 if across else 22) / pixels))
             return [(10.0 ** e, decade_text(e)) for e in range(first, last + 1, every)]
-        for most in range(max(3, int(pixels / (26 if across else 30))), 0, -1):
-            step = nice_step(high - low, most)
+        step = nice_step(high - low, max(2, pixels / (20 if across else 30)))
+        while True:
             numbers = range(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1)
             found = [(n * step, tick_text(n * step, step)) for n in numbers]
-            if not across or max((width(text) for _, text in found), default=0) + 8 < pixels * step / (high - low):
+            if len(found) < 2 or not across:
                 return found
-        return found
+            if max(width(text) for _, text in found) + 7 <= pixels * step / (high - low):
+                return found
+            step = nice_step(step * 1.01, 1)

@@ -19,14 +19,15 @@ def _table(result, scenes, name):
     at, label = places.along(result)
     cells = _cells(scenes, name)
     wheels = [wheel for wheel in ("left", "right") if any(key[1] == wheel for key in cells)]
+    numbers = sorted({key[0] for key in cells})
     head = f"<th scope=col>{escape(label.replace(' of the wheelset', ''))}</th>" + "".join(
-        f"<th scope=col>{wheel} wheel</th>" for wheel in wheels)
+        f"<th scope=col>{plain(at[position])}</th>" for position in numbers)
     rows = "".join(
-        f"<tr><th scope=row>{plain(at[position])}</th>" + "".join(
-            f"<td>{''.join(cells.get((position, wheel), ['–']))}</td>" for wheel in wheels) + "</tr>"
-        for position in sorted({key[0] for key in cells}))
-    return (f'<div class="wide chooser"><table aria-label="choose a patch"><thead><tr>{head}</tr></thead>'
-            f"<tbody>{rows}</tbody></table></div>")
+        f"<tr><th scope=row>{wheel} wheel</th>" + "".join(
+            f"<td>{''.join(cells.get((position, wheel), ['–']))}</td>" for position in numbers) + "</tr>"
+        for wheel in wheels)
+    return (f'<div class="wide chooser" role=region tabindex=0 aria-label="choose a patch"><table><thead><tr>{head}'
+            f"</tr></thead><tbody>{rows}</tbody></table></div>")
 
 
 def chooser(result, scenes, articles, name, all_on_paper):

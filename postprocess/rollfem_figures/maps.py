@@ -4,7 +4,7 @@ import numpy as np
 from . import keys, looks, selection
 from .axes import nice_step, tick_text
 from .figure import Figure
-from .outline import extent, zones
+from .outline import LEAST_HEIGHT, extent, zones
 from .seen import adhering
 
 
@@ -29,10 +29,11 @@ def contact_area(result):
         found = zones(model, point) if point else None
         if found is None:
             continue
-        panel = figure.add(max(2 * half_x * scale, 120), 0, f"{looks.label(model)}\n{texts[key]}",
+        panel = figure.add(max(2 * half_x * scale, 105), 0, f"{looks.label(model)}\n{texts[key]}",
                            "$x$ [mm]", "$y$ [mm]", equal=True)
         wide = panel.width / (2 * scale)
-        panel.x.limits, panel.y.limits, panel.room_left = (-wide, wide), (-half_y, half_y), 46
+        high = max(half_y, LEAST_HEIGHT / (2 * scale))
+        panel.x.limits, panel.y.limits, panel.room_left = (-wide, wide), (-high, high), 46
         panel.area(found.outline, "slip")
         panel.area(found.adhesion, "adhesion")
         panel.paths(found.outline, "ink", 1.2)

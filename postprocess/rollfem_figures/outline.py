@@ -6,6 +6,8 @@ import numpy as np
 from . import contours
 from .reader import ADHESION, SLIP
 
+LEAST_HEIGHT = 80  # px, of a panel with a patch, so that its label has room
+
 
 def edge_function(pressure):
     """A field on the grid whose zero line is the edge of the patch.

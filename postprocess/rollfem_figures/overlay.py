@@ -1,7 +1,7 @@
 """The contact areas of all models on one picture, with their zones of adhesion and slip."""
 from . import keys, looks, selection
 from .figure import Figure
-from .outline import extent, zones
+from .outline import LEAST_HEIGHT, extent, zones
 from .reader import ADHESION
 from .seen import adhering, patch_size
 
@@ -59,7 +59,8 @@ def outlines(result):
         panel = figure.add(max(2 * half_x * scale, 115), 0, texts[key] if key else "",
                            "$x$ [mm], rolling $\\rightarrow$", "$y$ [mm], lateral", equal=True)
         wide = panel.width / (2 * scale)
-        panel.room_left, panel.x.limits, panel.y.limits = 46, (-wide, wide), (-half_y, half_y)
+        high = max(half_y, LEAST_HEIGHT / (2 * scale))
+        panel.room_left, panel.x.limits, panel.y.limits = 46, (-wide, wide), (-high, high)
         for model in models:
             # Hertz has one load point, whatever the others have.
             point = (model.at(key) if key else None) or (model.points[0] if model not in zoned else None)

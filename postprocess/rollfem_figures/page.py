@@ -45,10 +45,10 @@ body.toc>*{grid-column:2}body.toc>nav{grid-column:1;grid-row:1/9;position:sticky
 align-self:start;font-size:.88rem;max-height:calc(100vh - 2rem);overflow-y:auto}nav ul{columns:auto}}
 @media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
 tbody th{white-space:normal;min-width:5.5rem}}
-@page{margin:14mm}@page wide{size:A4 landscape}
+@page{margin:14mm}
 @media print{body{max-width:none;padding:0;font-size:10.5pt}nav,summary,.screen,.chooser,.skip{display:none}
 h2,h3,h4{break-after:avoid}.hint{break-before:avoid}tr{break-inside:avoid}thead{display:table-header-group}
-.wide{overflow:visible}.wide.many{page:wide}table,td .d,td .e,th .d{font-size:9pt}th,td{padding:.1rem .3rem;
+.wide{overflow:visible}.panels{gap:.3rem .2rem}table,td .d,td .e,th .d{font-size:9pt}th,td{padding:.1rem .3rem;
 white-space:normal}tbody th{position:static}.plot{max-width:100%}}
 """
 
@@ -100,12 +100,14 @@ def page(title, head, parts, beside=""):
     """A whole page: `head` (heading) and the parts, with a table of contents of their second headings;
     `beside`: what lies in the folder, at the end. The title is HTML."""
     body, contents = _contents("".join(parts))
+    # Tables of many columns have the printer take paper that lies on its side.
+    sideways = "@page{size:A4 landscape}" if 'class="wide many"' in body else ""
     footer = f"<footer class=screen><p class=hint>{beside}</p></footer>" if beside else ""
     return "".join([
         "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
         '<meta name=viewport content="width=device-width,initial-scale=1">'
         '<meta name=color-scheme content="light dark">'
-        f"<title>{re.sub('<[^>]*>', '', title)}</title><style>{CSS}{looks.css()}</style></head>"
+        f"<title>{re.sub('<[^>]*>', '', title)}</title><style>{CSS}{sideways}{looks.css()}</style></head>"
         f'<body{" class=toc" if contents else ""}><a class=skip href="#main">to the results</a>'
         f"<header>{head}</header>{contents}<main id=main>{body}</main>{footer}</body></html>\n"])
 

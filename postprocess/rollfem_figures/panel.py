@@ -190,9 +190,9 @@ class Panel:
                          f'text-anchor="middle">{words.svg(self.x.label)}</text>')
         for number, row in enumerate(reversed(self.y.label.split("\n"))):
             if row:
-                names.append(f'<text transform="translate({_number(-left - 4 - 14 * number)} '
+                names.append(f'<text transform="translate({_number(-left - 7 - 14 * number)} '
                              f'{_number(self.height / 2)})rotate(-90)" text-anchor="middle">{words.svg(row)}</text>')
-                left += 0 if number else 16
+                left += 0 if number else 19
         left += 14 * self.y.label.count("\n")
         axes = f'<path class="s-soft n" stroke-width=".8" d="M0 0V{_number(self.height)}H{_number(self.width)}"/>'
         return f'<path class="s-grid n" stroke-width=".8" d="{"".join(grid)}"/>', axes, "".join(names), left

@@ -185,14 +185,15 @@ def contact_table(result):
     """One row for every patch: where it is and what the models make of it."""
     models = result.models
     names = list(dict.fromkeys(m.name for m in models))
-    head = ["patch", "shift [mm]", "yaw [mrad]", "roll [mrad]", "y track [mm]", "y rail [mm]",
+    head = ["wheel", "position", "patch", "shift [mm]", "yaw [mrad]", "roll [mrad]", "y track [mm]", "y rail [mm]",
             "y wheel [mm]", "angle [°]", "radius [mm]", "F<sub>n</sub> [N]"]
     head += [f"p<sub>0</sub> {looks.label(next(m for m in models if m.name == n))} [MPa]" for n in names]
     rows = []
-    for label, scene in result.scenes():
+    for _, scene in result.scenes():
         place = scene.models[0].place
         point = scene.models[0].points[0]
-        row = [label, tables.plain(place["lateral_shift"]), tables.plain(1e3 * place["yaw"]),
+        row = [place["wheel"], f"{place['position']:.0f}", f"{place['patch']:.0f}",
+               tables.plain(place["lateral_shift"]), tables.plain(1e3 * place["yaw"]),
                tables.number(1e3 * place["roll"], 4)]
         row += [tables.number(place[k], d) for k, d in
                 (("y_track", 7), ("y_rail", 5), ("y_wheel", 5))]

@@ -155,6 +155,7 @@ def patches(result, figures, name="patch"):
             return "".join(figure(f) for f in figures if f.name.startswith(tuple(prefix + s for s in starts)))
 
         words = places.at_words(result, scene.models[0].place["position"]) if len(scenes) > 1 else ""
+        words = f",{words}" if words else ""
         articles.append(_patch(scene, images, label[0].upper() + label[1:] + words if words or prefix else ""))
     if len(scenes) < 2:
         return "".join(articles)

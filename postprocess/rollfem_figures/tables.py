@@ -73,8 +73,8 @@ def differing(difference, beyond):
     return f"<br><span class=d>{text}</span>"
 
 
-# Columns that a page stands on end for when it is printed.
-MANY = 9
+# With so many columns a table is printed on a page that lies on its side (page.page).
+MANY = 6
 
 
 def table(head, rows, kind=""):

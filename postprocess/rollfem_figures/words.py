@@ -15,7 +15,7 @@ def _parts(text):
     """(symbols, what) of a label: pieces outside and within dollars."""
     for number, part in enumerate(text.split("$")):
         if part:
-            yield number % 2 == 1, part
+            yield number % 2 == 1, part if number % 2 else re.sub(r"(?<![\w.])-(?=\d)", "−", part)
 
 
 def _pieces(symbols):
