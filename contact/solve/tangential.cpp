@@ -3,6 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/adhesion_fronts.hpp"
 #include "contact/solve/gmres.hpp"
+#include "contact/solve/linearisation.hpp"
 
 #include <fmt/format.h>
 
@@ -16,9 +17,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// Shift of the circulant preconditioner: 0.03 to 0.1 cost the same, larger ones more iterations.
-constexpr double preconditioner_shift = 0.05;
 
 /// The full-stick solution is only a start, but what its tractions lack from row to row puts the
 /// borders of adhesion wrong in single rows: 1e-2 cost up to 50 Newton steps where this costs 7.
@@ -66,15 +64,14 @@ class Newton {
       : compliance_(compliance),
         problem_(problem),
         options_(options),
-        r_(1.0 / compliance.diagonal()) {
-    const Field at_rest = traction_bound(problem.friction, problem.pressure);
-    for (Index k = 0; k < at_rest.size(); ++k)
-      if (at_rest[k] > 0.0) elements_.push_back(k);
-    count_ = static_cast<Index>(elements_.size());
-    bound_.resize(count_);
-    for (Index e = 0; e < count_; ++e) bound_[e] = at_rest[elements_[e]];
+        r_(1.0 / compliance.diagonal()),
+        at_rest_(traction_bound(problem.friction, problem.pressure)),
+        elements_(at_rest_),
+        count_(elements_.count()),
+        bound_(count_) {
+    for (Index e = 0; e < count_; ++e) bound_[e] = at_rest_[elements_[e]];
     feels_slip_ = problem.friction && problem.friction->feels_slip();
-    rigid_slip_ = gathered(problem.rigid_slip);
+    rigid_slip_ = elements_.gathered(problem.rigid_slip);
   }
 
   TangentialSolution run(const TangentialField& start) {
@@ -84,7 +81,7 @@ class Newton {
     // coefficient does not make anything look converged.
     const double scale = std::min(creepage_load, bound_.norm());
     Point point = first_point(start);
-    fronts_.emplace(compliance_.grid(), elements_);
+    fronts_.emplace(compliance_.grid(), elements_.places());
     double previous = infinity;
     int with_this_drag = 0;
     for (int step = 0; step <= options_.max_newton_steps; ++step) {
@@ -109,27 +106,8 @@ class Newton {
   }
 
  private:
-  VectorXd gathered(const TangentialField& field) const {
-    VectorXd values(2 * count_);
-    for (Index e = 0; e < count_; ++e) {
-      values[e] = field.x[elements_[e]];
-      values[count_ + e] = field.y[elements_[e]];
-    }
-    return values;
-  }
-
-  TangentialField scattered(const VectorXd& values) const {
-    const Index n = problem_.pressure.size();
-    TangentialField field{Field::Zero(n), Field::Zero(n)};
-    for (Index e = 0; e < count_; ++e) {
-      field.x[elements_[e]] = values[e];
-      field.y[elements_[e]] = values[count_ + e];
-    }
-    return field;
-  }
-
   VectorXd compliance_times(const VectorXd& traction) const {
-    return gathered(compliance_.apply(scattered(traction)));
+    return elements_.gathered(compliance_.apply(elements_.scattered(traction)));
   }
 
   void project(VectorXd& traction, const VectorXd& bound) const {
@@ -190,7 +168,7 @@ class Newton {
   /// The projected full-stick solution or what the caller has, whichever is nearer.
   Point first_point(const TangentialField& start) {
     if (start.x.size() == problem_.pressure.size() && start.y.size() == start.x.size()) {
-      VectorXd traction = gathered(start);
+      VectorXd traction = elements_.gathered(start);
       project(traction, bound_);
       Point given = evaluated(std::move(traction));
       if (given.norm < 0.1 * at_rest().norm) return given;
@@ -203,7 +181,7 @@ class Newton {
   Point projected_full_stick() {
     const auto matrix = [this](const VectorXd& p) { return VectorXd(r_ * compliance_times(p)); };
     const auto preconditioner = [this](const VectorXd& p) {
-      return gathered(compliance_.precondition(scattered(p), r_, preconditioner_shift));
+      return full_adhesion(compliance_, elements_, r_, p);
     };
     const GmresResult stick =
         gmres(matrix, preconditioner, -r_ * rigid_slip_,
@@ -213,18 +191,6 @@ class Newton {
     project(traction, bound_);
     return evaluated(std::move(traction));
   }
-
-  /// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip
-  /// B = (g / |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) in place of n, which is the
-  /// same at the solution and much better on the way (Hueeber, Stadler & Wohlmuth 2008). A law that
-  /// feels slip adds -n g' (w/|w|)^T T.
-  struct Linearisation {
-    std::vector<char> adheres;
-    VectorXd normal;   ///< n of the slipping elements
-    VectorXd left;     ///< m of the slipping elements
-    VectorXd factor;   ///< g / |q| of the slipping elements
-    VectorXd by_slip;  ///< g' w / |w|; empty: 0
-  };
 
   Linearisation linearised(const Point& point) const {
     Linearisation at{std::vector<char>(static_cast<std::size_t>(count_)),
@@ -285,21 +251,6 @@ class Newton {
     return (product.head(count_) + product.tail(count_)) / r_;
   }
 
-  /// The circulant on the adhesion set, the identity on the slip set.
-  VectorXd preconditioned(const Linearisation& at, const VectorXd& p) const {
-    VectorXd sticking = p;
-    for (Index e = 0; e < count_; ++e)
-      if (!at.adheres[static_cast<std::size_t>(e)]) sticking[e] = sticking[count_ + e] = 0.0;
-    VectorXd result = gathered(
-        compliance_.precondition(scattered(sticking), r_, preconditioner_shift + r_ * drag_));
-    for (Index e = 0; e < count_; ++e)
-      if (!at.adheres[static_cast<std::size_t>(e)]) {
-        result[e] = p[e];
-        result[count_ + e] = p[count_ + e];
-      }
-    return result;
-  }
-
   /// How exactly the linear system is solved: loosely at first, more exactly as Newton's method
   /// converges fast (Eisenstat & Walker 1996, choice 2), never better than the tolerance needs.
   double forcing(double residual, double previous) const {
@@ -317,9 +268,10 @@ class Newton {
   }
 
   bool step_along(Point& point, const Linearisation& at, double residual, double previous) {
+    const JacobianInverse inverse(compliance_, elements_, r_, r_ * drag_, at);
     const GmresResult newton =
         gmres([&](const VectorXd& p) { return jacobian_times(at, p); },
-              [&](const VectorXd& p) { return preconditioned(at, p); }, -point.value,
+              [&](const VectorXd& p) { return inverse.times(p); }, -point.value,
               {forcing(residual, previous), options_.max_krylov_iterations, krylov_restart});
     krylov_iterations_ += newton.iterations;
     const VectorXd slip_change = compliance_times(newton.solution);
@@ -339,7 +291,7 @@ class Newton {
   TangentialSolution solution(const Point& point, double residual) const {
     TangentialSolution result;
     // As it is, within the bound to the tolerance: projected it would hide what is left.
-    result.traction = scattered(point.traction);
+    result.traction = elements_.scattered(point.traction);
     const TangentialField displacement = compliance_.apply(result.traction);
     result.slip = {problem_.rigid_slip.x + displacement.x, problem_.rigid_slip.y + displacement.y};
     const Linearisation at = linearised(point);
@@ -357,9 +309,10 @@ class Newton {
   const TangentialProblem& problem_;
   TangentialOptions options_;
   double r_;
-  std::vector<Index> elements_;  ///< grid indices of the contact elements
-  Index count_ = 0;
-  VectorXd bound_;  ///< g at rest
+  Field at_rest_;  ///< g at rest, of the grid
+  ContactElements elements_;
+  Index count_;
+  VectorXd bound_;  ///< g at rest, of the contact elements
   bool feels_slip_ = false;
   std::optional<AdhesionFronts> fronts_;
   double drag_ = 0.0;      ///< c in w + c (p - p'), of the unit of T

@@ -1,5 +1,6 @@
 #include "halfspace/elasticity/circulant.hpp"
 
+#include "contact/base/threads.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
@@ -24,6 +25,11 @@ constexpr double two_pi = 6.28318530717958647692;
 int preconditioner_size(int n) {
   return n + n / 4;
 }
+
+/// In D A material takes what it has met upstream along with it. On a periodic line that comes in
+/// again at the leading edge: in exp(x) p in place of p it has decayed by this power of e when it
+/// does. Between 2 and 4 the iterations are the same.
+constexpr double decay_over_period = 3.0;
 
 /// Place of an offset between -p/2 and p/2 on a periodic line of p.
 Eigen::Index periodic_index(int offset, int p) {
@@ -91,10 +97,11 @@ Symbols kernel_symbols(const ContactGrid& grid, const CombinedMaterial& material
   return symbols;
 }
 
-std::vector<Complex> difference_symbol(Difference difference, int px, double dx) {
+std::vector<Complex> difference_symbol(Difference difference, int px, double dx, double decay) {
+  const double left = std::exp(-decay / px);
   std::vector<Complex> factors(static_cast<std::size_t>(px / 2 + 1), Complex(1.0));
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    const Complex e = std::polar(1.0, two_pi * static_cast<double>(k) / px);
+    const Complex e = std::polar(left, two_pi * static_cast<double>(k) / px);
     if (difference == Difference::first) factors[k] = (1.0 - e) / dx;
     if (difference == Difference::second) factors[k] = (3.0 - 4.0 * e + e * e) / (2.0 * dx);
   }
@@ -121,47 +128,76 @@ Field NormalCirculant::apply(const Field& residual) const {
 
 TangentialCirculant::TangentialCirculant(const ContactGrid& grid, const CombinedMaterial& material,
                                          Difference difference)
-    : fft_(grid.nx, grid.ny, preconditioner_size(grid.nx), preconditioner_size(grid.ny)),
-      symbols_(kernel_symbols(grid, material, fft_.px(), fft_.py())),
-      factors_(difference_symbol(difference, fft_.px(), grid.dx)) {}
+    : nx_(grid.nx),
+      ny_(grid.ny),
+      fft_(grid.nx, grid.ny, preconditioner_size(grid.nx), preconditioner_size(grid.ny)),
+      symbols_(kernel_symbols(grid, material, fft_.px(), fft_.py())) {
+  const double decay = difference == Difference::none ? 0.0 : decay_over_period;
+  factors_ = difference_symbol(difference, fft_.px(), grid.dx, decay);
+  growth_.resize(nx_);
+  for (int i = 0; i < nx_; ++i) growth_[i] = std::exp(decay * (i - 0.5 * nx_) / fft_.px());
+}
 
-/// The 2x2 blocks (r d [xx xy; xy yy] + shift I)^-1, kept for the last r and shift. The real part
-/// of d is not negative and the symbol of A_tt positive: the blocks are regular for shift > 0.
-void TangentialCirculant::invert(double r, double shift) const {
-  if (r == r_ && shift == shift_) return;
+/// The real part of d is not negative and the symbol of A_tt positive: the blocks are regular for
+/// shift > 0.
+TangentialCirculant::Inverse TangentialCirculant::inverted(double r, double shift) const {
+  Inverse inverse{r, shift, {}, {}, {}};
   const std::size_t size = symbols_.xx.size();
-  inverse_xx_.resize(size);
-  inverse_xy_.resize(size);
-  inverse_yy_.resize(size);
+  inverse.xx.resize(size);
+  inverse.xy.resize(size);
+  inverse.yy.resize(size);
   const std::size_t py = static_cast<std::size_t>(fft_.py());
   for (std::size_t k = 0; k < size; ++k) {
     const Complex factor = r * factors_[k / py];
     const Complex xx = factor * symbols_.xx[k] + shift;
     const Complex yy = factor * symbols_.yy[k] + shift;
     const Complex xy = factor * symbols_.xy[k];
-    const Complex inverse_determinant = 1.0 / (xx * yy - xy * xy);
-    inverse_xx_[k] = yy * inverse_determinant;
-    inverse_yy_[k] = xx * inverse_determinant;
-    inverse_xy_[k] = -xy * inverse_determinant;
+    const Complex determinant = multiply(xx, yy) - multiply(xy, xy);
+    const Complex inverse_determinant = std::conj(determinant) / std::norm(determinant);
+    inverse.xx[k] = multiply(yy, inverse_determinant);
+    inverse.yy[k] = multiply(xx, inverse_determinant);
+    inverse.xy[k] = -multiply(xy, inverse_determinant);
   }
-  r_ = r;
-  shift_ = shift;
+  return inverse;
+}
+
+const TangentialCirculant::Inverse& TangentialCirculant::inverse(double r, double shift) const {
+  const auto known = std::find_if(inverses_.begin(), inverses_.end(),
+                                  [&](const Inverse& i) { return i.r == r && i.shift == shift; });
+  if (known != inverses_.end()) {
+    std::rotate(known, known + 1, inverses_.end());
+  } else {
+    if (inverses_.size() == most_inverses) inverses_.erase(inverses_.begin());
+    inverses_.push_back(inverted(r, shift));
+  }
+  return inverses_.back();
 }
 
 TangentialField TangentialCirculant::apply(const TangentialField& residual, double r,
                                            double shift) const {
-  invert(r, shift);
-  fft_.forward(residual.x, x_);
-  fft_.forward(residual.y, y_);
-  for (std::size_t k = 0; k < x_.size(); ++k) {
-    const Complex x = x_[k];
-    const Complex y = y_[k];
-    x_[k] = multiply(inverse_xx_[k], x) + multiply(inverse_xy_[k], y);
-    y_[k] = multiply(inverse_xy_[k], x) + multiply(inverse_yy_[k], y);
+  const Inverse& block = inverse(r, shift);
+  TangentialField result = residual;
+  for (int j = 0; j < ny_; ++j) {
+    result.x.segment(j * nx_, nx_).array() *= growth_.array();
+    result.y.segment(j * nx_, nx_).array() *= growth_.array();
   }
-  TangentialField result;
-  fft_.backward(x_, result.x);
-  fft_.backward(y_, result.y);
+  fft_.forward(result, x_, y_);
+  const auto multiply_from = [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Complex x = x_[k];
+      const Complex y = y_[k];
+      x_[k] = multiply(block.xx[k], x) + multiply(block.xy[k], y);
+      y_[k] = multiply(block.xy[k], x) + multiply(block.yy[k], y);
+    }
+  };
+  const std::size_t size = x_.size();
+  contact::both(
+      fft_.large(), [&] { multiply_from(0, size / 2); }, [&] { multiply_from(size / 2, size); });
+  fft_.backward(x_, y_, result);
+  for (int j = 0; j < ny_; ++j) {
+    result.x.segment(j * nx_, nx_).array() /= growth_.array();
+    result.y.segment(j * nx_, nx_).array() /= growth_.array();
+  }
   return result;
 }
 

@@ -28,8 +28,10 @@ enum class Difference { none = 0, first = 1, second = 2 };
 Symbols kernel_symbols(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,
                        int px, int py);
 
-/// Factor of D for kx = 0 .. px/2: (1 - e)/dx or (3 - 4 e + e^2)/(2 dx) with e = exp(2 pi i kx/px).
-std::vector<std::complex<double>> difference_symbol(Difference difference, int px, double dx);
+/// Factor of D for kx = 0 .. px/2: (1 - e)/dx or (3 - 4 e + e^2)/(2 dx) with
+/// e = exp((2 pi i kx - decay)/px); `decay`: D of exp(-decay x/(px dx)) u, over that exponential.
+std::vector<std::complex<double>> difference_symbol(Difference difference, int px, double dx,
+                                                    double decay = 0.0);
 
 /// Product without the check for NaN that the standard operator makes.
 inline std::complex<double> multiply(const std::complex<double>& a, const std::complex<double>& b) {
@@ -48,7 +50,9 @@ class NormalCirculant {
   mutable PaddedFft::Spectrum spectrum_;
 };
 
-/// Approximation of (r T + shift I)^-1, T = D A_tt or A_tt.
+/// Approximation of (r T + shift I)^-1, T = D A_tt or A_tt: for D A_tt a circulant of what is left
+/// of it when everything decays downstream by the same factor from column to column, which is a
+/// scaling of rows and columns of T.
 class TangentialCirculant {
  public:
   TangentialCirculant(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,
@@ -57,14 +61,26 @@ class TangentialCirculant {
                                  double shift) const;
 
  private:
-  void invert(double r, double shift) const;
+  /// The 2x2 blocks (r d [xx xy; xy yy] + shift I)^-1.
+  struct Inverse {
+    double r;
+    double shift;
+    PaddedFft::Spectrum xx, xy, yy;
+  };
 
+  Inverse inverted(double r, double shift) const;
+  const Inverse& inverse(double r, double shift) const;
+
+  /// Those of the adhering and of the slipping elements.
+  static constexpr std::size_t most_inverses = 2;
+
+  int nx_;
+  int ny_;
   PaddedFft fft_;
   Symbols symbols_;
   std::vector<std::complex<double>> factors_;
-  mutable double r_ = -1.0;
-  mutable double shift_ = -1.0;
-  mutable PaddedFft::Spectrum inverse_xx_, inverse_xy_, inverse_yy_;
+  contact::Field growth_;                  ///< of a column
+  mutable std::vector<Inverse> inverses_;  ///< last used last
   mutable PaddedFft::Spectrum x_, y_;
 };
 

@@ -1,5 +1,6 @@
 #include "halfspace/elasticity/compliance.hpp"
 
+#include "contact/base/threads.hpp"
 #include "halfspace/elasticity/circulant.hpp"
 #include "halfspace/elasticity/fft.hpp"
 #include "halfspace/elasticity/influence.hpp"
@@ -74,42 +75,51 @@ class HalfspaceTangential : public contact::TangentialOperator {
         symbols_(symbols),
         factors_(difference_symbol(difference, fft.px(), grid.dx)),
         diagonal_(diagonal),
-        inverse_(grid, material, difference) {}
+        material_(material),
+        difference_(difference) {}
 
   const ContactGrid& grid() const override { return grid_; }
   double diagonal() const override { return diagonal_; }
 
   TangentialField apply(const TangentialField& traction) const override {
-    fft_.forward(traction.x, x_);
-    fft_.forward(traction.y, y_);
-    const std::size_t py = static_cast<std::size_t>(fft_.py());
-    for (std::size_t kx = 0; kx < factors_.size(); ++kx) {
-      const Complex factor = factors_[kx];
-      for (std::size_t k = kx * py; k < (kx + 1) * py; ++k) {
-        const Complex px = x_[k];
-        const Complex py_value = y_[k];
-        x_[k] = multiply(factor, symbols_.xx[k] * px + symbols_.xy[k] * py_value);
-        y_[k] = multiply(factor, symbols_.xy[k] * px + symbols_.yy[k] * py_value);
-      }
-    }
+    fft_.forward(traction, x_, y_);
+    const std::size_t half = factors_.size() / 2;
+    contact::both(
+        fft_.large(), [&] { multiply_columns(0, half); },
+        [&] { multiply_columns(half, factors_.size()); });
     TangentialField result;
-    fft_.backward(x_, result.x);
-    fft_.backward(y_, result.y);
+    fft_.backward(x_, y_, result);
     return result;
   }
 
   TangentialField precondition(const TangentialField& residual, double r,
                                double shift) const override {
-    return inverse_.apply(residual, r, shift);
+    if (!inverse_) inverse_ = std::make_unique<TangentialCirculant>(grid_, material_, difference_);
+    return inverse_->apply(residual, r, shift);
   }
 
  private:
+  void multiply_columns(std::size_t first, std::size_t last) const {
+    const std::size_t py = static_cast<std::size_t>(fft_.py());
+    for (std::size_t kx = first; kx < last; ++kx) {
+      const Complex factor = factors_[kx];
+      for (std::size_t k = kx * py; k < (kx + 1) * py; ++k) {
+        const Complex x = x_[k];
+        const Complex y = y_[k];
+        x_[k] = multiply(factor, symbols_.xx[k] * x + symbols_.xy[k] * y);
+        y_[k] = multiply(factor, symbols_.xy[k] * x + symbols_.yy[k] * y);
+      }
+    }
+  }
+
   const ContactGrid& grid_;
   const PaddedFft& fft_;
   const Symbols& symbols_;
   std::vector<Complex> factors_;
   double diagonal_;
-  TangentialCirculant inverse_;
+  CombinedMaterial material_;
+  Difference difference_;
+  mutable std::unique_ptr<TangentialCirculant> inverse_;  ///< made when first asked for
   mutable Spectrum x_;
   mutable Spectrum y_;
 };

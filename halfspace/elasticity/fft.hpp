@@ -52,8 +52,18 @@ class PaddedFft {
   /// The nx by ny window of the inverse transform, normalised; destroys the spectrum.
   void backward(Spectrum& spectrum, contact::Field& field) const;
 
+  /// Both components, at once where they are large.
+  void forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const;
+  void backward(Spectrum& x, Spectrum& y, contact::TangentialField& field) const;
+
+  /// Whether a transform takes long enough for a second thread to pay.
+  bool large() const;
+
  private:
   struct Plans;
+  void forward(const contact::Field& field, Spectrum& spectrum, double* rows) const;
+  void backward(Spectrum& spectrum, contact::Field& field, double* rows) const;
+
   int nx_;
   int ny_;
   int px_;

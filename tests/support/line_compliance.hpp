@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -88,22 +89,21 @@ class LineCompliance : public contact::SolvableCompliance {
     }
     contact::TangentialField precondition(const contact::TangentialField& residual, double r,
                                           double shift) const override {
-      if (r != r_ || shift != shift_) {
+      const auto [known, is_new] = inverses_.try_emplace({r, shift});
+      auto& [x, y] = known->second;
+      if (is_new) {
         const Matrix identity = Matrix::Identity(xx_.rows(), xx_.cols());
-        inverse_x_.compute(r * xx_ + shift * identity);
-        inverse_y_.compute(r * yy_ + shift * identity);
-        r_ = r;
-        shift_ = shift;
+        x.compute(r * xx_ + shift * identity);
+        y.compute(r * yy_ + shift * identity);
       }
-      return {inverse_x_.solve(residual.x), inverse_y_.solve(residual.y)};
+      return {x.solve(residual.x), y.solve(residual.y)};
     }
 
    private:
     const contact::ContactGrid& grid_;
     Matrix xx_, yy_;
-    mutable Eigen::PartialPivLU<Matrix> inverse_x_, inverse_y_;
-    mutable double r_ = -1.0;
-    mutable double shift_ = -1.0;
+    using Factors = Eigen::PartialPivLU<Matrix>;
+    mutable std::map<std::pair<double, double>, std::pair<Factors, Factors>> inverses_;
   };
 
   /// Matrix whose entry (i, j) is kernel(i - j).

@@ -99,7 +99,7 @@ TEST(SteadyRolling, NewtonTakesFewStepsAndEndsFast) {
   for (const int across : {10, 20, 40, 80}) {
     const TangentialSolution s = solve_benchmark_9(across, UpwindOrder::second);
     EXPECT_LE(s.newton_steps, 9) << across;
-    EXPECT_LE(s.krylov_iterations, 200) << across;
+    EXPECT_LE(s.krylov_iterations, 60) << across;
     EXPECT_LE(left_of_coulomb(across, s), 2e-6) << across;
   }
   // One step more than needed for 1e-6 must gain at least three digits: superlinear.

@@ -1,0 +1,37 @@
+// Two halves of a computation at once, where the machine and the user allow it. Nothing is summed
+// across threads: results are the same to the last bit with one thread and with two.
+#pragma once
+
+#include <future>
+#include <utility>
+
+namespace rollfem::contact {
+
+/// How many threads a single solution may use: what OMP_NUM_THREADS says, else the number of cores;
+/// 1 under a SingleThread.
+int threads();
+
+/// As long as one exists solutions of the thread that made it use no other thread: for callers
+/// that solve several at once.
+class SingleThread {
+ public:
+  SingleThread();
+  ~SingleThread();
+  SingleThread(const SingleThread&) = delete;
+  SingleThread& operator=(const SingleThread&) = delete;
+};
+
+/// Both, at once where `at_once` and there are threads. Starting a thread takes some 0.03 ms.
+template <class First, class Second>
+void both(bool at_once, First&& first, Second&& second) {
+  if (!at_once || threads() < 2) {
+    first();
+    second();
+    return;
+  }
+  auto other = std::async(std::launch::async, std::forward<Second>(second));
+  first();
+  other.get();
+}
+
+}  // namespace rollfem::contact

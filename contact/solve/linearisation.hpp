@@ -1,0 +1,74 @@
+// What Newton's method for friction knows of the contact elements at an iterate, and an approximate
+// inverse of its Jacobian that does not weaken as the grid is refined.
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "contact/solve/compliance.hpp"
+
+#include <vector>
+
+namespace rollfem::contact {
+
+/// The elements of a grid in contact, in order. Vectors on them hold the x components, then the y
+/// components.
+class ContactElements {
+ public:
+  /// Where `bound` is positive.
+  explicit ContactElements(const Field& bound);
+
+  Eigen::Index count() const { return static_cast<Eigen::Index>(places_.size()); }
+  /// Grid indices.
+  const std::vector<Eigen::Index>& places() const { return places_; }
+  Eigen::Index operator[](Eigen::Index e) const { return places_[static_cast<std::size_t>(e)]; }
+
+  Eigen::VectorXd gathered(const TangentialField& field) const;
+  /// Zero on all other elements.
+  TangentialField scattered(const Eigen::VectorXd& values) const;
+
+ private:
+  Eigen::Index grid_size_;
+  std::vector<Eigen::Index> places_;
+};
+
+/// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip
+/// B = (g / |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) in place of n, which is the
+/// same at the solution and much better on the way (Hueeber, Stadler & Wohlmuth 2008). A law that
+/// feels slip adds -n g' (w/|w|)^T T.
+struct Linearisation {
+  std::vector<char> adheres;
+  Eigen::VectorXd normal;   ///< n of the slipping elements
+  Eigen::VectorXd left;     ///< m of the slipping elements
+  Eigen::VectorXd factor;   ///< g / |q| of the slipping elements
+  Eigen::VectorXd by_slip;  ///< g' w / |w|; empty: 0
+};
+
+/// Approximate inverse of J, block by block: r T + drag where elements adhere, then
+/// r T + drag + (|q| / g - 1) across the slip where they slip, with the tractions of the first put
+/// in, the identity along the slip. Both blocks are inverted as if they were all of the grid.
+class JacobianInverse {
+ public:
+  /// `drag`: r c. All must outlive this.
+  JacobianInverse(const TangentialOperator& compliance, const ContactElements& elements, double r,
+                  double drag, const Linearisation& at);
+
+  Eigen::VectorXd times(const Eigen::VectorXd& p) const;
+
+ private:
+  Eigen::VectorXd adhering(const Eigen::VectorXd& p) const;
+  void add_across(const Eigen::VectorXd& p, Eigen::VectorXd& result) const;
+
+  const TangentialOperator& compliance_;
+  const ContactElements& elements_;
+  const Linearisation& at_;
+  double r_;
+  double drag_;
+  Eigen::Index slipping_;
+  double damping_ = 0.0;   ///< geometric mean of |q| / g - 1 over the slipping elements
+  Eigen::VectorXd scale_;  ///< makes of every slipping element's own one that one, on both sides
+};
+
+/// Approximate inverse of r T on all contact elements.
+Eigen::VectorXd full_adhesion(const TangentialOperator& compliance, const ContactElements& elements,
+                              double r, const Eigen::VectorXd& p);
+
+}  // namespace rollfem::contact
