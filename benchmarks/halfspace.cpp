@@ -1,5 +1,6 @@
 // Speed of the half-space: the products, the normal problem (case a) and one steady-rolling
 // solution with combined creepage and spin (benchmark 9) from coarse to fine.
+#include "contact/base/threads.hpp"
 #include "contact/solve/interpolation.hpp"
 #include "contact/solve/leading_edge.hpp"
 #include "contact/solve/normal.hpp"
@@ -87,7 +88,7 @@ contact::TangentialSolution solve(const HalfspaceCompliance& compliance,
 
 /// Benchmark 9 on grids of 10, 20, ... across up to the wanted one, each starting from the one
 /// before; the time is that of all of them.
-void steady_rolling(benchmark::State& state, Scheme scheme) {
+void roll(benchmark::State& state, Scheme scheme) {
   const int across = static_cast<int>(state.range(0));
   const testing::Benchmark9 benchmark9;
   for (auto _ : state) {
@@ -122,6 +123,16 @@ void steady_rolling(benchmark::State& state, Scheme scheme) {
     }
     state.counters["krylov_all"] = krylov;
   }
+}
+
+void steady_rolling(benchmark::State& state, Scheme scheme) {
+  const contact::SingleThread single;
+  roll(state, scheme);
+}
+
+/// With as many threads as the program takes: judge its real time.
+void threaded_rolling(benchmark::State& state) {
+  roll(state, Scheme::fitted_edge);
 }
 
 /// Bodies whose Hertz contact is benchmark 9's pressure: both of radius 400 mm across each other.
@@ -188,9 +199,8 @@ BENCHMARK_CAPTURE(steady_rolling, fitted_edge, Scheme::fitted_edge)
     ->Arg(80)
     ->Arg(160)
     ->Arg(320)
-    ->Arg(640)
-    ->Unit(unit)
-    ->MeasureProcessCPUTime();
+    ->Unit(unit);
+BENCHMARK(threaded_rolling)->Arg(160)->Arg(320)->Arg(640)->Unit(unit)->UseRealTime();
 BENCHMARK(fastsim)->Arg(10)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Unit(unit);
 BENCHMARK(strip)->Arg(10)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Unit(unit);
 
