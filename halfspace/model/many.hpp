@@ -33,7 +33,7 @@ struct ScaledForces {
 /// The limit of the two finest grids of a point.
 struct ManyForces {
   ScaledForces limit;
-  ScaledForces correction;  ///< of the finer one to the limit: a bar, in most points wide
+  ScaledForces correction;  ///< of the finer one to the limit: the size of the error, no bound
   int elements_across = 0;  ///< of the finer one
 };
 
