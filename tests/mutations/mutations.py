@@ -25,6 +25,19 @@ class Mutation:
 
 
 MUTATIONS = [
+    # capi/
+    Mutation("c_moment_arm", "capi/wheel_rail_pair.cpp",
+             "a[2] * b[0] - a[0] * b[2]", "a[0] * b[2] - a[2] * b[0]",
+             "a force along the rail turns the axle the other way",
+             ("unit_c_interface",)),
+    Mutation("c_yaw_rate", "capi/wheel_rail_pair.cpp",
+             "state.yaw_rate / state.forward_speed;", "-state.yaw_rate / state.forward_speed;",
+             "a wheelset that turns to the right slips as one that turns to the left",
+             ("unit_c_interface",)),
+    Mutation("c_unit_of_spin", "capi/c_interface.cpp",
+             "point.creepage.spin * length", "point.creepage.spin / length",
+             "spin is in rad/mm whatever the units are",
+             ("unit_c_interface",)),
     # contact/: scene
     Mutation("curvature_slip_sign", "contact/scene/geometry.cpp",
              "creepage.longitudinal + turning * drop", "creepage.longitudinal - turning * drop",

@@ -42,7 +42,7 @@ rollfem_result solve(const Pair& pair, const rollfem_state& state) {
 
 /// mm, rad, mm/s, N.
 rollfem_state state_at(double shift, double yaw) {
-  return {shift, yaw, 0.0, 20e3, 30.0, 0.0, 20e3 / 460.0 * 1.001, 50e3};
+  return {shift, yaw, 0.0, 20e3, 30.0, 0.02, 20e3 / 460.0 * 1.001, 50e3};
 }
 
 TEST(CInterface, CrownedRailUnderACylindricalWheelIsHertz) {
@@ -63,7 +63,7 @@ TEST(CInterface, CrownedRailUnderACylindricalWheelIsHertz) {
   definition.gauge_height = 1.0;  // 24.5 mm beside the middle of the rail
   rollfem_state state = state_at(0.0, 0.0);
   state.rotation_speed = 20e3 / 300.0 * 1.1;  // slides all over
-  state.lateral_velocity = 0.0;
+  state.lateral_velocity = state.yaw_rate = 0.0;
   const rollfem_result result = solve(make(definition), state);
   ASSERT_EQ(result.patches, 1);
   // A sphere of 300 mm on a plane.
@@ -100,6 +100,7 @@ double largest_difference(double shift, double yaw) {
     side = "right"
     roll = 0.0
     lateral_velocity = 0.0015
+    yaw_velocity = 1e-6
     rotation_change = 0.001
     [contact_grid]
     elements_across = 32
@@ -128,6 +129,7 @@ TEST(CInterface, LeftMirrorsRight) {
   state.lateral_shift = -3.0;
   state.yaw = -0.002;
   state.lateral_velocity = -30.0;
+  state.yaw_rate = -0.02;
   const rollfem_result left = solve(make(defaults(ROLLFEM_LEFT)), state);
   const double of_force = 1e-6 * 50e3;
   EXPECT_NEAR(left.force[0], right.force[0], of_force);
