@@ -96,6 +96,7 @@ class Axis:
             found = [(n * step, tick_text(n * step, step)) for n in numbers]
             if len(found) < 2 or not across:
                 return found
-            if max(width(text) for _, text in found) + 7 <= pixels * step / (high - low):
+            least = max(max(width(text) for _, text in found) + 7, pixels / 9)
+            if least <= pixels * step / (high - low):
                 return found
             step = nice_step(step * 1.01, 1)

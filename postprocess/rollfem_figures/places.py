@@ -61,7 +61,7 @@ def draw_pair(drawn, touching, title):
     """`drawn`: points y, z [n, 2] of "rail" and "wheel" on the track; `touching`: dicts with patch,
     y_track, z_track (mm), contact_angle (rad), rolling_radius (mm)."""
     figure = Figure(2)
-    shape = figure.add(380, 0, title, "$y$ on the track, to the right [mm]", "height over the rails [mm]", equal=True)
+    shape = figure.add(380, 0, title, "$y$ on the track, to the right [mm]", "height [mm]", equal=True)
     for name, ink in (("rail", "ink"), ("wheel", "blue")):
         y, z = drawn[name].T
         shape.line(y, -z, ink, 1.5)

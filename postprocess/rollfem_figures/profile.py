@@ -55,6 +55,7 @@ def drawn(title, columns):
         bend.level(y[place], "soft", (3, 2), 0.6, upright=True)
     bend.line(y, on_scale(curvature), "blue", 1.5)
     bend.y.ticks = _ticks(curvature)
+    shape.room_left = bend.room_left = 84  # one below the other
     figure.seen = (f"{title}: shape from y = {y.min():.4g} to {y.max():.4g} mm, {numpy.ptp(z):.3g} mm high; curvature "
                    f"from {curvature.min():.3g} to {curvature.max():.3g} 1/mm, {len(places)} joints.")
     return figure
