@@ -5,8 +5,9 @@
     benchmarks/hybrid_limits.py show benchmarks/hybrid_limits.json
 
 `run` computes what is not in the folder yet (--only 'f/*' a part of it; the whole takes an hour of computing) and writes
-the record; rows of runs that are in a record of that name already and not in the folder stay. A force or pressure of finite elements has two errors: that of the cells, and that of the contact
-grid, whose elements are as large. A half-space on the same elements has the second one too. So the limit is
+the record; rows of runs that are in a record of that name already and not in the folder stay. A force or pressure of
+finite elements has two errors: that of the cells, and that of the contact grid, whose elements are as large. A half-space
+on the same elements has the second one too. So the limit is
 
     half-space on ever more elements + (finite elements - half-space on the same elements) on ever smaller cells,
 
