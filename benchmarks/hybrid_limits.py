@@ -11,9 +11,11 @@ on the same elements has the second one too. So the limit is
 
     half-space on ever more elements + (finite elements - half-space on the same elements) on ever smaller cells,
 
-beside which `show` puts the plain extrapolation of the finite elements. Where bodies conform across the elements cannot be
-quite the same: those of finite elements are equal in y, those of the half-space along the common surface. They are made to
-agree at the edge of the patch; what rows 1.5 % wider or narrower change in the half-space is added to what is uncertain.
+less what finite elements have where there should be nothing: the same difference of bodies a hundred times larger under
+the hundredth of the force, whose patch is as large and which are all but half-spaces. Beside it `show` puts the plain
+extrapolation of the finite elements. Where bodies conform across the elements cannot be quite the same: those of finite
+elements are equal in y, those of the half-space along the common surface. They are made to agree at the edge of the
+patch; what rows 1.5 % wider or narrower change in the half-space is added to what is uncertain.
 """
 import argparse
 import fnmatch
@@ -36,8 +38,19 @@ STRUCTURED = {"a": (0.948091, 0.47, 0.316), "b": (1.22708, 0.6), "c": (0.618218,
 GMSH = {"a": (0.948091, 0.47), "f": (0.948084, 0.47)}
 ACROSS = (40, 80)  # of the half-space's limit
 CURVED = {"e": 102.56, "f": 50.633, "groove": 10.125, "corner": 10.1}  # mm, radius of the common surface across
+LARGER = 100  # times the bodies that are as good as half-spaces
+PATCH_OF = {"a": "a", "b": "b", "c": "c", "d": "c", "e": "a", "f": "a"}  # whose patch is theirs, on larger bodies
 FLAT = "abcd"  # the common surface is a plane or all but one
 WIDER = 0.015
+
+
+def larger(text):
+    """The case with bodies LARGER times as large and the same patch."""
+    for key in ("rolling_radius", "transverse_radius"):
+        text = re.sub(rf"(?m)^{key} = (-?[\d.]+)", lambda found: f"{found[0].split('=')[0]}= {LARGER * float(found[1])!r}", text)
+    text = re.sub(r"(?m)^normal_force = ([\d.e]+)", lambda found: f"normal_force = {float(found[1]) / LARGER!r}", text)
+    creepages = [xi / LARGER for xi in CREEPAGES]
+    return re.sub(r"(?m)^longitudinal_creepage = .*", f"longitudinal_creepage = {creepages}", text)
 
 
 def case_text(letter, settings):
@@ -58,7 +71,7 @@ def elements_of(folder):
     """(dx, dy, nx, ny) of the contact grid of a run of finite elements."""
     import h5py
     with h5py.File(folder / "results.h5") as file:
-        grid = file["models"]["fem"]["grid"]
+        grid = next(iter(file["models"].values()))["grid"]  # of the only model and patch
         return float(grid.attrs["dx"]), float(grid.attrs["dy"]), len(grid["x"]), len(grid["y"])
 
 
@@ -85,7 +98,8 @@ class Runs:
             if not fnmatch.fnmatch(f"{letter}/{name}", self.only):
                 return None
             case = Path(f"{folder}.toml")
-            case.write_text(case_text(letter, settings), encoding="utf-8")
+            text = case_text(letter, settings)
+            case.write_text(larger(text) if words.get("larger") else text, encoding="utf-8")
             print(f"{letter}/{name}", flush=True)
             done = subprocess.run([self.program, "run", str(case), "--model", model, "--quiet", "--no-report", "-o",
                                    str(folder)], check=False, capture_output=True, text=True)
@@ -95,26 +109,28 @@ class Runs:
         summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
         result = next(m for m in summary["models"] if m["name"] == model)
         points = [{"longitudinal_creepage": xi, **{q: point[q] for q in QUANTITIES if q in point}} for xi in CREEPAGES
-                  for point in result["points"] if abs(point.get("longitudinal_creepage", 0.0) - xi) < 1e-12]
+                  for point in result["points"]
+                  if abs(point.get("longitudinal_creepage", 0.0) * words.get("larger", 1) - xi) < 1e-12]
         return {"case": letter, "model": model, **words, "commit": summary["program"]["commit"],
                 "unknowns": result["unknowns"], "points": points}, folder
 
-    def finite_elements(self, letter, mesh, cell):
-        """Rows of finite elements and of the half-space on their contact grid."""
+    def finite_elements(self, letter, mesh, cell, **words):
+        """Rows of finite elements and of the half-space on their contact grid. `larger`: of larger bodies."""
         output = ["fields = false", 'body_fields = "none"', "stress_maxima = false"]
         fem = [f"cell_size = {cell}", f'mesh = "{mesh}"'][:1 if mesh == "structured" else 2]
-        found = self.row(letter, f"fem_{mesh}_{cell:g}", "fem", {"fem": fem, "output": output}, mesh=mesh, cell=cell)
+        name = f"{mesh}{'_larger' * bool(words)}_{cell:g}"
+        found = self.row(letter, f"fem_{name}", "fem", {"fem": fem, "output": output}, mesh=mesh, cell=cell, **words)
         if not found:
             return []
         row, folder = found
         dx, dy, nx, ny = elements_of(folder)
         rows = [row]
         for stretch in stretches(letter, row):
-            # A little more, so that as many whole elements fit.
+            # One element more on every side, for a patch that is a little larger, and so that as many whole ones fit.
             grid = [f"cell_size = [{dx}, {stretch * dy!r}]",
-                    f"extent = [{nx * dx * (1 + 1e-7)!r}, {stretch * ny * dy * (1 + 1e-7)!r}]"]
-            same = self.row(letter, f"halfspace_{mesh}_{cell:g}_{stretch:.4f}", "halfspace",
-                            {"contact_grid": grid, "halfspace": ['surface = "curved"']}, mesh=mesh, cell=cell)
+                    f"extent = [{(nx + 2) * dx * (1 + 1e-7)!r}, {stretch * (ny + 2) * dy * (1 + 1e-7)!r}]"]
+            same = self.row(letter, f"halfspace_{name}_{stretch:.4f}", "halfspace",
+                            {"contact_grid": grid, "halfspace": ['surface = "curved"']}, mesh=mesh, cell=cell, **words)
             rows += [same[0]] if same else []
         return rows
 
@@ -137,22 +153,36 @@ def extrapolated(sizes, values, order):
     return values[-1] + beyond, abs(beyond)
 
 
+def own_excess(rows, letter, index, quantity, mesh):
+    """What finite elements have beyond half-spaces where bodies are as good as those, from one size of cells; of pressures
+    in proportion, 0 where there is no such run."""
+    runs = fitting(rows, case=PATCH_OF.get(letter), mesh=mesh, larger=LARGER)
+    if quantity not in ("max_pressure", "traction_coefficient") or len(runs) != 2:
+        return 0.0
+    by_elements, by_half_space = (run["points"][index][quantity] for run in sorted(runs, key=lambda run: run["model"]))
+    if quantity == "traction_coefficient":
+        return by_elements - by_half_space
+    curved = next(row for row in rows if row["case"] == letter and "across" in row)["points"][index][quantity]
+    return curved * (by_elements / by_half_space - 1)
+
+
 def limit(rows, letter, index, quantity, mesh="structured"):
-    """{"limit", "uncertain", "plain", "differences"} of a quantity at CREEPAGES[index]; None where runs are missing.
+    """{"limit", "uncertain", "plain", "differences", "beyond_grid"} of a quantity at CREEPAGES[index]; None where runs are
+    missing. `beyond_grid`: what the half-space of ACROSS[-1] elements lacks.
 
     Orders are taken, not found: 2 of pressure, size and approach, 1.5 of forces (docs/accuracy.md).
     """
     order = 1.5 if quantity == "traction_coefficient" else 2.0
-    mine = [r for r in rows if r["case"] == letter]
+    mine = [r for r in rows if r["case"] == letter and "larger" not in r]
     def value(row):
         return row["points"][index][quantity]
     half = sorted((r for r in mine if "across" in r), key=lambda r: r["across"])
     fem = sorted((r for r in mine if r["model"] == "fem" and r["mesh"] == mesh), key=lambda r: -r["cell"])
+    if not half or not fem or index >= len(fem[0]["points"]) or quantity not in fem[0]["points"][index]:
+        return None
     same = {cell: [value(r) for r in mine if r["model"] == "halfspace" and r.get("mesh") == mesh and r["cell"] == cell]
             for cell in (r["cell"] for r in fem)}
-    if not half or not fem or not all(same.values()) or index >= len(fem[0]["points"]):
-        return None
-    if quantity not in fem[0]["points"][index]:
+    if not all(same.values()):
         return None
     cells = list(same)
     differences = [value(r) - same[r["cell"]][0] for r in fem]
@@ -160,7 +190,9 @@ def limit(rows, letter, index, quantity, mesh="structured"):
     most, left = extrapolated([1 / r["across"] for r in half], [value(r) for r in half], order)
     more, change = extrapolated(cells, differences, order)
     plain, _ = extrapolated(cells, [value(r) for r in fem], order)
-    return {"limit": most + more, "uncertain": change + left / 3 + rows_off, "plain": plain, "differences": differences}
+    return {"limit": most + more - own_excess(rows, letter, index, quantity, mesh),
+            "uncertain": change + left / 3 + rows_off, "plain": plain, "differences": differences,
+            "beyond_grid": most - value(half[-1])}
 
 
 def show(record):
@@ -200,7 +232,11 @@ def main():
     for letter, cells in STRUCTURED.items():
         for mesh, sizes in (("structured", cells), ("gmsh", GMSH.get(letter, ()))):
             for cell in sizes:
-                rows += runs.finite_elements(letter, mesh, cell) or fitting(earlier, case=letter, mesh=mesh, cell=cell)
+                rows += runs.finite_elements(letter, mesh, cell) or [
+                    row for row in fitting(earlier, case=letter, mesh=mesh, cell=cell) if "larger" not in row]
+        if letter in PATCH_OF.values():
+            rows += runs.finite_elements(letter, "structured", cells[0], larger=LARGER) or fitting(
+                earlier, case=letter, larger=LARGER)
         for across in ACROSS:
             rows += runs.half_space(letter, across) or fitting(earlier, case=letter, across=across)
     lines = ",\n  ".join(json.dumps(row) for row in rows)

@@ -18,15 +18,16 @@ FRICTION = 0.55
 ACROSS = 80
 # Beyond the study: true profiles with friction, a groove and a corner without.
 PROFILES, CONFORMAL = ("s1002_left", "s1002_right"), ("groove", "corner")
+UNSETTLED = ("s1002_right",)  # whose limit still moves by what is asked from a/4 to a/8: shown, not held
 PRESSURE_ASKED, FORCE_ASKED = 0.0005, 0.001  # the latter of mu
 QUIET = {"output.paths": '["x"]\nfields = false\nbody_fields = "none"\nstress_maxima = false'}
 
 
 def _run(bench, letter, model, name, settings):
     """(the model's result, CPU seconds of its run)."""
-    creepages = {} if letter in CONFORMAL else {"rolling.longitudinal_creepage": list(hybrid_limits.CREEPAGES)}
+    rolls = {**QUIET, "rolling.longitudinal_creepage": list(hybrid_limits.CREEPAGES)}
     name = f"hybrid_{letter}_{name}"
-    result = bench.run(name, f"cases/{hybrid_limits.FILES[letter]}.toml", [model], {**QUIET, **creepages, **settings})
+    result = bench.run(name, f"cases/{hybrid_limits.FILES[letter]}.toml", [model], {**({} if letter in CONFORMAL else rolls), **settings})
     return result.model(model), bench.cpu_seconds(name)
 
 
@@ -41,15 +42,16 @@ def _limit(record, letter, index, quantity):
 def _rows(record, found):
     rows = []
     for letter, (result, _) in found.items():
+        held = letter not in UNSETTLED
         for index, xi in enumerate(hybrid_limits.CREEPAGES):
             point = result.nearest(xi)
             if index != 1:
-                rows.append(Row(f"case {letter}: p0 at xi = {100 * xi:g} %", "MPa",
-                                _limit(record, letter, index, "max_pressure")["limit"], point["max_pressure"],
-                                PRESSURE_ASKED, by=f"hybrid, {ACROSS} across"))
+                pressure = _limit(record, letter, index, "max_pressure")
+                rows.append(Row(f"case {letter}: p0 at xi = {100 * xi:g} %", "MPa", pressure["limit"] - pressure["beyond_grid"],
+                                point["max_pressure"], PRESSURE_ASKED if held else None, by=f"hybrid, {ACROSS} across"))
             rows.append(Row(f"case {letter}: -F_x/F_z at xi = {100 * xi:g} %", "",
                             _limit(record, letter, index, "traction_coefficient")["limit"],
-                            point["traction_coefficient"], FORCE_ASKED, of=FRICTION,
+                            point["traction_coefficient"], FORCE_ASKED if held else None, of=FRICTION,
                             of_words="mu", by=f"hybrid, {ACROSS} across"))
     return rows
 
@@ -145,7 +147,9 @@ def hybrid(bench):
         "Finite elements in the limit of small cells. Their runs are too dear for the book and are kept in a record, "
         "`benchmarks/hybrid_limits.json`, which `benchmarks/hybrid_limits.py` makes: the half-space in the limit of its contact "
         "grid, and the difference between finite elements and the half-space on the same contact elements in the limit of their cells. "
-        "Segments reach eight of the larger semi-axis; what lies beyond them is in neither.",
+        "Segments reach eight of the larger semi-axis; what lies beyond them is in neither. What finite elements have beyond half-spaces "
+        "on bodies a hundred times larger, where nothing should be, is taken off (up to 0.024 % of p0). Largest pressures are those of the "
+        f"middlemost of {ACROSS} elements: their references are less the 0.016 % that a half-space of so many lacks.",
         _rows(record, found) + _conformal_rows(record, conformal), tables=[_limits_table(record)],
         figures=[(_figure(bench, record, series), "Case f from nothing: root mean square error at the three creepages over the CPU "
                   "seconds of the whole run, error bars and all; beside the points elements across, or cells of finite elements; "
