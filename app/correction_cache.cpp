@@ -23,7 +23,7 @@ namespace rollfem::app {
 namespace {
 
 /// Of the files and of how corrections are found: to be raised when the same scene has another one.
-constexpr int format = 2;
+constexpr int format = 3;
 
 constexpr const char* suffix = ".correction.h5";
 constexpr const char* part_suffix = ".part";

@@ -8,12 +8,6 @@ using contact::SurfaceField;
 
 namespace {
 
-contact::Material rigid() {
-  contact::Material material;
-  material.young_modulus = contact::infinity;
-  return material;
-}
-
 void add(SurfaceField& field, const SurfaceField& more) {
   field.x += more.x;
   field.y += more.y;
@@ -33,7 +27,7 @@ HybridCompliance::HybridCompliance(const contact::Scene& scene,
   const contact::ContactSurface& surface = scene.geometry.surface;
   if (!wheel_ || !std::isfinite(surface.rolling_radius)) return;
   wheel_half_ = std::make_unique<halfspace::HalfspaceCompliance>(
-      grid, contact::combine(scene.wheel.material, rigid()));
+      grid, contact::combine(scene.wheel.material, contact::rigid_material()));
   const auto along = [&](auto&& value) {
     return grid.sample([&](double, double s) { return value(geometry.lateral_place(s)); });
   };

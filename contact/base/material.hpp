@@ -15,6 +15,10 @@ struct Material {
   bool rigid() const { return young_modulus == std::numeric_limits<double>::infinity(); }
 };
 
+inline Material rigid_material() {
+  return {std::numeric_limits<double>::infinity(), 0.3, 7.85e-9};
+}
+
 /// Combined constants of two bodies, also of unlike ones (Kalker 1990, eq. 1.44).
 struct CombinedMaterial {
   double shear_modulus = 0.0;    ///< MPa, 1/G = (1/G1 + 1/G2)/2

@@ -123,7 +123,7 @@ void set_segment_sizes(const contact::Scene& scene, BodyOptions& options) {
 }
 
 CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
-                       MPI_Comm communicator) {
+                       MPI_Comm communicator, const MeshedBodies& wanted) {
   const SurfaceShape wheel = surface_shape(scene, true), rail = surface_shape(scene, false);
   check_far_boundary(scene);
   const bool sections = has_true_sections(scene);
@@ -140,8 +140,8 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
     bodies.notes.push_back(fmt::format("the {} has the mesh of {}", key, file));
     return imported_body(scene, key, file, shape, material, options, communicator);
   };
-  bodies.wheel = make("wheel", scene.wheel.mesh, wheel, scene.wheel.material);
-  bodies.rail = make("rail", scene.rail.mesh, rail, scene.rail.material);
+  if (wanted.wheel) bodies.wheel = make("wheel", scene.wheel.mesh, wheel, scene.wheel.material);
+  if (wanted.rail) bodies.rail = make("rail", scene.rail.mesh, rail, scene.rail.material);
   const auto reach = [sections](const Body* body, bool imported) {
     if (body == nullptr) return contact::infinity;
     const BodyOptions& o = body->options();

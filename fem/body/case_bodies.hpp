@@ -22,8 +22,14 @@ struct CaseBodies {
 /// Width, depth, length and mesh family of the case.
 void set_segment_sizes(const contact::Scene& scene, BodyOptions& options);
 
-/// Collective. Throws contact::InputError.
+/// Which are wanted.
+struct MeshedBodies {
+  bool wheel = true;
+  bool rail = true;
+};
+
+/// Collective. Bodies that are not wanted are null like rigid ones. Throws contact::InputError.
 CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
-                       MPI_Comm communicator);
+                       MPI_Comm communicator, const MeshedBodies& wanted = {});
 
 }  // namespace rollfem::fem

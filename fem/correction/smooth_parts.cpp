@@ -4,6 +4,7 @@
 #include "contact/scene/below_surface.hpp"
 #include "fem/body/case_bodies.hpp"
 #include "fem/correction/below_parts.hpp"
+#include "fem/correction/flat_body.hpp"
 #include "fem/correction/flat_twin.hpp"
 #include "fem/coupling/compliance.hpp"
 #include "fem/coupling/far_error.hpp"
@@ -44,6 +45,12 @@ constexpr double patch_ends = 1.15;  ///< in semi-axes
 /// Cells in the smaller semi-axis of the patch. With five in place of three case f changes by 0.02
 /// % in p0 and 2e-4 of mu in its forces.
 constexpr double usual_cells_in_semi_axis = 3.0;
+/// Elements of linear cells are two cells wide (fem/model/run_layout.cpp): as many of them as of
+/// quadratic ones take half the cells, else the polynomials of displacement are not told apart.
+constexpr double times_cells_of_degree_one = 2.0;
+/// Pivots of the fit of displacements below this part of the largest: some polynomials are not told
+/// apart. The usual ones are 0.01 and up.
+constexpr double least_pivot = 1e-4;
 /// The ellipsoid is that much larger than the patch.
 constexpr double room = 1.05;
 
@@ -100,9 +107,11 @@ class LoadedBody {
 
 /// The polynomials at the elements of the grid on which the bodies are loaded and sampled.
 struct Basis {
-  Basis(const Scene& scene, const RunLayout& layout) : grid(layout.grid), half(layout.bodies.half) {
+  Basis(const Scene& scene, const RunLayout& layout)
+      : grid(layout.grid),
+        half(layout.bodies.half),
+        arc(scene.geometry.surface, std::abs(layout.patch.middle) + grid.ny * grid.dy) {
     const contact::ContactSurface& surface = scene.geometry.surface;
-    const ArcLength arc(surface, std::abs(layout.patch.middle) + grid.ny * grid.dy);
     const Field x = grid.sample([](double s, double) { return s; });
     const Field y = grid.sample([&](double, double t) { return arc.at(t); });
     const double lower = arc.at(layout.patch.middle - layout.patch.half_width);
@@ -119,17 +128,23 @@ struct Basis {
       ellipsoid[k] = std::sqrt(std::max(0.0, 1.0 - a * a - b * b));
       weight[k] = room * std::hypot(a, b) < patch_ends ? 1.0 : weight_beside;
     }
+    fit.setThreshold(least_pivot);
     fit.compute(weight.asDiagonal() * out);
+    if (fit.rank() < fit.cols())
+      throw contact::SolveError(fmt::format(
+          "{}: model hybrid: {} by {} elements are too few to find the correction on; do: run with "
+          "--model fem",
+          scene.file, grid.nx, grid.ny));
     below = {below_beside * layout.patch.half_length, 0.5 * below_beside * (upper - lower),
              loads.middle};
     deep = below_depth * layout.patch.smaller();
-    set_flat_loads(arc);
+    set_flat_loads();
     const Field area = grid.element_area() * contact::patch_shape(surface, grid).stretch;
     moments.compute(in.transpose() * area.cwiseProduct(ellipsoid).asDiagonal() * in);
   }
 
   /// The tractions on the rolled-out surface.
-  void set_flat_loads(const ArcLength& arc) {
+  void set_flat_loads() {
     std::vector<Index> rows;
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i) {
@@ -149,8 +164,15 @@ struct Basis {
     return !half || (power_of_y % 2 == 1) == (component == 1);
   }
 
+  /// Coefficients of u_x, u_y, u_n, given one after the other at the elements.
+  Eigen::VectorXd fitted(const Eigen::Ref<const Eigen::VectorXd>& displacement) const {
+    const MatrixXd columns = displacement.reshaped(grid.size(), 3);
+    return MatrixXd(fit.solve(weight.asDiagonal() * columns)).reshaped();
+  }
+
   ContactGrid grid;
   bool half;
+  ArcLength arc;
   SmoothBox loads, fields, below;
   double deep = 0.0;  ///< mm, of what is wanted below the surface
   FlatLoads flat;
@@ -199,15 +221,27 @@ Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
       *loaded[component] = sign * basis.ellipsoid.cwiseProduct(basis.in.col(k));
       const SurfaceField true_field = pair.loaded.under(traction);
       const SurfaceField flat_field = pair.flat.under(traction);
-      MatrixXd difference(basis.grid.size(), 3);
+      Field difference(3 * basis.grid.size());
       difference << true_field.x - flat_field.x, true_field.y - flat_field.y,
           true_field.n - flat_field.n;
-      const MatrixXd fitted = sign * basis.fit.solve(basis.weight.asDiagonal() * difference);
-      result.surface.col(component * ins + k) << fitted.col(0), fitted.col(1), fitted.col(2);
+      result.surface.col(component * ins + k) = sign * basis.fitted(difference);
       if (below != nullptr)
         result.below.col(component * ins + k) = below->fitted(
             below->beyond(component, k, pair.loaded.whole(traction), pair.flat.whole(traction)));
     }
+  return result;
+}
+
+/// On the surface of a body that is a half-space itself.
+MatrixXd answers_of_half_space(const Scene& scene, const Basis& basis, bool wheel) {
+  const auto fields = beyond_flat_body(scene, wheel, basis.grid, basis.arc,
+                                       basis.ellipsoid.asDiagonal() * basis.in);
+  const Index ins = basis.in.cols();
+  MatrixXd result(3 * basis.out.cols(), 3 * ins);
+  for (Index component = 0; component < 3; ++component)
+    for (Index k = 0; k < ins; ++k)
+      result.col(component * ins + k) =
+          basis.fitted(fields[static_cast<std::size_t>(component)].col(k));
   return result;
 }
 
@@ -232,6 +266,22 @@ void find_maps(const Basis& basis, Pair& pair, const contact::BelowSurface* coor
   if (below)
     map_below = {basis.loads, basis.below,     below->depth(),
                  load_degree, below->degree(), of_moments(basis, found.below)};
+}
+
+/// Below its surface a body that is a half-space is looked at where the common surface is, with a
+/// mesh.
+bool needs_mesh(const Scene& scene, bool wheel, bool stresses) {
+  return stresses || !is_half_space(scene, wheel);
+}
+
+/// The part of a body that needs no mesh.
+void add_half_space(const Scene& scene, const Basis& basis, bool wheel, SmoothMap& map,
+                    std::vector<std::string>& notes) {
+  if ((wheel ? scene.wheel : scene.rail).material.rigid()) return;
+  map = {basis.loads, basis.fields, load_degree, field_degree,
+         of_moments(basis, answers_of_half_space(scene, basis, wheel))};
+  notes.push_back(
+      fmt::format("the {} is flat: a half-space, which is not meshed", wheel ? "wheel" : "rail"));
 }
 
 void check(const Scene& scene) {
@@ -263,16 +313,19 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   event.model = "hybrid";
   event.stage = "correction";
   contact::report(progress, event);
-  const double cell = patch_box(scene).smaller() / cells_in_semi_axis;
+  const double cell = patch_box(scene).smaller() / cells_in_semi_axis /
+                      (scene.fem.degree == 1 ? times_cells_of_degree_one : 1.0);
   const RunLayout layout = run_layout(scene, cell);
   const Basis basis(scene, layout);
-  const CaseBodies bodies = make_bodies(scene, layout.bodies, MPI_COMM_SELF);
+  halfspace::SmoothParts parts;
+  parts.stresses = asked.asks_for_stress();
+  const MeshedBodies meshed{needs_mesh(scene, true, parts.stresses),
+                            needs_mesh(scene, false, parts.stresses)};
+  const CaseBodies bodies = make_bodies(scene, layout.bodies, MPI_COMM_SELF, meshed);
   // Orderings draw from one sequence of random numbers: one body after the other.
   std::optional<Pair> wheel, rail;
   if (bodies.wheel) wheel.emplace(scene, layout, *bodies.wheel);
   if (bodies.rail) rail.emplace(scene, layout, *bodies.rail);
-  halfspace::SmoothParts parts;
-  parts.stresses = asked.asks_for_stress();
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
   const contact::BelowSurface in_wheel(geometry, true), in_rail(geometry, false);
   auto other = std::async(std::launch::async, [&] {
@@ -286,6 +339,8 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   for (const Body* body : bodies.both())
     if (body != nullptr) parts.unknowns += static_cast<long>(body->unknowns());
   parts.notes = bodies.notes;
+  if (!meshed.wheel) add_half_space(scene, basis, true, parts.wheel, parts.notes);
+  if (!meshed.rail) add_half_space(scene, basis, false, parts.rail, parts.notes);
   event.note = fmt::format("cells of {:.3g} mm, {} unknowns, twice", cell, parts.unknowns);
   event.finished = true;
   contact::report(progress, event);

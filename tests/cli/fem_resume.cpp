@@ -1,5 +1,6 @@
 // The finite-element model after a kill, in one process and in two: the coarse level of the error
-// estimate and every finished load point are taken up, the result is the same to the last bit.
+// estimate and every finished load point are taken up, the result is the same to the last bit. And
+// the hybrid, whose correction is then in the cache.
 #include "support/resume.hpp"
 #include <chrono>
 #include <thread>
@@ -55,7 +56,34 @@ void expect_resumed_like(const fs::path& whole, const Folder& folder, const std:
   fs::remove_all(folder.work() / "killed");
 }
 
+/// On a grid so fine that load points are kept, which they are after half a second.
+const char* const hybrid_case =
+    "models = [\"hybrid\"]\n[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
+    "[wheel]\nrolling_radius = 405.0\ntransverse_radius = 405.0\n"
+    "[rail]\ntransverse_radius = inf\n[rolling]\nlongitudinal_creepage = [0.0, 0.0003, 0.0006, "
+    "0.0009, 0.0012, 0.0015, 0.002, 0.0025, 0.003, 0.004]\n"
+    "[contact_grid]\nelements_across = 80\n[fem]\ndegree = 1\nextent = 25\n";
+
 }  // namespace
+
+TEST(FemResume, TheHybridTakesUpLoadPointsAndItsCorrection) {
+  const Folder folder;
+  const std::string file = folder.file("hybrid.toml", hybrid_case);
+  const fs::path unfinished = folder.work() / "killed.unfinished";
+  const Killed killed = kill_when(
+      folder, run(1, file, "killed", false), [&] { return records(unfinished, "hybrid") > 2; },
+      "cache");
+  ASSERT_TRUE(killed.killed) << killed.err;
+  const std::vector<std::string> cache{"ROLLFEM_CACHE=cache"};
+  const Outcome resumed = execute(folder, run(1, file, "killed", true), cache);
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_NE(resumed.err.find("solutions of an earlier run"), std::string::npos) << resumed.err;
+  ASSERT_EQ(execute(folder, run(1, file, "whole", false), cache).status, 0);
+  // Notes are compared as well: in both the correction is the one that the killed run has found.
+  expect_same_results(folder, folder.work() / "whole", folder.work() / "killed");
+  EXPECT_NE(contents(folder.work() / "killed" / "summary.json").find("comes from the cache"),
+            std::string::npos);
+}
 
 TEST(FemResume, TheResultIsTheSameToTheLastBit) {
   const Folder folder;

@@ -10,15 +10,15 @@
 
 namespace rollfem::testing {
 
-/// Runs a command in the folder and ends it by SIGKILL as soon as `moment` has come. `killed`
-/// false: it ended before.
+/// Runs a command in the folder, `cache` being that of corrections (empty: none), and ends it by
+/// SIGKILL as soon as `moment` has come. `killed` false: it ended before.
 struct Killed {
   bool killed = false;
   std::string err;
 };
 
 inline Killed kill_when(const Folder& folder, const std::vector<std::string>& command,
-                        const std::function<bool()>& moment) {
+                        const std::function<bool()>& moment, const std::string& cache = "") {
   const std::string err = folder.output("stderr_killed").string();
   std::vector<std::string> copy = command;
   std::vector<char*> arguments;
@@ -28,7 +28,7 @@ inline Killed kill_when(const Folder& folder, const std::vector<std::string>& co
   const pid_t child = fork();
   if (child == 0) {
     setpgid(0, 0);
-    setenv("ROLLFEM_CACHE", "", 1);
+    setenv("ROLLFEM_CACHE", cache.c_str(), 1);
     if (chdir(work.c_str()) != 0 || dup2(open("/dev/null", O_WRONLY), 1) < 0 ||
         dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2) < 0)
       _exit(126);

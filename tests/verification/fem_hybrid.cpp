@@ -32,7 +32,71 @@ contact::ModelResult hybrid_of(const contact::Case& input) {
   return hybrid::run_hybrid(input, {}, nullptr, fem::find_smooth_parts);
 }
 
+/// Displacement by one body of a scene whose other one is rigid, under Hertz's pressure and half of
+/// it as friction, less its mean (which is the far boundary's), in mm.
+contact::SurfaceField beyond(const halfspace::SmoothMap& map) {
+  const double a = map.loads.half_length, b = map.loads.half_width;
+  const auto grid = contact::ContactGrid::centred(16, 16, 0.1 * a, 0.1 * b);
+  const contact::Field hertz = grid.sample([&](double x, double y) {
+    return 1e3 * std::sqrt(std::max(0.0, 1.0 - x * x / (a * a) - y * y / (b * b)));
+  });
+  // Half a body carries friction along rolling, and to both sides.
+  const contact::Field sides =
+      hertz.cwiseProduct(grid.sample([&](double, double y) { return y / b; }));
+  contact::SurfaceField u =
+      halfspace::SmoothMapOnGrid(map, grid).apply({0.5 * hertz, sides, hertz});
+  for (contact::Field* part : {&u.x, &u.y, &u.n}) part->array() -= part->mean();
+  return u;
+}
+
+/// Largest difference of any component over the largest of the second.
+double farthest(const contact::SurfaceField& one, const contact::SurfaceField& other) {
+  double most = 0.0, scale = 0.0;
+  for (auto part :
+       {&contact::SurfaceField::x, &contact::SurfaceField::y, &contact::SurfaceField::n}) {
+    most = std::max(most, (one.*part - other.*part).cwiseAbs().maxCoeff());
+    scale = std::max(scale, (other.*part).cwiseAbs().maxCoeff());
+  }
+  return most / scale;
+}
+
 }  // namespace
+
+TEST(Hybrid, AFlatRailIsNotMeshed) {
+  // On a curved common surface it still adds something; with stresses below the surface it is
+  // meshed. The bars hold a tenth of what is
+  // added.
+  contact::Case input = study_case("b", {0.0});
+  input.wheel.transverse_radius = 100.0;
+  input.wheel.material.young_modulus = contact::infinity;
+  input.rail.transverse_radius = contact::infinity;
+  input.fem.extent = 25.0;
+  contact::Scene scene(input);
+  scene.follows_surface = 1.0;
+  const halfspace::SmoothParts plain = fem::find_smooth_parts(scene, {});
+  EXPECT_EQ(plain.unknowns, 0);
+  scene.output.stress_maxima = true;
+  const halfspace::SmoothParts meshed = fem::find_smooth_parts(scene, {});
+  EXPECT_GT(meshed.unknowns, 1000);
+  const double difference = farthest(beyond(plain.rail), beyond(meshed.rail));
+  rollfem::testing::record("difference", difference);
+  EXPECT_LT(difference, 0.05);
+}
+
+TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
+  // With as many cells as quadratic ones, linear ones once had a fit that was not determined.
+  contact::Case input = study_case("b", {0.0});
+  input.rail.material.young_modulus = contact::infinity;
+  input.fem.extent = 25.0;
+  contact::Scene scene(input);
+  scene.follows_surface = 1.0;
+  const auto quadratic = fem::find_smooth_parts(scene, {});
+  scene.fem.degree = 1;
+  const auto linear = fem::find_smooth_parts(scene, {});
+  const double difference = farthest(beyond(linear.wheel), beyond(quadratic.wheel));
+  rollfem::testing::record("difference", difference);
+  EXPECT_LT(difference, 0.1);
+}
 
 TEST(Hybrid, AddsNothingToBodiesThatAreHalfSpaces) {
   // Radii of 4 m under 0.05 N: patch over radius is 1e-5, and with it what curvature adds.
