@@ -1,6 +1,9 @@
 #include "app/auto_model.hpp"
 
+#include "app/hybrid_model.hpp"
+#include "app/processes.hpp"
 #include "contact/base/errors.hpp"
+#include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/model.hpp"
 
@@ -49,6 +52,19 @@ double smallest_part(const Scene& scene) {
   return least > 0.0 && most > 0.0 ? least / most : 1.0;
 }
 
+/// By the hybrid, which meshes neither rigid bodies nor flat ones.
+int meshed_bodies(const Scene& scene) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  const bool flat_rail = !surface.profiles && std::isinf(surface.rail_transverse_radius);
+  return (scene.wheel.material.rigid() ? 0 : 1) +
+         (scene.rail.material.rigid() || (flat_rail && !scene.asks_for_stress()) ? 0 : 1);
+}
+
+int elements_of_model_error(const Scene& scene, const choice::ContactSize& size) {
+  if (scene.model_error && size.bodies_known) return halfspace::elements_of_model_error;
+  return choice::elements_of_model_error(size, accuracy_of(scene.accuracy));
+}
+
 choice::ContactSize size_of(const Scene& scene) {
   const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
   choice::ContactSize size;
@@ -59,10 +75,14 @@ choice::ContactSize size_of(const Scene& scene) {
     size.rolling_radius = scene.geometry.surface.rolling_radius;
     size.radius_across = radius_across(scene);
   }
-  size.friction = scene.friction() != nullptr;
-  size.symmetric = scene.is_symmetric();
+  if (scene.friction() != nullptr) size.friction = scene.friction_coefficient();
   size.smallest_part = smallest_part(scene);
   size.load_points = std::max<std::size_t>(1, scene.points.size());
+  size.symmetric = scene.is_symmetric();
+  size.meshed_bodies = meshed_bodies(scene);
+  // Nor is it looked for where a half-space does anyway. Processes that looked might disagree.
+  if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
+    size.correction_kept = correction_is_kept(scene);
   return size;
 }
 
@@ -76,6 +96,17 @@ std::string out_of_question(const contact::ModelInfo* model, const Scene& scene)
   if (model->name == "hybrid" && (meshes || !boxes))
     return "it meshes bodies as boxes under their surface, no others";
   return "";
+}
+
+std::vector<Forecast> forecasts_of(const Scene& scene, const choice::ContactSize& size,
+                                   const ModelRegistry& models) {
+  std::vector<Forecast> all{choice::halfspace_forecast(size, accuracy_of(scene.accuracy)),
+                            choice::hybrid_forecast(size), choice::fem_forecast(size)};
+  for (Forecast& forecast : all) {
+    const std::string why = out_of_question(models.find(forecast.model), scene);
+    if (!why.empty()) forecast.cannot = why;
+  }
+  return all;
 }
 
 /// The scene on a grid of the choice's, for half-space and hybrid.
@@ -101,22 +132,32 @@ class Solver {
  public:
   Solver(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint,
          const Solving& how)
-      : scene_(scene), progress_(progress), checkpoint_(checkpoint), how_(how) {
+      : asked_(scene),
+        scene_(scene),
+        size_(size_of(scene)),
+        progress_(progress),
+        checkpoint_(checkpoint),
+        how_(how) {
     scene_.accuracy.relative.reset();
+    scene_.model_error = false;
   }
+
+  const choice::ContactSize& size() const { return size_; }
 
   Candidate candidate(const Forecast& forecast) const {
     Candidate made{forecast, {}, false, {}};
     const std::string name = forecast.model;
     if (name == "halfspace") {
       const bool known = scene_.geometry.has_surfaces();
-      made.estimates_model_error = known;
-      if (!known) made.no_model_error = "the bodies are known by their distance alone";
-      made.solve = [this, known](int across) {
-        Scene scene = on_grid(scene_, across);
-        scene.model_error = known && estimated_.empty();
-        contact::ModelResult result = run("halfspace", scene);
-        if (known) share_model_error(result);
+      const int elements = elements_of_model_error(asked_, size_);
+      made.estimates_model_error = elements > 0;
+      if (!known)
+        made.no_model_error = "the bodies are known by their distance alone";
+      else if (elements == 0)
+        made.largest_model_error = choice::largest_model_error(size_);
+      made.solve = [this, elements](int across) {
+        contact::ModelResult result = run("halfspace", on_grid(scene_, across));
+        if (elements > 0) share_model_error(elements, result);
         return result;
       };
     } else if (name == "hybrid") {
@@ -129,8 +170,9 @@ class Solver {
 
  private:
   /// Finer grids change little of it: what the first has found is that of all.
-  void share_model_error(contact::ModelResult& result) const {
+  void share_model_error(int elements, contact::ModelResult& result) const {
     if (estimated_.empty()) {
+      halfspace::add_model_error(scene_, progress_, result, elements);
       for (const contact::PointResult& point : result.points)
         estimated_.push_back(point.model_error);
       source_ = result.model_error_source;
@@ -149,7 +191,9 @@ class Solver {
     return result;
   }
 
-  Scene scene_;
+  const Scene& asked_;
+  Scene scene_;  ///< without an accuracy or estimates, which are here
+  choice::ContactSize size_;
   const contact::Progress& progress_;
   contact::Checkpoint* checkpoint_;
   const Solving& how_;
@@ -196,14 +240,7 @@ void refuse_choice(const ModelRegistry& models, const std::vector<std::string>& 
 }
 
 std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& models) {
-  const choice::ContactSize size = size_of(scene);
-  std::vector<Forecast> all{choice::halfspace_forecast(size), choice::hybrid_forecast(size),
-                            choice::fem_forecast(size)};
-  for (Forecast& forecast : all) {
-    const std::string why = out_of_question(models.find(forecast.model), scene);
-    if (!why.empty()) forecast.cannot = why;
-  }
-  return all;
+  return forecasts_of(scene, size_of(scene), models);
 }
 
 double accuracy_of(const contact::AccuracyRequest& asked) {
@@ -214,7 +251,7 @@ contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress
                                      contact::Checkpoint* checkpoint, const Solving& how) {
   const Solver solver(scene, progress, checkpoint, how);
   std::vector<Candidate> candidates;
-  for (const Forecast& forecast : forecasts_of(scene, *how.models))
+  for (const Forecast& forecast : forecasts_of(scene, solver.size(), *how.models))
     candidates.push_back(solver.candidate(forecast));
   choice::Wanted wanted;
   wanted.accuracy = scene.accuracy;

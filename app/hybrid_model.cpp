@@ -48,6 +48,17 @@ hybrid::FindParts smooth_parts_finder() {
   return find_smooth_parts;
 }
 
+bool correction_is_kept(const contact::Scene& scene) {
+  contact::Scene curved = scene;
+  curved.follows_surface = 1.0;
+  try {
+    const contact::Scene correction = halfspace::correction_scene(curved);
+    return CorrectionCache().find(correction, scene.asks_for_stress()).parts.has_value();
+  } catch (const std::runtime_error&) {
+    return false;  // no patch, no correction
+  }
+}
+
 contact::ModelInfo hybrid_model() {
   contact::ModelInfo hybrid{"hybrid", "hybrid",
                             "half-space on a fine grid, corrected for curved and finite bodies by "

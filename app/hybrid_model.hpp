@@ -12,6 +12,9 @@ namespace rollfem::app {
 /// Collective where several processes run.
 hybrid::FindParts smooth_parts_finder();
 
+/// That of the scene is in the cache.
+bool correction_is_kept(const contact::Scene& scene);
+
 contact::ModelInfo hybrid_model();
 
 }  // namespace rollfem::app

@@ -148,10 +148,12 @@ class Choice {
     const bool source = result.model_error_source.rfind("not estimated", 0) != 0;
     Reached reached = reached_by(result, wanted_.accuracy, wanted_.friction_coefficient,
                                  !candidate.estimates_model_error || source);
+    if (candidate.largest_model_error > 0.0)
+      reached.set_largest_model(candidate.largest_model_error);
     agree(reached);
     calibrate(plan, seconds);
     learn(forecast, plan.level, reached.most_discretisation, seconds);
-    if (candidate.estimates_model_error) {
+    if (candidate.estimates_model_error || candidate.largest_model_error > 0.0) {
       forecast.model_error = reached.most_model;
       forecast.model_error_found = true;
     }
@@ -160,6 +162,10 @@ class Choice {
     const bool better = !best_ || reached.together() < reached_best();
     attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, seconds, reached};
     met_ = reached.together() <= accuracy_;
+    if (candidate.largest_model_error > 0.0)
+      result.model_error_source =
+          fmt::format("not estimated: {} at most by the size of the contact, {} asked for",
+                      percent(candidate.largest_model_error), percent(accuracy_));
     if (better || met_) best_ = Best{plan.model, std::move(result)};
   }
 

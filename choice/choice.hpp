@@ -24,6 +24,8 @@ struct Candidate {
   std::function<contact::ModelResult(int across)> solve;
   /// Model errors that its results do not carry are unknown, unless it says that there are none.
   bool estimates_model_error = false;
+  /// Where they are not estimated: none is larger, as part of its whole. 0: there is none.
+  double largest_model_error = 0.0;
   std::string no_model_error = {};  ///< why its model error cannot be known; empty: it can
 };
 

@@ -17,6 +17,12 @@ struct Reached {
   /// Largest of all quantities and load points, each by itself: what finer grids are expected from.
   double most_discretisation = 0.0;
   double most_model = 0.0;
+  bool model_at_most = false;  ///< the model error is one that none exceeds, and not found
+  /// Of all quantities.
+  void set_largest_model(double part) {
+    model = most_model = part;
+    model_at_most = true;
+  }
   double together() const { return discretisation + model; }
   /// "discretisation 0.6 %, model 0.2 % of mu (traction_coefficient at load point 2)"
   /// Where the model error is not known: "discretisation 0.6 % of mu (...), model unknown: WHY".

@@ -44,13 +44,12 @@ std::map<std::string, double> changes(const contact::PrescribedForce& force,
 }
 
 std::optional<ModelErrors> errors_of_few_elements(const contact::Scene& scene,
-                                                  const contact::Progress& progress) {
-  const contact::Scene few = on_few_elements(scene, elements_of_model_error);
+                                                  const contact::Progress& progress, int across) {
+  const contact::Scene few = on_few_elements(scene, across);
   const AreaOfPatch area(few);
   const auto [length, width] = area.extent();
   const contact::LevelResult plain =
-      solve_level(few, area, length / elements_of_model_error, width / elements_of_model_error,
-                  nullptr, "model error: ", progress);
+      solve_level(few, area, length / across, width / across, nullptr, "model error: ", progress);
   return model_errors(few, plain, progress);
 }
 
@@ -69,13 +68,13 @@ std::optional<ModelErrors> model_errors(const contact::Scene& scene,
 }
 
 void add_model_error(const contact::Scene& scene, const contact::Progress& progress,
-                     contact::ModelResult& result) {
+                     contact::ModelResult& result, int elements_across) {
   check_bodies_known(scene);
   const contact::Stopwatch watch;
   std::optional<ModelErrors> errors;
   std::string why = "the patch does not fit the grid";
   try {
-    errors = errors_of_few_elements(scene, progress);
+    errors = errors_of_few_elements(scene, progress, elements_across);
   } catch (const std::runtime_error& error) {  // the result stands without it
     why = error.what();
   }
@@ -83,11 +82,11 @@ void add_model_error(const contact::Scene& scene, const contact::Progress& progr
       errors ? fmt::format(
                    "difference to bodies of their true curvature, first order, with {} "
                    "elements across",
-                   elements_of_model_error)
+                   elements_across)
              : fmt::format(
                    "not estimated: curved bodies with {} elements across have no result "
                    "({})",
-                   elements_of_model_error, why);
+                   elements_across, why);
   for (std::size_t k = 0; errors && k < result.points.size(); ++k)
     for (const auto& [name, change] : errors->at(k))
       result.points[k].model_error[name] = std::abs(change);

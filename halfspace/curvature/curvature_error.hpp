@@ -30,9 +30,9 @@ std::optional<ModelErrors> model_errors(const contact::Scene& scene,
 inline constexpr int elements_of_model_error = 32;
 
 /// Sets PointResult::model_error (absolute values) and the source of the half-space's result of the
-/// scene, from solutions with elements_of_model_error across; where there are none the source says
-/// why. Throws contact::InputError where bodies are not known.
+/// scene, from solutions on so many elements across; where there are none the source says why.
+/// Throws contact::InputError where bodies are not known.
 void add_model_error(const contact::Scene& scene, const contact::Progress& progress,
-                     contact::ModelResult& result);
+                     contact::ModelResult& result, int elements_across = elements_of_model_error);
 
 }  // namespace rollfem::halfspace

@@ -46,8 +46,11 @@ TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
     EXPECT_EQ(model["label"], "half-space");
     EXPECT_EQ(model["chosen_by"], "auto");
     EXPECT_EQ(model["choice"].get<std::string>().rfind("half-space, ", 0), 0U) << model["choice"];
-    EXPECT_NE(model["choice"].get<std::string>().find("model 0."), std::string::npos)
+    // At 5 % the size of the contact tells that the half-space does, and nothing is solved for it.
+    const std::string left_out = accuracy == 0.01 ? "model 0." : "model at most ";
+    EXPECT_NE(model["choice"].get<std::string>().find(left_out), std::string::npos)
         << model["choice"];
+    EXPECT_EQ(model["points"][0].contains("model_error"), accuracy == 0.01);
     EXPECT_NE(model["notes"][0].get<std::string>().find(model["choice"].get<std::string>()),
               std::string::npos);
     expect_within(model, accuracy);

@@ -45,6 +45,14 @@ class Cache {
     return Json::parse(contents(folder_.work() / name / "summary.json"))["models"][0];
   }
 
+  /// What `check` prints.
+  std::string check(const std::string& name, const std::string& text) {
+    const Outcome outcome =
+        call(folder_, {"check", folder_.file(name + ".toml", text)}, {"ROLLFEM_CACHE=cache"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  }
+
   /// stress.json of a stored result.
   Json stress(const std::string& name) {
     const Outcome outcome =
@@ -110,6 +118,21 @@ TEST(Cache, IsOfTheBodiesThatItWasFoundFor) {
   EXPECT_NE(listed.find("3 corrections"), std::string::npos) << listed;
   EXPECT_NE(cache.list("clear").find("removed 3 corrections"), std::string::npos);
   EXPECT_TRUE(cache.files().empty());
+}
+
+TEST(Cache, IsKnownToTheModelAuto) {
+  Cache cache;
+  const std::string text = coarse_case(405.0, 50e3, 0.55, 0.001);
+  const auto seconds = [&](const std::string& name) {
+    const std::string told = cache.check(name, "accuracy = 0.002\n" + text);
+    const auto at = told.find("hybrid, ");
+    EXPECT_NE(at, std::string::npos) << told;
+    return std::stod(told.substr(told.find("about ", at) + 6));
+  };
+  const double anew = seconds("anew");
+  EXPECT_GT(anew, 5.0);
+  cache.run("kept", text);
+  EXPECT_LT(seconds("found"), 0.2 * anew);
 }
 
 TEST(Cache, ADamagedFileIsToldAndReplaced) {
