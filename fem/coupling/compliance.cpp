@@ -3,9 +3,6 @@
 #include "contact/scene/curvature_slip.hpp"
 #include "fem/coupling/far_field.hpp"
 #include "fem/coupling/middle_displacement.hpp"
-#include "fem/solver/factorisation.hpp"
-
-#include <deal.II/base/mpi.h>
 
 #include <array>
 #include <cmath>
@@ -32,8 +29,7 @@ struct FemCompliance::Implementation {
     concurrent = wheel.solver != rail.solver;
     for (int k = 0; k < 2; ++k) {
       const auto [body, solver] = parts[k];
-      concurrent = concurrent && body != nullptr && is_factorisation(*solver) &&
-                   dealii::Utilities::MPI::n_mpi_processes(body->dofs().get_communicator()) == 1;
+      concurrent = concurrent && body != nullptr && solver->runs_beside_others();
       if (body == nullptr) continue;
       coupling[k].emplace(*body, grid, surface);
       loads[k] = make_vector(body->dofs());

@@ -53,8 +53,7 @@ class FemCompliance : public contact::Compliance {
     const LinearSolver* solver;
   };
   /// Wheel and rail, of which one may be rigid, and the surface that they share; all outlive the
-  /// compliance. Parts are solved at the same time on two threads when there is one process and
-  /// both solvers are factorisations.
+  /// compliance. Parts are solved at the same time on two threads when both solvers allow it.
   /// With FarBoundary::point_load the displacement that the far boundary brings is added, which is
   /// linear in the resultant force (and costs three solves a body, here): then no longer exactly
   /// symmetric, see docs/theory.md.

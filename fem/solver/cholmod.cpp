@@ -7,11 +7,100 @@
 #include <fmt/format.h>
 #include <suitesparse/cholmod.h>
 
+#include <algorithm>
+#include <dlfcn.h>
 #include <limits>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace rollfem::fem {
+
+namespace {
+
+/// No OpenMP regions in this scope. CHOLMOD opens one of four threads at every large supernode,
+/// whatever OMP_NUM_THREADS says: with two bodies side by side they wait for each other, and on
+/// busy cores a factorisation took five times its CPU time. Whichever OpenMP CHOLMOD has loaded is
+/// asked, so that none is needed to build.
+class SerialRegions {
+ public:
+  SerialRegions() {
+    if (get_ == nullptr || set_ == nullptr) return;
+    before_ = get_();
+    set_(0);
+  }
+  ~SerialRegions() {
+    if (get_ != nullptr && set_ != nullptr) set_(before_);
+  }
+  SerialRegions(const SerialRegions&) = delete;
+  SerialRegions& operator=(const SerialRegions&) = delete;
+
+ private:
+  int (*get_)() = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+  void (*set_)(int) = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT,
+                                                            "omp_set_max_active_levels"));
+  int before_ = 1;
+};
+
+/// Unknowns that follow each other and reach the same others: the components of one node.
+struct Nodes {
+  std::vector<int> first{0};  ///< unknown of each node, and the number of unknowns
+  std::vector<int> of;        ///< node of each unknown
+};
+
+Nodes find_nodes(const cholmod_sparse& lower) {
+  const int size = static_cast<int>(lower.ncol);
+  const auto* start = static_cast<const int*>(lower.p);
+  const auto* row = static_cast<const int*>(lower.i);
+  Nodes nodes;
+  nodes.of.resize(lower.ncol);
+  for (int c = 0; c < size; ++c) {
+    // Below the diagonal a column has what the one before it has, but for itself.
+    const bool alike =
+        c > 0 && std::equal(row + start[c], row + start[c + 1],
+                            row + std::min(start[c - 1] + 1, start[c]), row + start[c]);
+    if (c > 0 && !alike) nodes.first.push_back(c);
+    nodes.of[c] = static_cast<int>(nodes.first.size()) - 1;
+  }
+  nodes.first.push_back(size);
+  return nodes;
+}
+
+/// Which nodes reach which, lower triangle.
+struct NodeGraph {
+  std::vector<int> start{0}, row;
+
+  NodeGraph(const cholmod_sparse& lower, const Nodes& nodes) {
+    const auto* of_column = static_cast<const int*>(lower.p);
+    const auto* of_row = static_cast<const int*>(lower.i);
+    const std::size_t count = nodes.first.size() - 1;
+    std::vector<int> seen(count, -1);
+    for (std::size_t node = 0; node < count; ++node) {
+      const int self = static_cast<int>(node);
+      for (int k = of_column[nodes.first[node]]; k < of_column[nodes.first[node + 1]]; ++k) {
+        const int other = nodes.of[of_row[k]];
+        if (std::exchange(seen[other], self) != self) row.push_back(other);
+      }
+      start.push_back(static_cast<int>(row.size()));
+    }
+  }
+  cholmod_sparse view() {
+    cholmod_sparse graph{};
+    graph.nrow = graph.ncol = start.size() - 1;
+    graph.nzmax = row.size();
+    graph.p = start.data();
+    graph.i = row.data();
+    graph.stype = -1;
+    graph.itype = CHOLMOD_INT;
+    graph.xtype = CHOLMOD_PATTERN;
+    graph.dtype = CHOLMOD_DOUBLE;
+    graph.sorted = 0;
+    graph.packed = 1;
+    return graph;
+  }
+};
+
+}  // namespace
 
 /// What CHOLMOD allocates, freed also when a constructor fails half-way.
 struct CholeskyFactor::Cholmod {
@@ -22,7 +111,7 @@ struct CholeskyFactor::Cholmod {
     common.quick_return_if_not_posdef = 1;
     // Nested dissection alone: trying AMD as well costs seconds and never won in 3D.
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_METIS;
+    common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 1;
   }
   Cholmod(const Cholmod&) = delete;
@@ -51,14 +140,32 @@ struct CholeskyFactor::Cholmod {
     }
   }
 
-  void factorise(cholmod_sparse* lower) {
+  /// Nested dissection of the graph of nodes, which has a ninth of the entries: a third of the time
+  /// that ordering all unknowns takes, and 4 % less work for the factor (0.14 million unknowns).
+  std::vector<int> order(const cholmod_sparse& lower) {
+    const Nodes nodes = find_nodes(lower);
+    NodeGraph graph(lower, nodes);
+    cholmod_sparse view = graph.view();
+    std::vector<int> order_of_nodes(view.ncol), parents(view.ncol), members(view.ncol);
     {
       // METIS draws from the one random sequence of the process: two orderings at a time would
       // differ from run to run, and with them the last digits of every result.
       static std::mutex one_at_a_time;
       const std::lock_guard<std::mutex> lock(one_at_a_time);
-      factor = cholmod_analyze(lower, &common);
+      require(cholmod_nested_dissection(&view, nullptr, 0, order_of_nodes.data(), parents.data(),
+                                        members.data(), &common) >= 0);
     }
+    std::vector<int> unknowns;
+    unknowns.reserve(lower.ncol);
+    for (const int node : order_of_nodes)
+      for (int k = nodes.first[node]; k < nodes.first[node + 1]; ++k) unknowns.push_back(k);
+    return unknowns;
+  }
+
+  void factorise(cholmod_sparse* lower) {
+    const SerialRegions serial;
+    std::vector<int> permutation = order(*lower);
+    factor = cholmod_analyze_p(lower, permutation.data(), nullptr, 0, &common);
     require(factor != nullptr);
     require(cholmod_factorize(lower, factor, &common) != 0);
   }
@@ -126,6 +233,7 @@ const double* CholeskyFactor::solve(const std::vector<double>& b) const {
   right.x = const_cast<double*>(b.data());
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
+  const SerialRegions serial;
   it.require(cholmod_solve2(CHOLMOD_A, it.factor, &right, nullptr, &it.solution, nullptr, &it.work,
                             &it.more_work, &it.common) != 0);
   return static_cast<const double*>(it.solution->x);
@@ -133,6 +241,10 @@ const double* CholeskyFactor::solve(const std::vector<double>& b) const {
 
 double CholeskyFactor::memory_bytes() const {
   return static_cast<double>(cholmod_->common.memory_inuse);
+}
+
+double CholeskyFactor::operations() const {
+  return cholmod_->common.fl;
 }
 
 }  // namespace rollfem::fem

@@ -1,4 +1,4 @@
-// Sparse Cholesky factors by CHOLMOD: supernodal, ordered by METIS' nested dissection.
+// Sparse Cholesky factors by CHOLMOD: supernodal, ordered by nested dissection of the nodes.
 #pragma once
 
 #include <cstddef>
@@ -31,6 +31,7 @@ class CholeskyFactor {
   /// K^-1 b in a buffer of the factor, valid until the next call. One call at a time.
   const double* solve(const std::vector<double>& b) const;
   double memory_bytes() const;
+  double operations() const;  ///< of floating point that the factor took
 
  private:
   struct Cholmod;

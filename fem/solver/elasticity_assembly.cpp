@@ -131,11 +131,11 @@ void FreeUnknowns::condense(const Vector& b, std::vector<double>& x) const {
       x[column[k]] += weight[k] * b.local_element(static_cast<unsigned int>(i));
 }
 
-void FreeUnknowns::expand(const double* x, Vector& u) const {
+void FreeUnknowns::expand_and_add(const double* x, Vector& u) const {
   for (std::size_t i = 0; i + 1 < row_start.size(); ++i) {
     double value = 0.0;
     for (auto k = row_start[i]; k < row_start[i + 1]; ++k) value += weight[k] * x[column[k]];
-    u.local_element(static_cast<unsigned int>(i)) = value;
+    u.local_element(static_cast<unsigned int>(i)) += value;
   }
 }
 
@@ -161,12 +161,15 @@ CellUnknowns collect_cell_unknowns(const dealii::DoFHandler<3>& dofs,
   CellUnknowns cells;
   std::vector<dealii::types::global_dof_index> indices(dofs.get_fe().dofs_per_cell);
   std::vector<int> reached;
+  std::size_t number = 0;
   for (const auto& cell : dofs.active_cell_iterators()) {
-    cell->get_dof_indices(indices);
     reached.clear();
-    for (const auto dof : indices)
-      for (auto k = unknowns.row_start[dof]; k < unknowns.row_start[dof + 1]; ++k)
-        reached.push_back(unknowns.column[k]);
+    if (unknowns.takes(number++)) {
+      cell->get_dof_indices(indices);
+      for (const auto dof : indices)
+        for (auto k = unknowns.row_start[dof]; k < unknowns.row_start[dof + 1]; ++k)
+          reached.push_back(unknowns.column[k]);
+    }
     std::sort(reached.begin(), reached.end());
     reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
     cells.unknown.insert(cells.unknown.end(), reached.begin(), reached.end());
@@ -270,12 +273,13 @@ SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unkn
   std::vector<dealii::types::global_dof_index> indices(problem.dofs.get_fe().dofs_per_cell);
   std::size_t number = 0;
   for (const auto& cell : problem.dofs.active_cell_iterators()) {
+    const auto first = cells.start[number];
+    const int count = static_cast<int>(cells.start[++number] - first);
+    if (count == 0) continue;
     cell->get_dof_indices(indices);
-    const int* const reached = &cells.unknown[cells.start[number]];
-    const int count = static_cast<int>(cells.start[number + 1] - cells.start[number]);
+    const int* const reached = &cells.unknown[first];
     add_cell(reached, count,
              condensation.condense(indices, reached, count, cell_stiffness.compute(cell)), matrix);
-    ++number;
   }
   return matrix;
 }

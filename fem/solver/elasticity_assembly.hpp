@@ -54,11 +54,14 @@ struct FreeUnknowns {
   std::vector<std::int64_t> row_start;
   std::vector<int> column;
   std::vector<double> weight;
+  /// Of which cells the matrix is, in the order of the active ones; empty: all.
+  std::vector<bool> cells;
 
+  bool takes(std::size_t cell) const { return cells.empty() || cells[cell]; }
   /// x = C^T b.
   void condense(const Vector& b, std::vector<double>& x) const;
-  /// u = C x.
-  void expand(const double* x, Vector& u) const;
+  /// u += C x.
+  void expand_and_add(const double* x, Vector& u) const;
 };
 FreeUnknowns number_free_unknowns(const dealii::DoFHandler<3>& dofs,
                                   const dealii::AffineConstraints<double>& constraints);
@@ -74,7 +77,7 @@ struct SymmetricMatrix {
   void multiply(const std::vector<double>& x, std::vector<double>& y) const;
 };
 
-/// C^T K C.
+/// C^T K C, K of the cells that the unknowns take.
 SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns);
 
 }  // namespace rollfem::fem

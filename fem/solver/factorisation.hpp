@@ -1,18 +1,16 @@
-// Sparse Cholesky factorisation (CHOLMOD, supernodal, METIS) of the assembled stiffness: the
-// quickest solver up to some 400 000 unknowns when one geometry serves many right-hand sides.
+// Sparse Cholesky factorisation (CHOLMOD, supernodal, nested dissection) of the assembled
+// stiffness: the quickest solver up to some 400 000 unknowns when one geometry serves many
+// right-hand sides.
 #pragma once
 
 #include "fem/solver/linear_solver.hpp"
 
 namespace rollfem::fem {
 
-/// One process only. Throws contact::SolveError when the matrix is not positive definite or memory
+/// Of a body that is its own mirror image in the halves of mirrored_halves.hpp. One process only.
+/// Throws contact::SolveError when the matrix is not positive definite or memory
 /// runs out.
 std::unique_ptr<LinearSolver> make_factorisation(const ElasticProblem& problem);
-
-/// Whether `solver` came from make_factorisation: then it may run beside another one on a second
-/// thread (but never twice at the same time itself).
-bool is_factorisation(const LinearSolver& solver);
 
 /// Rough prediction of the factor's memory for that many unknowns in 3D Q2, bytes.
 double predicted_factor_bytes(double unknowns);

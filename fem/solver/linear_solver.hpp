@@ -64,6 +64,8 @@ class LinearSolver {
   virtual int last_iterations() const = 0;  ///< 0 for a factorisation
   virtual double memory_bytes() const = 0;  ///< on this process
   virtual std::string description() const = 0;
+  /// Whether a solve may run on one thread while another solver's runs on the next.
+  virtual bool runs_beside_others() const { return false; }
 };
 
 }  // namespace rollfem::fem
