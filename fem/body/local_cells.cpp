@@ -65,11 +65,13 @@ std::shared_ptr<const LocalDofs> make_local_dofs(
       std::make_shared<Partitioner>(dofs.locally_owned_dofs(), ghosts, communicator);
   for (const auto dof : active)
     if (constraints.is_constrained(dof)) {
-      ConstrainedRow row;
+      ConstrainedRow row{};
       row.row = result->with_ghosts->global_to_local(dof);
+      row.first_term = static_cast<unsigned int>(result->terms.size());
       for (const auto& term : *constraints.get_constraint_entries(dof))
-        row.terms.push_back({result->with_ghosts->global_to_local(term.first), term.second});
-      result->constrained.push_back(std::move(row));
+        result->terms.push_back({result->with_ghosts->global_to_local(term.first), term.second});
+      row.end_of_terms = static_cast<unsigned int>(result->terms.size());
+      result->constrained.push_back(row);
     }
   std::sort(result->constrained.begin(), result->constrained.end(),
             [](const auto& a, const auto& b) { return a.row < b.row; });

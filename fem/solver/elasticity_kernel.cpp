@@ -44,6 +44,13 @@ constexpr Shape<3> make_shape<3>() {
   return {{{a, b, c}, {0, 1, 0}, {c, b, a}}, {{-3 * d, 4 * d, -d}, {-d, 0, d}, {d, -4 * d, 3 * d}}};
 }
 
+/// Gauss weights of the unit interval.
+template <int n>
+constexpr double gauss_weight(int point) {
+  if constexpr (n == 2) return 0.5;
+  return point == 1 ? 4.0 / 9.0 : 5.0 / 18.0;
+}
+
 /// out (+)= M in along one direction of an n^3 array; `transpose` takes M^T.
 template <int n, int direction, bool transpose, bool add, typename V, typename Number>
 ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) {
@@ -73,6 +80,7 @@ ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) 
 template <typename V>
 struct CellData {
   const V *geometry, *flow, *dilatation;
+  bool parallelepipeds;
 };
 template <int n>
 constexpr int dilatation_functions = n == 2 ? 1 : 4;
@@ -174,6 +182,24 @@ ROLLFEM_INLINE void apply_law(const CellData<V>& cell, const LameConstants<Numbe
   }
 }
 
+/// The same where the geometry is one matrix: its weights are those of the quadrature.
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE void apply_law_of_parallelepiped(const V* geometry,
+                                                const LameConstants<Number>& material,
+                                                V (&gradient)[3][3][n * n * n]) {
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    apply_stress(geometry, material, static_cast<const V*>(nullptr), g);
+    const auto w = static_cast<Number>(gauss_weight<n>(q % n) * gauss_weight<n>(q / n % n) *
+                                       gauss_weight<n>(q / (n * n)));
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+      for (int e = 0; e < 3; ++e) gradient[c][e][q] = w * g[c][e];
+  }
+}
+
 /// u = K_cell u for one batch, u[component][node].
 template <int n, typename V, typename Number>
 ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Number>& material,
@@ -192,7 +218,9 @@ ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Nu
     contract<n, 2, false, false, V, Number>(shape.gradient, work, gradient[c][2]);
   }
   // Decided once a batch, so that bodies at rest pay nothing for what others need.
-  if (cell.dilatation == nullptr && cell.flow == nullptr)
+  if (cell.parallelepipeds)
+    apply_law_of_parallelepiped<n>(cell.geometry, material, gradient);
+  else if (cell.dilatation == nullptr && cell.flow == nullptr)
     apply_law<n, false, false>(cell, material, gradient);
   else if (cell.dilatation == nullptr)
     apply_law<n, false, true>(cell, material, gradient);
@@ -215,11 +243,11 @@ template <int n, typename V, typename Number>
 ROLLFEM_INLINE CellData<V> data_of(const CellBatches<Number>& cells, std::size_t batch) {
   constexpr std::size_t points = n * n * n, width = lanes<Number>;
   const auto part = [batch](const Number* data, std::size_t items) {
-    return data == nullptr ? nullptr
-                           : reinterpret_cast<const V*>(data + batch * points * items * width);
+    return data == nullptr ? nullptr : reinterpret_cast<const V*>(data + batch * items * width);
   };
-  return {part(cells.geometry, 9), part(cells.flow, 3),
-          part(cells.dilatation, dilatation_functions<n>)};
+  return {part(cells.geometry, cells.parallelepipeds ? 9 : 9 * points),
+          part(cells.flow, 3 * points), part(cells.dilatation, dilatation_functions<n> * points),
+          cells.parallelepipeds};
 }
 
 template <int n, typename Number>

@@ -23,6 +23,9 @@ struct CellBatches {
   /// [batch][quadrature point][e][d][lane]: sqrt(weight det J) * d xi_e / d x_d at the Gauss points
   /// of degree + 1 points a direction, so that products of two of them carry the whole integral.
   const Number* geometry = nullptr;
+  /// The geometry is one matrix a cell, [batch][e][d][lane], without the weights of the quadrature:
+  /// cells that are parallelepipeds, or nearly so. Without flow and dilatation.
+  bool parallelepipeds = false;
   /// [batch][quadrature point][e][lane]: sqrt(rho weight det J) * v . grad xi_e for material that
   /// flows with velocity v; null: no inertia.
   const Number* flow = nullptr;

@@ -18,15 +18,16 @@
 
 namespace rollfem::fem {
 
-/// A dof that constraints fix: u_row = sum of weight * u_master, an empty sum for a boundary
-/// condition. Numbers are local ones.
+/// A dof that constraints fix: u_row = sum of weight * u_master over its terms, none for a boundary
+/// condition. Numbers are local ones. A sixth of the dofs of a graded body are such: the terms of
+/// all lie one after the other, since they are read in every product.
 struct ConstrainedRow {
-  struct Term {
-    unsigned int master;
-    double weight;
-  };
   unsigned int row;
-  std::vector<Term> terms;
+  unsigned int first_term, end_of_terms;  ///< in LocalDofs::terms
+};
+struct ConstraintTerm {
+  unsigned int master;
+  double weight;
 };
 
 /// The unknowns of this process: owned ones first, then the ghosts that its cells and the
@@ -35,6 +36,7 @@ struct LocalDofs {
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> with_ghosts;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> owned_only;
   std::vector<ConstrainedRow> constrained;  ///< ascending rows, so the owned ones come first
+  std::vector<ConstraintTerm> terms;
   std::size_t owned_constrained = 0;
 };
 
@@ -67,7 +69,10 @@ class ElasticityOperator {
  public:
   using VectorType = dealii::LinearAlgebra::distributed::Vector<Number>;
 
-  explicit ElasticityOperator(const LocalCells& cells);
+  /// Cells at rest and without projection whose geometry varies by less than `straightened`,
+  /// relative to itself, are taken for parallelepipeds: a fortieth of the memory of the geometry
+  /// and more speed, for operators that precondition.
+  explicit ElasticityOperator(const LocalCells& cells, double straightened = 0.0);
 
   VectorType make_vector() const;
   /// K x, collective.
@@ -88,6 +93,15 @@ class ElasticityOperator {
     int dof;              ///< of the cell, that depends on it
     double weight;
   };
+  /// Cells that one call of the kernel takes.
+  struct Group {
+    std::size_t cells = 0;
+    dealii::AlignedVector<unsigned int> indices;
+    dealii::AlignedVector<Number> geometry, flow, dilatation;
+    CellBatches<Number> batches;
+  };
+  static Group make_group(const LocalCells& cells, const std::vector<std::size_t>& chosen,
+                          const std::vector<double>& one_matrix);
   template <typename F>
   void for_each_cell(const F& f) const;
   void load(const VectorType& x) const;
@@ -97,10 +111,7 @@ class ElasticityOperator {
   ElasticityKernel<Number> kernel_;
   LameConstants<Number> material_;
   int cell_dofs_;
-  std::size_t cells_;
-  dealii::AlignedVector<unsigned int> indices_;
-  dealii::AlignedVector<Number> geometry_, flow_, dilatation_;
-  CellBatches<Number> batches_;
+  std::vector<Group> groups_;
   mutable VectorType source_, result_;  ///< with ghosts
 };
 

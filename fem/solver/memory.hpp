@@ -33,4 +33,8 @@ std::string memory_note(const MemoryDemand& demand, MPI_Comm communicator);
 /// Whether the processes of this machine find room; the same on every process. Collective.
 bool fits_memory(const MemoryDemand& demand, MPI_Comm communicator);
 
+/// Gives the system what has been freed and the C library keeps: after a set-up that is as much as
+/// what stays.
+void hand_back_memory();
+
 }  // namespace rollfem::fem
