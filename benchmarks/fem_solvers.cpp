@@ -13,8 +13,10 @@
 
 #include <cmath>
 #include <exception>
+#include <fstream>
 #include <string>
 #include <sys/resource.h>
+#include <unistd.h>
 
 using namespace rollfem;
 
@@ -35,6 +37,14 @@ std::unique_ptr<fem::LinearSolver> make_solver(const std::string& name, const fe
   if (name == "factorisation") return fem::make_factorisation(body.problem());
   if (name == "algebraic") return fem::make_algebraic_multigrid(body.problem());
   return fem::make_multigrid(body.problem());
+}
+
+/// Resident now, GB.
+double memory_gb() {
+  std::ifstream status("/proc/self/statm");
+  double program = 0.0, resident = 0.0;
+  status >> program >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 30);
 }
 
 double peak_memory_gb() {
@@ -69,11 +79,13 @@ void measure(const std::string& solver_name, double cell) {
   solver->solve(u, load);
   const double solve = solve_watch.seconds();
   const double memory = dealii::Utilities::MPI::max(peak_memory_gb(), world);
+  const double stays = dealii::Utilities::MPI::max(memory_gb(), world);
   const double approach = coupling.sample(u).n.cwiseAbs().maxCoeff();
   if (dealii::Utilities::MPI::this_mpi_process(world) == 0)
-    fmt::print("| {} | {} | {:.4g} | {} | {:.1f} | {:.1f} | {:.2f} | {} | {:.2f} | {:.9g} |\n",
-               solver_name, dealii::Utilities::MPI::n_mpi_processes(world), cell, body.unknowns(),
-               mesh, setup, solve, solver->last_iterations(), memory, approach);
+    fmt::print(
+        "| {} | {} | {:.4g} | {} | {:.1f} | {:.1f} | {:.2f} | {} | {:.2f} | {:.2f} | {:.9g} |\n",
+        solver_name, dealii::Utilities::MPI::n_mpi_processes(world), cell, body.unknowns(), mesh,
+        setup, solve, solver->last_iterations(), memory, stays, approach);
   std::fflush(stdout);
 }
 
@@ -85,8 +97,8 @@ int main(int argc, char** argv) {
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       fmt::print(
           "| solver | processes | cell mm | unknowns | mesh s | set-up s | solve s | iterations | "
-          "peak GB a process | largest displacement mm "
-          "|\n|---|---|---|---|---|---|---|---|---|---|\n");
+          "peak GB a process | GB that stay | largest displacement mm "
+          "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int k = 2; k < argc; ++k) measure(argv[1], std::stod(argv[k]));
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
