@@ -14,14 +14,13 @@ namespace rollfem::fem {
 
 namespace {
 
-using Place = dealii::Point<3>;
 using Terms = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
 /// Nodes nearer to each other are one, relative to the size of the body.
 constexpr double same_place = 1e-10;
 
 struct Node {
-  Place place;
+  dealii::Point<3> place;
   std::array<int, 3> unknown;       ///< by component
   std::array<bool, 3> constrained;  ///< a hanging node may lie where another one is
 };
@@ -93,7 +92,7 @@ void MirrorImages::join(const Node& a, const Node& b) {
 /// False when a node has no image. Nodes are sorted by a number that images share and others by
 /// accident only.
 bool MirrorImages::find() {
-  const auto number = [](const Place& p) {
+  const auto number = [](const dealii::Point<3>& p) {
     return 0.754877666 * std::abs(p[0]) + 0.569840291 * p[1] + 0.430159709 * p[2];
   };
   std::sort(nodes.begin(), nodes.end(),
