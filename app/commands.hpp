@@ -9,6 +9,7 @@
 #include "app/run.hpp"
 #include "app/stress.hpp"
 #include "app/study.hpp"
+#include "app/wheelset.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -26,6 +27,7 @@ struct Call {
   StressRequest stress = {};
   ProfileRequest profile = {};
   ConvertRequest convert = {};
+  WheelsetRequest wheelset = {};
   std::string check_file = {};
   std::vector<std::string> check_changes = {};
   std::string new_case_file = {};
@@ -42,6 +44,6 @@ void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, 
 void add_stress_command(CLI::App& program, Call& call);
 void add_input_commands(
     CLI::App& program,
-    Call& call);  ///< mesh, profile, check, new-case, convert, report, cache, docs
+    Call& call);  ///< mesh, profile, wheelset, check, new-case, convert, report, cache, docs
 
 }  // namespace rollfem::app

@@ -118,9 +118,8 @@ void add_convert_command(CLI::App& program, Call& call) {
   convert->callback([&call] { app::convert(call.convert, call.models); });
 }
 
-}  // namespace
-
-void add_input_commands(CLI::App& program, Call& call) {
+/// mesh, profile, wheelset
+void add_geometry_commands(CLI::App& program, Call& call) {
   CLI::App* mesh = program.add_subcommand(
       "mesh", "write the finite-element meshes of a case and print their quality");
   mesh->add_option("case", call.mesh.case_file, "case file (.toml)")->required();
@@ -146,6 +145,25 @@ void add_input_commands(CLI::App& program, Call& call) {
   profile->footer("example: rollfem profile S1002 -o /tmp/profile");
   profile->callback([&call] { app::profile(call.profile); });
 
+  CLI::App* wheelset = program.add_subcommand(
+      "wheelset",
+      "rolling radii, contact angles and equivalent conicity of a wheelset over its lateral shift");
+  wheelset->add_option("case", call.wheelset.case_file, "case file (.toml) with profiles")
+      ->required();
+  wheelset->add_option("--reach", call.wheelset.reach, "largest shift in mm; without it 10");
+  wheelset->add_option("-o,--output", call.wheelset.directory,
+                       "folder for the table (.csv) and the figure (.svg); without it "
+                       "results/<name of the case file>_wheelset");
+  add_set_option(*wheelset, call.wheelset.changes);
+  wheelset->footer("example: rollfem wheelset cases/manchester_A22.toml");
+  wheelset->callback([&call] { app::wheelset(call.wheelset, call.models); });
+}
+
+}  // namespace
+
+void add_input_commands(CLI::App& program, Call& call) {
+  add_geometry_commands(program, call);
+
   CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
   check->add_option("case", call.check_file, "case file (.toml)")->required();
   add_set_option(*check, call.check_changes);
@@ -156,6 +174,8 @@ void add_input_commands(CLI::App& program, Call& call) {
   fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");
   fresh->footer("example: rollfem new-case -o my_case.toml");
   fresh->callback([&call] { new_case(call.new_case_file, call.models); });
+
+  add_convert_command(program, call);
 
   add_convert_command(program, call);
 

@@ -4,6 +4,7 @@
 #include "app/models.hpp"
 #include "app/run_table.hpp"
 #include "app/solving.hpp"
+#include "app/wheelset.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "postprocess/write/output.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <set>
 
 namespace rollfem::app {
 
@@ -54,11 +54,9 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   write_whole(directory.string(), record);
   const bool drawn = request.report && report_drawn(directory.string());
   if (request.quiet) return;
-  std::cout << record.input.title << "\n\n" << run_table(record.models);
-  std::set<std::string> said;  // patches share most notes
-  for (const contact::ModelResult& model : record.models)
-    for (const std::string& note : model.notes)
-      if (said.insert(model.name + note).second) std::cout << '\n' << model.name << ": " << note;
+  std::cout << record.input.title << "\n\n"
+            << run_table(record.models) << wheelset_lines(record.input, record.wheelset);
+  std::cout << notes_text(record.models);
   std::cout << "\n\nresults: " << directory.string() << '\n';
   if (drawn) std::cout << "report:  " << (directory / "report.html").string() << '\n';
 }
@@ -95,6 +93,7 @@ void run(const RunRequest& request, const contact::ModelRegistry& models) {
     if (!how.first) return;
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);
+    record.wheelset = wheelset_geometry(record.input);
     frame.clear_line();
     write_and_tell(request, record);
     frame.forget_kept();

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace rollfem::app {
@@ -149,6 +151,13 @@ std::string bars_of_row(const PointResult& point) {
       contact::bar_text(point, "traction_coefficient"));
 }
 
+std::string without_numbers(const std::string& text) {
+  std::string words;
+  for (const char c : text)
+    if (std::isdigit(static_cast<unsigned char>(c)) == 0) words += c;
+  return words;
+}
+
 /// Two lines for each result: place and the first load point, and its bars.
 std::string row_table(const std::vector<ModelResult>& models) {
   std::string text =
@@ -164,7 +173,8 @@ std::string row_table(const std::vector<ModelResult>& models) {
         "{:>9.4f}\n",
         place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
         place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
-        point.max_pressure, point.creepage.longitudinal, point.traction_coefficient);
+        point.max_pressure, point.creepage.longitudinal,
+        std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient);
     text += bars_of_row(point);
   }
   return text;
@@ -193,6 +203,31 @@ std::string run_table(const std::vector<ModelResult>& models) {
     if (!text.empty()) text += '\n';
     if (scene.front().place) text += place_line(*scene.front().place);
     text += scene_table(scene);
+  }
+  return text;
+}
+
+std::string notes_text(const std::vector<ModelResult>& models) {
+  struct Note {
+    std::string text;
+    std::set<std::string> variants;
+  };
+  std::vector<std::pair<std::string, Note>> notes;  // by model and words
+  for (const ModelResult& model : models)
+    for (const std::string& text : model.notes) {
+      const std::string words = model.name + without_numbers(text);
+      const auto same = [&](const auto& note) { return note.first == words; };
+      const auto found = std::find_if(notes.begin(), notes.end(), same);
+      if (found == notes.end())
+        notes.push_back({words, {model.name + ": " + text, {text}}});
+      else
+        found->second.variants.insert(text);
+    }
+  std::string text;
+  for (const auto& [words, note] : notes) {
+    text += '\n' + note.text;
+    if (note.variants.size() > 1)
+      text += fmt::format(" (and {} patches with other numbers)", note.variants.size() - 1);
   }
   return text;
 }

@@ -10,4 +10,8 @@ namespace rollfem::app {
 
 std::string run_table(const std::vector<contact::ModelResult>& models);
 
+/// What the models say of their results, a line each. Patches share most of it: a sentence that
+/// differs from patch to patch in its numbers alone is said once, with those of the first.
+std::string notes_text(const std::vector<contact::ModelResult>& models);
+
 }  // namespace rollfem::app

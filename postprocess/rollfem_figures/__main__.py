@@ -1,6 +1,7 @@
 """python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html or
 study.html in the folder of a comparison or a study.
 --profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail;
+--wheelset NAME.csv: radii, angles and conicity over the lateral shift;
 --stress DIR: draws what rollfem stress wrote to DIR, to DIR/figures."""
 import argparse
 import os
@@ -12,11 +13,12 @@ def main():
     parser.add_argument("directory", nargs="?", help="a result folder of rollfem run, compare or study")
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
     parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
+    parser.add_argument("--wheelset", metavar="NAME.csv", help="draw this table of rollfem wheelset instead")
     parser.add_argument("--stress", metavar="DIR", help="draw this folder of rollfem stress instead")
     options = parser.parse_args()
-    given = (options.directory, options.profile, options.pair, options.stress)
+    given = (options.directory, options.profile, options.pair, options.wheelset, options.stress)
     if sum(o is not None for o in given) != 1:
-        parser.error("one of DIR, --profile, --pair and --stress is needed")
+        parser.error("one of DIR, --profile, --pair, --wheelset and --stress is needed")
     try:
         from .reader import ResultError
     except ImportError as error:
@@ -35,6 +37,9 @@ def _draw(options):
     elif options.pair:
         from .places import draw_pair_file
         draw_pair_file(options.pair)
+    elif options.wheelset:
+        from .wheelset import draw as draw_wheelset
+        draw_wheelset(options.wheelset)
     elif options.stress:
         from .stress_page import build as build_stress
         build_stress(options.stress)

@@ -31,6 +31,10 @@ std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k)
 /// load point. Empty without profiles.
 std::string contacts_csv(const RunRecord& run);
 
+/// A wheelset that is shifted sideways: one row per position, model and load point with geometry,
+/// patches and forces of both wheels. Empty where RunRecord::wheelset is.
+std::string wheelset_csv(const RunRecord& run);
+
 /// The regions of contacts that fall into several; empty where none does.
 std::string patches_csv(const RunRecord& run);
 

@@ -74,6 +74,8 @@ void write_results(const std::string& directory, const RunRecord& run) {
   if (!below.empty()) folder.write("subsurface.csv", below);
   const std::string contacts = contacts_csv(run);
   if (!contacts.empty()) folder.write("contacts.csv", contacts);
+  const std::string wheelset = wheelset_csv(run);
+  if (!wheelset.empty()) folder.write("wheelset.csv", wheelset);
   const std::string patches = patches_csv(run);
   if (!patches.empty()) folder.write("patches.csv", patches);
   if (run.input.output.fields)

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,20 @@ struct PlacedPair {
   std::vector<std::array<double, 2>> wheel;
 };
 
+/// A position of a wheelset that is shifted sideways, as rigid bodies touch there.
+struct WheelsetGeometry {
+  double radius_difference = 0.0;  ///< mm, right less left rolling radius
+  /// Equivalent conicity at the amplitude of the shift (meshes/track/conicity.hpp).
+  std::optional<double> conicity_harmonic, conicity_wave;
+};
+
 struct RunRecord {
   contact::Case input;
   Provenance provenance;
   std::vector<contact::ModelResult> models;
   std::vector<PlacedPair> pairs;  ///< with profiles: of every wheel and position
+  /// Of every position, where both wheels are computed at several; else empty.
+  std::vector<WheelsetGeometry> wheelset = {};
 };
 
 /// Throws contact::InputError when write_results could not write to `directory`: a file, a folder
@@ -62,6 +72,9 @@ std::string make_report(const std::string& directory, const std::string& script_
 /// `pair`: the table of a wheel on its rail (app/scenes.hpp). Otherwise as make_report.
 std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
                          bool pair = false);
+
+/// Draws the table of `rollfem wheelset` as a figure beside it; otherwise as make_report.
+std::string draw_wheelset(const std::string& csv_file, const std::string& script_directory);
 
 /// Draws what `rollfem stress` wrote to a folder (stress.csv, stress.json) to its figures/;
 /// otherwise as make_report.

@@ -157,6 +157,11 @@ std::string draw_profile(const std::string& csv_file, const std::string& script_
   return draw(file.parent_path(), script_directory, {pair ? "--pair" : "--profile", file.string()});
 }
 
+std::string draw_wheelset(const std::string& csv_file, const std::string& script_directory) {
+  const fs::path file = fs::absolute(csv_file);
+  return draw(file.parent_path(), script_directory, {"--wheelset", file.string()});
+}
+
 std::string draw_stress(const std::string& directory, const std::string& script_directory) {
   return draw(directory, script_directory, {"--stress", fs::absolute(directory).string()});
 }

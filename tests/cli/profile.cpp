@@ -78,4 +78,19 @@ TEST(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
   EXPECT_TRUE(folder.made().empty());
 }
 
+TEST(Wheelset, TellsRadiiAnglesAndConicity) {
+  const Folder folder;
+  const std::string file =
+      folder.file("case.toml", with_s1002("profile = \"60E1\"\n[wheelset]\nside = \"both\"\n"));
+  const Outcome outcome = call(folder, {"wheelset", file, "--reach", "4", "-o", "out"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(folder.made(),
+            (std::vector<std::string>{"out", "out/wheelset.csv", "out/wheelset.svg"}));
+  const std::string table = contents(folder.work() / "out/wheelset.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 42);  // heading and 0 to 4 mm by 0.1
+  EXPECT_TRUE(tells(outcome, "conicity")) << outcome.out;
+  expect_refused(call(folder, {"wheelset", file, "--reach", "90"}), "0.2 to 30 mm");
+}
+
 }  // namespace

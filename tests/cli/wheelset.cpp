@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
+#include <sstream>
 
 namespace fs = std::filesystem;
 using rollfem::testing::call;
@@ -64,6 +65,35 @@ TEST(Wheelset, RunSolvesEveryPatchOfTheRow) {
   EXPECT_NEAR(left["points"][0]["contact_width"].get<double>(), 16.2, 0.4);
   EXPECT_TRUE(fs::exists(folder.work() / "out/contacts.csv"));
   EXPECT_NE(outcome.out.find("y rail mm"), std::string::npos) << outcome.out;
+}
+
+TEST(Wheelset, RowHasOneLineAPositionWithBothWheels) {
+  const Folder folder;
+  const Outcome outcome =
+      call(folder, {"run", folder.file("case.toml", two_positions), "-o", "out", "--no-report"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("equivalent conicity at that amplitude"), std::string::npos);
+  std::istringstream table(contents(folder.work() / "out/wheelset.csv"));
+  std::string line;
+  std::vector<std::vector<std::string>> rows;
+  while (std::getline(table, line)) {
+    rows.emplace_back();
+    std::istringstream cells(line + ",end");
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  ASSERT_EQ(rows.size(), 3u);
+  const auto number = [&](std::size_t row, const std::string& name) {
+    const auto column = std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin();
+    return std::stod(rows[row].at(static_cast<std::size_t>(column)));
+  };
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+  // In the middle of the track the wheels are mirror images: their forces to the side balance.
+  EXPECT_NEAR(number(1, "left lateral_force [N]"), -number(1, "right lateral_force [N]"), 0.01);
+  EXPECT_NEAR(number(1, "left vertical_force [N]"), 100e3, 1.0);
+  EXPECT_NEAR(number(2, "radius_difference [mm]"),
+              number(2, "right rolling_radius [mm]") - number(2, "left rolling_radius [mm]"), 1e-9);
+  // The patches of 100 kN are near where the rigid bodies touch.
+  EXPECT_NEAR(number(2, "radius_difference [mm]"), number(2, "rigid_radius_difference [mm]"), 0.2);
 }
 
 TEST(Wheelset, WheelOffTheRailIsSaidInOneLine) {

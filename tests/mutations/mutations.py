@@ -139,7 +139,7 @@ MUTATIONS = [
              "pressure on unlike materials moves them sideways the wrong way",
              ("unit_influence", "verification_halfspace_line")),
     Mutation("difference_of_the_half_space", "halfspace/elasticity/circulant.cpp",
-             "const Complex e = std::polar(1.0, two_pi", "const Complex e = std::polar(1.0, -two_pi",
+             "const Complex e = std::polar(left, two_pi", "const Complex e = std::polar(left, -two_pi",
              "material enters the patch at the trailing edge",
              ("verification_halfspace_rolling:SteadyRolling.*",)),
     Mutation("hertz_ellipse", "halfspace/closed_forms/hertz.cpp",

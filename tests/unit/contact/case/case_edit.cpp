@@ -64,9 +64,8 @@ TEST(CaseEdit, ReplacesTextsAndListsOverManyLines) {
 }
 
 TEST(CaseEdit, AddsKeysAndSections) {
-  const Case read =
-      parse_case(changed({"wheel.round_to=0.5", "accuracy=0.01", "output.fields=false"}),
-                 "case.toml");
+  const Case read = parse_case(
+      changed({"wheel.round_to=0.5", "accuracy=0.01", "output.fields=false"}), "case.toml");
   EXPECT_EQ(read.wheel.round_to, 0.5);
   EXPECT_FALSE(read.output.fields);
   EXPECT_EQ(read.accuracy, 0.01);

@@ -1,0 +1,31 @@
+// The command `wheelset`: rolling radii, contact angles and equivalent conicity of the rigid
+// wheelset of a case over its lateral shift; nothing is solved.
+#pragma once
+
+#include "contact/solve/models.hpp"
+#include "postprocess/write/output.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::app {
+
+struct WheelsetRequest {
+  std::string case_file;
+  std::vector<std::string> changes;  ///< of keys, by --set
+  std::string directory;             ///< empty: results/<case file without .toml>_wheelset
+  double reach = 10.0;               ///< mm of shift, to the right; the other side is its mirror
+};
+
+/// Of every position of a case that moves a wheelset of two wheels sideways; else nothing.
+std::vector<postprocess::WheelsetGeometry> wheelset_geometry(const contact::Case& input);
+
+/// The same as lines for the screen; "" where there is nothing.
+std::string wheelset_lines(const contact::Case& input,
+                           const std::vector<postprocess::WheelsetGeometry>& geometry);
+
+/// Prints the table, writes wheelset.csv and draws wheelset.svg. Throws contact::InputError where
+/// the case has no profiles, contact::SolveError where the wheelset does not stand on the track.
+void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models);
+
+}  // namespace rollfem::app

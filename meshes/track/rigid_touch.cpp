@@ -1,0 +1,85 @@
+#include "meshes/track/rigid_touch.hpp"
+
+#include "contact/base/errors.hpp"
+#include "meshes/track/conicity.hpp"
+#include "meshes/track/vertical_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::meshes {
+
+namespace {
+
+RigidTouch touch_of(const contact::Case& input, const SearchScene& search, const WheelsetPose& pose,
+                    int position, bool left) {
+  const VerticalGap gap =
+      make_gap(input, search, touching_pose(input, search, pose, position, left), position, left);
+  const std::vector<GapMinimum> minima = gap.minima();
+  const auto lowest =
+      std::min_element(minima.begin(), minima.end(),
+                       [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
+  const OutlinePoint at = gap.wheel().at(lowest->y);
+  return {at.radius, lowest->angle(), at.profile_y, lowest->y};
+}
+
+}  // namespace
+
+std::vector<WheelsetTouch> rigid_touches(const contact::Case& input, const SearchScene& search,
+                                         const std::vector<double>& lateral_shifts) {
+  contact::Case moved = input;
+  moved.wheelset.lateral_shift = lateral_shifts;
+  moved.wheelset.yaw.assign(lateral_shifts.size(), 0.0);
+  if (!input.wheelset.roll.empty())
+    moved.wheelset.roll.assign(lateral_shifts.size(), input.wheelset.roll.front());
+  std::vector<WheelsetTouch> touches;
+  for (std::size_t k = 0; k < lateral_shifts.size(); ++k) {
+    const int position = static_cast<int>(k) + 1;
+    try {
+      const WheelsetPose pose = find_pose(moved, search, position);
+      WheelsetTouch touch;
+      touch.lateral_shift = lateral_shifts[k];
+      touch.roll = pose.roll;
+      touch.left = touch_of(moved, search, pose, position, true);
+      touch.right = touch_of(moved, search, pose, position, false);
+      touches.push_back(touch);
+    } catch (const contact::SolveError&) {
+      if (touches.empty()) throw;
+      break;
+    } catch (const contact::InputError&) {
+      if (touches.empty()) throw;
+      break;
+    }
+  }
+  return touches;
+}
+
+double contact_distance(const contact::Track& track) {
+  return track.gauge + 65.0;
+}
+
+std::vector<WheelsetRow> wheelset_rows(const contact::Case& input, const SearchScene& search,
+                                       double reach, double step) {
+  std::vector<double> shifts;
+  for (int k = 0; k <= std::lround(reach / step); ++k) shifts.push_back(k * step);
+  const double distance = contact_distance(input.track);
+  const double radius = input.wheel.rolling_radius;
+  std::vector<WheelsetRow> rows;
+  std::vector<double> at, difference;
+  for (const WheelsetTouch& touch : rigid_touches(input, search, shifts)) {
+    WheelsetRow row{touch, {}, {}, {}};
+    at.push_back(touch.lateral_shift);
+    // In the middle both wheels are alike.
+    difference.push_back(at.size() == 1 ? 0.0 : touch.radius_difference());
+    if (at.size() > 1) {
+      const RadiusDifference radii(at, difference);
+      row.harmonic = radii.harmonic_conicity(touch.lateral_shift);
+      row.wave = radii.wave_conicity(touch.lateral_shift, distance, radius);
+      row.wave_length = radii.wave_length(touch.lateral_shift, distance, radius);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace rollfem::meshes
