@@ -177,8 +177,6 @@ void add_input_commands(CLI::App& program, Call& call) {
 
   add_convert_command(program, call);
 
-  add_convert_command(program, call);
-
   CLI::App* report = program.add_subcommand(
       "report", "draw figures and report of a result again, or of one that was written without");
   report->add_option("result", call.drawn_directory, "folder of a run, a comparison or a study")
