@@ -227,7 +227,7 @@ TEST(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
 #if !ROLLFEM_WITH_FEM
 TEST(Run, FemInABuildWithoutItIsAnErrorNotSilence) {
   const Folder folder;
-  const std::string by_list = folder.file("list.toml", small_case);
+  const std::string by_list = folder.file("list.toml", "models = [\"fem\"]\n" + small_case);
   const Outcome list = call(folder, {"run", by_list});
   EXPECT_EQ(list.status, 2);
   EXPECT_NE(list.err.find("list.toml: models: model fem is not in this build"), std::string::npos)
