@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Holds README and docs to the tree: tests that are named exist, links lead somewhere, and a section with a
-table of measured numbers says how to get them again: by a command, a test, the book, or where they are from.
+"""Holds README, changelog and docs to the tree: tests that are named exist, links lead to a file and a
+heading, and a section with a table of measured numbers says how to get them again: by a command, a test,
+the book, or where they are from.
 
 Call: docs.py SOURCE_FOLDER
 """
@@ -12,7 +13,7 @@ import sys
 TEST_NAME = re.compile(r"`(?:unit|verification|hard|cli|fuzz|install|structure)\.([A-Za-z0-9_/]+)")
 DECLARED = re.compile(r"TEST(?:_F|_P)?\(\s*(\w+)")
 INSTANCE = re.compile(r"INSTANTIATE_TEST_SUITE_P\(\s*(\w+),\s*(\w+)")
-LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+LINK = re.compile(r"\]\(([^)#\s]*)(?:#([^)\s]*))?\)")
 MEASURED = re.compile(r"\d\.\d\d|\de-\d|\d %")
 REFERENCE = {"case-file.md", "troubleshooting.md"}  # bounds of keys, symptoms: nothing measured
 AGAIN = re.compile(
@@ -38,14 +39,26 @@ def sections(text):
     yield from zip(["top", *parts[1::2]], [parts[0], *parts[2::2]])
 
 
+def places(text):
+    """What the headings of a page are linked by."""
+    prose = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-")
+            for heading in re.findall(r"^#+ (.*)$", prose, flags=re.M)}
+
+
 def faults(path, root, tests):
     text = path.read_text()
     for name in TEST_NAME.findall(text):
         if not any(test == name or test.startswith(name) for test in tests):
             yield f"names the test `{name}`, which does not exist"
-    for link in LINK.findall(text):
-        if "://" not in link and not (path.parent / link).exists():
+    for link, place in LINK.findall(text):
+        if "://" in link:
+            continue
+        target = path.parent / link if link else path
+        if not target.exists():
             yield f"links to {link}, which does not exist"
+        elif place and target.suffix == ".md" and place not in places(target.read_text()):
+            yield f"links to {link}#{place}, and there is no such heading"
     for heading, body in sections(text):
         rows = [line for line in body.splitlines() if line.startswith("|")]
         numbers = sum(len(MEASURED.findall(row)) > 1 for row in rows)
@@ -57,7 +70,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     tests = declared_tests(root)
     found = [f"{path.relative_to(root)}: {fault}"
-             for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]
+             for path in [*sorted(root.glob("*.md")), *sorted((root / "docs").rglob("*.md"))]
              for fault in faults(path, root, tests)]
     print("\n".join(found) or "docs: names, links and tables are true")
     return 1 if found else 0
