@@ -74,7 +74,7 @@ void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
   few.model_error = true;
   try {
     const contact::ModelResult result = how.models->run("halfspace", few, how.progress);
-    if (result.model_error_source.rfind("not estimated", 0) == 0) return;
+    if (!result.has_model_error()) return;
     half.model_error =
         choice::reached_by(result, scene.accuracy, scene.friction_coefficient(), true).most_model;
     half.model_error_found = true;

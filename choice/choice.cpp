@@ -145,9 +145,8 @@ class Choice {
   void judge(const Plan& plan, double seconds, ModelResult result) {
     const Candidate& candidate = candidates_[plan.model];
     Forecast& forecast = forecasts_[plan.model];
-    const bool source = result.model_error_source.rfind("not estimated", 0) != 0;
     Reached reached = reached_by(result, wanted_.accuracy, wanted_.friction_coefficient,
-                                 !candidate.estimates_model_error || source);
+                                 !candidate.estimates_model_error || result.has_model_error());
     if (candidate.largest_model_error > 0.0)
       reached.set_largest_model(candidate.largest_model_error);
     agree(reached);

@@ -62,6 +62,11 @@ BodyField ModelResult::body_at(std::size_t point, std::size_t body) const {
   return field;
 }
 
+bool ModelResult::has_model_error() const {
+  return std::any_of(points.begin(), points.end(),
+                     [](const PointResult& point) { return !point.model_error.empty(); });
+}
+
 std::vector<std::size_t> ModelResult::points_with_bodies() const {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < points.size(); ++k)

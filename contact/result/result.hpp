@@ -122,6 +122,8 @@ struct ModelResult {
   std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
   /// What PointResult::model_error was taken from, or why there is none.
   std::string model_error_source;
+  /// Whether a load point has the model error of a quantity.
+  bool has_model_error() const;
   /// Why this model and grid were taken, where `auto` took them; else empty.
   std::string choice;
   /// What was asked for and not reached, though the results are sound as far as they go; else

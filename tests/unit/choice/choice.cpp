@@ -33,7 +33,7 @@ contact::ModelResult result_of(const std::string& name, const Toy& toy, int acro
   contact::PointResult point;
   point.max_pressure = 200.0;
   point.error_estimate["max_pressure"] = 200.0 * toy.discretisation * std::pow(16.0 / across, 1.5);
-  if (toy.model_error > 0.0) point.model_error["max_pressure"] = 200.0 * toy.model_error;
+  point.model_error["max_pressure"] = 200.0 * toy.model_error;
   result.points = {point};
   return result;
 }
@@ -178,7 +178,7 @@ TEST(Choice, WhatIsUnknownDoesNotDo) {
   auto all = candidates(toys);
   all[0].solve = [&](int across) {
     contact::ModelResult result = result_of("plain", toys.plain, across);
-    result.model_error_source = "not estimated: there is no result";
+    result.points[0].model_error.clear();
     return result;
   };
   EXPECT_EQ(choose(all, wanted(0.01)).name, "corrected");
