@@ -207,7 +207,8 @@ contact::ModelInfo auto_model() {
   contact::ModelInfo choice{"auto", "auto",
                             "the cheapest of halfspace, hybrid and fem whose errors together are "
                             "within `accuracy`"};
-  choice.takes = contact::all_demands();
+  // There is nothing to choose for a line contact: the half-space alone solves it.
+  choice.takes = contact::all_demands_but({contact::Demand::line_contact});
   choice.chooses = choice.in_run = true;
   choice.parallel = ROLLFEM_WITH_FEM;
   return choice;

@@ -65,7 +65,8 @@ RefinedInput domain_level(ModelInput input, int k, int n) {
 
 contact::ModelInfo fem_model() {
   contact::ModelInfo fem{"fem", "FEM", "finite elements of wheel and rail as they are, in 3D"};
-  fem.takes = contact::all_demands_but({Demand::stress_in_rigid_body});
+  fem.takes = contact::all_demands_but(
+      {Demand::line_contact, Demand::stress_of_line, Demand::stress_in_rigid_body});
   fem.run = [](const ModelInput& input, const contact::Progress& progress,
                contact::Checkpoint* checkpoint) {
     return open_fem_library("model fem").run(input, progress, checkpoint);

@@ -63,7 +63,8 @@ contact::ModelInfo hybrid_model() {
   contact::ModelInfo hybrid{"hybrid", "hybrid",
                             "half-space on a fine grid, corrected for curved and finite bodies by "
                             "coarse finite elements"};
-  hybrid.takes = contact::all_demands_but({Demand::inertia, Demand::distance_points,
+  hybrid.takes = contact::all_demands_but({Demand::line_contact, Demand::stress_of_line,
+                                           Demand::inertia, Demand::distance_points,
                                            Demand::distance_quadratic, Demand::given_pressure});
   hybrid.run = [](const contact::ModelInput& input, const contact::Progress& progress,
                   contact::Checkpoint* checkpoint) {

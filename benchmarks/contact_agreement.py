@@ -20,7 +20,8 @@ import tempfile
 import h5py
 import numpy
 
-NAMES = ["cattaneo", "spence35", "catt_to_cart", "fastsim", "tractcurv", "mbench_a22_left"]
+NAMES = ["cattaneo", "spence35", "catt_to_cart", "fastsim", "tractcurv", "mbench_a22_left",
+         "carter2d", "bentall"]
 ADHESION = 1  # in `state` of results.h5; 2 is slip, 0 outside
 NUMBER = r"[-+]?[0-9]*\.?[0-9]+(?:[eE][-+]?[0-9]+)?\.?"
 
@@ -107,7 +108,8 @@ def compare(largest, point, printed, mu, text, counts):
     largest.add("M_z", point["spin_moment"], printed["mz"], bound * radius)
     for name, key in (("SHIFT X", "longitudinal_shift"), ("CREEP X", "longitudinal_creepage")):
         if name in printed and point.get(key):
-            largest.add("creepage, shift", point[key], printed[name], printed[name])
+            ours = -point[key] if turned else point[key]
+            largest.add("creepage, shift", ours, printed[name], printed[name])
     if counts and "contact" in printed:
         largest.add("contact", counts[0], printed["contact"], printed["contact"])
         largest.add("adhesion", counts[1], printed["adhesion"], printed["contact"])

@@ -92,10 +92,10 @@ std::string values_text(const std::string& key, const std::vector<double>& value
 }
 
 /// Sections in the order in which a case is read.
-constexpr std::array<const char*, 14> sections{
-    "load",         "friction", "wheel",   "rail",    "wheel_profile",       "rail_profile",
-    "track",        "wheelset", "rolling", "history", "undeformed_distance", "given_pressure",
-    "contact_grid", "halfspace"};
+constexpr std::array<const char*, 15> sections{
+    "load",           "friction",     "wheel",    "rail",    "geometry", "wheel_profile",
+    "rail_profile",   "track",        "wheelset", "rolling", "history",  "undeformed_distance",
+    "given_pressure", "contact_grid", "halfspace"};
 
 /// Lines of a section; `several` where a list says how many load points there are.
 std::vector<std::string> lines_of(const Group& group, const std::string& section, bool& several) {

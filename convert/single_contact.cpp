@@ -3,10 +3,12 @@
 #include "contact/base/material.hpp"
 #include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/closed_forms/line_hertz.hpp"
 
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -82,7 +84,7 @@ void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
   }
   const std::array<const char*, 2> names{"longitudinal", "lateral"};
   for (int direction = 0; direction < 2; ++direction) {
-    const double value = sign * k[static_cast<std::size_t>(1 + direction)];
+    const double value = sign * k[static_cast<std::size_t>(1 + direction)] + 0.0;  // no -0
     const std::string name = names[static_cast<std::size_t>(direction)];
     if (digits.F > direction)
       made.varied["rolling." + name + "_force"] = value * given.fstat * k[0];
@@ -105,7 +107,10 @@ void set_grid(const ContactCase& given, const Area& area, double sign, Equivalen
   const double rounding = 1e-9 * (length + width);
   if (std::abs(x) > rounding || std::abs(y) > rounding)
     made.set_pair("contact_grid", "middle", x, y, "mm");
-  fill_stresses(given, area, sign, made);
+  if (given.potential.my > 1)
+    fill_stresses(given, area, sign, made);
+  else if (given.digits.S > 0)
+    made.notes.push_back("stresses below a line contact (digit S) are left out");
 }
 
 Area stated_area(const PotentialContact& given) {
@@ -223,6 +228,38 @@ std::string lattice_text(const ContactCase& given, const Area& area, double sign
   return text;
 }
 
+/// One row of long elements. Where they are this many times longer than the row of them, their ends
+/// change no displacement difference within it by more than 1e-4.
+constexpr double longest_row = 50.0;
+
+void fill_line(const ContactCase& given, Area area, double modulus, double sign, Equivalent& made) {
+  const auto& B = given.distance.values;
+  const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
+  if (given.distance.ibase != 1 || !(B[0] > 0.0) ||
+      std::any_of(B.begin() + 1, B.end(), [](double value) { return value != 0.0; }))
+    return refuse("MY = 1: a line contact of rollers has IBASE = 1 with B1 > 0 and no other B");
+  if (given.digits.N == 0) return refuse("MY = 1, N = 0: a line contact under a given approach");
+  if (given.kinematics[3] != 0.0) return refuse("MY = 1, CPHI: a line contact that spins");
+  const double row = given.potential.mx * area.dx;
+  if (area.dy < longest_row * row)
+    return refuse(
+        fmt::format("MY = 1: elements of {:g} mm across are no line contact; allowed: {:g} times "
+                    "the {:g} mm of the row",
+                    area.dy, longest_row, row));
+  made.set_word("geometry", "shape", "line");
+  made.set("geometry", "width", area.dy, "mm, that forces are of: DY");
+  const double radius = 0.5 / B[0];
+  made.set("geometry", "relative_radius", radius, fmt::format("mm, B1 = {:g} /mm", B[0]));
+  made.set("geometry", "reference_distance", area.dy, "mm, the approach of elements that long");
+  area.y = -0.5 * area.dy;
+  set_grid(given, area, sign, made);
+  made.varied.erase("rolling.spin");
+  made.varied.erase("history.spin_shift");
+  const double a =
+      halfspace::line_hertz(radius, modulus, given.kinematics[0] / area.dy, area.dy).half_width;
+  judge_resolution({a, 0.5 * area.dy, 0.0, 0.0, 0.0}, area.dx, 0.25 * area.dy, made);
+}
+
 void fill_distance(const ContactCase& given, double modulus, double sign, Equivalent& made) {
   const UndeformedDistance& distance = given.distance;
   const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
@@ -230,11 +267,11 @@ void fill_distance(const ContactCase& given, double modulus, double sign, Equiva
   if (distance.ibase == 2 || distance.ibase == 3)
     refuse(fmt::format("IBASE = {}: this kind of undeformed distance (1 and 9 can be had)",
                        distance.ibase));
-  if (given.potential.my == 1) refuse("MY = 1: line contact, one row of long elements");
   if (!made.impossible.empty()) return;
   const Area area = stated_area(given.potential);
   const auto& B = distance.values;
   if (area.dx <= 0.0 || area.dy <= 0.0) return refuse("the elements have no size");
+  if (given.potential.my == 1) return fill_line(given, area, modulus, sign, made);
   const bool plain = distance.ibase == 1 && B[1] == 0.0 && B[3] == 0.0 && B[4] == 0.0 &&
                      B[5] == 0.0 && B[0] > 0.0 && B[2] > 0.0;
   if (plain && is_line(B[0], B[2])) return refuse("curvatures so different are a line contact");

@@ -35,6 +35,9 @@ struct PatchShape {
 
 /// Potential contact area of nx by ny elements of dx by dy mm. x is the rolling direction
 /// (material enters at large x), y is lateral; `x_first`, `y_first` is the centre of element (0,0).
+///
+/// Of a line contact it is one row (ny = 1) whose elements have no ends across: dy is the width
+/// that forces are of.
 struct ContactGrid {
   int nx = 0;
   int ny = 0;
@@ -42,7 +45,11 @@ struct ContactGrid {
   double dy = 0.0;
   double x_first = 0.0;
   double y_first = 0.0;
+  /// mm, > 0: a line contact, whose displacements are relative to what a line load causes on the
+  /// surface at this distance from it. Half-planes have no fixed point at infinity.
+  double line_reference = 0.0;
 
+  bool is_line() const { return line_reference > 0.0; }
   int size() const { return nx * ny; }
   int index(int i, int j) const { return j * nx + i; }
   double x(int i) const { return x_first + i * dx; }
@@ -55,9 +62,11 @@ struct ContactGrid {
     return {nx, ny, dx, dy, x_middle - 0.5 * (nx - 1) * dx, y_middle - 0.5 * (ny - 1) * dy};
   }
 
-  /// With that many more columns and rows of elements on each side.
+  /// With that many more columns and rows of elements on each side; a line stays one row.
   ContactGrid widened(int columns, int rows) const {
-    return {nx + 2 * columns, ny + 2 * rows, dx, dy, x_first - columns * dx, y_first - rows * dy};
+    if (is_line()) rows = 0;
+    return {nx + 2 * columns,    ny + 2 * rows, dx, dy, x_first - columns * dx,
+            y_first - rows * dy, line_reference};
   }
 
   /// `function(x, y)` at every element centre.

@@ -37,6 +37,19 @@ struct Rail {
   ProfileSource profile;  ///< in place of the transverse radius
 };
 
+enum class ContactShape {
+  point,  ///< bodies with an extent across: radii, profiles, points
+  line,   ///< rollers without ends across
+};
+
+/// The shape of the contact; the rest is of a line.
+struct ContactShapeCase {
+  ContactShape shape = ContactShape::point;
+  double width = 1.0;                        ///< mm across that all forces are of
+  std::optional<double> relative_radius;     ///< mm; not given: the wheel's rolling radius
+  std::optional<double> reference_distance;  ///< mm; not given: the relative radius
+};
+
 /// Exactly one of the first three is given; vertical_force with profiles only. Where the load comes
 /// from elsewhere (a history, a given pressure) the reader puts the largest normal force or
 /// approach of that here, which is what grids are sized by.
@@ -245,6 +258,7 @@ struct Case {
   double friction_coefficient = 0.0;
   Wheel wheel;
   Rail rail;
+  ContactShapeCase geometry;
   Track track;        ///< with profiles
   Wheelset wheelset;  ///< with profiles
   Rolling rolling;

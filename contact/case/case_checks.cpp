@@ -46,7 +46,7 @@ bool replaces_radii(const GivenCase& given) {
 }
 
 void check_required(const GivenCase& given) {
-  const bool radii_replaced = replaces_radii(given);
+  const bool radii_replaced = replaces_radii(given) || is_line(given);
   for (const Section& section : case_sections()) {
     if (section.repeated) continue;
     const bool is_body = section.name == "wheel" || section.name == "rail";
@@ -227,6 +227,7 @@ void check_far_boundary(const GivenCase& given) {
 }  // namespace
 
 void check_together(const GivenCase& given) {
+  check_line(given);
   check_profiles(given);
   check_track(given);
   check_load(given);
@@ -239,7 +240,8 @@ void check_together(const GivenCase& given) {
 
 void check_geometry(const GivenCase& given, const Case& input) {
   check_approach(given, input);
-  if (replaces_radii(given) || has_profiles(given)) return;
+  check_grid_of_line(given, input);
+  if (replaces_radii(given) || has_profiles(given) || is_line(given)) return;
   const double wheel = input.wheel.transverse_radius;
   const double rail = input.rail.transverse_radius;
   // Not only B > 0: radii that cancel to rounding would pass that and overflow later.
@@ -250,7 +252,9 @@ void check_geometry(const GivenCase& given, const Case& input) {
   if (std::isinf(wheel) && std::isinf(rail)) {
     problem.wrong = "flat on a flat rail has line contact, which has no end along y";
     problem.allowed = "a finite radius of the wheel or of the rail";
-    problem.action = "give one of the two profiles a radius, also a very large one";
+    problem.action =
+        "give one of the two profiles a radius, also a very large one, or write shape = \"line\" "
+        "under [geometry]";
   } else if (wheel < 0.0 && rail > 0.0 && !std::isinf(rail)) {
     problem.wrong = fmt::format(
         "concave and not wider than the rail's {} mm: the bodies would not touch in the middle",

@@ -63,6 +63,16 @@ void check_track(const GivenCase& given);
 /// Which creepages are given; positions of the wheelset at one length.
 void complete_track(const GivenCase& given, Case& input);
 
+/// The contact is one of endless rollers.
+bool is_line(const GivenCase& given);
+
+/// A line contact has a radius along rolling and nothing that needs an extent across; keys of it
+/// stand only there. Throws InputError.
+void check_line(const GivenCase& given);
+
+/// The contact grid of a line is one row of elements across its width. Throws InputError.
+void check_grid_of_line(const GivenCase& given, const Case& input);
+
 /// What the case asks for and what it gives must fit: problem, forces, history, given pressure,
 /// distance and slip from files. Throws InputError.
 void check_problem(const GivenCase& given);

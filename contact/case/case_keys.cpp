@@ -22,6 +22,7 @@ Declarations gather() {
                         &friction_section,
                         &wheel_section,
                         &rail_section,
+                        &geometry_section,
                         &wheel_profile_section,
                         &rail_profile_section,
                         &track_section,

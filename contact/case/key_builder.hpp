@@ -294,6 +294,7 @@ SectionWithKeys load_section();
 SectionWithKeys friction_section();
 SectionWithKeys wheel_section();
 SectionWithKeys rail_section();
+SectionWithKeys geometry_section();
 SectionWithKeys wheel_profile_section();
 SectionWithKeys rail_profile_section();
 SectionWithKeys track_section();

@@ -47,12 +47,21 @@ void add_creepage_bars(const LoadPoint& load_point, PointResult& point) {
 bool is_given(const Scene& scene, const ModelResult& result, std::size_t k,
               const std::string& name) {
   if (scene.given_pressure) return false;
+  if (scene.geometry.line &&
+      (name == "contact_width" || name == "semi_axis_y" || name == "patch_y_middle"))
+    return true;
   const NormalLoad load = load_behind(scene, result, k);
   // On a curved surface tangential tractions add to the force along z.
   if (name == "normal_force")
     return load.force && load.direction[0] == 0.0 &&
            std::abs(result.points[k].normal_force - *load.force) <= same_force * *load.force;
   return name == "approach" && load.approach && !load.force;
+}
+
+/// What of a line contact is relative to the reference distance: displacements of half-planes are
+/// known up to a constant.
+bool is_relative(const Scene& scene, const std::string& name) {
+  return scene.geometry.line && (name == "approach" || name == "elastic_energy");
 }
 
 /// Of the problem without friction.
@@ -78,6 +87,7 @@ std::string word_of(const Scene& scene, const BarRules& rules, const ModelResult
                     std::size_t k, const Quantity& quantity) {
   const std::string name = quantity.name;
   if (scene.turns_freely && is_creepage(name)) return no_bar::balance;
+  if (is_relative(scene, name)) return no_bar::relative;
   if (*quantity.no_bar != '\0' && !is_found(scene, force_of(scene, result, k), name))
     return quantity.no_bar;
   if (is_given(scene, result, k, name)) return no_bar::given;
@@ -132,7 +142,8 @@ void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result
     derive_bars(point);
     for (const Quantity& quantity : quantities()) {
       if (!quantity.value(point)) continue;
-      if (is_given(scene, result, k, quantity.name)) point.error_estimate.erase(quantity.name);
+      if (is_given(scene, result, k, quantity.name) || is_relative(scene, quantity.name))
+        point.error_estimate.erase(quantity.name);
       if (!has_bar(point, quantity.name))
         point.no_bar.emplace(quantity.name, word_of(scene, rules, result, k, quantity));
     }

@@ -21,6 +21,8 @@ inline constexpr const char* theory = "theory";
 inline constexpr const char* one_grid = "one grid";  ///< there is no second one to compare with
 /// Found by the balance of a wheelset, of which there is no other on a coarser grid.
 inline constexpr const char* balance = "balance";
+/// Of a line contact: relative to geometry.reference_distance, and without a meaning of its own.
+inline constexpr const char* relative = "relative";
 inline constexpr const char* not_estimated = "not estimated";
 }  // namespace no_bar
 

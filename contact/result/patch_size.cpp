@@ -187,13 +187,18 @@ PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
   size.y_lower = grid.y_first + along_y.first * grid.dy;
   size.y_upper = grid.y_first + along_y.last * grid.dy;
   size.area = 0.5 * (along_x.covered + along_y.covered) * grid.element_area();
+  if (grid.is_line()) {
+    size.width_unsure = 0.0;
+    size.area = along_x.covered * grid.element_area();
+  }
   return size;
 }
 
 bool touches_border(const ContactGrid& grid, const Field& pressure) {
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
-      const bool border = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
+      const bool end = !grid.is_line() && (j == 0 || j == grid.ny - 1);
+      const bool border = end || i == 0 || i == grid.nx - 1;
       if (border && pressure[grid.index(i, j)] > 0.0) return true;
     }
   return false;

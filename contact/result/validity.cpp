@@ -102,7 +102,7 @@ bool has_grid(const Examined& at) {
 void check_fineness(const Examined& at) {
   const ContactGrid& grid = at.result.grid;
   const auto [along, across] = elements_across(grid, at.point().fields.traction.n);
-  if (std::min(along, across) >= fewest_elements_across) return;
+  if ((grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across) return;
   throw UnfitGrid(
       place_of(at) +
       fmt::format("{} by {} contact elements of {:.4g} by {:.4g} mm lie along and across the "

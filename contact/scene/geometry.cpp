@@ -87,6 +87,11 @@ Geometry::Geometry(const Case& input)
   surface.rail_transverse_radius = input.rail.transverse_radius;
   surface.wheel_round_to = input.wheel.round_to;
   surface.rail_round_to = input.rail.round_to;
+  const ContactShapeCase& shape = input.geometry;
+  if (shape.shape != ContactShape::line) return;
+  // All that a line knows of a radius is the curvature of the distance.
+  if (shape.relative_radius) surface.rolling_radius = *shape.relative_radius;
+  line = LineContact{shape.width, shape.reference_distance.value_or(surface.rolling_radius)};
 }
 
 Curvatures relative_curvatures(const Geometry& geometry) {

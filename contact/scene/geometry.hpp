@@ -8,6 +8,12 @@
 
 namespace rollfem::contact {
 
+/// Rollers without ends across, in plane strain.
+struct LineContact {
+  double width = 1.0;      ///< mm across that all forces are of
+  double reference = 0.0;  ///< mm, ContactGrid::line_reference
+};
+
 /// What wheel and rail are to the contact: their surfaces, and what a case gives in their place.
 struct Geometry {
   Geometry() = default;
@@ -19,6 +25,7 @@ struct Geometry {
   std::optional<Lattice> distance_values;          ///< h in mm, in place of the surfaces
   ExtraSlip extra_slip = ExtraSlip::automatic;
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
+  std::optional<LineContact> line;           ///< else a point contact
 
   bool has_profiles() const { return surface.profiles != nullptr; }
   /// The surfaces themselves say the distance: no quadratic form or file does.

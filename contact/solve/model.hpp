@@ -35,6 +35,8 @@ enum class Demand {
   spin,                    ///< of bodies with radii: with profiles there is always some
   extra_slip,              ///< from a file, of bodies with radii
   extra_slip_on_profiles,  ///< from a file, beyond what the profiles bring
+  line_contact,            ///< of rollers without ends across
+  stress_of_line,          ///< below a line contact
   distance_points,         ///< undeformed distance point by point
   distance_quadratic,      ///< undeformed distance without radii
   given_pressure,

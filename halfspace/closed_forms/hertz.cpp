@@ -4,6 +4,7 @@
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 #include "contact/scene/geometry.hpp"
+#include "halfspace/closed_forms/line_hertz.hpp"
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
@@ -144,6 +145,12 @@ HertzContact hertz_of_scene(const contact::Scene& scene) {
   }
   const contact::Curvatures curvatures = curvatures_of_scene(scene);
   const contact::NormalLoad load = contact::largest_load(scene);
+  if (const auto& line = scene.geometry.line) {
+    const double force = load.force.value_or(0.0);
+    const LineHertz hertz =
+        line_hertz(0.5 / curvatures.A, modulus_of(scene), force / line->width, line->reference);
+    return {hertz.half_width, 0.5 * line->width, hertz.max_pressure, hertz.approach, force};
+  }
   return load.force ? hertz_from_force(curvatures.A, curvatures.B, modulus_of(scene), *load.force)
                     : hertz_from_approach(curvatures.A, curvatures.B, modulus_of(scene),
                                           load.approach.value_or(0.0));

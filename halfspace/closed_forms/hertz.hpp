@@ -26,8 +26,9 @@ HertzContact hertz_from_approach(double A, double B, double contact_modulus, dou
 contact::Curvatures hertz_curvatures(const HertzContact& contact, double contact_modulus);
 
 /// Hertz's contact for the radii (or quadratic undeformed distance), materials and load of a case;
-/// or the given pressure. Throws contact::InputError when the bodies do not make an elliptic
-/// contact, or are given point by point.
+/// or the given pressure. Of a line contact semi_axis_y is half its width, and nothing depends on
+/// y: pressure() holds on y = 0, where the row of elements is. Throws contact::InputError when the
+/// bodies do not make an elliptic contact, or are given point by point.
 HertzContact hertz_of_scene(const contact::Scene& scene);
 
 /// A and B of the case, with a given pressure those that belong to it. Throws as hertz_of_scene.

@@ -51,7 +51,7 @@ Kernels periodic_kernels(const ContactGrid& grid, const CombinedMaterial& materi
     field->setZero(size);
   for (int j = 0; 2 * j <= py; ++j)
     for (int i = 0; 2 * i <= px; ++i) {
-      const Influence a = rectangle_influence(i * grid.dx, j * grid.dy, grid.dx, grid.dy, material);
+      const Influence a = element_influence(grid, i, j, material);
       const bool middle_x = 2 * i == px;
       const bool middle_y = 2 * j == py;
       for (const int sy : {1, -1})

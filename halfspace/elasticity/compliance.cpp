@@ -128,7 +128,7 @@ class HalfspaceTangential : public contact::TangentialOperator {
 double mean_diagonal(const ContactGrid& grid, const CombinedMaterial& material,
                      Difference difference) {
   const auto coefficient = [&](int offset) {
-    const Influence a = rectangle_influence(offset * grid.dx, 0.0, grid.dx, grid.dy, material);
+    const Influence a = element_influence(grid, offset, 0, material);
     return 0.5 * (a.xx + a.yy);
   };
   // (D A) at element i takes u at i, i+1, i+2: offsets 0, 1, 2 from the loaded element i.
@@ -160,7 +160,7 @@ struct HalfspaceCompliance::Implementation {
   Implementation(const ContactGrid& g, const CombinedMaterial& m)
       : grid(g),
         material(m),
-        fft(g.nx, g.ny, 2 * g.nx + 3, 2 * g.ny),
+        fft(g.nx, g.ny, 2 * g.nx + 3, g.is_line() ? 1 : 2 * g.ny),
         symbols(kernel_symbols(g, m, fft.px(), fft.py())) {}
 
   const HalfspaceTangential& tangential_operator(Difference difference) const {

@@ -116,4 +116,27 @@ Influence rectangle_influence(double x, double y, double dx, double dy,
   return combine(integrals(x, y, dx, dy), material);
 }
 
+Influence line_influence(double x, double dx, double reference,
+                         const contact::CombinedMaterial& material) {
+  const double x0 = x - 0.5 * dx;
+  const double x1 = x + 0.5 * dx;
+  // Integral of -ln|s / reference| from 0 to s.
+  const auto logarithm = [&](double s) {
+    return s == 0.0 ? 0.0 : s - s * std::log(std::abs(s) / reference);
+  };
+  const double scale = 2.0 / (pi * material.shear_modulus);
+  const double integral = logarithm(x1) - logarithm(x0);
+  Influence result;
+  result.xx = result.nn = scale * (1.0 - material.poisson_ratio) * integral;
+  result.yy = scale * integral;  // antiplane shear
+  result.xn = -material.difference / material.shear_modulus * (std::abs(x1) - std::abs(x0));
+  return result;
+}
+
+Influence element_influence(const contact::ContactGrid& grid, int i, int j,
+                            const contact::CombinedMaterial& material) {
+  if (grid.is_line()) return line_influence(i * grid.dx, grid.dx, grid.line_reference, material);
+  return rectangle_influence(i * grid.dx, j * grid.dy, grid.dx, grid.dy, material);
+}
+
 }  // namespace rollfem::halfspace

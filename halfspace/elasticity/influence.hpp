@@ -26,4 +26,15 @@ struct Influence {
 Influence rectangle_influence(double x, double y, double dx, double dy,
                               const contact::CombinedMaterial& material);
 
+/// The same for an element of dx mm without ends across, in plane strain, relative to what a line
+/// load causes at the distance `reference` (mm): the rectangle's without its constant, in closed
+/// form (Johnson 1985, eq. 2.30 to 2.33). Of nn that is the middle of a load as wide as
+/// `reference`.
+Influence line_influence(double x, double dx, double reference,
+                         const contact::CombinedMaterial& material);
+
+/// Under an element of the grid, seen from one that is i columns and j rows farther.
+Influence element_influence(const contact::ContactGrid& grid, int i, int j,
+                            const contact::CombinedMaterial& material);
+
 }  // namespace rollfem::halfspace

@@ -85,12 +85,13 @@ Peak peak_of(const ContactGrid& grid, const Field& field) {
   };
   return {largest - std::max(value(i - 1, j), value(i + 1, j)),
           largest - 0.5 * (value(i - 1, j) + value(i + 1, j)),
-          largest - 0.5 * (value(i, j - 1) + value(i, j + 1))};
+          grid.is_line() ? 0.0 : largest - 0.5 * (value(i, j - 1) + value(i, j + 1))};
 }
 
 /// What is rough in the sums of a field over the rows of the grid: the root of the sum of squares
 /// of their fourth differences, as parts of those of uncorrelated errors.
 double roughness_of_rows(const ContactGrid& grid, const Field& field) {
+  if (grid.is_line()) return 0.0;           // one row
   constexpr double of_uncorrelated = 70.0;  // 1 + 16 + 36 + 16 + 1
   const auto row = [&](int j) {
     return j < 0 || j >= grid.ny ? 0.0 : field.segment(grid.index(0, j), grid.nx).sum();
@@ -122,7 +123,8 @@ double area_of_front(const ContactGrid& grid, const std::vector<contact::Element
 }
 
 double elements_across(const ContactGrid& grid, const PointResult& point) {
-  return std::max(1.0, 2.0 * std::min(point.semi_axis_x / grid.dx, point.semi_axis_y / grid.dy));
+  const double along = 2.0 * point.semi_axis_x / grid.dx;
+  return std::max(1.0, grid.is_line() ? along : std::min(along, 2.0 * point.semi_axis_y / grid.dy));
 }
 
 /// Of the forces in the order of `forces`, N and N mm.
@@ -181,7 +183,9 @@ class Bars {
   }
   /// The size over n^1.5.
   double over_grid(double size) const { return size / std::pow(across_, 1.5); }
-  double length() const { return std::sqrt(fine_.semi_axis_x * fine_.semi_axis_y); }
+  double length() const {
+    return grid_.is_line() ? fine_.semi_axis_x : std::sqrt(fine_.semi_axis_x * fine_.semi_axis_y);
+  }
   double part_in_adhesion() const {
     return fine_.contact_area > 0.0 ? fine_.adhesion_area / fine_.contact_area : 0.0;
   }
@@ -236,9 +240,12 @@ void Bars::set_extents() const {
     set(middle, of_extent, 0.5 * rest);
   };
   extent("semi_axis_x", "contact_length", "patch_x_middle", size_.length_unsure);
-  extent("semi_axis_y", "contact_width", "patch_y_middle", size_.width_unsure);
+  if (!grid_.is_line())
+    extent("semi_axis_y", "contact_width", "patch_y_middle", size_.width_unsure);
+  // Of many rows the elements cut by the front cancel; a line has one row.
   const double front = area_of_front(grid_, fine_.fields.state);
-  set("adhesion_area", of_adhesion, std::hypot(over_grid(1.2 * fine_.contact_area), 0.3 * front));
+  const double unsure = grid_.is_line() ? 1.3 * std::max(front, grid_.element_area()) : 0.3 * front;
+  set("adhesion_area", of_adhesion, std::hypot(over_grid(1.2 * fine_.contact_area), unsure));
 }
 
 Roughness Bars::roughness() const {

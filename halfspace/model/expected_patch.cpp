@@ -293,7 +293,7 @@ ExpectedPatch expected_patch(const Scene& scene, int elements) {
   patch.approach = hertz.approach;
   patch.max_pressure = hertz.max_pressure;
   patch.normal_force = hertz.normal_force;
-  patch.area = pi * hertz.semi_axis_x * hertz.semi_axis_y;
+  patch.area = (scene.geometry.line ? 4.0 : pi) * hertz.semi_axis_x * hertz.semi_axis_y;
   patch.carrying_length = patch.length();
   patch.carrying_width = patch.width();
   return patch;

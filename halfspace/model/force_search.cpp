@@ -1,5 +1,6 @@
 #include "halfspace/model/force_search.hpp"
 
+#include "contact/base/pi.hpp"
 #include "halfspace/theories/linear_theory.hpp"
 
 #include <cmath>
@@ -20,6 +21,18 @@ Vector2d rolling_stiffness(const PatchSize& patch, const CombinedMaterial& mater
 Vector2d shift_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
   const double c = 0.5 * std::sqrt(patch.length * patch.width);
   return Vector2d::Constant(4.0 * c * material.shear_modulus / (2.0 - material.poisson_ratio));
+}
+
+Vector2d line_rolling_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
+  const double antiplane = 0.25 * contact::pi * material.shear_modulus * patch.length * patch.width;
+  return {antiplane / (1.0 - material.poisson_ratio), antiplane};
+}
+
+Vector2d line_shift_stiffness(const PatchSize& patch, double reference,
+                              const CombinedMaterial& material) {
+  const double antiplane = 0.5 * contact::pi * material.shear_modulus * patch.width /
+                           (std::log(4.0 * reference / patch.length) + 0.5);
+  return {antiplane / (1.0 - material.poisson_ratio), antiplane};
 }
 
 }  // namespace rollfem::halfspace

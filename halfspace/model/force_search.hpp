@@ -18,4 +18,11 @@ Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch,
 Eigen::Vector2d shift_stiffness(const contact::PatchSize& patch,
                                 const contact::CombinedMaterial& material);
 
+/// Of a line contact: Carter's, and that of Hertz's distribution of tractions, whose displacement
+/// in the middle is relative to the reference distance.
+Eigen::Vector2d line_rolling_stiffness(const contact::PatchSize& patch,
+                                       const contact::CombinedMaterial& material);
+Eigen::Vector2d line_shift_stiffness(const contact::PatchSize& patch, double reference,
+                                     const contact::CombinedMaterial& material);
+
 }  // namespace rollfem::halfspace

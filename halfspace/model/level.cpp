@@ -84,10 +84,13 @@ class HalfspaceElasticity : public contact::Elasticity {
     return uncoupled_ ? *uncoupled_ : *whole_;
   }
   Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
-    return halfspace::rolling_stiffness(patch, scene_.material);
+    return scene_.geometry.line ? line_rolling_stiffness(patch, scene_.material)
+                                : halfspace::rolling_stiffness(patch, scene_.material);
   }
   Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
-    return halfspace::shift_stiffness(patch, scene_.material);
+    return scene_.geometry.line
+               ? line_shift_stiffness(patch, scene_.geometry.line->reference, scene_.material)
+               : halfspace::shift_stiffness(patch, scene_.material);
   }
   contact::Field extra_distance() const override {
     return displacement_beside(scene_.beside, scene_.material, whole_->grid());

@@ -27,6 +27,11 @@ using contact::Scene;
 
 namespace {
 
+/// Elements of a line contact are as wide as it on every level.
+double factor_across(const Scene& scene, double factor) {
+  return scene.geometry.line ? 1.0 : factor;
+}
+
 /// Below this many elements across, a coarser level helps nobody.
 constexpr int fewest_elements_across = 10;
 
@@ -41,11 +46,11 @@ Cell finest_cell(const Scene& scene, const AreaOfPatch& area) {
   if (scene.contact_grid.cell_size) {
     const auto& [dx, dy] = *scene.contact_grid.cell_size;
     return {dx, dy,
-            contact::count_of(std::min(length / dx, width / dy),
+            contact::count_of(scene.geometry.line ? length / dx : std::min(length / dx, width / dy),
                               "elements across the patch (contact_grid.cell_size)")};
   }
   const int across = scene.contact_grid.elements_across;
-  return {length / across, width / across, across};
+  return {length / across, scene.geometry.line ? width : width / across, across};
 }
 
 /// Elements across of a level that has but to say how numbers change.
@@ -62,7 +67,7 @@ std::vector<Cell> cells_of_levels(const Scene& scene, const AreaOfPatch& area) {
   };
   while (another()) {
     const Cell& fine = cells.back();
-    cells.push_back({2.0 * fine.dx, 2.0 * fine.dy, fine.across / 2});
+    cells.push_back({2.0 * fine.dx, factor_across(scene, 2.0) * fine.dy, fine.across / 2});
   }
   std::reverse(cells.begin(), cells.end());
   return cells;
@@ -79,7 +84,7 @@ bool is_a_start(const Scene& scene, const Cell& cell, bool last) {
 Scene with_room(Scene scene, const Cell& cell) {
   if (auto& extent = scene.contact_grid.extent; extent && !scene.geometry.distance_values) {
     (*extent)[0] += 4.0 * cell.dx;
-    (*extent)[1] += 4.0 * cell.dy;
+    if (!scene.geometry.line) (*extent)[1] += 4.0 * cell.dy;
   }
   return scene;
 }
@@ -128,6 +133,12 @@ void add_notes(const Scene& scene, ModelResult& result) {
       "error bars: from the changes between grids of these, twice and four times the cells, and "
       "from the solution near edges, peaks and fronts; held in about 95 of 100 random contacts "
       "(docs/accuracy.md)");
+  if (const auto& line = scene.geometry.line)
+    result.notes.push_back(fmt::format(
+        "line contact: rollers without ends across, in plane strain; forces, moments, areas and "
+        "works are those of {:g} mm across; approach and elastic energy are relative to the "
+        "surface at {:g} mm from a line load",
+        line->width, line->reference));
   if (scene.follows_surface > 0.0 && scene.follows_surface < 1.0)
     result.notes.push_back(fmt::format(
         "the normals of this contact spread too much for one plane and little for a curved "
@@ -277,7 +288,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     }
     if (levels.coarse) set_bars(scene, levels);
     if (!levels.coarse || refine_further(scene, *levels.fine, cell, result))
-      cells.push_back({0.5 * cell.dx, 0.5 * cell.dy, 2 * cell.across});
+      cells.push_back({0.5 * cell.dx, factor_across(scene, 0.5) * cell.dy, 2 * cell.across});
   }
   add_stresses(scene, elasticity, levels, result);
   contact::LevelResult& fine = *levels.fine;

@@ -34,6 +34,7 @@ class AreaOfPatch {
   contact::ContactGrid grid(double dx, double dy, int margin) const;
 
  private:
+  contact::ContactGrid line_grid(double dx, int margin) const;
   const ExpectedPatch& patch() const;
   void check_extent() const;
   void check_extent_of_profiles() const;

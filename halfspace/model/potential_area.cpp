@@ -123,7 +123,7 @@ void AreaOfPatch::check_extent() const {
 }
 
 void AreaOfPatch::check_shape_of_cells(double dx, double dy) const {
-  if (scene_.geometry.distance_values) return;
+  if (scene_.geometry.distance_values || scene_.geometry.line) return;
   constexpr double most_times = 200.0;
   const PatchExtent extent = this->extent();
   const double nx = extent.length / dx, ny = extent.width / dy;
@@ -135,7 +135,28 @@ void AreaOfPatch::check_shape_of_cells(double dx, double dy) const {
       scene_.file, dx, dy, nx, ny, extent.length, extent.width, most_times));
 }
 
+/// Elements within twice the reference distance keep the compliance positive: the logarithm in it
+/// is, of whatever is closer than four times the reference.
+ContactGrid AreaOfPatch::line_grid(double dx, int margin) const {
+  const contact::GridOptions& options = scene_.contact_grid;
+  const contact::LineContact& line = *scene_.geometry.line;
+  check_extent();
+  check_cells(scene_, {patch().length(), line.width}, dx, line.width, 0);
+  const int nx = options.extent ? elements_within((*options.extent)[0], dx)
+                                : elements(patch().length(), dx, margin);
+  if (nx * dx > 2.0 * line.reference)
+    throw contact::InputError(fmt::format(
+        "{}: geometry.reference_distance = {:g} mm: the contact grid is {:.4g} mm long; allowed: "
+        "at least {:.4g} mm, half of that; do: give a larger one, or a shorter "
+        "contact_grid.extent",
+        scene_.file, line.reference, nx * dx, 0.5 * nx * dx));
+  ContactGrid grid = ContactGrid::centred(nx, 1, dx, line.width, options.middle[0], 0.0);
+  grid.line_reference = line.reference;
+  return grid;
+}
+
 ContactGrid AreaOfPatch::grid(double dx, double dy, int margin) const {
+  if (scene_.geometry.line) return line_grid(dx, margin);
   const contact::GridOptions& options = scene_.contact_grid;
   const auto& values = scene_.geometry.distance_values;
   check_extent();

@@ -44,7 +44,8 @@ RefinedInput strip_level(ModelInput input, int k, int /*n*/) {
 RefinedInput grid_level(ModelInput input, int k, int /*n*/) {
   const double factor = std::exp2(k - 2);
   if (auto& cell = input.contact_grid.cell_size) {
-    for (double& side : *cell) side /= factor;
+    (*cell)[0] /= factor;
+    if (!input.geometry.line) (*cell)[1] /= factor;
     const double side = (*cell)[0];
     return {fmt::format("{:.4g} mm", side), side, std::move(input)};
   }

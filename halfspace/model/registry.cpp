@@ -113,9 +113,9 @@ Demands of_ellipse(const Demands& more) {
 void add_theories(contact::ModelRegistry& models) {
   ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
   // It knows no friction: it takes any problem, and gives the patch alone.
-  hertz.takes = of_ellipse({Demand::history, Demand::tangential_force, Demand::profiles,
-                            Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
-                            Demand::extra_slip_on_profiles});
+  hertz.takes = of_ellipse({Demand::line_contact, Demand::history, Demand::tangential_force,
+                            Demand::profiles, Demand::lateral_creepage, Demand::spin,
+                            Demand::extra_slip, Demand::extra_slip_on_profiles});
   hertz.run = theory(
       [](const Scene& c, const Progress& p) {
         return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
@@ -141,7 +141,7 @@ void add_theories(contact::ModelRegistry& models) {
   models.add(vermeulen);
 
   ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
-  carter.takes = of_ellipse({Demand::extra_slip});
+  carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
   carter.run =
       theory([](const Scene& c, const Progress& p) { return run_carter(c, p, c.carter.strips); });
   carter.bars = strips_on_ellipse;
@@ -172,7 +172,8 @@ contact::ModelRegistry make_models() {
   add_theories(models);
   ModelInfo halfspace{"halfspace", "half-space",
                       "Kalker's problem with elastic half-spaces, element by element"};
-  halfspace.takes = contact::all_demands_but({Demand::inertia, Demand::beyond_half_space});
+  halfspace.takes = contact::all_demands_but(
+      {Demand::inertia, Demand::beyond_half_space, Demand::stress_of_line});
   halfspace.run = run_halfspace_with_model_error;
   halfspace.refinements = {contact_grid()};
   halfspace.no_model_error =

@@ -1,10 +1,14 @@
 #include "halfspace/theories/carter.hpp"
 
 #include "contact/base/pi.hpp"
+#include "contact/result/bars.hpp"
+#include "contact/result/quantities.hpp"
 #include "halfspace/theories/brush.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace rollfem::halfspace {
 
@@ -29,10 +33,16 @@ CarterSolution strip_solution(const EllipticPatch& patch, const contact::Creepag
   return {strip_contact(patch, y), strip_creepage(patch.geometry, creepage, y).longitudinal};
 }
 
+/// Of an ellipse; a line contact is one strip.
+std::vector<StripPlace> carter_strips_of(const EllipticPatch& patch, int strips) {
+  if (patch.geometry.geometry().line) return {{0.0, 2.0 * patch.hertz.semi_axis_y}};
+  return strip_places(patch.hertz.semi_axis_y, strips);
+}
+
 BrushTotals sum_carter_strips(const EllipticPatch& patch, const contact::Creepage& creepage,
                               int strips) {
   BrushTotals totals;
-  for (const auto& [y, width] : strip_places(patch.hertz.semi_axis_y, strips)) {
+  for (const auto& [y, width] : carter_strips_of(patch, strips)) {
     const CarterSolution strip = strip_solution(patch, creepage, y);
     totals.forces.longitudinal += width * strip.force();
     totals.forces.spin_moment -= width * y * strip.force();
@@ -59,6 +69,15 @@ void fill_fields(const EllipticPatch& patch, contact::PointResult& point) {
         fields.state[k] = contact::ElementState::slip;
     }
   }
+}
+
+/// Values that no grid or number of strips is behind.
+void say_closed_form(const contact::Scene& scene, contact::PointResult& point) {
+  namespace no_bar = contact::no_bar;
+  for (const contact::Quantity& quantity : contact::quantities())
+    if (quantity.of_friction() || quantity.name == std::string("adhesion_area"))
+      point.no_bar.emplace(quantity.name,
+                           scene.material.couples() ? no_bar::theory : no_bar::exact);
 }
 
 }  // namespace
@@ -122,14 +141,18 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
     fill_fields(patch, point);
     const BrushTotals totals = sum_carter_strips(patch, point.creepage, strips);
     set_totals(totals, point);
-    estimate_error(totals, sum_carter_strips(patch, point.creepage, (strips + 1) / 2), 2, point);
+    if (scene.geometry.line)
+      say_closed_form(scene, point);
+    else
+      estimate_error(totals, sum_carter_strips(patch, point.creepage, (strips + 1) / 2), 2, point);
   };
   contact::ModelResult result =
       run_theory(scene, patch.grid, patch.normal, "carter", progress, fill);
   result.notes.push_back(
-      "Carter strip by strip: error estimates are those of the resolution; the theory is for "
-      "patches "
-      "much wider than long");
+      scene.geometry.line
+          ? "Carter's closed form of line contact: exact for like materials"
+          : "Carter strip by strip: error estimates are those of the resolution; the theory is for "
+            "patches much wider than long");
   return result;
 }
 

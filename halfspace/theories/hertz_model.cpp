@@ -2,6 +2,7 @@
 #include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/closed_forms/line_hertz.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <chrono>
@@ -27,8 +28,11 @@ contact::ContactFields sampled_fields(const contact::Scene& scene, const HertzCo
                      grid.sample([&](double x, double y) { return hertz.pressure(x, y); })};
   fields.slip = {zero, zero};
   fields.traction_bound = scene.friction_coefficient() * fields.traction.n;
-  const Field displacement =
-      grid.sample([&](double x, double y) { return hertz_displacement(hertz, modulus, x, y); });
+  const LineHertz line{hertz.semi_axis_x, hertz.max_pressure, hertz.approach};
+  const Field displacement = grid.sample([&](double x, double y) {
+    return grid.is_line() ? line_displacement(line, modulus, x)
+                          : hertz_displacement(hertz, modulus, x, y);
+  });
   const Field distance = grid.sample(
       [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
   const auto inside = fields.traction.n.array() > 0.0;
@@ -57,7 +61,7 @@ contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progr
   point.semi_axis_y = hertz.semi_axis_y;
   point.contact_length = 2.0 * hertz.semi_axis_x;
   point.contact_width = 2.0 * hertz.semi_axis_y;
-  point.contact_area = pi * hertz.semi_axis_x * hertz.semi_axis_y;
+  point.contact_area = (scene.geometry.line ? 4.0 : pi) * hertz.semi_axis_x * hertz.semi_axis_y;
   point.adhesion_area = point.contact_area;
   point.converged = true;
   point.fields = sampled_fields(scene, hertz, result.grid);

@@ -49,6 +49,24 @@ inline const std::string rolling_ellipse = R"( 3 module
  0
 )";
 
+/// A roller of 300 mm on a plane, 250 mm wide, driven by 0.4 of what friction bears; rolls along
+/// -x.
+inline const std::string driven_roller = R"( 3 module
+ 203110   P-B-T-N-F-S
+ 022020   L-D-C-M-Z-E
+ 0001341  H-G-I-A-O-W-R
+ 200 100 30 1 1e-6
+ 30000. 0.4 0.0 0.0               FN FX CETA CPHI
+ 0.25 0.25
+ 180d 0.02 20000.                 CHI DQ VELOC
+ 0.30 0.25 30000. 80000.
+   1
+ 60 1 -1.2 -125. 0.04 250.        MX MY XL YL DX DY
+   1 1
+ 0.0016666666666667 0.0 0.0 0.0 0.0 0.0
+ 0
+)";
+
 /// The left wheel of a wheelset that is 1.5 mm to the right, yawed and turns a little too fast.
 inline const std::string left_wheel = R"( 1 module
  0203100  C-P-B-T-N-F-S

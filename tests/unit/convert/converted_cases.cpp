@@ -65,6 +65,23 @@ TEST(ConvertedCase, CasesThatDifferInCreepageAreLoadPoints) {
   EXPECT_NEAR((*input.contact_grid.cell_size)[0], 0.5, 1e-12);  // 2 SCALE AA / MX
 }
 
+TEST(ConvertedCase, OneRowOfLongElementsIsALineContact) {
+  const Case made = only(driven_roller);
+  EXPECT_EQ(made.geometry.shape, contact::ContactShape::line);
+  EXPECT_DOUBLE_EQ(made.geometry.width, 250.0);
+  EXPECT_NEAR(*made.geometry.relative_radius, 300.0, 1e-9);
+  EXPECT_DOUBLE_EQ(*made.geometry.reference_distance, 250.0);
+  EXPECT_DOUBLE_EQ((*made.contact_grid.cell_size)[0], 0.04);
+  EXPECT_DOUBLE_EQ((*made.contact_grid.extent)[1], 250.0);
+  EXPECT_DOUBLE_EQ(made.contact_grid.middle[0], 0.0);
+  ASSERT_EQ(made.rolling.forces.size(), 1U);
+  EXPECT_NEAR(*made.rolling.forces[0].longitudinal, -0.4 * 0.25 * 30000.0, 1e-9);  // CHI = 180
+  EXPECT_NE(refusal(replaced(driven_roller, "0.04 250.", "0.04 5.")).find("no line contact"),
+            std::string::npos);
+  EXPECT_NE(refusal(replaced(driven_roller, "667 0.0 0.0", "667 0.0 0.001")).find("MY = 1"),
+            std::string::npos);
+}
+
 TEST(ConvertedCase, EllipsesAreTheSameHoweverTheyAreGiven) {
   const Case by_axes = only(rolling_ellipse);
   const auto [A, B] = *by_axes.undeformed_distance.quadratic;
@@ -156,7 +173,8 @@ TEST(ConvertedCase, WhatHasNoEquivalentIsNamed) {
             "digit B = 1: a thin sheet in place of the half-space"},
         Row{rolling_ellipse, " 0.0 0.5 20000.", " 90d 0.5 20000.",
             "CHI = 90 degrees: bodies roll along x; allowed: 0 and 180"},
-        Row{pushed_ball, " 36 36 ", " 36 1 ", "MY = 1: line contact, one row of long elements"},
+        Row{pushed_ball, " 36 36 ", " 36 1 ",
+            "MY = 1: a line contact of rollers has IBASE = 1 with B1 > 0 and no other B"},
         Row{left_wheel, " 0203100 ", " 0203000 ",
             "digit N = 0: the height of the wheelset in place of its load"},
         Row{left_wheel, " 14.5 0 ", " 0.0 0 ",

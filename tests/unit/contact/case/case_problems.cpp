@@ -234,6 +234,41 @@ TEST_F(PointFiles, ThatAreMissingOrUnusedAreNamed) {
                {"contradicts undeformed_distance.quadratic"});
 }
 
+/// The small case as a line contact, with lines under [geometry] and sections behind.
+std::string line_case(const std::string& under, const std::string& sections = "") {
+  return "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.3\n[geometry]\nshape = "
+         "\"line\"\n" +
+         under + sections;
+}
+
+TEST(LineContact, NeedsARadiusAlongRollingAndNoneAcross) {
+  const Case input = parse_case(line_case("relative_radius = 25.0\nwidth = 1000.0\n"), "c.toml");
+  EXPECT_EQ(input.geometry.shape, contact::ContactShape::line);
+  EXPECT_EQ(input.geometry.width, 1000.0);
+  EXPECT_EQ(input.geometry.relative_radius, 25.0);
+  const Case by_wheel = parse_case(line_case("", "[wheel]\nrolling_radius = 460.0\n"), "c.toml");
+  EXPECT_EQ(by_wheel.wheel.rolling_radius, 460.0);
+  EXPECT_EQ(by_wheel.geometry.width, 1.0);
+  expect_error(line_case(""), {"geometry.relative_radius: is missing"});
+}
+
+TEST(LineContact, ContradictionsAreNamed) {
+  const std::string radius = "relative_radius = 25.0\n";
+  expect_error(plus("[geometry]\nwidth = 10.0\n"),
+               {"geometry.width = 10.0: is of a line contact, and geometry.shape is point"});
+  expect_error(line_case(radius, "[rail]\ntransverse_radius = 300.0\n"),
+               {"rail.transverse_radius = 300.0: is of a contact that ends across"});
+  expect_error(line_case(radius, "[rolling]\nspin = 1e-4\n"), {"rolling.spin = 1e-4: turns"});
+  expect_error(line_case(radius, "[undeformed_distance]\nquadratic = [0.1, 0.1]\n"),
+               {"undeformed_distance.quadratic", "geometry.shape is line"});
+  expect_error(line_case(radius, "[contact_grid]\ncell_size = [0.1, 0.1]\n"),
+               {"contact_grid.cell_size = [0.1, 0.1]: is not one row of elements across, 1 mm"});
+  expect_error(line_case(radius, "[halfspace]\nmodel_error = true\n"), {"halfspace.model_error"});
+  std::string pressed = line_case(radius);
+  pressed.replace(pressed.find("normal_force = 50e3"), 19, "approach = 0.1");
+  expect_error(pressed, {"load.approach = 0.1: of half-planes has no limit"});
+}
+
 TEST(Subsurface, SectionsAreReadInTheOrderOfTheFile) {
   const Case input = parse_case(plus("[[subsurface.line]]\nfrom = [0, 0, 0.1]\nto = [0, 0, 5]\n"
                                      "points = 50\n"
