@@ -158,7 +158,6 @@ const std::vector<Wrong> wrong_values{
     {"UnknownSolver", fem("linear_solver = \"lu\""), {"automatic, factorisation, multigrid"}},
     {"TextForBoolean", plus("[output]\nfields = \"yes\"\n"), {"output.fields = \"yes\""}},
     {"UnknownPath", plus("[output]\npaths = [\"z\"]\n"), {"output.paths = [\"z\"]: is not known"}},
-    {"EmptyPaths", plus("[output]\npaths = []\n"), {"output.paths = []: is an empty list"}},
     {"UnknownModel",
      first("models = [\"fme\"]"),
      {"case.toml:1:10: models", "near: fem", "allowed: a list of some of hertz, halfspace, fem"}},

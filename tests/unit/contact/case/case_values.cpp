@@ -120,6 +120,10 @@ TEST(CaseValues, EveryKeyArrives) {
   EXPECT_FALSE(input.output.fields);
 }
 
+TEST(CaseValues, NoPathsAreAllowed) {
+  EXPECT_TRUE(parse_case(plus("[output]\npaths = []\n"), "b.toml").output.paths.empty());
+}
+
 TEST(CaseValues, ScalarsAreBroadcastWhateverTheOrderOfTheLists) {
   for (const char* lines :
        {"[rolling]\nspin = [0.1, 0.2, 0.3]\nlongitudinal_creepage = 0.01\n",
