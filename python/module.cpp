@@ -2,7 +2,9 @@
 // solving lets other Python threads run, and hears Ctrl-C at every iteration.
 #include "contact/case/case_keys.hpp"
 #include "contact/case/plausibility.hpp"
+#include "python/blas_threads.hpp"
 #include "python/records.hpp"
+#include "python/stress.hpp"
 
 #include <optional>
 #include <pybind11/stl.h>
@@ -50,6 +52,7 @@ Shared solved(const Case& input, const std::vector<std::string>& models, py::obj
   Caller caller(std::move(callback));
   try {
     const py::gil_scoped_release free;
+    const OneBlasThread one_thread;
     return std::make_shared<const Result>(solve(input, models, caller.progress()));
   } catch (const Ended&) {
     caller.rethrow();
@@ -119,6 +122,7 @@ PYBIND11_MODULE(_core, module) {
              [](const std::shared_ptr<Result>& result) { return python::models_of(result); });
   module.def("write", [](const std::shared_ptr<Result>& result, const std::string& folder,
                          bool report) { return python::written(result, folder, report); });
+  module.def("stress_measures", &python::stress_measures);
   module.def("keys", &python::keys);
   module.def("quantities", &python::quantities);
   module.def("fields", &python::fields);

@@ -14,9 +14,11 @@ from .case import Case
 from .reading import read
 from .result import FIELDS, QUANTITIES, ModelResult, Point, Result
 from .solving import AccuracyWarning, DoubtWarning, solve
+from .stress import stress_measures
 from .sweeping import Sweep, sweep
 
 __version__ = _version()
 models = _models
 __all__ = ["AccuracyWarning", "Case", "DoubtWarning", "FIELDS", "InputError", "ModelResult", "Point", "Progress",
-           "QUANTITIES", "Result", "SolveError", "Sweep", "models", "read", "solve", "sweep"]
+           "QUANTITIES", "Result", "SolveError", "Sweep", "models", "read", "solve", "stress_measures",
+           "sweep"]
