@@ -94,7 +94,7 @@ std::string out_of_question(const contact::ModelInfo* model, const Scene& scene)
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
   const bool boxes = !scene.fem.mesh || *scene.fem.mesh == contact::MeshFamily::structured;
   if (model->name == "hybrid" && (meshes || !boxes))
-    return "it meshes bodies as boxes under their surface, no others";
+    return "it meshes bodies only as boxes under their surface";
   return "";
 }
 
@@ -204,9 +204,9 @@ class Solver {
 }  // namespace
 
 contact::ModelInfo auto_model() {
-  contact::ModelInfo choice{"auto", "auto",
-                            "the cheapest of halfspace, hybrid and fem whose errors together are "
-                            "within `accuracy`"};
+  contact::ModelInfo choice{
+      "auto", "auto",
+      "chooses the cheapest of halfspace, hybrid and fem whose total error is within `accuracy`"};
   // There is nothing to choose for a line contact: the half-space alone solves it.
   choice.takes = contact::all_demands_but({contact::Demand::line_contact});
   choice.chooses = choice.in_run = true;
@@ -223,8 +223,8 @@ void check_alone(const ModelRegistry& models, const std::vector<std::string>& na
                  const std::string& asked_by) {
   if (names.size() < 2 || !any_choice(models, names)) return;
   throw contact::InputError(
-      fmt::format("{}: auto stands beside other models: it takes one of them; allowed: auto alone, "
-                  "or models by their names; do: name one or the other",
+      fmt::format("{}: auto cannot be combined with other models, because it chooses one of them; "
+                  "allowed: auto alone, or models by name; do: name one or the other",
                   asked_by));
 }
 
@@ -235,8 +235,8 @@ void refuse_choice(const ModelRegistry& models, const std::vector<std::string>& 
   for (const contact::ModelInfo& model : models.all())
     if (!model.chooses) others.push_back(model.name);
   throw contact::InputError(
-      fmt::format("{} --model auto: it is no model of its own, but takes one of the others; "
-                  "allowed: {}; do: name those, or rollfem run --model auto",
+      fmt::format("{} --model auto: auto chooses one of the other models and cannot be compared "
+                  "with them; allowed: {}; do: name those, or use rollfem run --model auto",
                   command, contact::listed(others)));
 }
 

@@ -24,13 +24,12 @@ void list(const std::vector<CorrectionCache::Entry>& entries) {
     std::cout << fmt::format("{:<20} {:>9} {:>9} {:>8}  bodies\n", "made", "kB", "unknowns",
                              "seconds");
   for (const auto& entry : entries)
-    std::cout << fmt::format("{:<20} {:>9.1f} {:>9} {:>8.1f}  {}\n",
-                             entry.made.empty() ? "-" : entry.made,
-                             1e-3 * static_cast<double>(entry.bytes), entry.unknowns, entry.seconds,
-                             entry.words.empty() ? entry.file.filename().string() +
-                                                       " is damaged: computed anew when "
-                                                       "it is needed"
-                                                 : entry.words);
+    std::cout << fmt::format(
+        "{:<20} {:>9.1f} {:>9} {:>8.1f}  {}\n", entry.made.empty() ? "-" : entry.made,
+        1e-3 * static_cast<double>(entry.bytes), entry.unknowns, entry.seconds,
+        entry.words.empty()
+            ? entry.file.filename().string() + " is damaged and will be recomputed when needed"
+            : entry.words);
 }
 
 }  // namespace

@@ -88,10 +88,9 @@ void CommandFrame::prepare_farewell() const {
   if (!kept_ || kept_->kept() == 0)
     say_when_interrupted("no finished work was kept and no result written");
   else
-    say_when_interrupted(
-        fmt::format("{} finished solutions are kept in {}; the same command with --resume takes "
-                    "them up",
-                    kept_->kept(), kept_->folder().string()));
+    say_when_interrupted(fmt::format(
+        "{} finished solutions are kept in {}; the same command with --resume continues from them",
+        kept_->kept(), kept_->folder().string()));
 }
 
 postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
@@ -107,13 +106,13 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   const auto found = kept_->found();
   if (found > 0 && !request_.resume)
     std::cerr << fmt::format(
-        "warning: {} holds {} solutions of an earlier run that did not end; --resume takes them "
-        "up, this run starts anew and will replace them\n",
+        "warning: {} holds {} solutions of an earlier, unfinished run; --resume would continue "
+        "from them, but this run starts anew and will replace them\n",
         folder, found);
   else if (found > 0)
     say(fmt::format("resume: {} solutions of an earlier run in {}", found, folder));
   else if (request_.resume)
-    say("resume: no load points of an earlier run are there; everything is computed");
+    say("resume: no load points of an earlier run found; everything is computed");
   return kept_.get();
 }
 
@@ -125,7 +124,7 @@ void CommandFrame::forget_kept() {
 void CommandFrame::tell_of_kept(const std::string& kept) const {
   if (!kept_ || request_.quiet || !kept_->holds_records()) return;
   std::cerr << fmt::format(
-      "finished {} are kept; the same command with --resume takes them up: {}\n", kept,
+      "finished {} are kept; the same command with --resume continues from them: {}\n", kept,
       kept_->folder().string());
 }
 
@@ -163,7 +162,7 @@ void write_whole(const std::string& directory, const postprocess::RunRecord& rec
   const SignalsHeld held;
   postprocess::write_results(directory, record);
   say_when_interrupted("the results are written to " + directory +
-                       ", but not all that belongs to them; the same command makes them again");
+                       ", but not completely; the same command writes them again");
 }
 
 void warn_of_doubts(const contact::Case& input) {

@@ -62,8 +62,8 @@ bool is_sound(const Task& task, const nlohmann::json& summary) {
         std::equal(stored.begin(), stored.end(), named.begin(),
                    [](const auto& a, const auto& b) { return a.name == b.value("name", ""); }))
       return true;
-    std::cerr << fmt::format("warning: {} is not of this case; the case is computed again\n",
-                             file.path());
+    std::cerr << fmt::format(
+        "warning: {} does not belong to this case; the case is computed again\n", file.path());
   } catch (const contact::InputError& error) {
     std::cerr << fmt::format("warning: {}; the case is computed again\n", error.what());
   }
@@ -78,7 +78,7 @@ bool is_done(const Task& task) {
   if (postprocess::check_json_seal(text) != postprocess::Seal::intact) {
     if (!text.empty())
       std::cerr << fmt::format(
-          "warning: {} is damaged or was changed: it does not fit its checksum; the case is "
+          "warning: {} is damaged or was changed: its checksum does not match; the case is "
           "computed again\n",
           (task.folder / "summary.json").string());
     return false;
@@ -248,8 +248,8 @@ void refuse_untaken(const postprocess::ComparisonRecord& record) {
       text += (text.empty() ? "" : "; ") + why;
   if (!text.empty())
     throw contact::InputError(
-        fmt::format("compare: none of the models can take {}; do: name one with --model that can "
-                    "(docs/theories.md), or leave the case out",
+        fmt::format("compare: none of the models can solve {}; do: name one with --model that can "
+                    "(docs/models.md), or leave the case out",
                     text));
 }
 
@@ -275,8 +275,8 @@ std::vector<std::string> models_of(const CompareRequest& request,
   if (!request.reference.empty() &&
       std::find(models.begin(), models.end(), request.reference) == models.end())
     throw contact::InputError(
-        fmt::format("--reference {}: it is not one of the models compared; do: name it with "
-                    "--model too, or take one of them",
+        fmt::format("--reference {}: it is not among the models compared; do: add it to --model, "
+                    "or choose one of them",
                     request.reference));
   return models;
 }

@@ -31,8 +31,9 @@ class Written {
     std::error_code error;
     made_directory_ = fs::create_directories(directory, error);
     if (error || !fs::is_directory(directory))
-      throw contact::InputError(fmt::format(
-          "convert: the folder {} cannot be made; do: name another with -o", directory.string()));
+      throw contact::InputError(
+          fmt::format("convert: the folder {} cannot be created; do: name another with -o",
+                      directory.string()));
   }
   Written(const Written&) = delete;
   Written& operator=(const Written&) = delete;
@@ -47,7 +48,7 @@ class Written {
     const fs::path path = directory_ / name;
     if (fs::exists(path))
       throw contact::InputError(
-          fmt::format("convert: {} is there already; do: remove it or name another folder with -o",
+          fmt::format("convert: {} exists already; do: remove it or name another folder with -o",
                       path.string()));
     paths_.push_back(path);
     std::ofstream stream(path);
@@ -109,7 +110,7 @@ void refuse(const std::string& file, const Refused& refused, bool nothing_left) 
   throw contact::InputError(
       fmt::format("convert: {}: {} {} no equivalent, nothing is written; do: {}", file,
                   case_words(all), all.size() == 1 ? "has" : "have",
-                  nothing_left ? "see docs/coming_from_contact.md for what can be had"
+                  nothing_left ? "see docs/coming_from_contact.md for what can be converted"
                                : "change them, or write the others with --partial"));
 }
 
@@ -125,7 +126,7 @@ void warn_of_missing_profiles(const std::vector<convert::ContactCase>& cases,
   for (const std::string& name : names)
     if (!fs::exists(file.parent_path() / name))
       std::cerr << fmt::format(
-          "warning: the profile {} is not there; do: put it beside {} before you run the cases\n",
+          "warning: the profile {} is missing; do: put it beside {} before you run the cases\n",
           name, file.string());
 }
 

@@ -91,14 +91,14 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
         if (with_stresses && !parts.stresses) continue;
         found.parts = std::move(parts);
         found.parts->notes.push_back(
-            fmt::format("the correction comes from the cache ({}): finding it took {:.1f} s",
+            fmt::format("the correction comes from the cache ({}); computing it took {:.1f} s",
                         folder_.string(), values->numbers.at("seconds")));
         return found;
       }
     } catch (const std::exception&) {
       // Told below.
     }
-    found.note = fmt::format("{} is damaged: the correction was computed anew", file.string());
+    found.note = fmt::format("{} is damaged; the correction was recomputed", file.string());
   }
   return found;
 }
@@ -116,7 +116,7 @@ std::string CorrectionCache::keep(const contact::Scene& correction,
     fs::create_directories(folder_);
     postprocess::write_named_values(file_of(folder_, key), values);
   } catch (const std::exception& error) {
-    return fmt::format("the correction could not be kept for other runs: {}", error.what());
+    return fmt::format("the correction could not be stored for other runs: {}", error.what());
   }
   return {};
 }

@@ -49,7 +49,7 @@ const fem::Entry& open_fem_library(const std::string&) {
   const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "rollfem_fem_entry"));
   if (entry == nullptr)
     throw contact::InputError(
-        "model fem: its library is of another version; do: build or install rollfem again");
+        "model fem: its library has another version; do: build or install rollfem again");
   return *entry();
 }
 
@@ -57,8 +57,8 @@ const fem::Entry& open_fem_library(const std::string&) {
 
 const fem::Entry& open_fem_library(const std::string& asked_by) {
   throw contact::InputError(
-      fmt::format("{}: finite elements are not in this build, which was made without deal.II; "
-                  "allowed: what needs none; do: build with ROLLFEM_FEM=ON",
+      fmt::format("{}: this build has no finite elements, because it was made without deal.II; "
+                  "allowed: commands that need none; do: build with ROLLFEM_FEM=ON",
                   asked_by));
 }
 

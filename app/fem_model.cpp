@@ -26,8 +26,8 @@ std::array<double, 2> half_extents(const ModelInput& input, const char* key) {
     return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width()};
   } catch (const contact::InputError& error) {
     throw contact::InputError(
-        fmt::format("{}: study: fem.{} is where the study starts, and this case has no patch to "
-                    "take it from ({}); do: give fem.{}",
+        fmt::format("{}: study: the study starts from fem.{}, which this case does not give and "
+                    "which cannot be derived from a patch ({}); do: give fem.{}",
                     input.file, key, error.what(), key));
   }
 }
@@ -64,7 +64,7 @@ RefinedInput domain_level(ModelInput input, int k, int n) {
 }  // namespace
 
 contact::ModelInfo fem_model() {
-  contact::ModelInfo fem{"fem", "FEM", "finite elements of wheel and rail as they are, in 3D"};
+  contact::ModelInfo fem{"fem", "FEM", "3D finite elements of both bodies"};
   fem.takes = contact::all_demands_but(
       {Demand::line_contact, Demand::stress_of_line, Demand::stress_in_rigid_body});
   fem.run = [](const ModelInput& input, const contact::Progress& progress,
@@ -78,7 +78,7 @@ contact::ModelInfo fem_model() {
   fem.half_spaces = false;
   fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_compare = true;
   fem.built = ROLLFEM_WITH_FEM;
-  fem.no_model_error = "none known: linear elasticity of the bodies as the case has them";
+  fem.no_model_error = "none known: linear elasticity of the bodies as the case gives them";
   return fem;
 }
 

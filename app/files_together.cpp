@@ -24,7 +24,7 @@ FilesTogether::FilesTogether(std::string command, fs::path folder)
   if (error || !fs::is_directory(folder_)) {
     remove_made();
     throw contact::InputError(
-        fmt::format("{}: the folder {} cannot be made: {}; do: name another with -o", command_,
+        fmt::format("{}: the folder {} cannot be created: {}; do: name another with -o", command_,
                     folder_.string(), error ? error.message() : "it is a file"));
   }
 }

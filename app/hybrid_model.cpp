@@ -61,8 +61,8 @@ bool correction_is_kept(const contact::Scene& scene) {
 
 contact::ModelInfo hybrid_model() {
   contact::ModelInfo hybrid{"hybrid", "hybrid",
-                            "half-space on a fine grid, corrected for curved and finite bodies by "
-                            "coarse finite elements"};
+                            "half-space on a fine grid with a correction for curved, finite bodies "
+                            "from coarse finite elements"};
   hybrid.takes = contact::all_demands_but({Demand::line_contact, Demand::stress_of_line,
                                            Demand::inertia, Demand::distance_points,
                                            Demand::distance_quadratic, Demand::given_pressure});
@@ -75,7 +75,7 @@ contact::ModelInfo hybrid_model() {
   hybrid.has_stress = hybrid.parallel = true;
   hybrid.built = ROLLFEM_WITH_FEM;
   hybrid.no_model_error =
-      "not estimated: a tenth of what the correction changes is in the error estimates";
+      "not estimated: the error estimates include a tenth of what the correction changes";
   return hybrid;
 }
 

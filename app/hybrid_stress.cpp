@@ -23,7 +23,7 @@ contact::Scene scene_of(const contact::Case& input, const contact::ModelResult& 
         scene.place->position == model.place->position && scene.place->patch == model.place->patch)
       return scene;
   throw contact::InputError(fmt::format(
-      "{}: patch {} of the result is not found in its case again; do: run the case again",
+      "{}: patch {} of the result is no longer found in its case; do: run the case again",
       input.file, model.place->label()));
 }
 

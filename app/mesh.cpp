@@ -34,8 +34,8 @@ void spare_input(const contact::Case& input, const fs::path& folder) {
       std::error_code error;
       if (file.empty() || !fs::equivalent(case_folder / file, folder / name, error)) continue;
       throw contact::InputError(
-          fmt::format("mesh: {} is the mesh that {} names and would be written over; do: name "
-                      "another folder with -o",
+          fmt::format("mesh: {} is the mesh named by {} and would be overwritten; do: name another "
+                      "folder with -o",
                       (folder / name).string(), input.file));
     }
 }
@@ -106,7 +106,7 @@ void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
     files.commit();
     std::cout << input.title << "\n\n"
               << table(bodies) << "\nmeshes: " << folder.string()
-              << " (.msh: coarse, as [wheel] mesh and [rail] mesh take it; .vtu: refined)\n";
+              << " (.msh: coarse, as accepted by [wheel] mesh and [rail] mesh; .vtu: refined)\n";
   }
   entry.stop();
 }

@@ -50,11 +50,11 @@ void check_built(const ModelRegistry& models, const std::vector<std::string>& na
                  const std::string& asked_by) {
   for (const std::string& name : names)
     if (!models.at(name).built)
-      throw contact::InputError(fmt::format(
-          "{}: model {} is not in this build, which was made without deal.II; allowed: {}; do: "
-          "run with --model and some of these, or build with ROLLFEM_FEM=ON",
-          asked_by.rfind("--", 0) == 0 ? asked_by + " " + name : asked_by, name,
-          contact::listed(models.names(&ModelInfo::built))));
+      throw contact::InputError(
+          fmt::format("{}: model {} is not in this build, which was made without deal.II; allowed: "
+                      "{}; do: choose from these with --model, or build with ROLLFEM_FEM=ON",
+                      asked_by.rfind("--", 0) == 0 ? asked_by + " " + name : asked_by, name,
+                      contact::listed(models.names(&ModelInfo::built))));
 }
 
 bool any_parallel(const ModelRegistry& models, const std::vector<std::string>& names) {
@@ -64,12 +64,12 @@ bool any_parallel(const ModelRegistry& models, const std::vector<std::string>& n
 
 std::string models_markdown(const ModelRegistry& models) {
   std::string text =
-      "# Models\n\n<!-- Made by `rollfem docs models` from the registry; do not edit. -->\n\n"
-      "What `--model` and `models` of a case file take, the cheaper first. `run` and `compare` "
-      "say which\nmodels compute where neither call nor case names any; `study` has what refines "
-      "the model, the first\nunless `--vary` says otherwise.\n\n"
-      "| model | in figures | what it is | by default in | study | stress below the surface |\n"
-      "|---|---|---|---|---|---|\n";
+      "# Models\n\n<!-- Made by `rollfem docs models` from the registry; do not edit. -->\n\nThe "
+      "models that `--model` and `models` of a case file accept, cheapest first. [Which "
+      "model](choice.md)\nsays where each ends. *by default in*: used by that command if neither "
+      "call nor case names a model;\n*study*: what `rollfem study` refines, the first unless "
+      "`--vary` says otherwise.\n\n| model | in figures | what it is | by default in | study | "
+      "stress below the surface |\n|---|---|---|---|---|---|\n";
   for (const ModelInfo& model : models.all()) {
     std::vector<std::string> where;
     if (model.in_run) where.emplace_back("run");
@@ -81,9 +81,9 @@ std::string models_markdown(const ModelRegistry& models) {
                     contact::listed(where), contact::listed(ways), model.has_stress ? "yes" : "");
   }
   text +=
-      "\nAll take creepages along rolling, force or approach and unlike materials. Beyond that a "
-      "case may\nask for what not every model has; one that cannot refuses (exit status 2) and "
-      "names those that can.\n\n| |";
+      "\nAll models accept longitudinal creepage, force or approach, and unlike materials. For "
+      "anything else a\nmodel that cannot solve the case refuses it (exit status 2) and names "
+      "those that can.\n\n| |";
   std::vector<ModelInfo> solving;  // auto asks its own
   for (const ModelInfo& model : models.all())
     if (!model.chooses) solving.push_back(model);

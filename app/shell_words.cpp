@@ -131,11 +131,10 @@ _rollfem "$@"
 
 std::string manual_page(const CLI::App& program, const std::string& version) {
   std::string text = fmt::format(
-      ".TH ROLLFEM 1 \"\" \"rollfem {}\"\n.SH NAME\nrollfem \\- rolling contact of wheel and rail\n"
-      ".SH SYNOPSIS\n\\fBrollfem\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n"
-      "Steady rolling contact of wheel and rail by closed forms, half\\-spaces, finite elements "
-      "and "
-      "a hybrid of these. A case file says what is computed; the result is a folder with "
+      ".TH ROLLFEM 1 \"\" \"rollfem {}\"\n.SH NAME\nrollfem \\- rolling contact of wheel and "
+      "rail\n.SH SYNOPSIS\n\\fBrollfem\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH "
+      "DESCRIPTION\nRolling contact of wheel and rail by closed forms, half\\-spaces, finite "
+      "elements and a hybrid of these. A case file states the problem; the result is a folder with "
       "report.html to read first. Units are mm, N, MPa, s and rad.\n.SH COMMANDS\n",
       roff(version));
   for (const CLI::App* command : commands(program)) {
@@ -146,13 +145,12 @@ std::string manual_page(const CLI::App& program, const std::string& version) {
       text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(footer.substr(0, footer.find("\n\n"))));
   }
   return text +
-         ".SH EXIT STATUS\n0: done. 1: no solution, or less than was asked for. 2: the call, a "
-         "case "
-         "file or another input is wrong.\n.SH ENVIRONMENT\n.TP\nROLLFEM_CACHE\nFolder of what the "
-         "model hybrid keeps for other runs, ~/.cache/rollfem without it; empty: keep nothing.\n"
-         ".SH FILES\n.TP\nCASE.toml\nA case file: \\fBrollfem new\\-case\\fR prints one, "
-         "\\fBrollfem docs case\\-file\\fR every key.\n.TP\nresults/CASE/\nreport.html, "
-         "summary.json, results.h5, tables and figures.\n";
+         ".SH EXIT STATUS\n0: done. 1: no solution, or less accurate than asked. 2: the call, a "
+         "case file or another input is wrong.\n.SH ENVIRONMENT\n.TP\nROLLFEM_CACHE\nFolder where "
+         "the model hybrid stores corrections for other runs; default: ~/.cache/rollfem; empty: "
+         "store nothing.\n.SH FILES\n.TP\nCASE.toml\nA case file: \\fBrollfem new\\-case\\fR "
+         "prints one, \\fBrollfem docs case\\-file\\fR every "
+         "key.\n.TP\nresults/CASE/\nreport.html, summary.json, results.h5, tables and figures.\n";
 }
 
 }  // namespace rollfem::app

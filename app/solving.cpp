@@ -35,9 +35,8 @@ contact::Progress told(const contact::ModelInfo& model, const contact::Scene& sc
 std::string parts_note(const contact::ContactPlace& place, const contact::ModelResult& result) {
   const auto parts = contact::patch_parts(result.grid, result.points.front().fields);
   std::string text = fmt::format(
-      "{} patches on one grid share the load, pressing on each other through the bodies (first "
-      "load "
-      "point, the most loaded first): ",
+      "{} patches on one grid share the load and interact elastically (first load point, the most "
+      "loaded first): ",
       parts.size());
   for (std::size_t k = 0; k < parts.size(); ++k)
     text += fmt::format("{}y_track {:.3f} mm (y {:.3f}) {:.4g} by {:.4g} mm, F_n {:.5g} N",
@@ -61,10 +60,9 @@ std::string normals_note(const contact::Scene& scene, const contact::ModelResult
   }
   if (std::abs(along_y) <= worth_a_note * result.points.front().normal_force) return {};
   return fmt::format(
-      "the normals of these patches differ by {:.3g} rad: each on its own they would press {:.4g} "
-      "N "
-      "along y more than the plane has it; do: run with halfspace.surface = \"curved\", whose "
-      "surface has their normals",
+      "the normals of these patches differ by {:.3g} rad: taken separately, they would exert "
+      "{:.4g} N more along y than in one plane; do: run with halfspace.surface = \"curved\", which "
+      "uses their own normals",
       largest - least, along_y);
 }
 
@@ -101,11 +99,11 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
   }
   if (scene.place->patches > 1) {
     std::string text =
-        "the contacts of this wheel lie in different planes: they share its load by one vertical "
-        "sinking of half-spaces, each under what the others displace, with friction as 24 elements "
-        "across give it";
+        "the contacts of this wheel lie in different planes: they share its load through one "
+        "vertical approach of half-spaces, including their mutual displacement, with friction from "
+        "24 elements across";
     if (result.name != "halfspace")
-      text += "; within a contact this model leaves out what the others displace";
+      text += "; this model neglects the mutual displacement of the contacts";
     result.notes.push_back(std::move(text));
   }
   for (contact::PointResult& point : result.points) add_vertical_force(*scene.place, point);

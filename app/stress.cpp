@@ -134,10 +134,9 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
 
   const ResultsFile file(request.result);
   if (!file.sealed())
-    std::cerr
-        << "warning: " << file.path()
-        << " has no checksum (an earlier version or another program wrote it), so that damage "
-           "may go unnoticed; do: run the case again when in doubt\n";
+    std::cerr << "warning: " << file.path()
+              << " has no checksum (an earlier version or another program wrote it), so damage may "
+                 "go unnoticed; do: if in doubt, run the case again\n";
   report.source = file.path();
   report.title = file.input().title;
   report.point_named = !request.points.empty() || !request.creepages.empty();

@@ -97,7 +97,7 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   const std::string name = level_record_name(place, series, level);
   const bool several = parallel(plan, work) && !work.how.together;
   if (const auto kept = find_level(work.kept, name, several ? work.how.session : nullptr)) {
-    work.say(fmt::format("{} {}: taken up", plan.model, level.label));
+    work.say(fmt::format("{} {}: resumed", plan.model, level.label));
     return *kept;
   }
   LevelPoints points(work.kept, name);
@@ -228,8 +228,8 @@ postprocess::StudyRecord record_of(const StudyRequest& request, const contact::C
   if (input.has_profiles()) {
     record.notes = scenes.notes;
     record.notes.emplace_back(
-        "the wheelset's balance is found once: every level of a patch has the same normal force "
-        "and creepages, so that only the discretisation differs");
+        "the balance of the wheelset is found once: all levels of a patch have the same normal "
+        "force and creepages, so that only the discretisation differs");
   }
   read_references(request, record);
   return record;

@@ -26,7 +26,7 @@ void check(const WheelState& state, double rolling_radius) {
   const auto within = [](const char* name, double value, double limit) {
     if (std::abs(value) <= limit) return;  // not so of NaN
     throw contact::InputError(
-        fmt::format("{} = {:g}: is out of bounds; allowed: up to {:g} in size; do: correct it",
+        fmt::format("{} = {:g}: is out of bounds; allowed: magnitudes up to {:g}; do: correct it",
                     name, value, limit));
   };
   const auto positive = [](const char* name, double value, double limit) {

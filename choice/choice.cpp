@@ -48,7 +48,7 @@ std::string not_taken(const Forecast& forecast, double accuracy, double times = 
     return fmt::format("{} {} {}", forecast.label,
                        forecast.model_error_found ? "leaves out" : "should leave out about",
                        percent(forecast.model_error));
-  return fmt::format("{} is not expected to do", forecast.label);
+  return fmt::format("{} is not expected to suffice", forecast.label);
 }
 
 /// The last attempt of a candidate.
@@ -163,7 +163,7 @@ class Choice {
     met_ = reached.together() <= accuracy_;
     if (candidate.largest_model_error > 0.0)
       result.model_error_source =
-          fmt::format("not estimated: {} at most by the size of the contact, {} asked for",
+          fmt::format("not estimated: at most {} by the size of the contact, {} requested",
                       percent(candidate.largest_model_error), percent(accuracy_));
     if (better || met_) best_ = Best{plan.model, std::move(result)};
   }
@@ -195,7 +195,7 @@ class Choice {
     std::string text;
     for (const Forecast& forecast : forecasts_)
       text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", forecast.label, forecast.cannot);
-    throw contact::InputError("no model can take it: " + text +
+    throw contact::InputError("no model can solve it: " + text +
                               "; do: change the case, or name a model");
   }
 
@@ -237,15 +237,14 @@ class Choice {
 
   void fail(ModelResult& result) const {
     if (!wanted_.by_default) {
-      result.shortfall =
-          fmt::format("accuracy = {:g} was asked for and not reached: {}; do: ask for less",
-                      accuracy_, result.choice);
+      result.shortfall = fmt::format("accuracy = {:g} was not reached: {}; do: request less",
+                                     accuracy_, result.choice);
       return;
     }
     result.notes.insert(
         result.notes.begin(),
-        fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] looks for within {}, is "
-                    "not reached: {}; do: give accuracy to go on for longer, or name a model",
+        fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] aims for within {}, is "
+                    "not reached: {}; do: give accuracy to allow more time, or name a model",
                     accuracy_, duration(longest_by_default), result.choice));
   }
 
@@ -269,7 +268,7 @@ ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted) {
 
 std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, bool others) {
   const std::optional<Plan> plan = cheapest(forecasts, accuracy);
-  std::string text = "nothing is expected to do";
+  std::string text = "nothing is expected to suffice";
   if (plan) {
     const Forecast& forecast = forecasts[plan->model];
     const Level& level = forecast.levels[plan->level];

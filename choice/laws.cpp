@@ -63,7 +63,8 @@ void leave_out_too_coarse(const ContactSize& size, Forecast& forecast) {
                levels.end());
   if (levels.empty())
     forecast.cannot = fmt::format(
-        "its elements are too large for the patch of the smallest load, {:.2g} of the largest",
+        "its elements are too large for the patch of the smallest load, which is {:.2g} of the "
+        "largest",
         size.smallest_part);
 }
 /// On fewer elements forces have up to 0.4 % of mu too much.

@@ -102,9 +102,8 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   result.seconds["total"] = watch.seconds();
   result.notes.insert(result.notes.end(), parts.notes.begin(), parts.notes.end());
   result.notes.push_back(
-      fmt::format("what wheel and rail add to half-spaces is a smooth correction by {} "
-                  "finite-element unknowns; "
-                  "a tenth of what it changes is in the error estimates",
+      fmt::format("the correction for wheel and rail as curved, finite bodies comes from {} "
+                  "finite-element unknowns; the error estimates include a tenth of what it changes",
                   parts.unknowns));
   return result;
 }

@@ -135,9 +135,9 @@ Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t nu
     };
     if (!(at.spread > BelowSurface::least_spread))
       refuse(
-          fmt::format("so deep in the {} that the normals of its surface meet there, along which "
-                      "the hybrid goes down; allowed: depths of up to 0.7 of the radius of the "
-                      "surface; do: ask for places nearer to it, or run with --model fem",
+          fmt::format("so deep in the {} that the normals of its surface, which the hybrid "
+                      "follows, meet there; allowed: depths of up to 0.7 of the radius of the "
+                      "surface; do: request points nearer to it, or run with --model fem",
                       name));
     if (!(at.depth >= -reach_))
       refuse(

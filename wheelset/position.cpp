@@ -100,7 +100,7 @@ class Position {
       if (change < load_tolerance) return;
     }
     throw contact::SolveError(
-        fmt::format("the normal forces under {:g} N and friction do not settle in {} rounds",
+        fmt::format("the normal forces under {:g} N and friction do not converge in {} iterations",
                     *input_.load.vertical_force, most_rounds));
   }
 
@@ -237,8 +237,8 @@ class Position {
 
   [[noreturn]] static void refuse_lift(const Wheel& wheel) {
     throw contact::SolveError(fmt::format(
-        "the {} wheel: friction on the flange carries it upwards whatever the load (the limit of "
-        "Nadal is passed): there is no equilibrium; do: less friction, lateral_shift or yaw",
+        "the {} wheel: friction on the flange lifts it at any load (beyond Nadal's limit), so "
+        "there is no equilibrium; do: use less friction, lateral_shift or yaw",
         wheel.left ? "left" : "right"));
   }
 
@@ -253,10 +253,10 @@ class Position {
     };
     for (const Patch& patch : all)
       if (const auto count = loaded(patch); count > 0 && count < count_of(patch))
-        throw contact::SolveError(fmt::format(
-            "the {} wheel: a second patch carries load at {} of {} load points only; do: compute "
-            "these load points in cases of their own",
-            wheel.left ? "left" : "right", count, count_of(patch)));
+        throw contact::SolveError(
+            fmt::format("the {} wheel: a second patch carries load at only {} of {} load points; "
+                        "do: solve these load points in separate cases",
+                        wheel.left ? "left" : "right", count, count_of(patch)));
     all.erase(std::remove_if(all.begin(), all.end(),
                              [&](const Patch& patch) { return loaded(patch) == 0; }),
               all.end());

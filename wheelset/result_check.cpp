@@ -23,7 +23,8 @@ constexpr double sum_tolerance = 1e-5;
 [[noreturn]] void refuse(const contact::Case& input, const ModelResult& result,
                          const std::string& what) {
   throw contact::SolveError(fmt::format(
-      "{}: {}: model {}: {}: this is no result; do: report the case as a fault of the program",
+      "{}: {}: model {}: {}: this is not a valid result; do: please report the case as a defect of "
+      "the program",
       input.file.empty() ? "case" : input.file, result.place->label(), result.name, what));
 }
 
@@ -61,9 +62,10 @@ void check_alone(const contact::Case& input, const ModelResult& result) {
   };
   if (grid.size() > 0 &&
       !(holds(grid.x_first, grid.dx, grid.nx) && holds(grid.y_first, grid.dy, grid.ny)))
-    refuse(input, result,
-           fmt::format("its grid, from y = {:.4g} to {:.4g} mm, does not hold its reference point",
-                       grid.y_first, grid.y(grid.ny - 1)));
+    refuse(
+        input, result,
+        fmt::format("its grid, from y = {:.4g} to {:.4g} mm, does not contain its reference point",
+                    grid.y_first, grid.y(grid.ny - 1)));
   for (const PointResult& point : result.points)
     if (!(point.approach >= 0.0))
       refuse(input, result, fmt::format("the approach is {:.4g} mm", point.approach));

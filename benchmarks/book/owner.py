@@ -5,7 +5,7 @@ import os
 import socket
 import time
 
-_HEAD = "rollfem makes the result beside this file.\n"
+_HEAD = "rollfem is writing the result beside this file.\n"
 
 
 class Owned(Exception):
@@ -20,7 +20,7 @@ def _owner_of(file):
         if text.startswith(_HEAD) and text.endswith("\n") and text != _HEAD:
             return text.removeprefix(_HEAD).strip()
         time.sleep(0.05)
-    return "a process that does not say which"
+    return "an unknown process"
 
 
 @contextlib.contextmanager
@@ -33,7 +33,7 @@ def owner(folder, command):
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise Owned(f"another run is at work on {folder}: {_owner_of(file)}; do: wait for it, or name other "
+            raise Owned(f"another run is writing {folder}: {_owner_of(file)}; do: wait for it, or name other "
                         "folders with -o and --results") from None
         # Its owner may have removed the file in between.
         with contextlib.suppress(FileNotFoundError):

@@ -195,7 +195,7 @@ class Records:
         status, said = call([*self.command, "--resume"], self.folder)
         if status == 0:
             different = differences(os.path.join(self.folder, "whole"), os.path.join(self.folder, "r"))
-            if different or "is damaged, or of another load point" not in said:
+            if different or "is damaged, or belongs to another load point" not in said:
                 return 99, f"taken up: {different} {said}"
         return status, said
 

@@ -10,8 +10,8 @@ int count_of(double number, const char* what) {
   // Written so that NaN is refused as well.
   if (number >= -largest_count && number <= largest_count) return static_cast<int>(number);
   throw InputError(
-      fmt::format("{}: {:.4g} of them; allowed: at most {:.0e}; do: give larger steps "
-                  "or cells, or a smaller extent",
+      fmt::format("{}: {:.4g} would be needed; allowed: at most {:.0e}; do: give larger steps or "
+                  "cells, or a smaller extent",
                   what, number, largest_count));
 }
 

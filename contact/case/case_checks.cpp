@@ -174,7 +174,7 @@ void check_approach(const GivenCase& given, const Case& input) {
   CaseProblem problem = problem_at("load.approach", *approach);
   problem.wrong = fmt::format("is not small against the smallest radius, {} mm", smallest);
   problem.allowed = fmt::format("less than {} mm, a tenth of it", 0.1 * smallest);
-  problem.action = "give a smaller approach, or a force; linear elasticity covers no more";
+  problem.action = "give a smaller approach, or a force; linear elasticity does not cover more";
   fail(given.file, problem);
 }
 
@@ -217,7 +217,7 @@ void check_far_boundary(const GivenCase& given) {
     if (given.find(body, "mesh") == nullptr) continue;
     CaseProblem problem = problem_at("fem.far_boundary", *far);
     problem.wrong = fmt::format(
-        "is for segments that the program meshes, and [{}] mesh gives one of your own", body);
+        "applies to segments meshed by the program, but [{}] mesh names a mesh of your own", body);
     problem.allowed = "\"clamped\"";
     problem.action = "leave fem.far_boundary out, or the mesh";
     fail(given.file, problem);
@@ -250,10 +250,10 @@ void check_geometry(const GivenCase& given, const Case& input) {
   CaseProblem problem =
       problem_at("wheel.transverse_radius", *given.find("wheel", "transverse_radius"));
   if (std::isinf(wheel) && std::isinf(rail)) {
-    problem.wrong = "flat on a flat rail has line contact, which has no end along y";
+    problem.wrong = "flat on a flat rail is a line contact without ends";
     problem.allowed = "a finite radius of the wheel or of the rail";
     problem.action =
-        "give one of the two profiles a radius, also a very large one, or write shape = \"line\" "
+        "give one of the two profiles a radius, which may be very large, or write shape = \"line\" "
         "under [geometry]";
   } else if (wheel < 0.0 && rail > 0.0 && !std::isinf(rail)) {
     problem.wrong = fmt::format(
@@ -270,10 +270,11 @@ void check_geometry(const GivenCase& given, const Case& input) {
     problem.action = "sharpen the wheel's profile or flatten the rail's";
   } else {
     problem.wrong = fmt::format(
-        "with rail.transverse_radius = {} leaves no convex body: they would touch at the edges",
+        "with rail.transverse_radius = {} leaves no convex body: the bodies would touch at their "
+        "edges",
         rail);
     problem.allowed = "at least one convex (positive) radius";
-    problem.action = "check the signs: positive is convex for wheel and rail alike";
+    problem.action = "check the signs: positive is convex, for wheel and rail";
   }
   fail(given.file, problem);
 }

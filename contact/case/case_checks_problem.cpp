@@ -42,7 +42,7 @@ void check_forces(const GivenCase& given, const std::string& problem) {
     const GivenValue* force = given.find("rolling", name);
     if (force == nullptr) continue;
     if (problem == "frictionless")
-      fail_at(given, "rolling." + name, *force, "cannot be had without friction",
+      fail_at(given, "rolling." + name, *force, "is not possible without friction",
               "a force with the problems steady, shift, transient",
               "remove it, or choose another rolling.problem");
     const bool shift = problem == "shift";
@@ -68,11 +68,11 @@ void check_history(const GivenCase& given, const std::string& problem) {
               "[history]");
     const bool is_shift = key->name.find("_shift") != std::string::npos;
     if (problem == "transient" && is_shift)
-      fail_at(given, key->path(), value, "is for the problem shift; here the bodies roll",
+      fail_at(given, key->path(), value, "belongs to the problem shift, but here the bodies roll",
               "creepages and step_length with the problem transient",
               "give the creepage under [rolling], or choose `problem = \"shift\"`");
     if (problem == "shift" && key->name == "step_length")
-      fail_at(given, key->path(), value, "is for the problem transient; here nothing rolls",
+      fail_at(given, key->path(), value, "belongs to the problem transient, but here nothing rolls",
               "shifts with the problem shift", "remove it, or choose `problem = \"transient\"`");
   }
   if (problem != "transient" || given.find("history", "step_length") != nullptr) return;
@@ -81,7 +81,7 @@ void check_history(const GivenCase& given, const std::string& problem) {
   missing.column = missing.line > 0 ? 1 : 0;
   missing.key = "history.step_length";
   missing.wrong = "is missing";
-  missing.allowed = "the distance in mm that is rolled in each step, as problem is transient";
+  missing.allowed = "with the problem transient, the distance rolled in each step, in mm";
   missing.action = "add `step_length = 0.1` under [history]";
   fail(given.file, missing);
 }
@@ -104,7 +104,7 @@ void check_extra_slip(const GivenCase& given, const std::string& problem) {
   const GivenValue* file = given.find("rolling", "extra_slip_file");
   if (file != nullptr && extra != "file")
     fail_at(given, "rolling.extra_slip_file", *file,
-            fmt::format("is not used, as extra_slip is {}", extra),
+            fmt::format("is not used, because extra_slip is {}", extra),
             "a file with extra_slip = \"file\"",
             "write `extra_slip = \"file\"`, or remove the file");
   const GivenValue* asked = given.find("rolling", "extra_slip");
@@ -133,7 +133,7 @@ void check_surface(const GivenCase& given) {
   if (any == nullptr) return;
   if (quadratic != nullptr || file != nullptr)
     fail_at(given, "undeformed_distance", quadratic != nullptr ? *quadratic : *file,
-            "is not used, as the pressure is given", "at most one of the two sections",
+            "is not used, because the pressure is given", "at most one of the two sections",
             "remove [undeformed_distance] or [given_pressure]");
   if (x != nullptr && y != nullptr) return;
   CaseProblem missing;
@@ -163,8 +163,8 @@ void check_friction(const GivenCase& given, const Case& input) {
   const double mu = input.friction_coefficient;
   if (mu == 0.0 || mu >= least_friction) return;
   fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"),
-          "is too small to be told from none", fmt::format("0, or {:g} to 1000", least_friction),
-          "give 0 for no friction");
+          "is too small to differ from no friction",
+          fmt::format("0, or {:g} to 1000", least_friction), "give 0 for no friction");
 }
 
 void check_friction_limit(const GivenCase& given, const Case& input) {
@@ -191,14 +191,14 @@ void check_rigid(const GivenCase& given, const Case& input) {
   const auto refuse_mesh = [&](const auto& body, const std::string& section) {
     if (body.material.rigid() && !body.mesh.empty())
       fail_at(given, section + ".mesh", *given.find(section, "mesh"),
-              "is of a rigid body, which is not meshed", "a mesh of an elastic body",
+              "belongs to a rigid body, which is not meshed", "a mesh of an elastic body",
               "remove it, or give a finite young_modulus");
   };
   refuse_mesh(input.wheel, "wheel");
   refuse_mesh(input.rail, "rail");
   if (!input.wheel.material.rigid() || !input.rail.material.rigid()) return;
   fail_at(given, "rail.young_modulus", *given.find("rail", "young_modulus"),
-          "makes both bodies rigid, which then touch in a point",
+          "makes both bodies rigid, so that they touch in a point",
           "inf for at most one of wheel and rail", "give one of them a finite modulus");
 }
 
@@ -273,19 +273,20 @@ void check_places(const GivenCase& given, const Case& input) {
             "z >= 0 in the wheel, z <= 0 in the rail; beyond that only in a concave body, down to "
             "its "
             "surface",
-            "turn the sign of z, or name the other body");
+            "change the sign of z, or name the other body");
     if (request.kind == Kind::plane) {
       const GivenEntry& plane = entry;
       for (const double count :
            std::get<std::vector<double>>(plane.values.at(find_key(entry.section, "points")).value))
         if (count != std::floor(count))
-          fail_here("points", fmt::format("{} is no whole number", count), "two whole numbers",
+          fail_here("points", fmt::format("{} is not a whole number", count), "two whole numbers",
                     "write for instance `points = [41, 21]`");
       // The fourth corner may leave the body although the three others do not.
       std::array<double, 3> fourth{};
       for (int c = 0; c < 3; ++c) fourth[c] = request.to[c] + request.across[c] - request.from[c];
       if (outside(input, request.wheel, fourth))
-        fail_here("across", fmt::format("the fourth corner, z = {}, leaves the body", fourth[2]),
+        fail_here("across",
+                  fmt::format("the fourth corner, z = {}, is outside the body", fourth[2]),
                   "a parallelogram within the body", "move a corner deeper");
     }
     points += static_cast<long>(request.points[0]) * request.points[1];

@@ -40,7 +40,7 @@ void check_body(const GivenCase& given, const std::string& body) {
     if (key->section != section) continue;
     CaseProblem problem = problem_at(key->path(), value);
     if (profile == nullptr) {
-      problem.wrong = fmt::format("is not used, as {}.profile is missing", body);
+      problem.wrong = fmt::format("is not used, because {}.profile is missing", body);
       problem.allowed = fmt::format("[{}] together with [{}] profile", section, body);
       problem.action =
           fmt::format("add `profile = \"FILE\"` under [{}], or remove [{}]", body, section);
@@ -73,7 +73,7 @@ void check_body(const GivenCase& given, const std::string& body) {
   for (const auto& [key, value] : given.values) {
     if (key->section != "undeformed_distance" && key->section != "given_pressure") continue;
     problem.wrong = fmt::format("contradicts [{}] of line {}", key->section, value.line);
-    problem.allowed = "a profile, or what takes the place of the shapes, not both";
+    problem.allowed = "either a profile or what replaces the shapes, not both";
     problem.action = "remove one of the two";
     fail(given.file, problem);
   }

@@ -19,8 +19,8 @@ void check_without_profiles(const GivenCase& given) {
     const bool is_vertical = key->path() == "load.vertical_force";
     if (key->section != "track" && key->section != "wheelset" && !is_vertical) continue;
     fail_at(given, key->path(), value,
-            is_vertical ? "is for wheels and rails with profiles, and this case gives none"
-                        : "places profiles on a track, and this case gives none",
+            is_vertical ? "is for wheels and rails with profiles, but this case has none"
+                        : "places profiles on a track, but this case has none",
             "profiles of both bodies, or radii without it",
             is_vertical ? "write `normal_force` instead, or give wheel.profile and rail.profile"
                         : "give wheel.profile and rail.profile, or remove it");
@@ -32,7 +32,7 @@ void check_pair(const GivenCase& given) {
     const GivenValue* profile = given.find(body, "profile");
     if (profile == nullptr || given.find(other, "profile") != nullptr) continue;
     fail_at(given, std::string(body) + ".profile", *profile,
-            fmt::format("stands alone: {}.profile is missing", other),
+            fmt::format("is given alone: {}.profile is missing", other),
             "profiles of both bodies, or of none",
             fmt::format("add `profile = \"{}\"` under [{}]; \"arcs\" makes one of radii",
                         other == std::string("rail") ? "60E1" : "S1002", other));
@@ -47,9 +47,8 @@ void check_inclination(const GivenCase& given) {
   problem.key = "track.inclination";
   problem.wrong = "is missing";
   problem.allowed =
-      "\"none\", \"1:20\", \"1:40\", any other ratio, or an angle in rad; nothing is assumed, as "
-      "it "
-      "moves the contact";
+      "\"none\", \"1:20\", \"1:40\", any other ratio, or an angle in rad; there is no default, "
+      "because it moves the contact";
   problem.action = "add `inclination = \"1:40\"` under [track]";
   fail(given.file, problem);
 }
@@ -72,18 +71,19 @@ void check_rotation(const GivenCase& given) {
   for (const Source& source : sources) {
     if (source.value == nullptr) continue;
     if (first != nullptr)
-      fail_at(given, source.path, *source.value,
-              fmt::format("contradicts {} = {} of line {}, which decides the creepage along x too",
-                          first->path, first->value->text, first->value->line),
-              "at most one of free_rolling, rotation_change, longitudinal_creepage and "
-              "longitudinal_force",
-              "remove one of the two");
+      fail_at(
+          given, source.path, *source.value,
+          fmt::format("contradicts {} = {} of line {}, which also determines the creepage along x",
+                      first->path, first->value->text, first->value->line),
+          "at most one of free_rolling, rotation_change, longitudinal_creepage and "
+          "longitudinal_force",
+          "remove one of the two");
     first = &source;
   }
   if (is_word(free_rolling, "torque") && !is_word(given.find("wheelset", "side"), "both"))
     fail_at(given, "wheelset.free_rolling", *free_rolling,
-            "needs both wheels, whose forces balance each other",
-            "\"torque\" with side = \"both\", or \"force\" for each wheel by itself",
+            "needs both wheels, because their forces balance each other",
+            "\"torque\" with side = \"both\", or \"force\" for each wheel separately",
             "write `side = \"both\"` under [wheelset]");
 }
 

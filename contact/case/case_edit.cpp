@@ -39,10 +39,10 @@ Change read_change(const std::string& text, const ModelWords& models) {
     return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
   });
   if (equals == std::string::npos || !printable)
-    throw InputError(fmt::format(
-        "--set {}: expected KEY=VALUE; allowed: the keys of docs/case-file.md, each with its "
-        "section; do: for instance --set friction.coefficient=0.3",
-        printable ? text : "..."));
+    throw InputError(
+        fmt::format("--set {}: expected KEY=VALUE; allowed: the keys of docs/case-file.md, each "
+                    "with its section; do: write for instance --set friction.coefficient=0.3",
+                    printable ? text : "..."));
   const std::string path = trimmed(text.substr(0, equals));
   const std::size_t dot = path.rfind('.');
   Change change;
@@ -71,11 +71,10 @@ std::size_t offset(const std::string& text, const toml::source_position& place) 
 void insert(const Change& change, const toml::table& section, const std::string& file,
             std::string& text) {
   if (section.is_inline())
-    throw InputError(fmt::format(
-        "{}:{}: {}: the section stands in one line; allowed: --set changes keys that are there, "
-        "and adds them to sections of their own; do: write [{}] on a line of its own and its keys "
-        "below",
-        file, section.source().begin.line, change.section, change.section));
+    throw InputError(
+        fmt::format("{}:{}: {}: the section is an inline table, in which --set can change keys but "
+                    "not add them; do: write [{}] on a line of its own and its keys below",
+                    file, section.source().begin.line, change.section, change.section));
   const unsigned line = section.source().begin.line;
   const std::size_t begin = begin_of(text, line);
   const bool headed = text.find_first_not_of(" \t", begin) == text.find('[', begin);

@@ -49,7 +49,7 @@ void read_files(const GivenCase& given, Case& input) {
 
 Case parse_case(const std::string& text, const std::string& name, const ModelWords& models) {
   if (text.size() > largest_file)
-    fail_whole(name, "is larger than 1 MB, so it is no case file", "give a case file in TOML");
+    fail_whole(name, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     fail_whole(name, "is empty", "fill it in; `rollfem new-case` prints a template");
   const GivenCase given = read_toml(text, name, models.known);
@@ -86,7 +86,7 @@ Case read_case(const std::string& path, const ModelWords& models,
     fail_whole(path, "is not a regular file", "save the case in a file and name that");
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error && size > largest_file)
-    fail_whole(path, "is larger than 1 MB, so it is no case file", "give a case file in TOML");
+    fail_whole(path, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file && size > 0) text << file.rdbuf();

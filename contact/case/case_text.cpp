@@ -79,7 +79,7 @@ std::string toml_text(const KeyValue& value) {
 std::string allowed_values(const Key& key, const std::vector<std::string>& models) {
   switch (key.kind) {
     case KeyKind::text:
-      return "a text in quotes";
+      return "a string in quotes";
     case KeyKind::word:
       return "one of " + joined(key.words);
     case KeyKind::words:

@@ -8,7 +8,9 @@ SectionWithKeys contact_grid_section() {
   keys.section().alternatives = true;
   keys.whole("elements_across")
       .between(4, 2000)
-      .says("Contact elements along the smaller extent of the patch; not together with cell_size.")
+      .says(
+          "Number of contact elements along the smaller extent of the patch; not together with "
+          "cell_size.")
       .by(
           [](const GridOptions& grid) {
             return grid.cell_size ? KeyValue() : value_of(grid.elements_across);
@@ -27,14 +29,14 @@ SectionWithKeys contact_grid_section() {
       .otherwise("from the size of the patch")
       .says(
           "Extent of the whole potential contact area, [along x, along y], where Hertz's ellipse "
-          "does not tell (several patches).")
+          "does not suffice (several patches).")
       .into(&GridOptions::extent);
   keys.pair("middle")
       .unit("mm")
       .within(1e6)
       .says(
-          "Middle of the potential contact area, [x, y]; with profiles from the contact point, and "
-          "without an extent from the middle of the patch.")
+          "Middle of the potential contact area, [x, y]; with profiles relative to the contact "
+          "point, without an extent relative to the middle of the patch.")
       .into(&GridOptions::middle);
   return keys;
 }

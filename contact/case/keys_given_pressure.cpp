@@ -4,7 +4,7 @@ namespace rollfem::contact {
 
 SectionWithKeys given_pressure_section() {
   Keys<GivenPressure> keys("given_pressure",
-                           "Hertz's pressure on a given ellipse in place of the normal problem",
+                           "Hertz's pressure on a given ellipse instead of the normal problem",
                            &Case::given_pressure);
   keys.section().alternatives = true;
   keys.real("semi_axis_x")
@@ -12,7 +12,7 @@ SectionWithKeys given_pressure_section() {
       .unit("mm")
       .positive()
       .otherwise("the normal problem is solved")
-      .says("Semi-axis of the ellipse along rolling; the radii may then be left out.")
+      .says("Semi-axis of the ellipse along rolling; the radii may then be omitted.")
       .into(&GivenPressure::semi_axis_x);
   keys.real("semi_axis_y")
       .symbol("b")
@@ -26,7 +26,7 @@ SectionWithKeys given_pressure_section() {
       .unit("MPa")
       .positive()
       .otherwise("from load.normal_force")
-      .says("Pressure in the middle of the ellipse, in place of load.normal_force.")
+      .says("Pressure in the middle of the ellipse, instead of load.normal_force.")
       .into(&GivenPressure::max_pressure);
   return keys;
 }

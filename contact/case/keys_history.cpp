@@ -16,15 +16,15 @@ struct Shift {
 
 SectionWithKeys history_section() {
   Keys<Case> keys("history",
-                  "Steps of the problems `shift` and `transient`, one entry of each list a step; a "
-                  "shift is what happens in its step, not since the beginning",
+                  "Steps of the problems `shift` and `transient`, one list entry per step; a shift "
+                  "counts from the step before, not from the beginning",
                   whole_case());
   keys.section().alternatives = true;
   keys.whole("steps")
       .between(1, 1000)
       .per("load points")
       .otherwise("the length of the lists")
-      .says("Number of steps, where no list tells it.")
+      .says("Number of steps, if no list determines it.")
       .by(
           [](const Case& c) {
             return c.history.empty() ? KeyValue() : static_cast<double>(c.history.size());
@@ -38,14 +38,14 @@ SectionWithKeys history_section() {
       .unit("N")
       .between(1e-6, largest_force)
       .otherwise("load.normal_force in all steps")
-      .says("Normal force of each step, in place of [load].")
+      .says("Normal force of each step, instead of [load].")
       .into_each(&Case::history, &HistoryStep::normal_force);
   keys.reals("approach")
       .symbol("delta")
       .unit("mm")
       .between(1e-9, 1e6)
       .otherwise("load.approach in all steps")
-      .says("Approach in each step, in place of [load].")
+      .says("Approach in each step, instead of [load].")
       .into_each(&Case::history, &HistoryStep::approach);
   for (const Shift& shift :
        {Shift{"longitudinal_shift", "mm", 1e3,
@@ -64,7 +64,7 @@ SectionWithKeys history_section() {
       .unit("mm")
       .positive()
       .otherwise("required by `transient`")
-      .says("How far the wheel rolls in each step (transient).")
+      .says("Distance that the wheel rolls in each step (transient).")
       .into_each(&Case::history, &HistoryStep::step_length);
   return keys;
 }

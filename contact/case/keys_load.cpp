@@ -3,7 +3,7 @@
 namespace rollfem::contact {
 
 SectionWithKeys load_section() {
-  const char* one_of = "exactly one of normal_force and approach is given";
+  const char* one_of = "give exactly one of normal_force and approach";
   Keys<Load> keys("load", "How hard the bodies are pressed together: a force or an approach",
                   &Case::load);
   keys.section().alternatives = true;
@@ -21,17 +21,17 @@ SectionWithKeys load_section() {
       .between(1e-9, 1e6)
       .otherwise(one_of)
       .says(
-          "Approach of distant points of the two bodies, in place of the force; less than a tenth "
+          "Approach of distant points of the two bodies, instead of the force; less than a tenth "
           "of the smallest radius.")
       .into(&Load::approach);
   keys.real("vertical_force")
       .symbol("Q")
       .unit("N")
       .between(1e-6, largest_force)
-      .otherwise("exactly one of normal_force, approach and vertical_force is given")
+      .otherwise("give exactly one of normal_force, approach and vertical_force")
       .says(
-          "With profiles: vertical force on each wheel, which normal force and friction of all its "
-          "patches carry together.")
+          "With profiles: vertical force on each wheel, carried by the normal forces and friction "
+          "of all its patches together.")
       .into(&Load::vertical_force);
   return keys;
 }

@@ -24,11 +24,11 @@ void add_formulas(ProfileKeys& keys) {
       .otherwise("none, needed for `arcs`")
       .says(
           "y at which the arcs end: with symmetric = true one for each radius, from the middle "
-          "outwards; else one more than radii, from small to large y. The arcs pass through (0, "
-          "0).")
+          "outwards; otherwise one more than radii, from small to large y. The arcs pass through "
+          "(0, 0).")
       .into(&Profile::ends);
   keys.toggle("symmetric")
-      .says("The arcs are given for y > 0 and are the same for y < 0.")
+      .says("The arcs are given for y > 0 and mirrored for y < 0.")
       .into(&Profile::symmetric);
   keys.real("slope")
       .within(1e6)
@@ -38,27 +38,27 @@ void add_formulas(ProfileKeys& keys) {
       .within(largest_force)
       .otherwise("none, needed for `polynomial`")
       .says(
-          "Profile `polynomial`: z in mm over y in mm, lowest order first; those of several pieces "
-          "one after the other, equally many for each.")
+          "Profile `polynomial`: z in mm over y in mm, lowest order first; several pieces one "
+          "after the other, each with the same number.")
       .into(&Profile::coefficients);
   keys.reals("limits")
       .unit("mm")
       .within(1e3)
       .otherwise("none, needed for `polynomial`")
       .says(
-          "y at which the pieces begin and end, one more than pieces, rising; pieces meet in value "
-          "and slope.")
+          "y at which the pieces begin and end, one more than pieces, increasing; pieces must meet "
+          "in value and slope.")
       .into(&Profile::limits);
 }
 
 void add_places(ProfileKeys& keys) {
-  keys.toggle("mirror").says("Turn the sides around: y becomes -y.").into(&Profile::mirror);
+  keys.toggle("mirror").says("Swap the sides: y becomes -y.").into(&Profile::mirror);
   keys.real("rotation")
       .unit("rad")
       .within(1.6)
       .says(
-          "Turn the profile about (0, 0), positive from y to z; the rail's inclination is not "
-          "meant (track.inclination).")
+          "Rotate the profile about (0, 0), positive from y to z; not for the rail's inclination, "
+          "which is track.inclination.")
       .into(&Profile::rotation);
   keys.pair("shift")
       .unit("mm")
@@ -73,13 +73,13 @@ void add_mending(ProfileKeys& keys) {
       .into(&Profile::unit,
             {{"mm", LengthUnit::mm}, {"m", LengthUnit::m}, {"inch", LengthUnit::inch}});
   keys.toggle("flip").says("The file's z points upward: z becomes -z.").into(&Profile::flip);
-  keys.toggle("reverse").says("The file's last point comes first.").into(&Profile::reverse);
-  keys.toggle("sort").says("Put the points in order of rising y.").into(&Profile::sort);
+  keys.toggle("reverse").says("Reverse the order of the points.").into(&Profile::reverse);
+  keys.toggle("sort").says("Sort the points by y.").into(&Profile::sort);
   keys.toggle("drop_duplicates")
-      .says("Leave out points that are within 1e-6 mm of the one before.")
+      .says("Drop points within 1e-6 mm of the one before.")
       .into(&Profile::drop_duplicates);
   keys.toggle("drop_zigzag")
-      .says("Leave out points at which the curve goes back.")
+      .says("Drop points at which the curve turns back.")
       .into(&Profile::drop_zigzag);
   keys.real("thinning")
       .unit("mm")
@@ -89,7 +89,7 @@ void add_mending(ProfileKeys& keys) {
   keys.real("longest_gap")
       .unit("mm")
       .positive()
-      .says("Points further apart than this are an error; up to it the curve bridges them.")
+      .says("Larger gaps between points are an error; the curve bridges smaller ones.")
       .into(&Profile::longest_gap);
   keys.real("largest_kink")
       .unit("degrees")
@@ -102,15 +102,15 @@ void add_mending(ProfileKeys& keys) {
       .unit("mm")
       .between(0.0, 100.0)
       .says(
-          "Leave out the points up to this distance to both sides of a kink or step, and bridge it "
+          "Drop the points within this distance on both sides of a kink or step and bridge it "
           "smoothly; 0: kinks are errors.")
       .into(&Profile::rounding);
   keys.real("smoothing")
       .unit("mm")
       .between(0.0, 1.0)
       .says(
-          "Scatter of the measured points across the profile (standard deviation), which is "
-          "smoothed away; 0: through the points.")
+          "Scatter of the measured points across the profile (standard deviation) to be smoothed "
+          "away; 0: the curve passes through the points.")
       .into(&Profile::smoothing);
 }
 
@@ -118,7 +118,7 @@ template <class Body>
 SectionWithKeys profile_section(const std::string& name, Body Case::*body) {
   ProfileKeys keys(
       name + "_profile",
-      "Details of the profile that [" + name + "] names; files are mended only as told",
+      "Details of the profile that [" + name + "] names; files are repaired only as these keys say",
       {[body](const Case& c) { return &(c.*body).profile; },
        [body](Case& c) -> Profile& { return (c.*body).profile; }});
   keys.section().of_profiles = true;

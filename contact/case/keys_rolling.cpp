@@ -31,24 +31,22 @@ void add_motion(RollingKeys& keys) {
       .unit("mm/s")
       .between(0.0, 1e8)
       .says(
-          "Rolling speed, felt with fem.inertia only: without it rolling is quasi-static and the "
-          "same "
-          "at any speed.")
+          "Rolling speed; matters only with fem.inertia, since rolling is otherwise quasi-static.")
       .into(&Rolling::speed);
 }
 
 void add_difference(RollingKeys& keys) {
   keys.choice("upwind_order")
       .says(
-          "Order of the difference along the streamline; `first` gives the numbers of CONTACT on "
-          "the same elements (it takes the spin a sixth of a step upstream) and needs some ten "
-          "times finer ones.")
+          "Order of the difference along the streamline; `first` gives CONTACT's numbers on the "
+          "same elements (it takes the spin a sixth of a step upstream) and needs elements some "
+          "ten times finer.")
       .into(&Rolling::upwind_order,
             {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}});
   keys.choice("leading_edge")
       .says(
-          "Whether the second-order difference of steady rolling is fitted to the place of the "
-          "leading edge inside its elements; `plain` is the textbook difference, whose tractions "
+          "`fitted` adapts the second-order difference of steady rolling to the place of the "
+          "leading edge within its element; `plain` is the textbook difference, whose tractions "
           "zigzag.")
       .into(&Rolling::leading_edge,
             {{"fitted", LeadingEdge::fitted}, {"plain", LeadingEdge::plain}});
@@ -57,8 +55,8 @@ void add_difference(RollingKeys& keys) {
 void add_extra_slip(RollingKeys& keys) {
   keys.choice("extra_slip")
       .says(
-          "Rigid slip from the shape of the surface: `auto` is that of the wheel's true rolling "
-          "radii and, on a curved surface, of its local tangents; `none` leaves creepages and spin "
+          "Rigid slip from the shape of the surface: `auto` follows from the wheel's true rolling "
+          "radii and, on a curved surface, from its local tangents; `none` uses creepages and spin "
           "alone; `file` adds extra_slip_file to these.")
       .into(&Rolling::extra_slip,
             {{"auto", ExtraSlip::automatic}, {"none", ExtraSlip::none}, {"file", ExtraSlip::file}});
@@ -73,9 +71,9 @@ void add_extra_slip(RollingKeys& keys) {
 void add_problem(RollingKeys& keys) {
   keys.choice("problem")
       .says(
-          "`steady`: steady rolling, every load point on its own; `shift`: pressed and pushed "
-          "without rolling (Cattaneo), load points are steps; `transient`: rolling in steps from "
-          "the state before; `frictionless`: the normal problem alone.")
+          "`steady`: steady rolling, each load point separately; `shift`: pressing and pushing "
+          "without rolling (Cattaneo), load points are steps; `transient`: rolling in steps, each "
+          "from the state before; `frictionless`: the normal problem alone.")
       .into(&Rolling::problem, {{"steady", Problem::steady},
                                 {"shift", Problem::shift},
                                 {"transient", Problem::transient},
@@ -86,15 +84,15 @@ void add_problem(RollingKeys& keys) {
       .within(largest_force)
       .otherwise("creepage or shift is given instead")
       .says(
-          "Force on the wheel along x, in place of longitudinal_creepage (or longitudinal_shift); "
-          "negative when braking. Its size must be below mu F_z.")
+          "Force on the wheel along x, instead of longitudinal_creepage (or longitudinal_shift); "
+          "negative when braking. Its magnitude must be below mu F_z.")
       .into_each(&Rolling::forces, &PrescribedForce::longitudinal);
   keys.reals("lateral_force")
       .symbol("F_y")
       .unit("N")
       .within(largest_force)
       .otherwise("creepage or shift is given instead")
-      .says("The same along y, in place of lateral_creepage (or lateral_shift).")
+      .says("The same along y, instead of lateral_creepage (or lateral_shift).")
       .into_each(&Rolling::forces, &PrescribedForce::lateral);
 }
 
@@ -103,7 +101,7 @@ void add_problem(RollingKeys& keys) {
 SectionWithKeys rolling_section() {
   RollingKeys keys(
       "rolling",
-      "Rolling along x; lists have one length, that of the load points; numbers serve all",
+      "Rolling along x; lists have the length of the load points, single numbers apply to all",
       &Case::rolling);
   keys.section().alternatives = true;
   add_motion(keys);

@@ -28,7 +28,7 @@ SectionWithKeys fastsim_section() {
       "fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse", &Case::fastsim);
   keys.choice("bound")
       .says(
-          "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), as is usual; "
+          "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "
           "`elliptic` mu p0 sqrt(1 - r^2), that of Hertz's pressure.")
       .into(&FastsimOptions::bound,
             {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}});
@@ -40,8 +40,8 @@ SectionWithKeys fastsim_section() {
             {{"three", Flexibilities::three}, {"one", Flexibilities::one}});
   keys.choice("elements")
       .says(
-          "`chord` divides every strip equally; `grid` takes elements of a common grid and the "
-          "spin a sixth of a step upstream, as CONTACT does, which is of first order.")
+          "`chord` divides every strip equally; `grid` uses elements of a common grid and takes "
+          "the spin a sixth of a step upstream, as CONTACT does (first order).")
       .into(&FastsimOptions::elements,
             {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}});
   add_strips(keys, 8);
@@ -51,16 +51,16 @@ SectionWithKeys fastsim_section() {
 
 SectionWithKeys strip_section() {
   Keys<StripCase> keys(
-      "strip", "Model `strip`: strips along rolling, each after Hertz, with brushes", &Case::strip);
+      "strip", "Model `strip`: strips along rolling, each with Hertzian pressure and brushes",
+      &Case::strip);
   add_strips(keys, 16);
   add_strip_elements(keys);
   keys.real("virtual_penetration")
       .between(0.3, 1.0)
-      .otherwise("as Hertz's ellipse of the same depth and volume")
+      .otherwise("from Hertz's ellipse of the same depth and volume")
       .says(
-          "Share of the approach by which the undeformed profiles penetrate, which makes the "
-          "patch; "
-          "0.55 after Kik and Piotrowski.")
+          "Fraction of the approach by which the undeformed profiles penetrate to define the "
+          "patch; 0.55 after Kik and Piotrowski.")
       .into(&StripCase::virtual_penetration);
   return keys;
 }

@@ -18,7 +18,7 @@ void add_radius(Keys<Body>& keys, const char* symbol, const char* example, const
   keys.real("round_to")
       .between(0.1, 0.9)
       .says(
-          "Part of the radius across up to which the profile is a circle; from there on it is "
+          "Fraction of the transverse radius up to which the profile is a circle; beyond, it is "
           "straight. See docs/meshes.md.")
       .into(&Body::round_to);
 }
@@ -43,8 +43,8 @@ void add_material(Keys<Body>& keys) {
       .unit("t/mm^3")
       .between(0.0, 1e-7)
       .says(
-          "Mass density, which matters with fem.inertia only; the default is steel (1 t/mm^3 = "
-          "1e12 kg/m^3).")
+          "Mass density; matters only with fem.inertia; the default is steel (1 t/mm^3 = 1e12 "
+          "kg/m^3).")
       .into(&Body::material, &Material::density);
 }
 
@@ -53,7 +53,7 @@ template <class Body>
 void add_shape_from_files(Keys<Body>& keys, const std::string& names, const std::string& files) {
   keys.text("profile")
       .otherwise("the body has a transverse_radius")
-      .says("The profile, in place of transverse_radius: " + names +
+      .says("The profile, instead of transverse_radius: " + names +
             ", `arcs`, `polynomial`, or a file relative to the case file: two columns y, z (text "
             "or CSV), " +
             files + ". Details in [" + keys.section().name + "_profile]; see docs/profiles.md.")
@@ -78,10 +78,10 @@ SectionWithKeys wheel_section() {
       .required("405.0")
       .says("Radius of the wheel at the running circle.")
       .into(&Wheel::rolling_radius);
-  add_radius(keys, "R_wy", "inf",
-             "Radius of the wheel's profile: positive convex, negative concave (a hollow tread), "
-             "inf flat. A concave radius must be larger than the rail's. Left out where `profile` "
-             "is given.");
+  add_radius(
+      keys, "R_wy", "inf",
+      "Radius of the wheel's profile: positive convex, negative concave (a hollow tread), inf "
+      "flat. A concave radius must be larger than the rail's. Omit it if `profile` is given.");
   add_material(keys);
   add_shape_from_files(keys, "`S1002` or `S1002-smooth`", "SIMPACK .prw, MiniProf .whl");
   return keys;
@@ -91,7 +91,7 @@ SectionWithKeys rail_section() {
   Keys<Rail> keys("rail", "Lower body (2): a straight extruded rail", &Case::rail);
   add_radius(keys, "R_ry", "2000.0",
              "Radius of the rail's head: positive convex, negative concave, inf flat. Along the "
-             "track the rail is straight. Left out where `profile` is given.");
+             "track the rail is straight. Omit it if `profile` is given.");
   add_material(keys);
   add_shape_from_files(keys, "`60E1` (the same as `UIC60`) or `UIC60-manchester`",
                        "SIMPACK .prr, MiniProf .ban");

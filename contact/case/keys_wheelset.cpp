@@ -13,14 +13,15 @@ void add_positions(WheelsetKeys& keys) {
       .within(1e3)
       .per("positions")
       .says(
-          "Of the wheelset, positive to the right seen along x. A list makes positions: "
-          "lateral_shift, yaw and roll then have one length, or one number for all.")
+          "Lateral shift of the wheelset, positive to the right seen along x. A list makes "
+          "positions; lateral_shift, yaw and roll then have the same length, or one number for "
+          "all.")
       .into(&Wheelset::lateral_shift);
   keys.reals("yaw")
       .unit("rad")
       .within(0.2)
       .per("positions")
-      .says("Of the wheelset about the vertical, positive to the right.")
+      .says("Yaw of the wheelset about the vertical, positive to the right.")
       .into(&Wheelset::yaw);
   keys.reals("roll")
       .unit("rad")
@@ -28,32 +29,32 @@ void add_positions(WheelsetKeys& keys) {
       .per("positions")
       .otherwise("both wheels touch their rails")
       .says(
-          "Of the wheelset about x, positive when the right wheel is lower. With it each wheel "
-          "touches its rail by itself.")
+          "Roll of the wheelset about x, positive when the right wheel is lower. If given, each "
+          "wheel touches its rail separately.")
       .into(&Wheelset::roll);
 }
 
 void add_motion(WheelsetKeys& keys) {
   keys.real("lateral_velocity")
       .within(1.0)
-      .says("Of the wheelset over its forward speed, positive to the right.")
+      .says("Lateral velocity of the wheelset over its forward speed, positive to the right.")
       .into(&Wheelset::lateral_velocity);
   keys.real("yaw_velocity")
       .unit("rad/mm")
       .within(1.0)
-      .says("Change of yaw over the distance rolled.")
+      .says("Change of yaw per distance rolled.")
       .into(&Wheelset::yaw_velocity);
   keys.reals("rotation_change")
       .within(1.0)
       .otherwise("0: the wheelset turns with V / rolling_radius")
       .says(
-          "Relative change of the wheelset's rotation against V / rolling_radius: positive drives, "
+          "Relative change of the wheelset's rotation from V / rolling_radius: positive drives, "
           "negative brakes. A list makes a creep curve; not with longitudinal_creepage.")
       .into_each(&Wheelset::rotation_change);
   keys.choice("free_rolling")
       .says(
-          "What decides the rotation in place of rotation_change: `force`, no F_x on each wheel by "
-          "itself; `torque`, no torque of both wheels about the axle; `none`, nothing.")
+          "What determines the rotation instead of rotation_change: `force`: no F_x on each wheel "
+          "separately; `torque`: no torque of both wheels about the axle; `none`: nothing.")
       .into(&Wheelset::free_rolling, {{"none", FreeRolling::none},
                                       {"force", FreeRolling::force},
                                       {"torque", FreeRolling::torque}});
@@ -67,7 +68,7 @@ SectionWithKeys wheelset_section() {
                     &Case::wheelset);
   keys.section().of_profiles = true;
   keys.choice("side")
-      .says("The wheels that are computed; both are placed in any case.")
+      .says("The wheels to solve; both are placed in any case.")
       .into(&Wheelset::side,
             {{"left", WheelSide::left}, {"right", WheelSide::right}, {"both", WheelSide::both}});
   keys.real("flange_back_distance")
@@ -78,7 +79,7 @@ SectionWithKeys wheelset_section() {
   keys.real("flange_back_position")
       .unit("mm")
       .within(1e3)
-      .says("Where the back of the flange is in the wheel's profile: its y.")
+      .says("y of the back of the flange in the wheel's profile.")
       .into(&Wheelset::flange_back_position);
   add_positions(keys);
   add_motion(keys);

@@ -64,7 +64,7 @@ Row row_of(const std::vector<std::string_view>& fields, const std::string& file,
 std::vector<Row> rows_of(std::string_view text, const std::string& shown, int columns) {
   // What is in a file that is no table at all is nobody's business.
   if (!looks_like_table(text, "#"))
-    fail_at(shown, 0, "has no points: most of its lines, if any, begin with no number",
+    fail_at(shown, 0, "has no points: most of its lines do not begin with a number",
             "name a file with lines of x, y and values");
   std::vector<Row> rows;
   for (TextLines lines(text); lines.next();) {
@@ -148,7 +148,7 @@ Lattice parse_lattice(std::string_view text, const std::string& shown_name, int 
     if (lines[at] > 0)
       fail_at(
           shown_name, row.line,
-          fmt::format("the point ({}, {}) is there already, in line {}", row.x, row.y, lines[at]),
+          fmt::format("the point ({}, {}) was given before, in line {}", row.x, row.y, lines[at]),
           "remove one of the two");
     lines[at] = row.line;
     for (int c = 0; c < columns; ++c) lattice.values[c][at] = row.values[c];

@@ -38,10 +38,10 @@ class Doubts {
 void doubt_radii(const Case& input, Doubts& doubts) {
   const double rolling = input.wheel.rolling_radius;
   doubts.add(rolling > 0.0 && rolling < smallest_rolling_radius, "wheel.rolling_radius", rolling,
-             " mm", "wheels are larger; do: give it in mm, if this is in m");
+             " mm", "wheels are larger; do: give it in mm if this is in m");
   const auto across = [&](const char* key, double radius) {
     doubts.add(radius != 0.0 && std::abs(radius) < smallest_transverse_radius, key, radius, " mm",
-               "profiles are rounder; do: give it in mm, if this is in m");
+               "profiles have larger radii; do: give it in mm if this is in m");
   };
   if (input.wheel.profile.name.empty())
     across("wheel.transverse_radius", input.wheel.transverse_radius);
@@ -51,9 +51,9 @@ void doubt_radii(const Case& input, Doubts& doubts) {
 
 void doubt_moduli(const Case& input, Doubts& doubts) {
   const auto check = [&](const char* key, double modulus) {
-    doubts.add(std::isfinite(modulus) && modulus > stiffest, key, modulus, " MPa",
-               "no material is that stiff; do: give it in MPa, if this is in kPa, or inf for "
-               "a rigid body");
+    doubts.add(
+        std::isfinite(modulus) && modulus > stiffest, key, modulus, " MPa",
+        "no material is that stiff; do: give it in MPa if this is in kPa, or inf for a rigid body");
   };
   check("wheel.young_modulus", input.wheel.material.young_modulus);
   check("rail.young_modulus", input.rail.material.young_modulus);
@@ -68,10 +68,11 @@ void doubt_load(const Case& input, Doubts& doubts) {
   const double least = least_load_of_wheel * radius * radius;
   for (const auto& [key, force] : {std::pair{"load.normal_force", input.load.normal_force},
                                    std::pair{"load.vertical_force", input.load.vertical_force}})
-    doubts.add(force && *force < least, key, force.value_or(0.0), " N",
-               fmt::format("a wheel of {:g} mm carries more than {:.0f} N; do: give it in N, if "
-                           "this is in kN",
-                           radius, least));
+    doubts.add(
+        force && *force < least, key, force.value_or(0.0), " N",
+        fmt::format(
+            "a wheel of {:g} mm carries more than {:.0f} N; do: give it in N if this is in kN",
+            radius, least));
 }
 
 double largest_size(const Case& input, double Creepage::*member) {
@@ -87,13 +88,13 @@ void doubt_creepages(const Case& input, Doubts& doubts) {
         std::pair{"rolling.lateral_creepage", &Creepage::lateral}}) {
     const double value = largest_size(input, member);
     doubts.add(std::abs(value) > largest_creepage, key, value, "",
-               "the contact slides fully long before; do: give it as a ratio, if this is in per "
-               "cent: 0.001 is 0.1 %");
+               "the contact slides fully far below that; do: give it as a ratio if this is in "
+               "percent: 0.001 is 0.1 %");
   }
   const double spin = largest_size(input, &Creepage::spin);
   doubts.add(std::abs(spin) > largest_spin, "rolling.spin", spin, " rad/mm",
-             "camber gives sin(angle)/radius, some 1e-4 to 1e-2; do: give it in rad/mm, if this is "
-             "in rad/m");
+             "contact angles cause sin(angle)/radius, some 1e-4 to 1e-2; do: give it in rad/mm if "
+             "this is in rad/m");
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ class Reader {
       if (lines[i].size() > longest_line)
         fail_whole(fmt::format("{}:{}", given_.file, i + 1),
                    fmt::format("the line is longer than {} characters", longest_line),
-                   "break it into several; lists may go over many lines");
+                   "break it into several; lists may extend over many lines");
     if (const auto fault = find_toml_fault(source_.text()))
       fail_invalid(fault->line, fault->column, fault->wrong);
     try {
@@ -110,7 +110,7 @@ class Reader {
     problem.line = line;
     problem.column = column;
     problem.wrong = fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong);
-    problem.action = "mend this line; `rollfem new-case` prints a valid case file";
+    problem.action = "correct this line; `rollfem new-case` prints a valid case file";
     fail(given_.file, problem);
   }
 
@@ -154,7 +154,7 @@ class Reader {
                                     const std::vector<std::string>& names) const {
     CaseProblem problem = at(source);
     problem.key = shown(section);
-    problem.wrong = "is not a list of sections that is known";
+    problem.wrong = "is not a known list of sections";
     problem.allowed = "[[subsurface.NAME]] with NAME one of " + joined(names);
     problem.action =
         "write for instance [[subsurface.line]] on a line of its own and its keys below";

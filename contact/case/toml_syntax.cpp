@@ -134,7 +134,7 @@ class Walk {
     const Character here = first_character(text_.substr(at_));
     if (here.bytes == 0) fail_with("the file is not UTF-8: found " + found());
     if ((here.code < 0x20 && here.code != '\t') || here.code == 0x7F)
-      fail(fmt::format("control characters may not stand in {}", where));
+      fail(fmt::format("control characters are not allowed in {}", where));
     at_ += here.bytes;
   }
 
@@ -147,7 +147,7 @@ class Walk {
       check_depth(parts);
       if (peek() == '"' || peek() == '\'') {
         if (looking_at("\"\"\"") || looking_at("'''"))
-          fail_with("a key may not be a text of several lines");
+          fail_with("a key must not be a multi-line string");
         line_text(peek());
       } else {
         if (!is_of_bare_key(peek()))
@@ -168,16 +168,16 @@ class Walk {
     if (repeated) ++at_;
     blanks();
     key();
-    if (peek() != ']') fail("expected ']' behind the name of a section");
+    if (peek() != ']') fail("expected ']' after the name of a section");
     ++at_;
     if (!repeated) return;
-    if (peek() != ']') fail("expected ']]' behind the name of a section");
+    if (peek() != ']') fail("expected ']]' after the name of a section");
     ++at_;
   }
 
   void pair(int depth) {
     key();
-    if (peek() != '=') fail("expected '=' behind a key");
+    if (peek() != '=') fail("expected '=' after a key");
     ++at_;
     blanks();
     value(depth);
@@ -245,7 +245,7 @@ class Walk {
   void line_text(char quote) {
     ++at_;
     while (peek() != quote) {
-      if (at_end() || at_line_break()) fail("expected the closing quotation mark of a text");
+      if (at_end() || at_line_break()) fail("expected the closing quotation mark of a string");
       if (quote == '"' && peek() == '\\')
         escape();
       else
@@ -258,7 +258,7 @@ class Walk {
     const std::string ends(3, quote);
     at_ += 3;
     while (!looking_at(ends)) {
-      if (at_end()) fail("expected the three closing quotation marks of a text");
+      if (at_end()) fail("expected the three closing quotation marks of a string");
       if (line_break()) continue;
       if (quote == '\'' || peek() != '\\')
         character("texts");
@@ -278,8 +278,8 @@ class Walk {
     while (line_break()) blanks();
     if (static_cast<unsigned char>(peek()) >= 0x80)
       fail_with(
-          "a continued line may not begin with a letter beyond ASCII here; write the text "
-          "on one line");
+          "a continued line must not begin with a non-ASCII letter here; write the string on one "
+          "line");
     return true;
   }
 
@@ -290,18 +290,17 @@ class Walk {
       std::uint32_t code = 0;
       for (std::size_t k = 0; k < digits; ++k) {
         const int digit = hex_digit(peek(2 + k));
-        if (digit < 0) fail_with(fmt::format("\\{} wants {} hexadecimal digits", kind, digits));
+        if (digit < 0) fail_with(fmt::format("\\{} needs {} hexadecimal digits", kind, digits));
         code = code << 4 | static_cast<std::uint32_t>(digit);
       }
       if (is_surrogate(code) || code > 0x10FFFF)
-        fail_with(fmt::format("\\{} gives U+{:04X}, which is no character", kind, code));
+        fail_with(fmt::format("\\{} gives U+{:04X}, which is not a character", kind, code));
       at_ += 2 + digits;
       return;
     }
     if (kind == '\0' || std::string_view("btnfr\"\\").find(kind) == std::string_view::npos)
       fail_with(
-          "a backslash begins no escape that is known; write \\\\, or put the text in 'single "
-          "quotes'");
+          "unknown escape after a backslash; write \\\\, or put the string in 'single quotes'");
     at_ += 2;
   }
 

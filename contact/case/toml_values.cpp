@@ -97,7 +97,7 @@ class ValueReader {
   }
 
   std::string text() const {
-    if (!node_.is_string()) fail_value("expected a text in quotes, got " + kind_is(node_));
+    if (!node_.is_string()) fail_value("expected a string in quotes, got " + kind_is(node_));
     const std::string text = node_.value_or(std::string());
     if (text.size() > longest_text)
       fail_value(fmt::format("is longer than {} characters", longest_text));
@@ -108,7 +108,7 @@ class ValueReader {
   }
 
   std::string word_of(const toml::node& node) const {
-    if (!node.is_string()) fail_value("expected a text in quotes, got " + kind_is(node));
+    if (!node.is_string()) fail_value("expected a string in quotes, got " + kind_is(node));
     const std::string word = node.value_or(std::string());
     const std::vector<std::string>& words = key_.words.empty() ? names_ : key_.words;
     if (words.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
@@ -120,7 +120,7 @@ class ValueReader {
     const std::string given = text();
     if (ratio_of(given)) return given;
     if (std::find(key_.words.begin(), key_.words.end(), given) == key_.words.end())
-      fail_value("is no ratio of 1 to a number above 1");
+      fail_value("is not a ratio of 1 to a number above 1");
     return given;
   }
 
@@ -148,7 +148,7 @@ class ValueReader {
     const double value = node_.value_or(0.0);
     if (std::isnan(value)) fail_value("is not a number");
     if (std::isinf(value) && !key_.bounds.contains(value))
-      fail_value("is infinite, which makes no sense here");
+      fail_value("is infinite, which is not allowed here");
     if (!key_.bounds.contains(value)) fail_value("is out of bounds");
     // -0.0 would turn up with its sign in every table.
     return value == 0.0 ? 0.0 : value;

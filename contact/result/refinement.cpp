@@ -15,7 +15,7 @@ double estimated_error(const std::vector<double>& values, double assumed_order,
   constexpr double best_order = 2.0;
   constexpr double believed_fall = 16.0;  // of an error that changes its sign
   const std::size_t n = values.size();
-  if (n < 2) throw std::logic_error("an error estimate takes two levels");
+  if (n < 2) throw std::logic_error("an error estimate needs two levels");
   const double now = values[n - 1] - values[n - 2];
   if (n == 2) return std::abs(now) / (std::exp2(assumed_order) - 1.0);
   const double before = values[n - 2] - values[n - 3];
@@ -51,9 +51,8 @@ std::string WorstError::text() const {
 
 std::string shortfall_text(const AccuracyRequest& asked, const WorstError& worst,
                            const std::string& reason) {
-  return fmt::format(
-      "accuracy = {:g} was asked for and not reached: the largest estimated error is {}; {}",
-      *asked.relative, worst.text(), reason);
+  return fmt::format("accuracy = {:g} was not reached: the largest estimated error is {}; {}",
+                     *asked.relative, worst.text(), reason);
 }
 
 }  // namespace rollfem::contact

@@ -51,8 +51,8 @@ void check_scalars(const Examined& at) {
   for (const Quantity& quantity : quantities()) {
     const std::optional<double> value = quantity.value(point);
     if (value && !std::isfinite(*value))
-      refuse(at, fmt::format("{} = {}; allowed: finite numbers; do: check the case for values that "
-                             "are extremely large or small",
+      refuse(at, fmt::format("{} = {}; allowed: finite numbers; do: check the case for extremely "
+                             "large or small values",
                              quantity.name, *value));
   }
 }
@@ -61,9 +61,8 @@ void check_scalars(const Examined& at) {
 void check_fields(const Examined& at) {
   const PointResult& point = at.point();
   const auto fail = [&](const std::string& what) {
-    refuse(at, what +
-                   " that are not finite; do: check the case for values that are extremely large "
-                   "or small");
+    refuse(at,
+           what + " that are not finite; do: check the case for extremely large or small values");
   };
   const ContactFields& fields = point.fields;
   for (const auto& [field, what] :
@@ -105,10 +104,9 @@ void check_fineness(const Examined& at) {
   if ((grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across) return;
   throw UnfitGrid(
       place_of(at) +
-      fmt::format("{} by {} contact elements of {:.4g} by {:.4g} mm lie along and across the "
-                  "patch; allowed: at least {} each way; do: choose smaller elements "
-                  "(contact_grid.elements_across or cell_size, with the model fem fem.cell_size), "
-                  "or check load and radii",
+      fmt::format("the patch has only {} by {} contact elements of {:.4g} by {:.4g} mm; allowed: "
+                  "at least {} each way; do: choose smaller elements (contact_grid.elements_across "
+                  "or cell_size, with the model fem fem.cell_size), or check load and radii",
                   along, across, grid.dx, grid.dy, fewest_elements_across));
 }
 
@@ -131,9 +129,9 @@ void check_held(const Examined& at) {
   if (!held)
     throw UnfitGrid(
         place_of(at) +
-        fmt::format("the patch of {:.4g} by {:.4g} mm reaches beyond the contact grid of "
-                    "{:.4g} by {:.4g} mm; allowed: grids that hold the patch; do: choose a "
-                    "larger contact_grid.extent, or move contact_grid.middle",
+        fmt::format("the patch of {:.4g} by {:.4g} mm reaches beyond the contact grid of {:.4g} by "
+                    "{:.4g} mm; allowed: a grid that contains the patch; do: choose a larger "
+                    "contact_grid.extent, or move contact_grid.middle",
                     point.contact_length, point.contact_width, grid.nx * grid.dx,
                     grid.ny * grid.dy));
 }
@@ -144,19 +142,19 @@ void check_bounds(const Examined& at) {
   if (pressure.size() == 0) return;
   const double largest = pressure.maxCoeff();
   if (pressure.minCoeff() < -rounding * largest)
-    refuse(at, fmt::format("the pressure falls to {:.4g} MPa; allowed: 0 or more; do: report this "
-                           "case, it is a defect of the program",
+    refuse(at, fmt::format("the pressure falls to {:.4g} MPa; allowed: 0 or more; do: please "
+                           "report this case, it is a defect of the program",
                            pressure.minCoeff()));
   const auto [gap, excess] = contact_residual(fields);
   if (!(gap <= largest_residual.gap))
-    refuse(at, fmt::format("under pressure the bodies stand apart, or beside it overlap, by {:.2g} "
-                           "of the largest displacement; allowed: at most {:g}; do: use another "
-                           "grid or model",
-                           gap, largest_residual.gap));
+    refuse(at, fmt::format(
+                   "the bodies are apart under pressure, or overlap beside it, by {:.2g} of the "
+                   "largest displacement; allowed: at most {:g}; do: use another grid or model",
+                   gap, largest_residual.gap));
   if (at.kind.bounded && !(excess <= largest_residual.excess))
     refuse(at, fmt::format("a tangential traction exceeds the bound of friction by {:.4g} MPa; "
-                           "allowed: at most {:.2g} of the largest bound, {:.4g} MPa; do: report "
-                           "this case, it is a defect of the program",
+                           "allowed: at most {:.2g} of the largest bound, {:.4g} MPa; do: please "
+                           "report this case, it is a defect of the program",
                            excess * fields.traction_bound.maxCoeff(), largest_residual.excess,
                            fields.traction_bound.maxCoeff()));
 }
@@ -176,8 +174,8 @@ void check_balance(const Examined& at) {
       load.direction[0] * point.lateral_force + load.direction[1] * point.normal_force;
   const double imbalance = std::abs(carried / *load.force - 1.0);
   if (imbalance <= largest_imbalance) return;
-  refuse(at, fmt::format("the patch carries {:.9g} N of the {:.9g} N asked for, {:.2g} of it off; "
-                         "allowed: {:g}; do: use another grid or model",
+  refuse(at, fmt::format("the patch carries {:.9g} N instead of {:.9g} N, a relative error of "
+                         "{:.2g}; allowed: {:g}; do: use another grid or model",
                          carried, *load.force, imbalance, largest_imbalance));
 }
 
@@ -186,7 +184,7 @@ void check_approach(const Examined& at) {
   const bool touching = at.scene.geometry.has_surfaces() && !at.scene.given_pressure;
   if (!touching || at.point().approach > 0.0) return;
   refuse(at, fmt::format("the bodies have come together by {:.4g} mm and carry {:.6g} N; allowed: "
-                         "more than 0; do: report this case, it is a defect of the program",
+                         "more than 0; do: please report this case, it is a defect of the program",
                          at.point().approach, at.point().normal_force));
 }
 
@@ -271,20 +269,21 @@ std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult
   }
   std::vector<std::string> warnings;
   if (patch.part > largest_patch_part)
-    warnings.push_back(fmt::format(
-        "warning: the patch is not small against the bodies, as half-spaces ask: {} (load point "
-        "{}), {:.2g} of it where at most {:g} is usual; check load and radii, or take the model "
-        "fem",
-        patch.what, patch.point, patch.part, largest_patch_part));
+    warnings.push_back(
+        fmt::format("warning: the patch is not small against the bodies, as half-spaces require: "
+                    "{} (load point {}), a ratio of {:.2g} where at most {:g} is usual; check load "
+                    "and radii, or use the model fem",
+                    patch.what, patch.point, patch.part, largest_patch_part));
   if (approach.part > largest_approach_part)
-    warnings.push_back(fmt::format(
-        "warning: the approach is not small against the radii, as linear elasticity asks: {} (load "
-        "point {}), {:.2g} of it where at most {:g} is usual; check load, radii and moduli",
-        approach.what, approach.point, approach.part, largest_approach_part));
+    warnings.push_back(
+        fmt::format("warning: the approach is not small against the radii, as linear elasticity "
+                    "requires: {} (load point {}), a ratio of {:.2g} where at most {:g} is usual; "
+                    "check load, radii and moduli",
+                    approach.what, approach.point, approach.part, largest_approach_part));
   if (pressure.part > largest_elastic_pressure)
     warnings.push_back(fmt::format(
-        "warning: the largest pressure, {:.4g} MPa (load point {}), is beyond the {:g} MPa that no "
-        "rail or wheel steel bears elastically; check load, radii and their units",
+        "warning: the largest pressure, {:.4g} MPa (load point {}), exceeds {:g} MPa, which no "
+        "rail or wheel steel carries elastically; check load, radii and their units",
         pressure.part, pressure.point, largest_elastic_pressure));
   return warnings;
 }

@@ -18,9 +18,9 @@ std::string why_flanks_touch(const Geometry& geometry, double y) {
   return fmt::format(
       "the contact patch reaches past the circles of wheel and rail, which end at {} and {} of "
       "their radii across, onto straight flanks (the potential contact area ends at y = {:.4g} "
-      "mm); flanks as steep as each other touch as far as they go, and no grid holds them; do: "
-      "give [wheel] and [rail] a larger round_to (at most 0.9), take a smaller load, or radii "
-      "across that are less alike (docs/meshes.md)",
+      "mm); equally steep flanks touch along their whole length, which no grid can contain; do: "
+      "give [wheel] and [rail] a larger round_to (at most 0.9), a smaller load, or transverse "
+      "radii that differ more (docs/meshes.md)",
       surface.wheel_round_to, surface.rail_round_to, y);
 }
 

@@ -93,7 +93,7 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
   if (y.size() < 2)
     throw InputError(
         "wheel.rolling_radius: the wheel has no surface at the contact reference point; allowed: a "
-        "radius that is large beside the heights of the profile; do: give it in mm");
+        "radius much larger than the heights of the profile; do: give it in mm");
   return {std::move(y), std::move(z), std::move(slope)};
 }
 

@@ -242,7 +242,7 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   }
   throw SolveError("the outer contact iteration did not converge: relative residual " +
                    std::to_string(solution.residual) + " after " +
-                   std::to_string(options.max_iterations) + " iterations, asked for " +
+                   std::to_string(options.max_iterations) + " iterations, required " +
                    std::to_string(options.tolerance));
 }
 

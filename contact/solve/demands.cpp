@@ -97,7 +97,7 @@ const std::vector<DemandRow>& rows() {
        [](const Scene& c) { return c.feels_inertia(); }},
       {Demand::beyond_half_space, "subsurface",
        "points of a concave body beyond z = 0, where the half-space ends ([[subsurface.surface]] "
-       "follows the surface in both)",
+       "follows the surface in either)",
        beyond_half_space},
       {Demand::lateral_creepage, "rolling.lateral_creepage", "lateral creepage",
        [](const Scene& c) { return any_of_radii(c, &Creepage::lateral); }},
@@ -114,7 +114,7 @@ const std::vector<DemandRow>& rows() {
 std::optional<std::string> first_beyond(const Demands& takes, const ModelInput& input) {
   for (const DemandRow& row : rows())
     if (std::find(takes.begin(), takes.end(), row.demand) == takes.end() && row.asked(input))
-      return fmt::format("{}: it cannot take {}", row.key, row.what);
+      return fmt::format("{}: it cannot handle {}", row.key, row.what);
   return std::nullopt;
 }
 

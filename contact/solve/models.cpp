@@ -67,7 +67,7 @@ const ModelInfo* ModelRegistry::find(const std::string& name) const {
 
 const ModelInfo& ModelRegistry::at(const std::string& name, const std::string& asked_by) const {
   if (const ModelInfo* model = find(name)) return *model;
-  throw InputError(fmt::format("{} {}: there is no such model; {}allowed: {}; do: name one of them",
+  throw InputError(fmt::format("{} {}: no such model; {}allowed: {}; do: name one of them",
                                asked_by, name, did_you_mean(name, names()), listed(names())));
 }
 
@@ -80,7 +80,7 @@ std::string ModelRegistry::advice(const ModelInput& input) const {
     // The cheapest that solves the elastic problem; theories only where nothing else can.
     if (best == nullptr || (model.has_stress && !best->has_stress)) best = &model;
   }
-  if (best == nullptr) return "allowed: no model takes all that the case asks for; do: change it";
+  if (best == nullptr) return "allowed: no model can solve all of this case; do: change it";
   return fmt::format("allowed: {}; do: run with --model {}, or change the case", listed(able),
                      best->name);
 }
@@ -94,7 +94,7 @@ ModelResult ModelRegistry::run(const std::string& name, const ModelInput& input,
                                const Progress& progress, Checkpoint* checkpoint) const {
   check(input, name);
   const ModelInfo& model = at(name);
-  if (!model.run) throw std::logic_error(name + " takes one of the other models, which are run");
+  if (!model.run) throw std::logic_error(name + " chooses one of the other models, which are run");
   ModelResult result = model.run(input, progress, checkpoint);
   const ResultKind kind{model.has_stress, model.bounded, model.half_spaces};
   check_validity(input, result, kind);

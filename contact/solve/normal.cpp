@@ -29,9 +29,8 @@ void check_problem(const NormalOperator& compliance, const NormalProblem& proble
     throw SolveError("normal problem: the pressure to start from is on another grid");
   if (problem.normal_force &&
       !(*problem.normal_force > 0.0 && std::isfinite(*problem.normal_force)))
-    throw SolveError(
-        fmt::format("no contact: the normal force is {} N, contact needs a positive one",
-                    *problem.normal_force));
+    throw SolveError(fmt::format("no contact: the normal force is {} N; allowed: above 0",
+                                 *problem.normal_force));
   const double smallest = problem.undeformed_distance.minCoeff();
   if (problem.approach && !(*problem.approach > smallest && std::isfinite(*problem.approach)))
     throw SolveError(
@@ -63,10 +62,10 @@ class BoundConstrainedCg {
       if (residual <= options_.tolerance) return solution(iteration, residual);
       if (iteration < options_.max_iterations) step();
     }
-    throw SolveError(fmt::format(
-        "the normal contact iteration did not converge: largest violation of the contact condition "
-        "{:.3g} of the approach after {} iterations, asked for {:.3g}",
-        violation(), options_.max_iterations, options_.tolerance));
+    throw SolveError(
+        fmt::format("the normal contact iteration did not converge: largest violation of the "
+                    "contact condition {:.3g} of the approach after {} iterations, required {:.3g}",
+                    violation(), options_.max_iterations, options_.tolerance));
   }
 
  private:

@@ -111,7 +111,7 @@ class BracketedSearch {
       step = std::max(step, std::min(most, 0.5 * std::abs(last_->c - before_->c)));
     }
     if (std::abs(last_->c) > 1e3 && step > std::abs(last_->c))
-      fail(all_, fmt::format("no creepage transmits it; the nearest is {:.6g} N at {:.3g}",
+      fail(all_, fmt::format("no creepage transmits it; the closest is {:.6g} N at {:.3g}",
                              law_.found().transmitted.force[k_], last_->c));
     return last_->c + direction * step;
   }
@@ -121,7 +121,7 @@ class BracketedSearch {
     const double low = weight_low_ * low_->g;
     const double high = weight_high_ * high_->g;
     if (std::abs(width) <= 4e-16 * std::max(std::abs(low_->c), std::abs(high_->c)))
-      fail(all_, fmt::format("the force jumps over it at creepage {:.6g}", low_->c));
+      fail(all_, fmt::format("the force jumps past it at creepage {:.6g}", low_->c));
     // A bisection whenever three secant steps have not brought the bracket to an eighth.
     if (++secants_ % 4 == 0) {
       const bool slow = std::abs(width) > 0.125 * std::abs(last_width_);
@@ -259,8 +259,8 @@ Eigen::Vector2d first_creepage(const PrescribedForce& wanted, const Eigen::Vecto
 void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound) {
   const double size = std::hypot(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
   if (size < sliding * bound) return;
-  fail(wanted, fmt::format("{:.6g} N is not below mu F_z = {:.6g} N, which is all that friction "
-                           "can transmit; do: prescribe less, or the creepage instead",
+  fail(wanted, fmt::format("{:.6g} N is not below mu F_z = {:.6g} N, the most that friction can "
+                           "transmit; do: prescribe a smaller force, or the creepage instead",
                            size, bound));
 }
 

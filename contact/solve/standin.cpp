@@ -208,8 +208,8 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
     if (*share > largest_share * *problem.load.force) break;
   }
   throw SolveError(fmt::format(
-      "pressure and friction do not settle to carry {:g} N together in {} turns: friction on the "
-      "tilted surface takes up nearly all of the load or more (the limit of Nadal)",
+      "pressure and friction do not converge to carry {:g} N together in {} iterations: friction "
+      "on the tilted surface carries nearly all of the load or more (Nadal's limit)",
       *problem.load.force, most_turns));
 }
 

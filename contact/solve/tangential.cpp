@@ -99,10 +99,10 @@ class Newton {
       previous = infinity;
       with_this_drag = 0;
     }
-    throw SolveError(fmt::format(
-        "the tangential contact iteration did not converge: residual {:.3g} of the creepage load "
-        "after {} Newton steps and {} Krylov iterations, asked for {:.3g}",
-        point.norm / scale, newton_steps_, krylov_iterations_, options_.tolerance));
+    throw SolveError(
+        fmt::format("the tangential contact iteration did not converge: residual {:.3g} of the "
+                    "creepage load after {} Newton steps and {} Krylov iterations, required {:.3g}",
+                    point.norm / scale, newton_steps_, krylov_iterations_, options_.tolerance));
   }
 
  private:

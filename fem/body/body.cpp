@@ -57,17 +57,16 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
       options.middle + options.reach_t() > shape.upper_t() + 1e-9)
     throw contact::InputError(fmt::format(
         "fem: the segment reaches from y = {:.4g} to {:.4g} mm; the profile of the {} can be "
-        "meshed "
-        "from {:.4g} to {:.4g} mm (beyond it ends or is steeper than {}): take a smaller [fem] "
-        "width, or true sections ([fem] mesh = \"gmsh\")",
+        "meshed from {:.4g} to {:.4g} mm (beyond that it ends or is steeper than {}): give a "
+        "smaller [fem] width, or use true sections ([fem] mesh = \"gmsh\")",
         options.middle - options.reach_t(), options.middle + options.reach_t(),
         shape.is_wheel ? "wheel" : "rail", shape.lower_t(), shape.upper_t(),
         ProfileShape::steepest));
   const double inwards = shape.drop_at(options.reach_t()).value + options.reach_depth();
   if (shape.is_wheel && !(std::max(inwards, options.reach_s()) <= 0.7 * shape.rolling_radius))
     throw contact::InputError(fmt::format(
-        "fem.extent = {} mm is too much for a wheel of radius {} mm: the segment would reach the "
-        "axle; take at most {:.4g} mm (or smaller [fem] width, depth and length)",
+        "fem.extent = {} mm is too large for a wheel of radius {} mm: the segment would reach the "
+        "axle; give at most {:.4g} mm (or smaller [fem] width, depth and length)",
         options.extent, shape.rolling_radius, 0.5 * shape.rolling_radius));
 }
 
@@ -199,7 +198,7 @@ void check_refined_cells(const dealii::Mapping<3>& mapping, const Triangulation&
   inside_out = dealii::Utilities::MPI::sum(inside_out, mesh.get_communicator());
   if (inside_out > 0)
     throw contact::InputError(fmt::format(
-        "{} refined cells of the mesh are inside out when its contact surface is bent to the true "
+        "{} refined cells of the mesh are inverted when its contact surface is moved onto the true "
         "one: smooth the mesh below the contact surface, or make it finer",
         inside_out));
 }

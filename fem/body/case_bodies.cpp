@@ -39,8 +39,8 @@ std::unique_ptr<Body> imported_body(const contact::Scene& scene, const std::stri
                              [](const auto& quad) { return quad.side == meshes::Side::symmetry; });
   if (options.half && !case_is_symmetric)
     throw contact::InputError(
-        fmt::format("{}: half a body (it has a group `symmetry`) cannot take lateral creepage or "
-                    "spin; do: mesh the whole body, or set both to 0",
+        fmt::format("{}: half a body (it has a group `symmetry`) allows neither lateral creepage "
+                    "nor spin; do: mesh the whole body, or set both to 0",
                     name));
   options.extent = distance_to_fixed(mesh);
   try {
@@ -79,14 +79,14 @@ std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceSha
 }
 
 std::string section_note(const contact::Scene& scene) {
-  std::string text = "bodies are true sections, held at their ends along rolling";
+  std::string text = "bodies are true sections, fixed at their ends along rolling";
   if (!scene.rail.material.rigid())
     text += fmt::format(
-        "; the rail with the underside of the head, web and foot of 60E1, cut and held {:.4g} mm "
+        "; the rail with the underside of the head, web and foot of 60E1, cut and fixed {:.4g} mm "
         "below its top",
         std::min(default_cut_depth, scene.fem.depth.value_or(default_cut_depth)));
   if (!scene.wheel.material.rigid())
-    text += fmt::format("; the rim held {:.4g} mm below the contact",
+    text += fmt::format("; the rim is fixed {:.4g} mm below the contact",
                         scene.fem.rim_thickness.value_or(default_rim_thickness));
   return text;
 }
@@ -94,10 +94,9 @@ std::string section_note(const contact::Scene& scene) {
 void check_far_boundary(const contact::Scene& scene) {
   if (has_true_sections(scene) && scene.fem.far_boundary == contact::FarBoundary::point_load)
     throw contact::InputError(fmt::format(
-        "{}: fem.far_boundary = \"point_load\" moves the far boundary as that of a half-space, "
-        "which "
-        "true sections with their free sides are not; allowed with profiles: \"clamped\"; do: "
-        "remove it, or lay boxes on the surface ([fem] mesh = \"structured\")",
+        "{}: fem.far_boundary = \"point_load\" moves the far boundary like that of a half-space, "
+        "which does not suit true sections with free sides; allowed with profiles: \"clamped\"; "
+        "do: remove it, or use boxes on the surface ([fem] mesh = \"structured\")",
         scene.file));
 }
 
@@ -152,7 +151,7 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
   if (sections)
     bodies.notes.push_back(section_note(scene));
   else if (options.family == MeshFamily::gmsh)
-    bodies.notes.push_back("meshes are made by gmsh: cross-sections of quadrilaterals, swept");
+    bodies.notes.push_back("meshes by gmsh: swept cross-sections of quadrilaterals");
   return bodies;
 }
 

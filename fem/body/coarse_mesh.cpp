@@ -145,9 +145,9 @@ void check_size(const HexMesh& mesh, const std::string& name, const SurfaceShape
   const double patch = std::hypot(options.fine_half_length, options.fine_half_width);
   if (size < 2.0 * patch)
     fail(name,
-         fmt::format("is {:.4g} mm large altogether, and the contact patch alone needs {:.4g} mm",
-                     size, 2.0 * patch),
-         "give coordinates in mm (a mesh in metres is multiplied by 1000)");
+         fmt::format("is only {:.4g} mm large, but the contact patch alone needs {:.4g} mm", size,
+                     2.0 * patch),
+         "give coordinates in mm (multiply a mesh in metres by 1000)");
   const double largest = shape.is_wheel && std::isfinite(shape.rolling_radius)
                              ? 8.0 * shape.rolling_radius
                              : 2000.0 * patch;
@@ -181,7 +181,7 @@ void project(HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
     const auto& p = mesh.points[worst_node];
     fail(name,
          fmt::format("a node of the group `contact` at ({:.5g}, {:.5g}, {:.5g}) mm is {:.3g} mm "
-                     "beside the surface that the case gives; allowed: {:.3g} mm",
+                     "away from the surface of the case; allowed: {:.3g} mm",
                      p[0], p[1], p[2], worst, tolerance),
          fmt::format("mesh the true profile and put only the running surface into `contact`; {}",
                      frame_advice));

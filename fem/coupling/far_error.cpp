@@ -80,12 +80,12 @@ std::string far_boundary_note(const contact::Scene& scene, double extent) {
   if (far_boundary_of(scene) == contact::FarBoundary::clamped)
     return fmt::format(
         "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the "
-        "approach is that of these segments; its error estimate says how much more it may be for "
-        "large bodies",
+        "approach is that of these segments; its error estimate includes how much larger it may be "
+        "for large bodies",
         extent);
   return fmt::format(
-      "wheel and rail segments reach {:.4g} mm from the patch and move there as half-spaces under "
-      "the force on it: the approach is that of large bodies; its error estimate says how far",
+      "wheel and rail segments reach {:.4g} mm from the patch and move there like half-spaces "
+      "under the force on it: the approach is that of large bodies, within its error estimate",
       extent);
 }
 

@@ -185,11 +185,11 @@ struct SurfaceCoupling::Implementation {
           "lateral coordinate): smooth the mesh there");
     const double finest = 1 - size_tolerance;
     if (grid.dx < finest * largest_face[0] || grid.dy < finest * largest_face[1])
-      throw contact::InputError(fmt::format(
-          "contact elements of {:.4g} x {:.4g} mm are finer than the finite elements under them "
-          "({:.4g} x {:.4g} mm), which is unstable: enlarge fem.fine_extent, take a smaller "
-          "fem.cell_size or a coarser contact grid",
-          grid.dx, grid.dy, largest_face[0], largest_face[1]));
+      throw contact::InputError(
+          fmt::format("contact elements of {:.4g} x {:.4g} mm are finer than the finite elements "
+                      "under them ({:.4g} x {:.4g} mm), which is unstable: enlarge "
+                      "fem.fine_extent, or give a smaller fem.cell_size or a coarser contact grid",
+                      grid.dx, grid.dy, largest_face[0], largest_face[1]));
     for (int element = 0; element < grid.size(); ++element) {
       const double expected = grid.element_area() * share(element);
       if (std::abs(covered[element] - expected) > lattice_tolerance * grid.element_area())

@@ -57,13 +57,13 @@ void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
   if (scene.has_profiles()) {
     const double yaw = std::asin(scene.geometry.surface.profiles->axle().direction[0]);
     if (std::abs(yaw) > 1e-9)
-      result.notes.push_back(fmt::format(
-          "the wheel is yawed by {:.3g} mrad: that is in undeformed distance and slip; its "
-          "finite-element body is turned about the axle without yaw",
-          1e3 * yaw));
+      result.notes.push_back(
+          fmt::format("the wheel is yawed by {:.3g} mrad: undeformed distance and slip include "
+                      "this; its finite-element body is revolved about the axle without yaw",
+                      1e3 * yaw));
   }
   if (start.half)
-    result.notes.push_back("half of each body is modelled: the plane y = 0 is a symmetry plane");
+    result.notes.push_back("half of each body is modelled: y = 0 is a symmetry plane");
   result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
                                      layout.bodies.cell_size, layout.bodies.degree, start.solver));
 }

@@ -145,10 +145,10 @@ void FemElasticity::spin_wheel(const contact::ChartedGeometry& geometry,
                                const contact::ContactGrid& grid) {
   expansion_ = wheel_expansion(*bodies_.wheel, *solvers_.wheel, geometry.geometry().surface, grid,
                                scene_.upwind_order);
-  result_.notes.push_back(fmt::format(
-      "rolling at {:.4g} mm/s: inertia of wheel and rail; spinning moves the wheel's surface out "
-      "by {:.3g} mm, so that the axle stands higher: taken off the approach",
-      scene_.speed, -expansion_->distance.mean()));
+  result_.notes.push_back(
+      fmt::format("rolling at {:.4g} mm/s: inertia of wheel and rail; rotation expands the wheel "
+                  "by {:.3g} mm, which raises the axle and is subtracted from the approach",
+                  scene_.speed, -expansion_->distance.mean()));
 }
 
 void FemElasticity::complete(std::size_t k, PointResult& point) {

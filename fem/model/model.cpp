@@ -32,13 +32,12 @@ std::string note_on_bars(double coarse_cell, double cell, bool beside_half_space
   if (!beside_half_spaces)
     return fmt::format(
         "error bars: from the change between cells of {:.4g} and {:.4g} mm, and from the solution "
-        "near edges, peaks and fronts; half-spaces, which would say more, have no solution on "
-        "these contact elements",
+        "near edges and peaks; half-spaces, which would improve them, have no solution on these "
+        "contact elements",
         coarse_cell, cell);
   return fmt::format(
-      "error bars: what half-spaces on the same contact elements are off by says what the grid "
-      "leaves uncertain, and how finite elements move away from them between cells of {:.4g} and "
-      "{:.4g} mm what the cells do (docs/accuracy.md)",
+      "error bars: from the error of half-spaces on the same contact elements, and from how finite "
+      "elements and half-spaces diverge between cells of {:.4g} and {:.4g} mm (docs/accuracy.md)",
       coarse_cell, cell);
 }
 
@@ -73,8 +72,8 @@ ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progres
   };
   contact::WorstError worst = worst_of();
   std::string reason = fmt::format(
-      "cells of {:.3g} mm are the finest tried; do: begin with a "
-      "smaller [fem] cell_size, or ask for less",
+      "cells of {:.3g} mm are the finest allowed; do: start from a smaller [fem] cell_size, or "
+      "request less accuracy",
       cell / std::exp2(most_halvings));
   for (int halving = 0; halving < most_halvings &&
                         (levels.size() < fewest_levels || worst.error > *scene.accuracy.relative);
@@ -92,10 +91,9 @@ ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progres
     worst = worst_of();
   }
   ModelResult result = std::move(levels.back());
-  result.notes.push_back(
-      fmt::format("accuracy {:g} asked for: cells were halved to {:.4g} mm; largest estimated "
-                  "error {}",
-                  *scene.accuracy.relative, cell, worst.text()));
+  result.notes.push_back(fmt::format(
+      "accuracy {:g} requested: cells were halved to {:.4g} mm; largest estimated error {}",
+      *scene.accuracy.relative, cell, worst.text()));
   result.notes.push_back(note_on_bars(2.0 * cell, cell, beside));
   if (worst.error > *scene.accuracy.relative || levels.size() < fewest_levels)
     result.shortfall = contact::shortfall_text(scene.accuracy, worst, reason);

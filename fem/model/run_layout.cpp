@@ -52,15 +52,14 @@ void fit_to_profiles(const Scene& scene, BodyOptions& options) {
     const double reach =
         std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle);
     if (reach < options.fine_half_width)
-      throw contact::InputError(fmt::format(
-          "{}: the patch and the cells around it reach from y = {:.4g} to {:.4g} mm, the profile "
-          "of "
-          "the {} can be meshed from {:.4g} to {:.4g} mm, where it ends or gets too steep for the "
-          "frame of the patch; do: take a smaller [fem] fine_extent or cell_size, a smaller load, "
-          "or a longer profile",
-          scene.file, options.middle - options.fine_half_width,
-          options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
-          shape.lower_t(), shape.upper_t()));
+      throw contact::InputError(
+          fmt::format("{}: the patch and the cells around it reach from y = {:.4g} to {:.4g} mm, "
+                      "the profile of the {} can be meshed from {:.4g} to {:.4g} mm, where it ends "
+                      "or becomes too steep for the frame of the patch; do: give a smaller [fem] "
+                      "fine_extent or cell_size, a smaller load, or a longer profile",
+                      scene.file, options.middle - options.fine_half_width,
+                      options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
+                      shape.lower_t(), shape.upper_t()));
     if (!has_true_sections(scene)) options.half_width = std::min(options.reach_t(), reach);
   }
 }

@@ -121,7 +121,7 @@ class AlgebraicMultigrid : public LinearSolver {
       if (scale > 0) dealii::SolverCG<Vector>(control).solve(matrix_, x, load, preconditioner_);
     } catch (const dealii::SolverControl::NoConvergence& failure) {
       throw contact::SolveError(fmt::format(
-          "algebraic multigrid: relative residual {:.2e} after {} iterations, wanted {:.1e}",
+          "algebraic multigrid: relative residual {:.2e} after {} iterations, required {:.1e}",
           failure.last_residual / scale, failure.last_step, options_.tolerance));
     }
     iterations_ = scale > 0 ? static_cast<int>(control.last_step()) : 0;

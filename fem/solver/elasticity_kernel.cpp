@@ -327,7 +327,7 @@ template <typename Number>
 ElasticityKernel<Number> elasticity_kernel(int degree) {
   if (degree == 1) return best_kernel<2, Number>();
   if (degree == 2) return best_kernel<3, Number>();
-  throw std::invalid_argument("elasticity_kernel: only degrees 1 and 2 are there");
+  throw std::invalid_argument("elasticity_kernel: only degrees 1 and 2 are supported");
 }
 
 template ElasticityKernel<float> elasticity_kernel(int);

@@ -104,12 +104,12 @@ void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm
                           other.body_fields > 0 ? "last" : "none",
                           contact::in_gigabytes(at.processes * predicted_bytes(other)));
   }
-  throw contact::SolveError(fmt::format(
-      "this run needs about {} and {} are available: about {:.3g} million unknowns in cells of "
-      "{:.4g} mm, by {}; do: take {}, or mpirun over several machines",
-      contact::in_gigabytes(at.needed), contact::in_gigabytes(at.available),
-      1e-6 * (demand.unknowns_of_wheel + demand.unknowns_of_rail), cell_size,
-      demand.factorisation ? "factorisation" : "multigrid", advice));
+  throw contact::SolveError(
+      fmt::format("this run needs about {} and {} are available: about {:.3g} million unknowns in "
+                  "cells of {:.4g} mm, by {}; do: use {}, or mpirun over several machines",
+                  contact::in_gigabytes(at.needed), contact::in_gigabytes(at.available),
+                  1e-6 * (demand.unknowns_of_wheel + demand.unknowns_of_rail), cell_size,
+                  demand.factorisation ? "factorisation" : "multigrid", advice));
 }
 
 void hand_back_memory() {

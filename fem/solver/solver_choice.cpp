@@ -64,11 +64,10 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
   switch (scene.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
       if (demand.processes > 1)
-        throw contact::InputError(
-            scene.file +
-            ": [fem] linear_solver = \"factorisation\" works in one process only; allowed with "
-            "mpirun: \"multigrid\", \"algebraic\" or \"automatic\"; do: change it or run without "
-            "mpirun");
+        throw contact::InputError(scene.file +
+                                  ": [fem] linear_solver = \"factorisation\" runs in one process "
+                                  "only; allowed with mpirun: \"multigrid\", \"algebraic\" or "
+                                  "\"automatic\"; do: change it or run without mpirun");
       return true;
     case contact::LinearSolver::multigrid:
     case contact::LinearSolver::algebraic:

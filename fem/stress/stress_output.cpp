@@ -66,16 +66,15 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
                   "beyond the segment, which reaches {:.4g} mm along, across and down from "
                   "the middle of the patch",
                   extent);
-  throw contact::InputError(fmt::format(
-      "{}: {} (request {} of the case): ({:.6g}, {:.6g}, {:.6g}) mm is not in the {}, but {}; "
-      "allowed: points of the segment, at most {:.3g} mm (a finite element) above a curved "
-      "surface, "
-      "onto which they are moved; do: {}",
-      scene.file, section_of(scene.subsurface[request].kind), request + 1, place[0], place[1],
-      place[2], wheel ? "wheel" : "rail", where, reach,
-      above ? "move the points into the body, or follow its surface with "
-              "[[subsurface.surface]]"
-            : "move the points nearer, or give a larger [fem] extent"));
+  throw contact::InputError(
+      fmt::format("{}: {} (request {} of the case): ({:.6g}, {:.6g}, {:.6g}) mm is not in the {}, "
+                  "but {}; allowed: points of the segment, at most {:.3g} mm (one finite element) "
+                  "above a curved surface, which are moved onto it; do: {}",
+                  scene.file, section_of(scene.subsurface[request].kind), request + 1, place[0],
+                  place[1], place[2], wheel ? "wheel" : "rail", where, reach,
+                  above ? "move the points into the body, or follow its surface with "
+                          "[[subsurface.surface]]"
+                        : "move the points nearer, or give a larger [fem] extent"));
 }
 
 }  // namespace

@@ -52,12 +52,11 @@ Shape shape_of(double A, double B) {
 void check(double A, double B, double contact_modulus) {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (!positive(A) || !positive(B))
-    throw contact::InputError(fmt::format(
-        "Hertz: the relative curvatures are A = {:.6g} /mm along rolling and B = {:.6g} /mm "
-        "across; "
-        "both must be positive for an elliptic contact (a line contact has no definite approach, a "
-        "negative one touches in two places); do: check rolling_radius and transverse_radius",
-        A, B));
+    throw contact::InputError(
+        fmt::format("Hertz: the relative curvatures are A = {:.6g} /mm along rolling and B = "
+                    "{:.6g} /mm across; both must be positive for an elliptic contact; do: check "
+                    "rolling_radius and transverse_radius",
+                    A, B));
   if (!positive(contact_modulus))
     throw contact::InputError("Hertz: the contact modulus must be positive");
 }
@@ -117,17 +116,15 @@ contact::Curvatures curvatures_of_scene(const contact::Scene& scene) {
   if (scene.given_pressure) return hertz_curvatures(hertz_of_scene(scene), modulus_of(scene));
   if (scene.geometry.distance_values)
     throw contact::InputError(
-        fmt::format("{}: undeformed_distance.file: bodies given point by point have no ellipse of "
-                    "Hertz's; allowed: radii or geometry.quadratic; do: run with --model "
-                    "halfspace",
+        fmt::format("{}: undeformed_distance.file: bodies given point by point have no Hertz "
+                    "ellipse; allowed: radii or geometry.quadratic; do: run with --model halfspace",
                     scene.file));
   const contact::Curvatures curvatures = contact::relative_curvatures(scene.geometry);
   if (scene.has_profiles() && !(curvatures.A > 0.0 && curvatures.B > 0.0))
     throw contact::InputError(fmt::format(
         "{}: {}Hertz: at the contact point the profiles have the relative curvatures A = {:.4g} "
-        "/mm "
-        "along rolling and B = {:.4g} /mm across, which make no ellipse{}; allowed: both above 0; "
-        "do: run with --model halfspace or strip, which take the profiles as they are",
+        "/mm along rolling and B = {:.4g} /mm across, which do not form an ellipse{}; allowed: "
+        "both above 0; do: run with --model halfspace or strip, which use the profiles themselves",
         scene.file, scene.patch_prefix(), curvatures.A, curvatures.B,
         curvatures.B > 0.0 ? ""
                            : ": it lies in a valley, between two patches or on a wave of a "

@@ -36,11 +36,10 @@ double extent_of_bodies(const Scene& scene) {
 
 void check_bodies_known(const Scene& scene) {
   if (scene.geometry.has_surfaces()) return;
-  throw contact::InputError(
-      fmt::format("{}: halfspace.model_error = true: the bodies are not known, only their "
-                  "undeformed distance; allowed: wheel and rail with radii or profiles; do: give "
-                  "those, or leave model_error out",
-                  scene.file));
+  throw contact::InputError(fmt::format(
+      "{}: halfspace.model_error = true: only the undeformed distance of the bodies is known; "
+      "allowed: wheel and rail with radii or profiles; do: give those, or leave model_error out",
+      scene.file));
 }
 
 BodySurface body_surface(const Scene& scene, bool wheel) {

@@ -78,11 +78,11 @@ void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& g
     const double y = geometry.lateral_place(grid.y(j));
     if (profiles.within_limits(y - grid.dy) && profiles.within_limits(y + grid.dy)) continue;
     if (!(pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0)) continue;
-    throw contact::SolveError(fmt::format(
-        "{}the patch reaches y = {:.2f} mm, where a contact of the same wheel with another normal "
-        "begins: both are one conformal contact, of which a plane holds a part only; do: run with "
-        "halfspace.surface = \"curved\", whose surface holds both",
-        scene.patch_prefix(), y));
+    throw contact::SolveError(
+        fmt::format("{}the patch reaches y = {:.2f} mm, where another contact of the same wheel "
+                    "begins: both are one conformal contact, which a plane cannot represent; do: "
+                    "run with halfspace.surface = \"curved\"",
+                    scene.patch_prefix(), y));
   }
 }
 

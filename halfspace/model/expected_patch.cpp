@@ -311,8 +311,8 @@ void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {
     if (!below && y_upper <= curve.last()) return;
     throw contact::InputError(fmt::format(
         "{}: {}.profile: {}profile too short for the contact: it ends at y = {:.4g} mm of the "
-        "patch, the contact reaches from {:.4g} to {:.4g} mm; allowed: profiles that go beyond the "
-        "patch; do: give a profile that is measured or defined farther, or move the wheelset",
+        "patch, but the contact reaches from {:.4g} to {:.4g} mm; allowed: profiles that extend "
+        "beyond the patch; do: give a longer profile, or move the wheelset",
         scene.file, body, scene.patch_prefix(), below ? curve.first() : curve.last(), y_lower,
         y_upper));
   };

@@ -147,15 +147,15 @@ class GridStore : public contact::PointStore {
 void check_curved(const Scene& scene) {
   const auto refuse = [&](bool asked, const char* what) {
     if (!asked) return;
-    throw contact::InputError(fmt::format(
-        "{}: halfspace.surface = \"curved\": it does not go with {}; allowed: wheel and rail with "
-        "radii or profiles, and no stresses below the surface; do: leave that out, or run with "
-        "surface = \"planar\"",
-        scene.file, what));
+    throw contact::InputError(
+        fmt::format("{}: halfspace.surface = \"curved\": cannot be combined with {}; allowed: "
+                    "wheel and rail with radii or profiles, and no stresses below the surface; do: "
+                    "leave that out, or run with surface = \"planar\"",
+                    scene.file, what));
   };
   refuse(!scene.geometry.has_surfaces(), "undeformed_distance");
   refuse(scene.given_pressure.has_value(), "given_pressure");
-  refuse(scene.asks_for_stress(), "subsurface stresses, which are those of a plane half-space");
+  refuse(scene.asks_for_stress(), "subsurface stresses, which need a plane half-space");
 }
 
 std::string why_no_grid_holds(const contact::ChartedGeometry& geometry, const ContactGrid& grid) {
@@ -166,8 +166,8 @@ std::string why_no_grid_holds(const contact::ChartedGeometry& geometry, const Co
   }
   return fmt::format(
       "the contact patch reaches the border of the potential contact area ({} by {} elements), or "
-      "the bodies touch beyond it: the surfaces conform over more than their curvatures tell; do: "
-      "prescribe a larger contact_grid.extent",
+      "the bodies touch beyond it: the surfaces conform over a wider area than their curvatures "
+      "suggest; do: give a larger contact_grid.extent",
       grid.nx, grid.ny);
 }
 

@@ -82,10 +82,10 @@ class SinkingWheel {
           loaded_now.size() <= 1 && (loaded_before.empty() || loaded_before == loaded_now);
       if (alone || change <= settled * sum) return;
     }
-    throw contact::SolveError(fmt::format(
-        "sharing of the load between patches: what they displace under each other does not settle "
-        "in {} rounds",
-        most_turns));
+    throw contact::SolveError(
+        fmt::format("sharing of the load between patches: their mutual displacement does not "
+                    "converge in {} iterations",
+                    most_turns));
   }
 
   double vertical_force() const {
@@ -157,10 +157,10 @@ SharedLoad share_load(const std::vector<Scene>& scenes, double vertical_force) {
     shared.shares = wheel.shares();
     return shared;
   }
-  throw contact::SolveError(fmt::format(
-      "sharing of the load between patches: a sinking of {:.3g} mm does not carry {} N; do: check "
-      "the profiles and the load",
-      deepest_sinking, vertical_force));
+  throw contact::SolveError(
+      fmt::format("sharing of the load between patches: an approach of {:.3g} mm does not carry {} "
+                  "N; do: check the profiles and the load",
+                  deepest_sinking, vertical_force));
 }
 
 SharedLoad load_at(const std::vector<Scene>& scenes, double sinking) {

@@ -130,8 +130,8 @@ void add_notes(const Scene& scene, ModelResult& result) {
       result.grid.dx, result.grid.dy, first ? "first" : "second",
       first ? ", the spin taken a sixth of its step upstream, as CONTACT does" : ""));
   result.notes.push_back(
-      "error bars: from the changes between grids of these, twice and four times the cells, and "
-      "from the solution near edges, peaks and fronts; held in about 95 of 100 random contacts "
+      "error bars: from grids with cells of this, twice and four times the size, and from the "
+      "solution near edges and peaks; they hold in about 95 of 100 random contacts "
       "(docs/accuracy.md)");
   if (const auto& line = scene.geometry.line)
     result.notes.push_back(fmt::format(
@@ -140,24 +140,24 @@ void add_notes(const Scene& scene, ModelResult& result) {
         "surface at {:g} mm from a line load",
         line->width, line->reference));
   if (scene.follows_surface > 0.0 && scene.follows_surface < 1.0)
-    result.notes.push_back(fmt::format(
-        "the normals of this contact spread too much for one plane and little for a curved "
-        "surface: it lies on a surface between both, with {:.2f} of the slopes of the common "
-        "surface",
-        scene.follows_surface));
+    result.notes.push_back(
+        fmt::format("the normals of this contact spread too much for a plane and too little for "
+                    "the full curved surface: the grid lies on a surface in between, with {:.2f} "
+                    "of the slopes of the common surface",
+                    scene.follows_surface));
   if (scene.follows_surface > 0.0)
     result.notes.push_back(
-        "curved contact, as halfspace.surface or the spread of the normals asks for: y of the "
+        "curved contact, because of halfspace.surface or the spread of the normals: y of the "
         "contact grid and contact_width are arc lengths along the common surface, tractions along "
         "its local tangents and normal, forces along x, y, z; compliance of the surface rolled out "
-        "flat; normal_force holds the part of the tangential tractions along z, which the given "
-        "force leaves out");
+        "flat; normal_force includes the tangential tractions along z, which the given force does "
+        "not");
   const double difference = scene.material.difference;
   if (std::abs(difference) > 1e-12)
-    result.notes.push_back(fmt::format(
-        "unlike materials, K = {:.4g}: normal and tangential problem coupled; iterations are outer "
-        "ones",
-        difference));
+    result.notes.push_back(
+        fmt::format("unlike materials, K = {:.4g}: normal and tangential problem are coupled; "
+                    "iterations are outer iterations",
+                    difference));
 }
 
 /// The finest level so far and those below it; null where there is none.
@@ -217,7 +217,7 @@ void refuse_beyond_memory(const Scene& scene, const contact::ContactGrid& grid) 
   if (needed <= available) return;
   throw contact::SolveError(fmt::format(
       "this run needs about {} and {} are available: {:.3g} million elements of the contact grid "
-      "and {} load points, whose fields are kept; do: take fewer elements "
+      "and {} load points, whose fields are kept; do: use fewer elements "
       "(contact_grid.elements_across or cell_size), or fewer load points",
       contact::in_gigabytes(needed), contact::in_gigabytes(available), 1e-6 * grid.size(), points));
 }
@@ -234,16 +234,16 @@ bool refine_further(const Scene& scene, const contact::LevelResult& fine, const 
       contact::worst_error(scene.accuracy, scene.friction_coefficient(), fine.points);
   if (worst.error <= *scene.accuracy.relative) {
     result.notes.push_back(
-        fmt::format("accuracy {:g} asked for: {} elements across; largest estimated error {}",
+        fmt::format("accuracy {:g} requested: {} elements across; largest estimated error {}",
                     *scene.accuracy.relative, cell.across, worst.text()));
     return false;
   }
   if (2 * cell.across <= most_elements_across) return true;
-  result.shortfall = contact::shortfall_text(
-      scene.accuracy, worst,
-      fmt::format("{} elements across are the most; do: ask for less, or give a smaller "
-                  "contact_grid.cell_size",
-                  cell.across));
+  result.shortfall =
+      contact::shortfall_text(scene.accuracy, worst,
+                              fmt::format("{} elements across are the maximum; do: request less "
+                                          "accuracy, or give a smaller contact_grid.cell_size",
+                                          cell.across));
   return false;
 }
 
@@ -281,9 +281,8 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
     if (!last) continue;
     if (!levels.coarse && !scene.accuracy.relative) {
       result.notes.push_back(
-          "no error estimates: elements of twice the size do not hold the patch on the given grid, "
-          "or "
-          "no solution was found on them");
+          "no error estimates: the given grid cannot contain the patch with elements of twice the "
+          "size, or has no solution with them");
       break;
     }
     if (levels.coarse) set_bars(scene, levels);

@@ -113,13 +113,13 @@ void AreaOfPatch::check_extent() const {
   }
   if (fits) return;
   const std::array<double, 2> extent = options.extent.value_or(size);
-  throw contact::InputError(fmt::format(
-      "{}: contact_grid.extent = [{:.4g}, {:.4g}] mm about [{:g}, {:g}]: the patch, of about "
-      "{:.4g} by {:.4g} mm about [0, 0] by Hertz, does not lie in it, or is less than a hundredth "
-      "of it; allowed: an extent from that of the patch to {:g} times as much; do: correct "
-      "contact_grid.extent or middle, or leave them out",
-      scene_.file, extent[0], extent[1], options.middle[0], options.middle[1], size[0], size[1],
-      most_times));
+  throw contact::InputError(
+      fmt::format("{}: contact_grid.extent = [{:.4g}, {:.4g}] mm about [{:g}, {:g}]: the patch, of "
+                  "about {:.4g} by {:.4g} mm about [0, 0] by Hertz, is not inside it, or smaller "
+                  "than a hundredth of it; allowed: an extent from that of the patch to {:g} times "
+                  "as much; do: correct contact_grid.extent or middle, or leave them out",
+                  scene_.file, extent[0], extent[1], options.middle[0], options.middle[1], size[0],
+                  size[1], most_times));
 }
 
 void AreaOfPatch::check_shape_of_cells(double dx, double dy) const {
@@ -128,11 +128,12 @@ void AreaOfPatch::check_shape_of_cells(double dx, double dy) const {
   const PatchExtent extent = this->extent();
   const double nx = extent.length / dx, ny = extent.width / dy;
   if (std::max(nx, ny) <= most_times * std::min(nx, ny)) return;
-  throw contact::InputError(fmt::format(
-      "{}: contact_grid.cell_size = [{:g}, {:g}] mm makes {:.4g} by {:.4g} elements of the box of "
-      "{:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as many one way as the "
-      "other; do: choose cells in the shape of the patch, or give contact_grid.elements_across",
-      scene_.file, dx, dy, nx, ny, extent.length, extent.width, most_times));
+  throw contact::InputError(
+      fmt::format("{}: contact_grid.cell_size = [{:g}, {:g}] mm makes {:.4g} by {:.4g} elements of "
+                  "the box of {:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as "
+                  "many in one direction as in the other; do: choose cells in the shape of the "
+                  "patch, or give contact_grid.elements_across",
+                  scene_.file, dx, dy, nx, ny, extent.length, extent.width, most_times));
 }
 
 /// Elements within twice the reference distance keep the compliance positive: the logarithm in it

@@ -59,10 +59,10 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
   const ExpectedPatch patch = expected_patch(scene);
   const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
   if (largest > smallest_slip_worth_a_note)
-    result.notes.push_back(fmt::format(
-        "the slip that the rolling radii of the wheel's surface bring, up to {:.3g}, is left out: "
-        "this theory has none; fastsim, strip and halfspace have it",
-        largest));
+    result.notes.push_back(
+        fmt::format("the slip from the different rolling radii of the wheel's surface, up to "
+                    "{:.3g}, is neglected by this theory; fastsim, strip and halfspace include it",
+                    largest));
   return result;
 }
 
@@ -126,7 +126,7 @@ void add_theories(contact::ModelRegistry& models) {
   models.add(hertz);
 
   ModelInfo linear{"linear", "linear theory",
-                   "Kalker's linear theory: creep forces without the bound of friction"};
+                   "Kalker's linear theory: creep forces without a friction bound"};
   linear.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin});
   linear.bounded = false;
   linear.run = theory(elliptic(run_linear, {false, true}));
@@ -157,7 +157,8 @@ void add_theories(contact::ModelRegistry& models) {
   fastsim.in_compare = true;
   models.add(fastsim);
 
-  ModelInfo strip{"strip", "strip", "strips along rolling, each after Hertz, with brushes"};
+  ModelInfo strip{"strip", "strip",
+                  "strips along rolling, each with Hertzian pressure and brushes"};
   strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
                             Demand::extra_slip, Demand::extra_slip_on_profiles});
   strip.run = theory(
@@ -171,13 +172,13 @@ contact::ModelRegistry make_models() {
   contact::ModelRegistry models;
   add_theories(models);
   ModelInfo halfspace{"halfspace", "half-space",
-                      "Kalker's problem with elastic half-spaces, element by element"};
+                      "Kalker's problem for elastic half-spaces, solved on a grid"};
   halfspace.takes = contact::all_demands_but(
       {Demand::inertia, Demand::beyond_half_space, Demand::stress_of_line});
   halfspace.run = run_halfspace_with_model_error;
   halfspace.refinements = {contact_grid()};
   halfspace.no_model_error =
-      "not asked for: halfspace.model_error = true estimates what half-spaces leave out";
+      "not requested: halfspace.model_error = true estimates what half-spaces leave out";
   halfspace.has_stress = halfspace.in_compare = true;
   models.add(halfspace);
   return models;

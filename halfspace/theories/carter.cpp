@@ -148,11 +148,10 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
   };
   contact::ModelResult result =
       run_theory(scene, patch.grid, patch.normal, "carter", progress, fill);
-  result.notes.push_back(
-      scene.geometry.line
-          ? "Carter's closed form of line contact: exact for like materials"
-          : "Carter strip by strip: error estimates are those of the resolution; the theory is for "
-            "patches much wider than long");
+  result.notes.push_back(scene.geometry.line
+                             ? "Carter's closed form of line contact: exact for like materials"
+                             : "Carter by strips: error estimates cover the resolution only; the "
+                               "theory is for patches much wider than long");
   return result;
 }
 

@@ -55,7 +55,7 @@ contact::ModelResult run_theory(const contact::Scene& scene, const contact::Cont
   result.contact_elements = static_cast<int>((normal.fields.traction.n.array() > 0.0).count());
   if (scene.material.difference != 0.0)
     result.notes.push_back(
-        "unlike materials: combined constants, without the coupling of pressure and friction");
+        "unlike materials: combined constants, without coupling of pressure and friction");
   for (const contact::LoadPoint& load_point : scene.points) {
     const auto point_start = std::chrono::steady_clock::now();
     contact::PointResult point = normal;

@@ -186,10 +186,10 @@ void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
       ellipse.semi_axis_x, ellipse.semi_axis_y, x, y, patch.length(), patch.width(),
       patch.max_pressure));
   if (patch.gaps > 0.0)
-    result.notes.push_back(fmt::format(
-        "the contact falls into several patches with {:.4g} mm of its {:.4g} mm between them: one "
-        "ellipse stands for all; halfspace and strip have each",
-        patch.gaps, patch.width()));
+    result.notes.push_back(
+        fmt::format("the contact consists of several patches with {:.4g} mm of its {:.4g} mm "
+                    "between them: one ellipse represents all; halfspace and strip resolve each",
+                    patch.gaps, patch.width()));
 }
 
 ModelResult run_on_ellipse(const contact::Model& model, const Scene& scene,
@@ -201,7 +201,7 @@ ModelResult run_on_ellipse(const contact::Model& model, const Scene& scene,
   return_to_patch_frame(scene, ellipse, result);
   if (const double spin = largest_spin(scene); no_spin && spin != 0.0)
     result.notes.push_back(
-        fmt::format("spin of up to {:.4g} rad/mm is left out: this theory has none", spin));
+        fmt::format("spin of up to {:.4g} rad/mm is neglected by this theory", spin));
   return result;
 }
 
@@ -220,13 +220,12 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
   if (differs(2.0 * hertz.semi_axis_x, patch.length()) ||
       differs(2.0 * hertz.semi_axis_y, patch.width()) ||
       differs(hertz.max_pressure, patch.max_pressure))
-    result.notes.push_back(fmt::format(
-        "the profiles make no ellipse: Hertz takes the curvatures at the contact point (A = "
-        "{:.4g}, "
-        "B = {:.4g} /mm) and finds {:.4g} by {:.4g} mm with p0 = {:.4g} MPa; the half-space finds "
-        "{:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
-        curvatures.A, curvatures.B, 2.0 * hertz.semi_axis_x, 2.0 * hertz.semi_axis_y,
-        hertz.max_pressure, patch.length(), patch.width(), patch.max_pressure));
+    result.notes.push_back(
+        fmt::format("the profiles do not form an ellipse: Hertz uses the curvatures at the contact "
+                    "point (A = {:.4g}, B = {:.4g} /mm) and finds {:.4g} by {:.4g} mm with p0 = "
+                    "{:.4g} MPa; the half-space finds {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
+                    curvatures.A, curvatures.B, 2.0 * hertz.semi_axis_x, 2.0 * hertz.semi_axis_y,
+                    hertz.max_pressure, patch.length(), patch.width(), patch.max_pressure));
   return result;
 }
 
@@ -241,14 +240,14 @@ void check_lift(const Scene& scene, const ModelResult& result) {
   const double bound = scene.friction_coefficient() * point.normal_force;
   const double beyond = std::abs(point.lateral_force) - bound;
   if (beyond * std::abs(wanted.direction[0]) <= most_beyond_bound * *wanted.force) return;
-  throw contact::SolveError(fmt::format(
-      "friction, which has no bound in this theory, is {:.4g} N across the rail where mu F_n is "
-      "{:.4g} N, and lifts a wheel on a plane tilted by {:.3g} rad: it would carry {:.3g} of the "
-      "load of {:g} N; do: run with a model that bounds friction (fastsim, strip, halfspace), or "
-      "give load.normal_force",
-      std::abs(point.lateral_force), bound,
-      std::atan2(std::abs(wanted.direction[0]), wanted.direction[1]),
-      wanted.direction[0] * point.lateral_force / *wanted.force, *wanted.force));
+  throw contact::SolveError(
+      fmt::format("friction, which this theory does not bound, is {:.4g} N across the rail where "
+                  "mu F_n is {:.4g} N, and lifts a wheel on a plane tilted by {:.3g} rad: it would "
+                  "carry {:.3g} of the load of {:g} N; do: run with a model that bounds friction "
+                  "(fastsim, strip, halfspace), or give load.normal_force",
+                  std::abs(point.lateral_force), bound,
+                  std::atan2(std::abs(wanted.direction[0]), wanted.direction[1]),
+                  wanted.direction[0] * point.lateral_force / *wanted.force, *wanted.force));
 }
 
 /// A model at the one load point of a scene whose load has another direction than z: the force
@@ -278,8 +277,8 @@ ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
   }
   check_lift(scene, result);
   throw contact::SolveError(fmt::format(
-      "pressure and friction do not settle to carry {:g} N together in {} steps: friction on the "
-      "tilted patch takes up nearly all of the load or more (the limit of Nadal)",
+      "pressure and friction do not converge to carry {:g} N together in {} iterations: friction "
+      "on the tilted patch carries nearly all of the load or more (Nadal's limit)",
       *wanted.force, most_steps));
 }
 

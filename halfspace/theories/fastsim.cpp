@@ -96,8 +96,8 @@ contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Pro
       run_theory(scene, patch.grid, patch.normal, "fastsim", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
-      "FASTSIM: error estimates are those of the resolution; the theory is 10 to 15 % off in "
-      "force");
+      "FASTSIM: error estimates cover the resolution only; model_error says what the theory "
+      "neglects");
   return result;
 }
 

@@ -71,7 +71,7 @@ contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progr
   point.seconds = result.seconds["total"];
   result.points.push_back(std::move(point));
   result.notes = {
-      "Hertz knows no friction: one load point, creepage 0, without tangential tractions",
+      "Hertz has no friction: one load point at creepage 0, without tangential tractions",
       "patch, pressure, approach and area are exact; the fields are sampled at element centres"};
   contact::ProgressEvent event;
   event.model = "hertz";

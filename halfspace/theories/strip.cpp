@@ -139,8 +139,7 @@ StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw
   if (!(available > 0.0) || value(solve(available)) < target)
     throw contact::SolveError(
         fmt::format("strip model: at a {} of {:g} the patch reaches the end of the profiles; give "
-                    "profiles that "
-                    "are wider than the contact",
+                    "profiles wider than the contact",
                     quantity, target));
   // To the last digit: the force jumps where two patches become one.
   const StripNormalSolution solution =
@@ -149,9 +148,8 @@ StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw
   const double error = std::abs(value(solution) / target - 1.0);
   if (error > 1e-6)
     throw contact::SolveError(
-        fmt::format("strip model: no penetration gives a {} of {:g}: two patches merge there "
-                    "(nearest {:.2g} of "
-                    "itself off); use the model halfspace",
+        fmt::format("strip model: no penetration gives a {} of {:g}, because two patches merge "
+                    "there (closest: a relative error of {:.2g}); use the model halfspace",
                     quantity, target, error));
   return solution;
 }

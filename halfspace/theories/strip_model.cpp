@@ -227,13 +227,12 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
   contact::ModelResult result = run_theory(scene, grid, normal, "strip", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
-      "strip model: error estimates are those of the resolution, not of the theory; no gap outside "
-      "of the contact");
+      "strip model: error estimates cover the resolution only; no gap outside the contact");
   if (options.virtual_penetration)
-    result.notes.push_back(fmt::format(
-        "virtual penetration of {:g} of the approach: an ellipse comes out as Hertz's only where "
-        "that is its own share",
-        *options.virtual_penetration));
+    result.notes.push_back(
+        fmt::format("virtual penetration of {:g} of the approach: an ellipse is Hertz's only if "
+                    "that is its own share",
+                    *options.virtual_penetration));
   return result;
 }
 

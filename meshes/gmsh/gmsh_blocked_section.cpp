@@ -120,10 +120,10 @@ std::vector<SectionPoint> profile_part(const TrueSection& outline, const BlockMe
                 outline.profile.end());
   }
   if (part.size() < 2)
-    throw contact::InputError(fmt::format(
-        "the finely meshed region reaches from y = {:.4g} to {:.4g} mm, beyond the profile: take a "
-        "smaller [fem] fine_extent or cell_size",
-        block.lower(), block.upper()));
+    throw contact::InputError(
+        fmt::format("the finely meshed region reaches from y = {:.4g} to {:.4g} mm, beyond the "
+                    "profile: use a smaller [fem] fine_extent or cell_size",
+                    block.lower(), block.upper()));
   return part;
 }
 

@@ -53,7 +53,7 @@ PlaneMesh collect_plane(const std::vector<int>& lines) {
   constexpr int quadrilateral = 3;
   if (types != std::vector<int>{quadrilateral})
     throw contact::InputError(
-        "gmsh left cells in the cross-section that are no quadrilaterals: use [fem] mesh = "
+        "gmsh left cells in the cross-section that are not quadrilaterals: use [fem] mesh = "
         "\"structured\"");
   std::vector<std::size_t> tags;
   std::vector<double> places, unused;

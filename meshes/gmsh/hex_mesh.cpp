@@ -42,7 +42,7 @@ double distance(const Point& a, const Point& b) {
 /// Shortest edge of the mesh.
 double check_cells(const HexMesh& mesh, const std::string& name) {
   if (mesh.cells.empty())
-    fail(name, "there is no hexahedron in it",
+    fail(name, "it contains no hexahedra",
          "mesh the volume with hexahedra (transfinite, or an extruded recombined section)");
   double shortest = HUGE_VAL;
   long inverted = 0;
@@ -57,9 +57,9 @@ double check_cells(const HexMesh& mesh, const std::string& name) {
   }
   if (inverted > 0)
     fail(name,
-         fmt::format("{} of {} hexahedra are inside out or flat at a corner, the first at {}",
+         fmt::format("{} of {} hexahedra are inverted or flat at a corner, the first at {}",
                      inverted, mesh.cells.size(), place(where)),
-         "smooth the mesh there, or turn the orientation of the cells");
+         "smooth the mesh there, or reverse the orientation of the cells");
   return shortest;
 }
 
@@ -104,11 +104,10 @@ void check_connected(const HexMesh& mesh, const std::string& name) {
   const auto smallest = std::min_element(
       sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   fail(name,
-       fmt::format("it falls into {} parts that share no face, the smallest of {} cells at {}",
+       fmt::format("it consists of {} parts that share no face, the smallest of {} cells at {}",
                    sizes.size(), smallest->second,
                    place(mesh.points[mesh.cells[smallest->first][0]])),
-       "join them (in gmsh `Coherence Mesh` makes one of nodes at one place), or remove what "
-       "dangles");
+       "join them (in gmsh `Coherence Mesh` merges coincident nodes), or remove the loose parts");
 }
 
 /// Nodes of outside faces, by x, to look for others near by.
@@ -170,8 +169,8 @@ void check_conforming(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
         const int found = nodes.on_line(own[k], own[(k + 1) % 4], same_place * shortest);
         if (found < 0) continue;
         fail(name,
-             fmt::format("cells do not fit together at {}: a node lies on the edge of a cell that "
-                         "does not know it",
+             fmt::format("cells do not match at {}: a node lies on the edge of a cell that does "
+                         "not contain it",
                          place(mesh.points[found])),
              "join the parts with matching nodes (in gmsh `Coherence Mesh`); refinement is done "
              "by the program");
@@ -191,16 +190,16 @@ void check_sides(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
          fmt::format("the group `{}` has a face at {} that is {}",
                      side_names[static_cast<std::size_t>(quad.side)],
                      place(mesh.points[quad.corners[0]]),
-                     found == faces.end() ? "no face of a hexahedron" : "inside the body"),
+                     found == faces.end() ? "not a face of a hexahedron" : "inside the body"),
          "put only faces on the outside of the body into the group");
   }
   for (const Side side : {Side::contact, Side::fixed})
     if (count[static_cast<std::size_t>(side)] == 0)
       fail(name,
-           fmt::format("there is no surface group `{}` with quadrilaterals in it",
+           fmt::format("there is no surface group `{}` with quadrilaterals",
                        side_names[static_cast<std::size_t>(side)]),
-           "name the physical surfaces `contact` (the running surface) and `fixed` (what is held), "
-           "and if half of the body is meshed `symmetry`");
+           "name the physical surfaces `contact` (the running surface) and `fixed` (the clamped "
+           "faces), and `symmetry` if half of the body is meshed");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ MshBytes::MshBytes(const std::string& path, std::string name) : name_(std::move(
   std::ifstream file(path, std::ios::binary);
   bytes_.resize(static_cast<std::size_t>(fs::file_size(path, error)));
   if (error || !file.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size())))
-    fail_whole("cannot be read", "check who may read it");
+    fail_whole("cannot be read", "check the permissions of the file");
 }
 
 void MshBytes::fail_whole(const std::string& wrong, const std::string& action) const {
@@ -74,7 +74,7 @@ bool MshBytes::pass(std::string_view text) {
 }
 
 std::string_view MshBytes::token(const char* what) {
-  if (at_end()) fail(fmt::format("the file ends where {} should be", what), save_msh_again);
+  if (at_end()) fail(fmt::format("the file ends before {}", what), save_msh_again);
   while (next_ < bytes_.size() && !is_blank(bytes_[next_])) ++next_;
   return std::string_view(bytes_).substr(place_, next_ - place_);
 }
@@ -84,7 +84,7 @@ Number MshBytes::raw(const char* what) {
   place_ = next_;
   Number number{};
   if (bytes_.size() - next_ < sizeof number)
-    fail(fmt::format("the file ends where {} should be", what), save_msh_again);
+    fail(fmt::format("the file ends before {}", what), save_msh_again);
   std::memcpy(&number, bytes_.data() + next_, sizeof number);
   next_ += sizeof number;
   return number;
@@ -131,7 +131,7 @@ std::size_t MshBytes::count(const char* what, std::size_t text_bytes, std::size_
   // The last number of a text may end with the file instead of a blank.
   const std::size_t most = (bytes_.size() - next_ + 1) / each;
   if (static_cast<std::uint64_t>(number) > most)
-    fail(fmt::format("{} is {}, but the rest of the file has room for {} at most", what, number,
+    fail(fmt::format("{} is {}, but the rest of the file has room for at most {}", what, number,
                      most),
          save_msh_again);
   return static_cast<std::size_t>(number);

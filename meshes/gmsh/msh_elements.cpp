@@ -35,12 +35,12 @@ const std::map<std::int64_t, MshKind> kinds{
 const MshKind& MshElements::kind(std::int64_t type) const {
   const auto found = kinds.find(type);
   if (found == kinds.end())
-    bytes_.fail(fmt::format("elements of gmsh's type {} are not known; allowed: 1 (lines), 3 "
+    bytes_.fail(fmt::format("gmsh's element type {} is not supported; allowed: 1 (lines), 3 "
                             "(quadrilaterals), 5 (hexahedra), 15 (points)",
                             type),
                 "mesh with hexahedra of order 1");
   if (found->second.dimension == 3 && found->second.nodes != hexahedron_corners)
-    bytes_.fail(fmt::format("there are cells of the kind {}; allowed: hexahedra with 8 corners",
+    bytes_.fail(fmt::format("there are cells of type {}; allowed: hexahedra with 8 corners",
                             found->second.name),
                 "mesh with hexahedra of order 1 (transfinite, or an extruded recombined section)");
   return found->second;
@@ -49,12 +49,12 @@ const MshKind& MshElements::kind(std::int64_t type) const {
 void MshElements::add_node(std::int64_t number, const std::array<double, 3>& coordinates) {
   for (const double c : coordinates)
     if (!(std::abs(c) <= farthest))
-      bytes_.fail(fmt::format("node {} is at ({}, {}, {}) mm; allowed: numbers up to {:g} in size",
+      bytes_.fail(fmt::format("node {} is at ({}, {}, {}) mm; allowed: magnitudes up to {:g}",
                               number, coordinates[0], coordinates[1], coordinates[2], farthest),
                   "save the mesh again, in mm");
   if (!index_.try_emplace(number, static_cast<int>(points_.size())).second)
-    bytes_.fail(fmt::format("there are two nodes of the number {}", number),
-                "number the nodes anew (in gmsh Renumber Mesh Nodes)");
+    bytes_.fail(fmt::format("there are two nodes with the number {}", number),
+                "renumber the nodes (in gmsh Renumber Mesh Nodes)");
   points_.push_back(coordinates);
 }
 
@@ -69,10 +69,10 @@ void MshElements::begin_element(std::int64_t number, const MshKind& kind, int gr
 void MshElements::add_corner(std::int64_t node) {
   const auto found = index_.find(node);
   if (found == index_.end())
-    bytes_.fail(fmt::format("element {} has a node {}, and there is no node of that number; "
-                            "allowed: those of $Nodes",
-                            number_, node),
-                save_msh_again);
+    bytes_.fail(
+        fmt::format("element {} refers to node {}, which does not exist; allowed: those of $Nodes",
+                    number_, node),
+        save_msh_again);
   if (corners_ < corner_.size()) corner_[corners_] = found->second;
   ++corners_;
 }
@@ -108,18 +108,18 @@ HexMesh MshElements::mesh(const std::function<std::vector<Side>(int group)>& sid
       for (const Face& face : faces) {
         const char* const name = side_names[static_cast<std::size_t>(side)];
         if (face.count != quadrilateral_corners)
-          bytes_.fail_at(face.place,
-                         fmt::format("the group `{}` has faces that are no quadrilaterals with 4 "
-                                     "corners",
-                                     name),
-                         "recombine the surface mesh");
+          bytes_.fail_at(
+              face.place,
+              fmt::format("the group `{}` has faces that are not quadrilaterals with 4 corners",
+                          name),
+              "recombine the surface mesh");
         SideQuad quad{face.corners, side};
         for (int& corner : quad.corners) {
           corner = number[static_cast<std::size_t>(corner)];
           if (corner < 0)
             bytes_.fail_at(
                 face.place,
-                fmt::format("the group `{}` has a face that is no face of a hexahedron", name),
+                fmt::format("the group `{}` has a face that is not a face of a hexahedron", name),
                 "save the volume cells too: put the volume into a physical group (gmsh "
                 "then saves it), or set Mesh.SaveAll = 1");
         }

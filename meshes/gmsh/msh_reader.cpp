@@ -44,7 +44,7 @@ class MshReader {
 void MshReader::read_format() {
   const auto fields = contact::fields_of(bytes_.line(), " \t");
   if (fields.size() != 3)
-    bytes_.fail("is no gmsh mesh: the format should be three numbers, such as 4.1 0 8",
+    bytes_.fail("is not a gmsh mesh: the format should be three numbers, such as 4.1 0 8",
                 "export it from gmsh as .msh");
   if (fields[0] != "2.2" && fields[0] != "4.1")
     bytes_.fail_whole(fmt::format("is in the gmsh format {}; allowed: 4.1 and 2.2",
@@ -59,18 +59,16 @@ void MshReader::read_format() {
   bytes_.set_format({fields[0] == "2.2", fields[1] == "1", fields[2] == "4" ? 4U : 8U});
   if (!bytes_.format().binary) return;
   if (const std::int64_t one = bytes_.whole("the number 1", INT_MIN, INT_MAX); one == 1 << 24)
-    bytes_.fail("the numbers are in the byte order of another machine",
+    bytes_.fail("the numbers are in another byte order",
                 "save it as text (gmsh -format msh41 without -bin)");
   else if (one != 1)
-    bytes_.fail(fmt::format("the number that tells the byte order is {}; allowed: 1", one),
-                save_msh_again);
+    bytes_.fail(fmt::format("the byte-order mark is {}; allowed: 1", one), save_msh_again);
 }
 
 /// Text also in a binary file: how many, then lines `dimension number "name"`.
 void MshReader::read_names() {
   const auto count = contact::whole_number_of(bytes_.line());
-  if (!count || *count < 0)
-    bytes_.fail("there should be the number of physical names", save_msh_again);
+  if (!count || *count < 0) bytes_.fail("the number of physical names is missing", save_msh_again);
   for (int k = 0; k < *count; ++k) {
     if (bytes_.at_end()) bytes_.fail("the file ends inside $PhysicalNames", save_msh_again);
     const std::string_view line = bytes_.line();
@@ -82,9 +80,10 @@ void MshReader::read_names() {
     const int dimension = number(0), group = number(1);
     if (begin == line.npos || line.size() < begin + 2 || line.back() != '"' || fields.size() != 2 ||
         dimension < 0 || group < 0)
-      bytes_.fail(fmt::format("`{}` is no physical name; allowed: dimension, number and \"name\"",
-                              contact::printable(line)),
-                  save_msh_again);
+      bytes_.fail(
+          fmt::format("`{}` is not a physical name; allowed: dimension, number and \"name\"",
+                      contact::printable(line)),
+          save_msh_again);
     const std::string_view name = line.substr(begin + 1, line.size() - begin - 2);
     for (std::size_t side = 0; side < side_names.size(); ++side)
       if (dimension == 2 && name == side_names[side])
@@ -166,9 +165,9 @@ void MshReader::read_elements() {
     const auto entity = static_cast<int>(bytes_.whole("the number of an entity", INT_MIN, INT_MAX));
     const MshKind& kind = elements_.kind(bytes_.whole("the type of elements", 1, INT_MAX));
     if (kind.dimension != dimension)
-      bytes_.fail(fmt::format("elements of the kind {} are in an entity of dimension {}", kind.name,
-                              dimension),
-                  save_msh_again);
+      bytes_.fail(
+          fmt::format("elements of type {} are in an entity of dimension {}", kind.name, dimension),
+          save_msh_again);
     const auto each = static_cast<std::size_t>(kind.nodes + 1);
     const std::size_t count = bytes_.count("the number of elements of a block", 2 * each, 4 * each);
     for (std::size_t k = 0; k < count; ++k) {
@@ -243,10 +242,10 @@ HexMesh MshReader::read() {
   while (!bytes_.at_end()) {
     const std::string line(bytes_.line());
     if (seen.empty() && line != "$MeshFormat")
-      bytes_.fail_whole("is no gmsh mesh: it does not begin with $MeshFormat",
+      bytes_.fail_whole("is not a gmsh mesh: it does not begin with $MeshFormat",
                         "export it from gmsh as .msh");
     if (line.empty() || line.front() != '$')
-      bytes_.fail(fmt::format("`{}` does not begin a section; allowed: $Nodes, $Elements, ...",
+      bytes_.fail(fmt::format("`{}` does not start a section; allowed: $Nodes, $Elements, ...",
                               contact::printable(line)),
                   save_msh_again);
     const std::string section = line.substr(1), end = "$End" + section;
@@ -263,11 +262,11 @@ HexMesh MshReader::read() {
     reader->second();
     if (bytes_.at_end()) bytes_.fail(fmt::format("the file ends before {}", end), save_msh_again);
     if (const std::string_view found = bytes_.line(); found != end)
-      bytes_.fail(fmt::format("there should be {}, not `{}`", end, contact::printable(found)),
+      bytes_.fail(fmt::format("expected {}, got `{}`", end, contact::printable(found)),
                   save_msh_again);
   }
   if (seen.empty())
-    bytes_.fail_whole("is no gmsh mesh: it is empty", "export it from gmsh as .msh");
+    bytes_.fail_whole("is not a gmsh mesh: it is empty", "export it from gmsh as .msh");
   for (const char* section : {"Nodes", "Elements"})
     if (seen.count(section) == 0)
       bytes_.fail(fmt::format("there is no section ${} in the file", section), save_msh_again);

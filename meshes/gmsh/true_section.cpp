@@ -152,9 +152,8 @@ TrueSection wheel_section(const contact::PatchGeometry& geometry, double rim_thi
   const double inner = geometry.local_rolling_radius(0.0) - rim_thickness;
   if (!(inner > 0.0 && inner < smallest - 5.0))
     throw contact::InputError(
-        fmt::format("fem.rim_thickness = {} mm leaves no rim: the wheel has a radius of {:.4g} mm "
-                    "at the contact "
-                    "and {:.4g} mm at its smallest; do: take a thickness between these",
+        fmt::format("fem.rim_thickness = {} mm leaves no rim: the wheel's radius is {:.4g} mm at "
+                    "the contact and {:.4g} mm at its smallest; do: give a thickness between these",
                     rim_thickness, geometry.local_rolling_radius(0.0), smallest));
   outline.around = {outline.profile.back(), place(wheel.last(), inner), place(wheel.first(), inner),
                     outline.profile.front()};

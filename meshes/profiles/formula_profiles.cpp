@@ -61,11 +61,11 @@ void check_arcs(const ProfileSource& source, const std::string& name) {
         "{}: profile by arcs with {} radii and {} ends; allowed: {}; do: complete the lists", name,
         source.radii.size(), source.ends.size(),
         source.symmetric ? "as many ends as radii, from the middle outwards"
-                         : "one end more than radii, from small to large y"));
+                         : "one more end than radii, from small to large y"));
   const bool around = source.symmetric ? source.ends.front() > 0.0
                                        : source.ends.front() < 0.0 && source.ends.back() > 0.0;
   if (!rising(source.ends) || !around)
-    throw InputError(fmt::format("{}: the ends of the arcs must rise{}; do: order them", name,
+    throw InputError(fmt::format("{}: the ends of the arcs must increase{}; do: order them", name,
                                  source.symmetric ? " from above 0" : " from below 0 to above 0"));
   if (source.symmetric && source.slope != 0.0)
     throw InputError(fmt::format(
@@ -76,8 +76,8 @@ void check_arcs(const ProfileSource& source, const std::string& name) {
 Station checked(const Station& station, double radius, const std::string& name) {
   if (std::abs(station.sine) <= 1.0 + 1e-9) return station;
   throw InputError(fmt::format(
-      "{}: the arc of radius {} ends at y = {}, beyond its vertical tangent; allowed: ends that "
-      "the arcs before it let it reach; do: move the end towards the middle",
+      "{}: the arc of radius {} ends at y = {}, beyond its vertical tangent; allowed: ends that it "
+      "can reach from the arcs before it; do: move the end towards the middle",
       name, radius, station.y));
 }
 
@@ -152,14 +152,14 @@ ProfileCurve arc_profile_curve(const ProfileSource& source, bool wheel, const st
 ProfileCurve polynomial_profile_curve(const ProfileSource& source, const std::string& name) {
   const std::size_t pieces = source.limits.empty() ? 0 : source.limits.size() - 1;
   if (pieces == 0 || source.coefficients.empty() || source.coefficients.size() % pieces != 0)
-    throw InputError(fmt::format(
-        "{}: profile by polynomials with {} coefficients and {} limits; allowed: one limit more "
-        "than pieces, and equally many coefficients for each piece (0 for those it has not); do: "
-        "complete the lists",
-        name, source.coefficients.size(), source.limits.size()));
+    throw InputError(
+        fmt::format("{}: profile by polynomials with {} coefficients and {} limits; allowed: one "
+                    "more limit than pieces, and the same number of coefficients for each piece (0 "
+                    "where there is none); do: complete the lists",
+                    name, source.coefficients.size(), source.limits.size()));
   if (!rising(source.limits))
     throw InputError(
-        fmt::format("{}: the limits of the polynomials must rise; do: order them", name));
+        fmt::format("{}: the limits of the polynomials must increase; do: order them", name));
   const std::size_t count = source.coefficients.size() / pieces;
   ProfileKnots knots;
   for (std::size_t k = 0; k < pieces; ++k) {

@@ -43,10 +43,10 @@ void sort(ProfilePoints& points) {
 
 void check_count(const ProfilePoints& points) {
   if (points.y.size() >= fewest_points) return;
-  throw InputError(fmt::format(
-      "{}: has {} points; allowed: {} at least, some hundred for a curvature worth the name; do: "
-      "give more",
-      points.file, points.y.size(), fewest_points));
+  throw InputError(
+      fmt::format("{}: has {} points; allowed: at least {}, better some hundred for a meaningful "
+                  "curvature; do: give more",
+                  points.file, points.y.size(), fewest_points));
 }
 
 double extent(const std::vector<double>& values) {
@@ -97,13 +97,13 @@ void check_side(const ProfilePoints& points, bool wheel) {
   const double above = level - *lowest;
   constexpr double clear = 2.0;  // mm, less may be a measured tread without flange
   if (above > clear && above > 1.5 * below)
-    throw InputError(fmt::format(
-        "{}: z seems to point upward: {}; allowed: z down, of the wheel outward from the axle; do: "
-        "put `flip = true` under {}",
-        points.file,
-        wheel ? fmt::format("the flange is {:.4g} mm towards -z", above)
-              : fmt::format("the sides of the head are {:.4g} mm towards -z", above),
-        section_of_profile(wheel)));
+    throw InputError(
+        fmt::format("{}: z seems to point upward: {}; allowed: z down, on the wheel outward from "
+                    "the axle; do: put `flip = true` under {}",
+                    points.file,
+                    wheel ? fmt::format("the flange is {:.4g} mm towards -z", above)
+                          : fmt::format("the sides of the head are {:.4g} mm towards -z", above),
+                    section_of_profile(wheel)));
   constexpr double flange = 8.0;  // mm
   if (!wheel || below < flange) return;
   const auto tip = static_cast<std::size_t>(highest - points.z.begin());
@@ -142,8 +142,8 @@ void treat_duplicates(ProfilePoints& points, bool drop, bool wheel) {
     }
     if (!drop)
       throw InputError(fmt::format(
-          "{}:{}: the point y = {:.6g}, z = {:.6g} mm is that of line {} again; allowed: points "
-          "more than {} mm apart; do: remove it, or put `drop_duplicates = true` under {}",
+          "{}:{}: the point y = {:.6g}, z = {:.6g} mm repeats line {}; allowed: points more than "
+          "{} mm apart; do: remove it, or put `drop_duplicates = true` under {}",
           points.file, points.line[k], points.y[k], points.z[k], points.line[last], same_point,
           section_of_profile(wheel)));
     kept[k] = 0;
@@ -169,13 +169,12 @@ void check_order(const ProfilePoints& points, bool wheel) {
   const std::string where = fmt::format("{}:{}: ", points.file, points.line[first]);
   if (back > std::max<std::size_t>(8, points.y.size() / 10))
     throw InputError(fmt::format(
-        "{}the points are in no order: the curve goes back {} times; allowed: points one after the "
-        "other along the profile; do: put `sort = true` under {} if z is a function of y",
+        "{}the points are unordered: the curve turns back {} times; allowed: points in order along "
+        "the profile; do: put `sort = true` under {} if z is a function of y",
         where, back, section_of_profile(wheel)));
   throw InputError(fmt::format(
-      "{}zig-zag: the curve goes back at y = {:.6g}, z = {:.6g} mm ({} such places); allowed: "
-      "points one after the other along the profile; do: correct them, or put `drop_zigzag = true` "
-      "under {}",
+      "{}zig-zag: the curve turns back at y = {:.6g}, z = {:.6g} mm ({} such places); allowed: "
+      "points in order along the profile; do: correct them, or put `drop_zigzag = true` under {}",
       where, points.y[first], points.z[first], back, section_of_profile(wheel)));
 }
 
@@ -221,10 +220,10 @@ void thin(ProfilePoints& points, double length) {
 void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) {
   constexpr std::size_t most = 20000;
   if (smoothing == 0.0 || points.y.size() <= most) return;
-  throw InputError(fmt::format(
-      "{}: smoothing of {} points; allowed: {}; do: put `thinning = 0.1` (mm, means of the points "
-      "in such stretches) under {}",
-      points.file, points.y.size(), most, section_of_profile(wheel)));
+  throw InputError(
+      fmt::format("{}: smoothing of {} points; allowed: {}; do: put `thinning = 0.1` (mm, replaces "
+                  "the points in each such length by their mean) under {}",
+                  points.file, points.y.size(), most, section_of_profile(wheel)));
 }
 
 void check_gaps(const ProfilePoints& points, double longest, bool wheel) {

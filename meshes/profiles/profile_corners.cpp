@@ -142,13 +142,13 @@ std::optional<double> least_smoothing(const ProfilePoints& points, const std::ve
       is_step ? fmt::format("step of {:.2g} mm", chord * std::abs(std::sin(turn_at(k))))
               : fmt::format("kink of {:.3g} degrees", std::abs(whole) / degree);
   const std::string allowed =
-      is_step ? "points of one smooth curve"
+      is_step ? "points on one smooth curve"
               : fmt::format("{:.4g} degrees between two chords", source.largest_kink);
   std::string ways;
   if (const auto scatter = least_smoothing(points, found, source))
     ways = fmt::format("`smoothing = {:g}` (mm, the scatter that would explain it)", *scatter);
   if (const auto rounding = least_rounding(points, found, source))
-    ways += fmt::format("{}`rounding = {:g}` (mm to both sides that are bridged)",
+    ways += fmt::format("{}`rounding = {:g}` (mm, bridged on both sides)",
                         ways.empty() ? "" : " or ", *rounding);
   if (!is_step && std::abs(whole) < 100.0 * degree)
     ways += fmt::format("{}`largest_kink = {:g}`", ways.empty() ? "" : " or ",

@@ -236,7 +236,7 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
       *member = *given;
     } else if (place != Place::outside) {
       throw InputError(fmt::format(
-          "{}:{}: `{}` is no key with a value; allowed: lines KEY = VALUE, and numbers between "
+          "{}:{}: `{}` is not a key with a value; allowed: lines KEY = VALUE, and numbers between "
           "point.begin and point.end; do: correct the line, or put ! before it if it is a comment",
           name, lines.number(), contact::printable(line)));
     }
@@ -248,8 +248,8 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
         name));
   if (data.type >= 0.0 && (data.type == 1.0) != wheel)
     throw InputError(fmt::format(
-        "{}: is the profile of a {} (header, type = {}), but is named as that of the {}; allowed: "
-        "type = {}; do: name the other file",
+        "{}: is the profile of a {} (header, type = {}), but the case names it for the {}; "
+        "allowed: type = {}; do: name the other file",
         name, wheel ? "rail" : "wheel", data.type, wheel ? "wheel" : "rail", wheel ? 1 : 0));
   ProfilePoints points = processed(listed, data);
   points.any_direction = true;
@@ -298,12 +298,11 @@ void check_is_table(std::string_view text, const std::string& name) {
   for (TextLines lines(text); lines.next();)
     if (!before_comment(lines.line()).empty()) last = lines.number();
   if (last == 0 || contact::looks_like_table(text, comment_marks)) return;
-  throw InputError(fmt::format(
-      "{}:{}: is no profile: most of its lines, up to this last one, begin with no number; "
-      "allowed: "
-      "lines of two numbers, y and z, SIMPACK (.prw, .prr) or MiniProf (.whl, .ban, .mpt); do: "
-      "check the path",
-      name, last));
+  throw InputError(
+      fmt::format("{}:{}: is not a profile: most of its lines, up to this one, do not begin with a "
+                  "number; allowed: lines of two numbers, y and z, SIMPACK (.prw, .prr) or "
+                  "MiniProf (.whl, .ban, .mpt); do: check the path",
+                  name, last));
 }
 
 ProfilePoints points_in(std::string_view text, const std::string& name, bool wheel,
@@ -332,9 +331,7 @@ ProfilePoints parse_profile_points(std::string_view text, const std::string& nam
   points.file = name;
   if (points.y.empty())
     throw InputError(
-        fmt::format("{}: is empty: there are no points in it; do: give lines of two numbers, y and "
-                    "z, in mm",
-                    name));
+        fmt::format("{}: is empty; do: give lines of two numbers, y and z, in mm", name));
   const double factor = unit == contact::LengthUnit::m      ? 1000.0
                         : unit == contact::LengthUnit::inch ? 25.4
                                                             : 1.0;

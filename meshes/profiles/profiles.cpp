@@ -30,11 +30,11 @@ std::string built_in_names(bool wheel) {
 
 ProfileCurve built_in(const BuiltInProfile& profile, bool wheel, const std::string& case_file) {
   if (profile.wheel != wheel)
-    throw InputError(fmt::format(
-        "{}: profile = \"{}\" is that of a {}, not of a {}; allowed: {}, arcs, polynomial or a "
-        "file; do: name another one",
-        case_file, profile.name, wheel ? "rail" : "wheel", wheel ? "wheel" : "rail",
-        built_in_names(wheel)));
+    throw InputError(
+        fmt::format("{}: profile = \"{}\" belongs to a {}, not to a {}; allowed: {}, arcs, "
+                    "polynomial or a file; do: name another one",
+                    case_file, profile.name, wheel ? "rail" : "wheel", wheel ? "wheel" : "rail",
+                    built_in_names(wheel)));
   return profile.make();
 }
 
@@ -46,10 +46,10 @@ ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool whe
   try {
     return smoothing_spline(points.y, points.z, source.smoothing, &*report.smoothing);
   } catch (const std::invalid_argument&) {
-    throw InputError(fmt::format(
-        "{}: smoothing = {} mm is more than the profile as a whole is curved; allowed: about the "
-        "scatter of the measured points, some 0.01 mm; do: give a smaller one",
-        source.name, source.smoothing));
+    throw InputError(
+        fmt::format("{}: smoothing = {} mm exceeds the height of the whole profile; allowed: about "
+                    "the scatter of the measured points, some 0.01 mm; do: give a smaller value",
+                    source.name, source.smoothing));
   }
 }
 
@@ -59,8 +59,8 @@ ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::strin
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     throw InputError(fmt::format(
-        "{}: profile = \"{}\" is no profile that is known, and no such file is there; allowed: {}, "
-        "arcs, polynomial or a file, its path relative to the case file; do: correct the name",
+        "{}: profile = \"{}\" is neither a known profile nor an existing file; allowed: {}, arcs, "
+        "polynomial or a file, its path relative to the case file; do: correct the name",
         case_file, source.name, built_in_names(wheel)));
   return through(read_profile_points(path.string(), source.name, wheel, source.unit), source, wheel,
                  report);
@@ -90,18 +90,14 @@ void check_flange(const contact::Case& input, const ProfileCurve& curve) {
   if (!tip || (*tip > back && *tip < back + thickest)) return;
   const ProfilePoint start = curve.at(curve.first());
   const std::array<double, 2>& shift = input.wheel.profile.shift;
-  throw InputError(
-      fmt::format("{}: wheel.profile = \"{}\": the tip of the flange is at y = {:.4g} mm, where "
-                  "the tread should "
-                  "be: {:.4g} mm from the back of the flange (wheelset.flange_back_position = {:g} "
-                  "mm); allowed: "
-                  "up to {} mm; do: put `shift = [{:g}, {:g}]` under [wheel_profile] if the "
-                  "profile is measured "
-                  "from the back of the flange (it begins at y = {:.4g} mm), or say where the back "
-                  "is in its own "
-                  "coordinates: flange_back_position under [wheelset]",
-                  input.file, input.wheel.profile.name, *tip, *tip - back, back, thickest,
-                  shift[0] + back, shift[1], start.y));
+  throw InputError(fmt::format(
+      "{}: wheel.profile = \"{}\": the tip of the flange is at y = {:.4g} mm, where the tread "
+      "should be, {:.4g} mm from the back of the flange (wheelset.flange_back_position = {:g} mm); "
+      "allowed: up to {} mm; do: put `shift = [{:g}, {:g}]` under [wheel_profile] if the profile "
+      "is measured from the back of the flange (it begins at y = {:.4g} mm), or give the back in "
+      "its own coordinates as flange_back_position under [wheelset]",
+      input.file, input.wheel.profile.name, *tip, *tip - back, back, thickest, shift[0] + back,
+      shift[1], start.y));
 }
 
 }  // namespace

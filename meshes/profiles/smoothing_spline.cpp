@@ -130,7 +130,7 @@ double lambda_for(const Smoother& smoother, const Values& y, const Values& z, do
     return rms_distance(smoother.fit(y, z, std::exp(log_lambda)), y, z) - tolerance;
   };
   if (excess(high) < 0.0)
-    throw std::invalid_argument("the smoothing tolerance is larger than the profile is curved");
+    throw std::invalid_argument("the smoothing tolerance exceeds the height of the profile");
   if (excess(low) >= 0.0) return std::exp(low);
   return std::exp(contact::bracketed_root(excess, low, high, 1e-6, "smoothing of the profile"));
 }

@@ -66,12 +66,12 @@ RailPlace rail_place(const ProfileCurve& rail, const contact::Track& track) {
     if (turned.at(at[k]).z < turned.at(at[crown]).z) crown = k;
   for (std::size_t k = 0; k <= crown; ++k) deepest = std::max(deepest, turned.at(at[k]).z);
   if (deepest < limit - 1e-9)
-    throw contact::InputError(fmt::format(
-        "rail.profile: ends {:.4g} mm below its top on the gauge side, but the gauge is measured "
-        "{:.4g} mm below; allowed: a profile that reaches at least so deep; do: take a longer "
-        "profile, a smaller track.gauge_height, or mirror the profile if its gauge face is at the "
-        "larger y",
-        deepest - top, track.gauge_height));
+    throw contact::InputError(
+        fmt::format("rail.profile: ends {:.4g} mm below its top on the gauge side, but the gauge "
+                    "is measured {:.4g} mm below; allowed: a profile that reaches at least that "
+                    "deep; do: use a longer profile, a smaller track.gauge_height, or mirror the "
+                    "profile if its gauge face is at the larger y",
+                    deepest - top, track.gauge_height));
   std::size_t first = crown;
   while (first > 0 && turned.at(at[first]).z <= limit) --first;
   // Between `first` and the next the face crosses the gauge height.

@@ -41,9 +41,9 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
   if (load.approach) return {{}, contact.approach};
   if (contact.place.patches > 1 && !load.vertical_force)
     throw contact::InputError(fmt::format(
-        "{}: load.normal_force: the {} wheel at position {} touches in {} patches, between which "
-        "one normal force cannot be shared; allowed: load.vertical_force, which their sum carries; "
-        "do: write `vertical_force = {:.6g}` under [load]",
+        "{}: load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
+        "normal force cannot be divided; allowed: load.vertical_force, carried by all of them "
+        "together; do: write `vertical_force = {:.6g}` under [load]",
         input.file.empty() ? "case" : input.file, contact.place.left ? "left" : "right",
         contact.place.position, contact.place.patches, load.normal_force.value_or(0.0)));
   if (contact.place.patches > 1) return {contact.normal_force, {}};

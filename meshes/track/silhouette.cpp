@@ -117,7 +117,7 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
     if (all.empty() || point.place[1] > all.back().place[1] + 1e-6) all.push_back(point);
   if (all.size() < 2)
     throw contact::InputError(
-        "wheel.profile: no part of it about y = 0 can be seen along x; allowed: a tread at y = 0 "
+        "wheel.profile: no part of it near y = 0 is visible along x; allowed: a tread at y = 0 "
         "that faces away from the axle; do: check rotation, shift and mirror under "
         "[wheel_profile]");
   std::vector<double> y, z, slope, x, profile_y;

@@ -29,7 +29,7 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
   const GapEnd end = gap.end();
   if (end != GapEnd::none)
     fail_at_end(input, gap, end == GapEnd::inner, position, left,
-                "wheel and rail would touch first at");
+                "wheel and rail would first touch at");
   const std::vector<GapMinimum> minima = gap.minima();
   const auto first =
       std::min_element(minima.begin(), minima.end(),
@@ -44,10 +44,10 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
   constexpr double tip_height = 2.0;
   const double height = gap.wheel().at(first->y).radius - input.wheel.rolling_radius;
   if (has_flange && profile_y < 0.0 && height > knots.z[tip] - tip_height)
-    throw contact::SolveError(fmt::format(
-        "{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm), it has left the "
-        "rail; do: check gauge, flange_back_distance and lateral_shift",
-        where(input, position, left), profile_y));
+    throw contact::SolveError(
+        fmt::format("{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
+                    "left the rail; do: check gauge, flange_back_distance and lateral_shift",
+                    where(input, position, left), profile_y));
 }
 
 WheelsetPose asked_pose(const Case& input, int position) {
@@ -108,7 +108,7 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
       inner ? wheel.first() > gap.rail().first() : wheel.last() < gap.rail().last();
   throw contact::InputError(fmt::format(
       "{}: {} the {} end of the {} profile, {:.2f} mm from the middle of the track; allowed: "
-      "profiles that reach beyond the contact on both sides, as a height over y; do: take a longer "
+      "profiles that reach beyond the contact on both sides, as a height over y; do: use a longer "
       "{} profile, or check gauge, flange_back_distance and lateral_shift",
       where(input, position, left), what, inner ? "flange-side" : "field-side",
       wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),

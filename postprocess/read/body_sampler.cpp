@@ -184,12 +184,12 @@ double BodySampler::surface(double x, double y, double inner, double outer) cons
 BodySample BodySampler::at(const Place& place) const {
   const Hit hit = find(place);
   if (hit.distance > 2.0 * longest_edge(hit.cell))
-    throw contact::InputError(fmt::format(
-        "the place ({:g}, {:g}, {:g}) mm is {:.3g} mm outside of the {} that was computed, which "
-        "reaches from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm; do: ask for places "
-        "in it, or run the case with a larger [fem] extent",
-        place[0], place[1], place[2], hit.distance, body_.name, lower()[0], lower()[1], lower()[2],
-        upper()[0], upper()[1], upper()[2]));
+    throw contact::InputError(
+        fmt::format("the point ({:g}, {:g}, {:g}) mm is {:.3g} mm outside the computed {}, which "
+                    "reaches from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm; do: "
+                    "request points inside it, or run the case with a larger [fem] extent",
+                    place[0], place[1], place[2], hit.distance, body_.name, lower()[0], lower()[1],
+                    lower()[2], upper()[0], upper()[1], upper()[2]));
   BodySample sample;
   sample.place = hit.place;
   sample.moved = hit.distance;

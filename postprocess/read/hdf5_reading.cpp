@@ -205,7 +205,7 @@ Numbers read_dataset(hid_t parent, const std::string& name) {
   numbers.values.resize(count_of(numbers.shape));
   if (!numbers.values.empty() &&
       H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.values.data()) < 0)
-    fail("damaged or cut short: dataset", name);
+    fail("damaged or truncated: dataset", name);
   return numbers;
 }
 
@@ -236,7 +236,7 @@ std::vector<std::string> read_lines(hid_t parent, const std::string& name) {
   const Handle wanted = text_type();
   Texts texts(wanted, space, count);
   if (H5Dread(dataset, wanted, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()) < 0)
-    fail("damaged or cut short: dataset", name);
+    fail("damaged or truncated: dataset", name);
   return texts.lines();
 }
 

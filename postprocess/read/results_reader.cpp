@@ -56,9 +56,8 @@ std::string find_file(const std::string& path) {
 bool check_seal(const std::string& path) {
   const Seal seal = check_hdf5_seal(path);
   if (seal == Seal::broken)
-    throw InputError(
-        fmt::format("{} is cut short or damaged: it does not fit its checksum; {}, or take a copy",
-                    path, again));
+    throw InputError(fmt::format(
+        "{} is truncated or damaged: its checksum does not match; {}, or use a copy", path, again));
   return seal == Seal::intact;
 }
 
@@ -67,7 +66,7 @@ Handle open_checked(const std::string& path) {
     return open_file(path);
   } catch (const std::runtime_error&) {
     throw InputError(
-        fmt::format("{} is cut short or damaged: HDF5 cannot open it; {}", path, again));
+        fmt::format("{} is truncated or damaged: HDF5 cannot open it; {}", path, again));
   }
 }
 
@@ -79,10 +78,11 @@ void check_format(hid_t file, const std::string& path) {
   if (version != hdf5_format_version && version != 1.0)
     throw InputError(fmt::format(
         "{} has format version {}, this program reads 1 and {}; do: run the case again with this "
-        "version of rollfem, or read it with that which wrote it ({})",
+        "version of rollfem, or read it with the version that wrote it ({})",
         path, version, hdf5_format_version, read_text(open_group(file, "provenance"), "version")));
   if (!has_attribute(file, "complete") || read_number(file, "complete") != 1.0)
-    throw InputError(fmt::format("{} is incomplete: its writing was cut short; {}", path, again));
+    throw InputError(
+        fmt::format("{} is incomplete, because writing it was interrupted; {}", path, again));
 }
 
 /// Runs `read` and turns what HDF5 and the layout say into one message with the file's name.

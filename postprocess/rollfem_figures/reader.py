@@ -340,7 +340,7 @@ def _read_file(path, directory):
         if version not in (1, FORMAT_VERSION):
             raise ResultError(f"{path} has format version {version}, this program reads 1 and {FORMAT_VERSION}")
         if _plain(file.attrs.get("complete", 0)) != 1:
-            raise ResultError(f"{path} is incomplete: its writing was cut short; run the case again")
+            raise ResultError(f"{path} is incomplete, because writing it was interrupted; run the case again")
         groups = sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))
         case = _attributes(file["case"])
         by_number = bool(case.get("problem", "steady") in ("shift", "transient")
@@ -355,17 +355,17 @@ def _read_file(path, directory):
 
 
 def read_json(directory, name):
-    """compare.json or study.json. Raises ResultError when it does not fit its checksum."""
+    """compare.json or study.json. Raises ResultError when its checksum does not match."""
     path = os.path.join(directory, name)
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read()
     if not json_is_sound(text):
-        raise ResultError(f"{path} is cut short, damaged or was changed: it does not fit its checksum; "
+        raise ResultError(f"{path} is truncated, damaged or changed: its checksum does not match; "
                           "run the command again")
     try:
         return json.loads(text)
     except ValueError as error:
-        raise ResultError(f"{path} is cut short or damaged: {error}; run the command again") from error
+        raise ResultError(f"{path} is truncated or damaged: {error}; run the command again") from error
 
 
 def read_result(path):
@@ -381,12 +381,12 @@ def read_result(path):
     if not h5py.is_hdf5(file):
         raise ResultError(f"{file} is not a result of rollfem (no HDF5 file)")
     if not sound:
-        raise ResultError(f"{file} is cut short or damaged: it does not fit its checksum; "
+        raise ResultError(f"{file} is truncated or damaged: its checksum does not match; "
                           "run the case again, or take a copy")
     try:
         return _read_file(file, directory)
     except OSError as error:
-        raise ResultError(f"{file} is cut short or damaged: {error}; run the case again") from error
+        raise ResultError(f"{file} is truncated or damaged: {error}; run the case again") from error
     except KeyError as error:
         raise ResultError(f"{file} cannot be read as a result of rollfem: {error}; "
                           "run the case again") from error

@@ -8,7 +8,7 @@ _HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
 def results_are_sound(path):
-    """False when results.h5 does not fit its checksum."""
+    """False when the checksum of results.h5 does not match."""
     with open(path, "rb") as file:
         block = file.read(_SEAL)
         if block.startswith(_HDF5):
@@ -31,7 +31,7 @@ def seal_results(path):
 
 
 def json_is_sound(text):
-    """False when the text of a JSON file does not fit its checksum."""
+    """False when the checksum of a JSON file does not match."""
     text = text.encode("utf-8")
     at = text.rfind(b'"checksum": "crc32 ')
     return at < 0 or text[at + 19:] == b'%08x"\n}\n' % zlib.crc32(text[:at])

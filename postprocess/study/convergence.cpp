@@ -35,14 +35,14 @@ Three three_levels(double coarse, double middle, double fine, double ratio) {
   } else if (before * now <= 0.0) {
     result.reason = "the sequence is not monotone";
   } else if (std::abs(now) >= std::abs(before)) {
-    result.reason = "its changes do not fall";
+    result.reason = "its changes do not decrease";
   } else {
     const double order = std::log(before / now) / std::log(ratio);
     if (order < least_order)
-      result.reason = fmt::format("its changes fall too slowly (order {:.2f})", order);
+      result.reason = fmt::format("its changes decrease too slowly (order {:.2f})", order);
     else if (order > largest_order)
       result.reason =
-          fmt::format("its changes fall too fast for a method (order {:.1f}): chance", order);
+          fmt::format("its changes decrease too fast for the method (order {:.1f}): chance", order);
     else
       result.order = order;
   }
@@ -152,7 +152,7 @@ void extrapolate(const std::vector<double>& values, double ratio, const Three& l
 
 Limit limit_of(const std::vector<double>& values, double ratio, double noise) {
   const std::size_t n = values.size();
-  if (n < 2 || !(ratio > 1.0)) throw std::logic_error("a limit takes two levels and a ratio > 1");
+  if (n < 2 || !(ratio > 1.0)) throw std::logic_error("a limit needs two levels and a ratio > 1");
   const double floor = std::max(noise, noise_of_rounding(values));
   Limit limit;
   limit.value = values[n - 1];
@@ -161,7 +161,7 @@ Limit limit_of(const std::vector<double>& values, double ratio, double noise) {
   if (limit.settled) {
     limit.reason = "settled to rounding";
   } else if (n == 2) {
-    limit.reason = "two levels show no order";
+    limit.reason = "two levels cannot show an order";
   } else {
     const Three last = three_levels(values[n - 3], values[n - 2], values[n - 1], ratio);
     limit.order = last.order;

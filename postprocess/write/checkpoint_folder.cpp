@@ -130,9 +130,9 @@ CheckpointFolder::CheckpointFolder(const std::string& result_directory, const co
     : resume_(resume), warn_(std::move(warn)) {
   folder_ = folder_of_records(result_directory);
   about_ = fmt::format(
-      "Load points of an unfinished run of rollfem. The same command with --resume takes them up; "
-      "without it they are replaced. The folder may be deleted.\n"
-      "format: {} {:016x}\nprogram: {}\ncase: {:016x}\n",
+      "Load points of an unfinished run of rollfem. The same command with --resume continues from "
+      "them; without it they are replaced. The folder may be deleted.\nformat: {} "
+      "{:016x}\nprogram: {}\ncase: {:016x}\n",
       format, checksum_of_quantities(), program, checksum_of(input));
   look_at(input);
 }
@@ -145,8 +145,8 @@ void CheckpointFolder::look_at(const contact::Case& input) {
     const fs::path name = entry->path().filename();
     if (!is_ours(name))
       throw InputError(
-          fmt::format("{} is where unfinished runs are kept, but holds {}, which is not of "
-                      "rollfem's making; do: move it, or name another folder with -o",
+          fmt::format("{} is the folder for unfinished runs, but holds {}, which rollfem did not "
+                      "write; do: move it, or name another folder with -o",
                       folder_.string(), name.string()));
     if (is_record(name)) ++found_;
   }
@@ -193,8 +193,8 @@ std::optional<std::string> CheckpointFolder::find(const std::string& name) {
   std::optional<std::string> record = opened(about_, name, contents(file));
   if (!record)
     warn_(
-        fmt::format("warning: {} is damaged, or of another load point or case; its load point is "
-                    "computed again",
+        fmt::format("warning: {} is damaged, or belongs to another load point or case; its load "
+                    "point is computed again",
                     file.string()));
   return record;
 }
@@ -229,7 +229,7 @@ void CheckpointFolder::keep(const std::string& name, const std::string& record) 
     failed_ = true;
     held_back_.clear();
     warn_(fmt::format(
-        "warning: finished load points are not kept from here on, the run goes on without: {}",
+        "warning: finished load points are no longer stored; the run continues without: {}",
         problem.what()));
   }
 }

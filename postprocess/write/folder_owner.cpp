@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-const std::string owner_head = "rollfem makes the result beside this file.\n";
+const std::string owner_head = "rollfem is writing the result beside this file.\n";
 
 std::string owner_text(const std::string& command) {
   char host[256] = {};
@@ -51,7 +51,7 @@ std::string owner_of(const fs::path& file) {
       return text.substr(owner_head.size(), text.size() - owner_head.size() - 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  return "a process that does not say which";
+  return "an unknown process";
 }
 
 void remove_made(fs::path folder, const fs::path& topmost) {
@@ -74,10 +74,9 @@ bool FolderOwner::lock() {
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
     lock_ = -1;
-    throw contact::InputError(
-        fmt::format("another run is at work on this result: {}; do: wait for it, or name another "
-                    "folder with -o",
-                    owner_of(file_)));
+    throw contact::InputError(fmt::format(
+        "another run is writing this result: {}; do: wait for it, or name another folder with -o",
+        owner_of(file_)));
   }
   struct stat here {
   }, there{};
@@ -101,8 +100,8 @@ FolderOwner::FolderOwner(const std::string& directory, const std::string& comman
     const std::string before = text_of(file_), text = owner_text(command);
     if (!before.empty() && before.rfind(owner_head, 0) != 0)
       throw contact::InputError(
-          fmt::format("{} is in the way: it is where rollfem notes who makes this result, but not "
-                      "of its making; do: move it, or name another folder with -o",
+          fmt::format("{} is in the way: rollfem needs this name for its lock, but did not write "
+                      "the file; do: move it, or name another folder with -o",
                       file_.string()));
     if (::ftruncate(lock_, 0) != 0 ||
         ::write(lock_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {

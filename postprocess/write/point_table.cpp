@@ -58,7 +58,7 @@ const std::vector<PointField>& point_fields() {
       {"slip_y", "-", "slip w_y per unit of rolling distance",
        "wheel surface relative to rail, positive in +y",
        [](F f) -> const Field& { return f.slip.y; }},
-      {"gap", "mm", "h + u_n less the approach: distance of the deformed surfaces, as solved",
+      {"gap", "mm", "h + u_n - approach: distance of the deformed surfaces, as solved",
        "positive where open, 0 in the patch to the tolerance, of either sign",
        [](F f) -> const Field& { return f.gap; }},
       {"displacement_x", "mm", "tangential displacement difference u_x", "wheel minus rail",

@@ -100,8 +100,8 @@ std::string run(std::vector<std::string> call, std::vector<std::string> environm
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   if (!printed.empty()) return printed;
-  return WIFSIGNALED(status) ? fmt::format("{} was ended by signal {}", call[0], WTERMSIG(status))
-                             : fmt::format("{} failed without a word", call[0]);
+  return WIFSIGNALED(status) ? fmt::format("{} was killed by signal {}", call[0], WTERMSIG(status))
+                             : fmt::format("{} failed without a message", call[0]);
 }
 
 /// A traceback is for a file; the user is told its last line, which says what happened.
@@ -113,8 +113,7 @@ std::string one_line(const fs::path& directory, std::string printed) {
   std::ofstream file(log, std::ios::binary);
   file << printed << '\n';
   file.close();
-  return printed.substr(last + 1) +
-         (file ? fmt::format(" (the whole text is in {})", log.string()) : "");
+  return printed.substr(last + 1) + (file ? fmt::format(" (full text in {})", log.string()) : "");
 }
 
 /// PYTHONPATH without what is relative or empty, which stands for the user's folder.

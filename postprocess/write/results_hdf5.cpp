@@ -30,9 +30,9 @@ std::string prescribed_forces(const contact::Case& input) {
 }
 
 void write_case(hid_t file, const contact::Case& input) {
-  const Handle group = create_group(file, "case",
-                                    "What was asked: the whole case file (text), and its main "
-                                    "numbers as attributes in mm, N, MPa");
+  const Handle group = create_group(
+      file, "case",
+      "The case: the whole file (text), and its main numbers as attributes in mm, N, MPa");
   write_attribute(group, "title", input.title);
   write_attribute(group, "file", input.file);
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
@@ -93,7 +93,7 @@ void write_documentation(hid_t file) {
 /// The same of the scalars alone, in columns for programs.
 void write_quantities(hid_t file) {
   const Handle group = create_group(
-      file, "quantities", "Scalars of a load point: line k of every dataset belongs to one");
+      file, "quantities", "Scalars of a load point: entry k of each dataset describes one");
   const auto write_column = [&](const char* name, const char* comment, const auto& text) {
     std::vector<std::string> lines;
     for (const contact::Quantity& quantity : contact::quantities())
@@ -107,11 +107,10 @@ void write_quantities(hid_t file) {
   };
   column("name", "Attribute of /models/NAME/points/NUMBER", &contact::Quantity::name);
   column("title", "For headings", &contact::Quantity::title);
-  column("symbol", "F_x, xi, ...; empty where there is none", &contact::Quantity::symbol);
-  column("unit", "- where it has none", &contact::Quantity::unit);
+  column("symbol", "F_x, xi, ...; empty if there is none", &contact::Quantity::symbol);
+  column("unit", "- if it has none", &contact::Quantity::unit);
   column("meaning", "What it is, with its sign", &contact::Quantity::meaning);
-  write_column("percent_of",
-               "What errors and differences are given in percent of; empty: of nothing",
+  write_column("percent_of", "What percentages of errors and differences refer to; empty: nothing",
                [](const contact::Quantity& quantity) { return contact::text_of(quantity.scale); });
 }
 
@@ -153,7 +152,7 @@ void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult&
 
 void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {
   if (fields.empty()) return;
-  const Handle all = create_group(point, "subsurface", "Points below the surface, as asked for");
+  const Handle all = create_group(point, "subsurface", "Points below the surface, as requested");
   static const char* const kinds[] = {"point", "line", "plane", "surface"};
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const contact::SubsurfaceField& field = fields[k];
@@ -260,7 +259,7 @@ void write_model(hid_t models, const ModelResult& model, long order,
   const Handle seconds = create_group(group, "seconds", "Attributes: seconds by stage");
   for (const auto& [stage, value] : model.seconds) write_attribute(seconds, stage, value);
   const Handle notes = write_dataset(group, "notes", model.notes);
-  write_comment(notes, "What a reader must know: domain, symmetry, limits");
+  write_comment(notes, "Notes: domain, symmetry, limits");
   write_grid(group, model.grid);
   const Handle points = create_group(group, "points", "Load points in the order of the case");
   for (std::size_t k = 0; k < model.points.size(); ++k)

@@ -40,7 +40,8 @@ std::string hdf5_seal(std::string_view data) {
 Seal check_hdf5_seal(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw contact::InputError(fmt::format("{} cannot be read; do: check who may read it", path));
+    throw contact::InputError(
+        fmt::format("{} cannot be read; do: check the permissions of the file", path));
   std::string block(seal_size, '\0');
   file.read(block.data(), static_cast<std::streamsize>(block.size()));
   block.resize(static_cast<std::size_t>(file.gcount()));

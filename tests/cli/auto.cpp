@@ -90,11 +90,12 @@ TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
 TEST(Auto, StandsAloneAndIsNothingToCompare) {
   const Folder folder;
   const std::string file = folder.file("case.toml", quick);
-  expect_refused(call(folder, {"run", file, "--model", "auto", "hertz"}), "auto stands");
+  expect_refused(call(folder, {"run", file, "--model", "auto", "hertz"}),
+                 "auto cannot be combined");
   expect_refused(call(folder, {"compare", file, "--model", "auto"}), "rollfem run --model auto");
   expect_refused(call(folder, {"study", file, "--model", "auto"}), "rollfem run --model auto");
   const std::string both = folder.file("both.toml", "models = [\"auto\", \"hertz\"]\n" + quick);
-  expect_refused(call(folder, {"run", both}), "both.toml: models: auto stands");
+  expect_refused(call(folder, {"run", both}), "both.toml: models: auto cannot be combined");
 }
 
 TEST(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {

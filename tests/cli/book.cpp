@@ -105,7 +105,7 @@ TEST(Book, HasOneOwnerWhoseRunsEndWithIt) {
   ASSERT_TRUE(killed.killed) << killed.err;
   EXPECT_TRUE(at_work) << "the second waited for the first";
   EXPECT_EQ(second.status, 2) << second.err;
-  for (const char* part : {"error: another run is at work on ", "out: process ", ", started 20",
+  for (const char* part : {"error: another run is writing ", "out: process ", ", started 20",
                            "--only one; do: wait for it"})
     EXPECT_NE(second.err.find(part), std::string::npos) << second.err;
   // The book was killed, and with it the run that it had called: its folder can be had.

@@ -95,7 +95,7 @@ TEST(Call, WrongCallsAreRefused) {
   expect_refused(call(folder, {"check", file, "more"}), "more");
   expect_refused(call(folder, {"run"}), "no case file");
   expect_refused(call(folder, {"run", file, "--model", "fme"}),
-                 "--model fme: there is no such model; did you mean fem? ");
+                 "--model fme: no such model; did you mean fem? ");
   expect_refused(call(folder, {"run", file, "--model"}), "--model");
   expect_refused(call(folder, {"run", file, "--bogus"}), "--bogus");
   expect_refused(call(folder, {"run", file, "--modle=hertz"}), "did you mean --model?");

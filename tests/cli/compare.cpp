@@ -94,14 +94,14 @@ TEST(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
   arguments.insert(arguments.end(), models.begin(), models.end());
   const Outcome alone = call(folder, arguments);
   EXPECT_EQ(alone.status, 2) << alone.err;
-  for (const char* part : {"none of the models can take forces: fastsim: ", "; strip: ",
+  for (const char* part : {"none of the models can solve forces: fastsim: ", "; strip: ",
                            "prescribed tangential force", "; do: name one"})
     EXPECT_NE(alone.err.find(part), std::string::npos) << alone.err;
   // Beside a case that they take: that one is written.
   arguments.insert(arguments.begin() + 2, folder.file("good.toml", quick));
   const Outcome both = call(folder, arguments);
   EXPECT_EQ(both.status, 2);
-  EXPECT_NE(both.err.find("none of the models can take forces"), std::string::npos) << both.err;
+  EXPECT_NE(both.err.find("none of the models can solve forces"), std::string::npos) << both.err;
   const auto all = read(folder.work() / "out" / "compare.json");
   EXPECT_FALSE(all.at("cases")[1].at("numbers").empty());
   EXPECT_FALSE(all.at("cases")[0].at("complete").get<bool>());
@@ -118,7 +118,7 @@ TEST(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
       folder, {"compare", bad, good, "--no-report", "--model", "hertz", "halfspace", "-o", "out"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("rollfem: the comparison is written without what failed: bad, "
-                             "halfspace: accuracy = 1e-05 was asked for"),
+                             "halfspace: accuracy = 1e-05 was not reached"),
             std::string::npos)
       << outcome.err;
   const auto all = read(folder.work() / "out" / "compare.json");
@@ -163,9 +163,9 @@ TEST(Compare, RefusesWhatMakesNoSense) {
   const Folder folder;
   const std::string one = folder.file("one.toml", quick);
   expect_refused(call(folder, {"compare"}), "no case file is named");
-  expect_refused(call(folder, {"compare", one, "--model", "hertzz"}), "there is no such model");
+  expect_refused(call(folder, {"compare", one, "--model", "hertzz"}), "no such model");
   expect_refused(call(folder, {"compare", one, "--model", "hertz", "--reference", "strip"}),
-                 "not one of the models compared");
+                 "not among the models compared");
   fs::create_directory(folder.output("other"));
   std::ofstream(folder.output("other") / "one.toml") << quick;
   expect_refused(call(folder, {"compare", one, (folder.output("other") / "one.toml").string(),

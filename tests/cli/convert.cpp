@@ -51,7 +51,7 @@ TEST(Convert, WritesTheOthersWhenToldTo) {
   // Never over another.
   const Outcome again = call(folder, {"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(again.status, 2);
-  EXPECT_NE(again.err.find("made/two_1.toml is there already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("made/two_1.toml exists already"), std::string::npos) << again.err;
   EXPECT_EQ(folder.made().size(), 2U);
 }
 
@@ -75,8 +75,8 @@ TEST(Convert, ProfilesThatAreNotThereAreWarnedOf) {
   const std::string file = folder.file("wheel.inp", left_wheel);
   const Outcome made = call(folder, {"convert", file});
   EXPECT_EQ(made.status, 0) << made.err;
-  EXPECT_NE(made.err.find("warning: the profile rail.csv is not there"), std::string::npos);
-  EXPECT_NE(made.err.find("warning: the profile wheel.csv is not there"), std::string::npos);
+  EXPECT_NE(made.err.find("warning: the profile rail.csv is missing"), std::string::npos);
+  EXPECT_NE(made.err.find("warning: the profile wheel.csv is missing"), std::string::npos);
 }
 
 TEST(Convert, FilesThatAreNoInputAreRefused) {

@@ -148,7 +148,7 @@ TEST(Cache, ADamagedFileIsToldAndReplaced) {
   }
   EXPECT_NE(cache.list("list").find("is damaged"), std::string::npos);
   const Json anew = cache.run("anew", text);
-  EXPECT_TRUE(notes(anew, "is damaged: the correction was computed anew"));
+  EXPECT_TRUE(notes(anew, "is damaged; the correction was recomputed"));
   expect_same_numbers(first, anew, 1e-13);
   EXPECT_TRUE(notes(cache.run("again", text), "from the cache"));
 }
@@ -156,7 +156,7 @@ TEST(Cache, ADamagedFileIsToldAndReplaced) {
 TEST(Cache, AFolderThatCannotBeWrittenIsNoFailure) {
   Cache cache;
   const Json model = cache.run("case", coarse_case(405.0, 50e3, 0.55, 0.001), "/dev/null/nowhere");
-  EXPECT_TRUE(notes(model, "could not be kept for other runs"));
+  EXPECT_TRUE(notes(model, "could not be stored for other runs"));
 }
 
 TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {

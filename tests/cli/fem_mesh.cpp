@@ -63,7 +63,7 @@ TEST(MeshCommand, RefusesBadMeshesAndWritesNothing) {
                  "there is no such mesh file");
   folder.file("geo.msh", "Point(1) = {0, 0, 0};\n");
   expect_refused(call(folder, {"mesh", folder.file("b.toml", with_mesh("geo.msh"))}),
-                 "is no gmsh mesh");
+                 "is not a gmsh mesh");
   folder.file(
       "tetrahedron.msh",
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 9 0 0\n3 0 9 0\n4 0 0 9\n"
@@ -116,6 +116,6 @@ TEST(MeshCommand, SparesTheMeshThatTheCaseNames) {
   const Folder folder;
   folder.file("wheel.msh", "$MeshFormat\n");
   expect_refused(call(folder, {"mesh", folder.file("a.toml", with_mesh("wheel.msh")), "-o", ".."}),
-                 "would be written over");
+                 "would be overwritten");
   EXPECT_EQ(contents(folder.output("wheel.msh")), "$MeshFormat\n");
 }

@@ -44,7 +44,7 @@ void expect_resumed_like(const fs::path& whole, const Folder& folder, const std:
   EXPECT_FALSE(fs::exists(folder.work() / "killed"));
   Outcome outcome = execute(folder, run(processes, file, "killed", true));
   // The processes of a killed mpirun end when they notice: until then the folder is theirs.
-  for (int wait = 0; wait < 20 && outcome.err.find("another run is at work") != std::string::npos;
+  for (int wait = 0; wait < 20 && outcome.err.find("another run is writing") != std::string::npos;
        ++wait) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     outcome = execute(folder, run(processes, file, "killed", true));

@@ -37,7 +37,7 @@ TEST(Owner, ASecondRunIsRefusedAtOnceAndToldByWhom) {
   const std::string file = folder.file("slow.toml", slow_case());
   const std::vector<std::string> run{"run", file, "-o", "out", "--no-report"};
   const Outcome second = second_of(folder, run, "out.lock", run);
-  expect_refused(second, "another run is at work on this result: process ");
+  expect_refused(second, "another run is writing this result: process ");
   EXPECT_NE(second.err.find(", started 20"), std::string::npos) << second.err;
   EXPECT_NE(second.err.find("run " + file + " -o out"), std::string::npos) << second.err;
   // The first was killed and has left its file: the next run takes it over and removes it.
@@ -54,10 +54,10 @@ TEST(Owner, OtherCommandsOwnTheirFoldersToo) {
   // A run into one of the folders of a comparison.
   expect_refused(second_of(folder, {"compare", file, "-o", "c", "-m", "halfspace", "--no-report"},
                            "c/slow.lock", {"run", file, "-o", "c/slow"}),
-                 "another run is at work");
+                 "another run is writing");
   expect_refused(second_of(folder, {"study", file, "-o", "s", "--no-report"}, "s.lock",
                            {"study", file, "-o", "./s/../s"}),
-                 "another run is at work");
+                 "another run is writing");
 }
 
 TEST(Owner, AFileOfTheUserInTheWayIsSpared) {
@@ -85,7 +85,7 @@ TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
       EXPECT_EQ(outcome.status, status) << outcome.err;
       EXPECT_NE(outcome.err.find("rollfem: interrupted: "), std::string::npos) << outcome.err;
       EXPECT_NE(outcome.err.find("finished solutions are kept in "), std::string::npos);
-      EXPECT_NE(outcome.err.find("--resume takes them up"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("--resume continues from them"), std::string::npos) << outcome.err;
       EXPECT_FALSE(fs::exists(folder.work() / "out.lock"));
     } else {
       // A shell starts what is in the background with Ctrl-C ignored, and so it stays.

@@ -81,7 +81,7 @@ TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   leave_unfinished(folder, file, "out");
   const Outcome outcome = execute(folder, run(file, "out"));
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("--resume takes them up"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--resume continues from them"), std::string::npos) << outcome.err;
   EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
   EXPECT_TRUE(fs::exists(folder.work() / "out" / "summary.json"));
 }
@@ -146,7 +146,7 @@ TEST(Resume, TwoRunsOfOneResultAtATimeAreRefused) {
   });
   ASSERT_TRUE(first.killed);
   EXPECT_EQ(second.status, 2);
-  EXPECT_NE(second.err.find("another run is at work"), std::string::npos) << second.err;
+  EXPECT_NE(second.err.find("another run is writing"), std::string::npos) << second.err;
 }
 
 TEST(Resume, AFolderOfOtherThingsInTheWayIsRefused) {
@@ -166,7 +166,7 @@ TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
   const Outcome outcome =
       execute(folder, {"/bin/sh", "-c", "ulimit -f 200; exec \"$0\" \"$@\"", ROLLFEM_PROGRAM, "run",
                        file, "-o", "out", "--no-report", "--quiet"});
-  const std::string told = "warning: finished load points are not kept from here on";
+  const std::string told = "warning: finished load points are no longer stored";
   const std::size_t first = outcome.err.find(told);
   ASSERT_NE(first, std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find(told, first + 1), std::string::npos) << outcome.err;

@@ -318,7 +318,7 @@ TEST(StressOfBodies, IsRefusedWhereALoadPointKeepsNone) {
   EXPECT_NE(both.err.find("warning: left out: load point 0: of model fem"), std::string::npos);
   EXPECT_EQ(report(folder.work() / "out")["models"].size(), 1U);
   expect_refused(call(folder, {"stress", file, "-m", "fem", "--at", "0,0,-9"}),
-                 "--at 0,0,-9: the place (0, 0, -9) mm is 7 mm outside of the rail");
+                 "--at 0,0,-9: the point (0, 0, -9) mm is 7 mm outside the computed rail");
 }
 
 TEST(StressOfPatches, IsThatOfThePatchNamed) {
@@ -375,7 +375,7 @@ TEST_F(StressTest, FilesThatAreNoResultsAreRefused) {
   expect_refused(call(folder, {"stress"}), "result is required");
   expect_refused(call(folder, {"stress", "r/summary.json"}), "not a result of rollfem");
   expect_refused(call(folder, {"stress", folder.file("cut.h5", whole.substr(0, whole.size() / 2))}),
-                 "cut short or damaged");
+                 "truncated or damaged");
   EXPECT_FALSE(fs::exists(made()));
 }
 

@@ -82,7 +82,7 @@ TEST(Study, RefusesWhatMakesNoSense) {
   expect_refused(call(folder, {"study", file, "--reference", "max_pressure=abc"}), "not a number");
   expect_refused(call(folder, {"study", file, "--reference", "traction_coefficient:3=0.1"}),
                  "no such quantity in this case");
-  expect_refused(call(folder, {"study", file, "--model", "nope"}), "there is no such model");
+  expect_refused(call(folder, {"study", file, "--model", "nope"}), "no such model");
   EXPECT_TRUE(folder.made().empty());
 }
 

@@ -74,8 +74,8 @@ TEST(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
   const Outcome outcome = execute(folder, again);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   int taken_up = 0;
-  for (std::size_t at = outcome.err.find(" across: taken up\n"); at != std::string::npos;
-       at = outcome.err.find(" across: taken up\n", at + 1))
+  for (std::size_t at = outcome.err.find(" across: resumed\n"); at != std::string::npos;
+       at = outcome.err.find(" across: resumed\n", at + 1))
     ++taken_up;
   EXPECT_EQ(taken_up, kept) << outcome.err;
   EXPECT_EQ(timeless(folder.work() / "whole"), timeless(folder.work() / "out"));
@@ -120,7 +120,8 @@ TEST(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
   *std::find(anew.begin(), anew.end(), "4") = "2";
   const Outcome short_study = execute(folder, anew);
   EXPECT_EQ(short_study.status, 0) << short_study.err;
-  EXPECT_NE(short_study.err.find("--resume takes them up"), std::string::npos) << short_study.err;
+  EXPECT_NE(short_study.err.find("--resume continues from them"), std::string::npos)
+      << short_study.err;
   EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
 }
 

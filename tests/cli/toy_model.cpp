@@ -53,7 +53,7 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   const std::string fast =
       folder.file("f.toml", small_case + "[rolling]\nspeed = 5e4\n[fem]\ninertia = true\n");
   expect_refused(toy(folder, {"run", fast, "--model", "stiff"}),
-                 "model stiff: fem.inertia: it cannot take the inertia of moving bodies; "
+                 "model stiff: fem.inertia: it cannot handle the inertia of moving bodies; "
                  "allowed: fem; do: run with --model fem");
   EXPECT_TRUE(folder.made().empty());
 }

@@ -29,9 +29,11 @@ TEST(Gate, CellsLargerThanThePatchAreRefusedInEveryModel) {
        {"hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip", "halfspace"}) {
     const Outcome outcome = call(folder, {"run", "-q", "--no-report", "--model", model, file});
     EXPECT_EQ(outcome.status, 1) << model << outcome.err;
-    EXPECT_NE(outcome.err.find(std::string("cell.toml: model ") + model +
-                               ": load point 1 of 1: 1 by 1 contact elements of 1000 by 1000 mm"),
-              std::string::npos)
+    EXPECT_NE(
+        outcome.err.find(
+            std::string("cell.toml: model ") + model +
+            ": load point 1 of 1: the patch has only 1 by 1 contact elements of 1000 by 1000 mm"),
+        std::string::npos)
         << outcome.err;
   }
   EXPECT_FALSE(fs::exists(folder.work() / "results"));
@@ -99,7 +101,7 @@ TEST(Gate, SlipsOfUnitsAreToldWhenACaseIsCheckedAndRun) {
                                          "transverse_radius = 0.3\n")});
   EXPECT_EQ(metres.status, 0) << metres.err;
   for (const char* said : {"wheel.rolling_radius = 0.46 mm", "rail.transverse_radius = 0.3 mm",
-                           "MPa that no rail or wheel steel bears"})
+                           "MPa, which no rail or wheel steel carries"})
     EXPECT_NE(metres.err.find(said), std::string::npos) << said << metres.err;
 }
 

@@ -179,7 +179,7 @@ TEST(Refusal, RailProfileThatEndsBeforeTheContact) {
   input.wheelset.roll = {0.0};
   expect_refused<contact::InputError>(
       input, {pair.wheel, cut(pair.rail, -100.0, 1.0)}, true,
-      {"touch first at the field-side end of the rail profile", "longer rail profile"});
+      {"first touch at the field-side end of the rail profile", "longer rail profile"});
 }
 
 TEST(Refusal, ProfileThatEndsWithinThePatch) {

@@ -79,7 +79,7 @@ TEST(DeepGroove, ThatFitsTooWellIsRefusedWithTheReason) {
   input.contact_grid.elements_across = 8;
   try {
     point_of(input);
-    FAIL() << "flanks touch as far as they go";
+    FAIL() << "flanks touch along their whole length";
   } catch (const contact::SolveError& error) {
     EXPECT_NE(std::string(error.what()).find("straight flanks"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("round_to"), std::string::npos) << error.what();

@@ -194,7 +194,7 @@ TEST(LineContact, OtherModelsSayThatTheyCannotTakeIt) {
       run(steel("longitudinal_creepage = 1e-4\n"), model);
       FAIL() << model;
     } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find("geometry.shape: it cannot take a line contact"),
+      EXPECT_NE(std::string(error.what()).find("geometry.shape: it cannot handle a line contact"),
                 std::string::npos)
           << error.what();
     }

@@ -67,7 +67,7 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
   EXPECT_EQ(refusal(rigid, "fem"), "able");
   const std::string point = "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n";
   expect_refusal(rigid + point, "fem",
-                 "subsurface: it cannot take the stress in a rigid body; allowed: hertz, linear");
+                 "subsurface: it cannot handle the stress in a rigid body; allowed: hertz, linear");
 }
 
 TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
@@ -77,19 +77,19 @@ TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
   EXPECT_EQ(refusal(plus(fast), "fem"), "able");
   for (const char* model : {"hertz", "carter", "halfspace", "hybrid"})
     expect_refusal(plus(fast), model,
-                   "fem.inertia: it cannot take the inertia of moving bodies; allowed: fem; do: "
+                   "fem.inertia: it cannot handle the inertia of moving bodies; allowed: fem; do: "
                    "run with --model fem");
 }
 
 TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
   const std::string spin = plus("[rolling]\nspin = 1e-4\n");
   expect_refusal(spin, "vermeulen-johnson",
-                 "rolling.spin: it cannot take spin; allowed: hertz, linear, fastsim, strip, "
+                 "rolling.spin: it cannot handle spin; allowed: hertz, linear, fastsim, strip, "
                  "halfspace, hybrid, fem; do: run with --model halfspace");
   expect_refusal(spin, "carter", "rolling.spin");
   EXPECT_EQ(refusal(spin, "linear"), "able");
   expect_refusal(plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",
-                 "rolling.lateral_creepage: it cannot take lateral creepage; allowed: hertz, "
+                 "rolling.lateral_creepage: it cannot handle lateral creepage; allowed: hertz, "
                  "linear, vermeulen-johnson, fastsim, strip, halfspace, hybrid, fem");
 }
 
@@ -101,7 +101,7 @@ TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
   scene.geometry.extra_slip_values->file = "slip.csv";
   EXPECT_NE(
       refusal(scene, "linear")
-          .find("rolling.extra_slip: it cannot take extra slip from a file; allowed: hertz, "
+          .find("rolling.extra_slip: it cannot handle extra slip from a file; allowed: hertz, "
                 "carter, fastsim, strip, halfspace, hybrid, fem; do: run with --model halfspace"),
       std::string::npos)
       << refusal(scene, "linear");
@@ -111,7 +111,7 @@ TEST(ProgramModels, AreNamedOnlyWhereTheyTakeAllThatTheCaseAsksFor) {
   // Others take the stress in a rigid body, but not the inertia that is asked for beside it.
   expect_refusal(with("[rail]\n", fast + "[rail]\nyoung_modulus = inf\n") +
                      "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n",
-                 "fem", "allowed: no model takes all that the case asks for");
+                 "fem", "allowed: no model can solve all of this case");
 }
 
 TEST(ProgramModels, HalfSpacesEndAtTheirSurface) {

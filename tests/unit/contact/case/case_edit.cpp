@@ -76,7 +76,7 @@ TEST(CaseEdit, AddsToSectionsWrittenWithDots) {
   EXPECT_EQ(changed({"load.approach=0.1"}, dotted),
             "friction.coefficient = 0.3\nload.approach = 0.1\nload.normal_force = 1e4\n");
   EXPECT_NE(refusal("load.approach=0.1", "load = {normal_force = 1e4}\n")
-                .find("case.toml:1: load: the section stands in one line"),
+                .find("case.toml:1: load: the section is an inline table"),
             std::string::npos);
 }
 

@@ -90,9 +90,9 @@ TEST(History, ContradictionsAreNamed) {
   expect_error(plus("[rolling]\nproblem = \"transient\"\n"), {"history.step_length: is missing"});
   expect_error(plus("[rolling]\nproblem = \"transient\"\n[history]\nstep_length = 1.0\n"
                     "lateral_shift = 0.1\n"),
-               {"history.lateral_shift = 0.1: is for the problem shift"});
+               {"history.lateral_shift = 0.1: belongs to the problem shift"});
   expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nstep_length = 1.0\n"),
-               {"history.step_length = 1.0: is for the problem transient"});
+               {"history.step_length = 1.0: belongs to the problem transient"});
   expect_error(plus("[rolling]\nproblem = \"shift\"\nspin = 0.1\n"),
                {"rolling.spin = 0.1: has no meaning where nothing rolls"});
   expect_error(plus("[rolling]\nproblem = \"frictionless\"\nspin = 0.1\n"),
@@ -132,7 +132,7 @@ TEST(PrescribedForce, BeyondFrictionOrBesideItsCreepageIsRefused) {
                     "lateral_shift = 0.1\n"),
                {"rolling.lateral_force = 1.0: contradicts history.lateral_shift"});
   expect_error(plus("[rolling]\nproblem = \"frictionless\"\nlateral_force = 1.0\n"),
-               {"cannot be had without friction"});
+               {"is not possible without friction"});
 }
 
 TEST(RigidBody, OneIsAllowedTwoAreNot) {
@@ -147,7 +147,7 @@ TEST(RigidBody, OneIsAllowedTwoAreNot) {
   expect_error(with("[rail]\n", "young_modulus = inf\n[rail]\nyoung_modulus = inf\n"),
                {"rail.young_modulus = inf: makes both bodies rigid"});
   expect_error(with("[rail]\n", "[rail]\nyoung_modulus = inf\nmesh = \"rail.msh\"\n"),
-               {"rail.mesh = \"rail.msh\": is of a rigid body, which is not meshed"});
+               {"rail.mesh = \"rail.msh\": belongs to a rigid body, which is not meshed"});
 }
 
 TEST(GivenPressure, TakesForceOrPressureAndNeedsNoRadii) {
@@ -169,7 +169,7 @@ TEST(GivenPressure, ContradictionsAreNamed) {
   expect_error(pressure + "max_pressure = 1e3\n[load]\napproach = 0.1\n",
                {"load.approach = 0.1: does not go together with [given_pressure]"});
   expect_error(pressure + "max_pressure = 1e3\n[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
-               {"is not used, as the pressure is given"});
+               {"is not used, because the pressure is given"});
   expect_error(
       "[friction]\ncoefficient = 0.3\n[load]\nnormal_force = 1\n[given_pressure]\n"
       "semi_axis_x = 1\n",
@@ -228,7 +228,7 @@ TEST_F(PointFiles, ThatAreMissingOrUnusedAreNamed) {
   expect_error(plus("[undeformed_distance]\nfile = \"no.csv\"\n"),
                {"no.csv: there is no such file"});
   expect_error(plus("[rolling]\nextra_slip_file = \"slip.csv\"\n"),
-               {"rolling.extra_slip_file = \"slip.csv\": is not used, as extra_slip is auto"});
+               {"rolling.extra_slip_file = \"slip.csv\": is not used, because extra_slip is auto"});
   expect_error(plus("[rolling]\nextra_slip = \"file\"\n"), {"names no file"});
   expect_error(plus("[undeformed_distance]\nfile = \"h.csv\"\nquadratic = [1e-3, 1e-3]\n"),
                {"contradicts undeformed_distance.quadratic"});
@@ -301,16 +301,16 @@ TEST(Subsurface, ErrorsNameSectionLineAndKey) {
   expect_error(plus("[[subsurface.point]]\nat = [0, 0]\n"), {"has 2 entries, not 3"});
   expect_error(plus("[[subsurface.point]]\nwhere = [0, 0, 1]\n"),
                {"subsurface.point.where: is not a key", "allowed: body, at"});
-  expect_error(plus("[subsurface.point]\nat = [0, 0, 1]\n"), {"is not a list of sections"});
+  expect_error(plus("[subsurface.point]\nat = [0, 0, 1]\n"), {"is not a known list of sections"});
   expect_error(plus("[[subsurface.box]]\nat = [0, 0, 1]\n"),
                {"subsurface.box", "point, line, plane"});
-  expect_error(plus("[subsurface]\npoint = 3\n"), {"subsurface.point: is not a list"});
+  expect_error(plus("[subsurface]\npoint = 3\n"), {"subsurface.point: is not a known list"});
   expect_error(plus("[[subsurface.plane]]\nfrom = [0, 0, 1]\nto = [1, 0, 1]\nacross = [0, 1, 1]\n"
                     "points = [2.5, 3]\n"),
-               {"2.5 is no whole number"});
+               {"2.5 is not a whole number"});
   expect_error(plus("[[subsurface.plane]]\nfrom = [0, 0, 3]\nto = [1, 0, 1]\nacross = [0, 1, 1]\n"
                     "points = [2, 3]\n"),
-               {"the fourth corner, z = -1, leaves the body"});
+               {"the fourth corner, z = -1, is outside the body"});
 }
 
 TEST(Subsurface, PointsOfAConcaveBodyMayLieBeyondTheMiddleButNotInTheHalfSpace) {

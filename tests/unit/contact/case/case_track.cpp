@@ -134,11 +134,11 @@ TEST(TrackErrors, TrackWheelsetAndVerticalForceNeedProfiles) {
   const std::string radii =
       "[load]\nnormal_force = 1e4\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 450\n"
       "transverse_radius = inf\n[rail]\ntransverse_radius = 300\n";
-  expect_error(radii + "[track]\ngauge = 1435\n", {"case.toml:11", "track.gauge", "gives none"});
-  expect_error(radii + "[wheelset]\nyaw = 0.01\n", {"wheelset.yaw", "gives none"});
+  expect_error(radii + "[track]\ngauge = 1435\n", {"case.toml:11", "track.gauge", "has none"});
+  expect_error(radii + "[wheelset]\nyaw = 0.01\n", {"wheelset.yaw", "has none"});
   std::string vertical = radii;
   vertical.replace(vertical.find("normal_force"), 12, "vertical_force");
-  expect_error(vertical, {"load.vertical_force", "gives none", "write `normal_force` instead"});
+  expect_error(vertical, {"load.vertical_force", "has none", "write `normal_force` instead"});
 }
 
 TEST(TrackErrors, OneProfileNeedsTheOther) {

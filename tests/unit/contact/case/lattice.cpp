@@ -102,7 +102,7 @@ TEST_F(LatticeFile, EveryDefectIsNamedWithItsLine) {
   EXPECT_NE(error_of("0, 0, nan\n" + good).find("points.csv:1: 'nan' is not"), std::string::npos);
   EXPECT_NE(error_of(good + "0.1, 0, 1\n").find("regular lattice"), std::string::npos);
   EXPECT_NE(error_of(good + "-2, -1, 1\n")
-                .find("points.csv:17: the point (-2, -1) is there already, "
+                .find("points.csv:17: the point (-2, -1) was given before, "
                       "in line 1"),
             std::string::npos)
       << error_of(good + "-2, -1, 1\n");

@@ -100,7 +100,7 @@ TEST(ProfileKeys, WhatContradictsIsRefused) {
            {"profile = \"S1002\"\nround_to = 0.8\n[rail]\nprofile = \"60E1\"\n",
             {"case.toml:7:", "wheel.profile", "contradicts wheel.round_to"}},
            {"[rail]\nprofile = \"60E1\"\n",
-            {"rail.profile", "stands alone: wheel.profile is missing", "\"arcs\""}},
+            {"rail.profile", "is given alone: wheel.profile is missing", "\"arcs\""}},
            {"profile = \"\"\n[rail]\nprofile = \"60E1\"\n", {"wheel.profile", "is empty"}},
            {"transverse_radius = inf\n[rail]\nprofile = \"60E1\"\n[wheel_profile]\nflip = true\n",
             {"wheel_profile.flip", "wheel.profile is missing"}},

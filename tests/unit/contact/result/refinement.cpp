@@ -63,7 +63,7 @@ TEST(Refinement, ErrorsOfFrictionArePartsOfFullSliding) {
   EXPECT_EQ(worst.text(), "0.8 % of mu (traction_coefficient at load point 1)");
   points[1].error_estimate["max_pressure"] = 6.0;
   EXPECT_EQ(worst_error(asked, friction, points).text(), "1 % (max_pressure at load point 2)");
-  EXPECT_NE(shortfall_text({0.001, asked.of}, worst, "do: ask for less")
+  EXPECT_NE(shortfall_text({0.001, asked.of}, worst, "do: request less")
                 .find("the largest estimated error is 0.8 % of mu (traction_coefficient at load"),
             std::string::npos);
 }

@@ -152,7 +152,7 @@ TEST(Validity, RefusesAGapUnderPressureAndAnOverlapBesideIt) {
 
 TEST(Validity, RefusesAForceThatIsNotTheLoad) {
   expect_said(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 1e-5; }),
-              {"carries 50000.5 N of the 50000 N asked for", "1e-06"});
+              {"carries 50000.5 N instead of 50000 N", "1e-06"});
   EXPECT_EQ(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 5e-7; }), "");
   // Along the load: friction carries a part of a vertical force on a tilted patch.
   Scene tilted = scene();

@@ -50,7 +50,7 @@ TEST(ModelRegistry, KeepsTheOrderAndRefusesWhatCouldNotBeNamed) {
     ADD_FAILURE() << "there is no model none";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "--model none: there is no such model; allowed: theory, solver; do: name one of "
+                 "--model none: no such model; allowed: theory, solver; do: name one of "
                  "them");
   }
 }
@@ -66,13 +66,13 @@ TEST(ModelRegistry, RefusesAndNamesTheModelsThatCan) {
   input.rail.material.young_modulus = infinity;
   EXPECT_EQ(refusal(models, input, "solver"), "solver ran");
   EXPECT_EQ(refusal(models, input, "theory"),
-            "a.toml: model theory: young_modulus = inf: it cannot take a rigid body; allowed: "
+            "a.toml: model theory: young_modulus = inf: it cannot handle a rigid body; allowed: "
             "rough, solver; do: run with --model solver, or change the case");
   input.speed = 1.0;
   input.fem.inertia = true;
   EXPECT_EQ(refusal(models, input, "solver"),
-            "a.toml: model solver: fem.inertia: it cannot take the inertia of moving bodies; "
-            "allowed: no model takes all that the case asks for; do: change it");
+            "a.toml: model solver: fem.inertia: it cannot handle the inertia of moving bodies; "
+            "allowed: no model can solve all of this case; do: change it");
 }
 
 }  // namespace

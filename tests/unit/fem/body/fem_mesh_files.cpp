@@ -196,11 +196,11 @@ TEST(CellQuality, OfKnownCells) {
 
 TEST(MeshCheck, RefusesWhatIsNoMeshOfOneBody) {
   EXPECT_EQ(check(small_block()), "");
-  expect_message(check({}), "no hexahedron");
+  expect_message(check({}), "no hexahedra");
 
   auto inverted = small_block();
   inverted.points[13] = {0.0, 0.0, 0.9};  // the node in the middle, through the top
-  expect_message(check(inverted), "inside out");
+  expect_message(check(inverted), "inverted");
 
   auto no_contact = small_block();
   no_contact.sides.erase(std::remove_if(no_contact.sides.begin(), no_contact.sides.end(),
@@ -215,7 +215,7 @@ TEST(MeshCheck, RefusesWhatIsNoMeshOfOneBody) {
   inner.sides.push_back({{9, 10, 13, 12}, Side::contact});
   expect_message(check(inner), "inside the body");
   inner.sides.back().corners = {0, 1, 2, 26};
-  expect_message(check(inner), "no face of a hexahedron");
+  expect_message(check(inner), "not a face of a hexahedron");
 
   auto doubled = small_block();
   doubled.cells.push_back(doubled.cells.front());
@@ -242,9 +242,9 @@ TEST(MeshCheck, RefusesCellsThatDangle) {
   expect_message(check(joined(small_block(), block({5, 6}, {0, 1}, {-2, 0}, true))),
                  "falls into 2 parts");
   expect_message(check(joined(small_block(), block({1, 2, 3}, {-1, 0, 1}, {-2, -1, 0}, true))),
-                 "do not fit together");
+                 "do not match");
   expect_message(check(joined(small_block(), block({1, 3}, {-1, 1}, {-2, 0}, true))),
-                 "do not fit together");
+                 "do not match");
   // Two cells that share an edge only.
   HexMesh edge = block({0, 1}, {0, 1}, {-1, 0}, true);
   const HexMesh other = block({1, 2}, {1, 2}, {-1, 0}, true);
@@ -311,18 +311,18 @@ TEST(MeshFile, RefusesWhatIsNoHexahedralMesh) {
   expect_message(
       refusal<contact::InputError>([&] { meshes::read_msh(folder.path("."), "rail.msh"); }),
       "not a regular file");
-  expect_message(read_refusal(folder, ""), "is no gmsh mesh");
+  expect_message(read_refusal(folder, ""), "is not a gmsh mesh");
   // gmsh would run this as a script.
   expect_message(read_refusal(folder, "Point(1) = {0,0,0};\nSystemCall \"true\";\n"),
                  "does not begin with $MeshFormat");
   expect_message(read_refusal(folder, "$MeshFormat\n4 0 8\n$EndMeshFormat\n"), "gmsh format 4");
   expect_message(read_refusal(folder, format22("4 2 3 1 1 2 3 5")), "allowed: hexahedra");
   expect_message(read_refusal(folder, format22("5 2 3 1 1 2 3 4 5 6 7 8", "2 2 1 1 5 6 7")),
-                 "no quadrilaterals");
+                 "not quadrilaterals");
   // No volume at all: the group's face belongs to nothing.
   std::string surface_only = format22();
   surface_only.replace(surface_only.find("$Elements\n3"), 11, "$Elements\n2");
   const auto begin = surface_only.find("3 5 2 3 1");
   surface_only.erase(begin, surface_only.find('\n', begin) - begin + 1);
-  expect_message(read_refusal(folder, surface_only), "no face of a hexahedron");
+  expect_message(read_refusal(folder, surface_only), "not a face of a hexahedron");
 }

@@ -244,8 +244,8 @@ TEST(UserMesh, IsPutOnTheSurfaceOrRefused) {
   EXPECT_EQ(refused(turned_mesh(rail_shape(20))), "");
   expect_message(refused(moved(1e-3, {})), "coordinates in mm");  // metres
   expect_message(refused(moved(1e6, {})), "coordinates in mm");
-  expect_message(refused(moved(1.0, {0, 0, -1})), "beside the surface");
-  expect_message(refused(turned_mesh(rail_shape(25))), "beside the surface");
+  expect_message(refused(moved(1.0, {0, 0, -1})), "away from the surface");
+  expect_message(refused(turned_mesh(rail_shape(25))), "away from the surface");
   expect_message(refused(moved(1.0, {25, 0, 0})), "the contact needs");
   // Nodes that are a little off are moved.
   const TemporaryFolder folder;

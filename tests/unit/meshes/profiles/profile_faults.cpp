@@ -37,7 +37,7 @@ const std::vector<Fault> faults{
     {"NoProfile",
      true,
      "Dear Sir,\nplease find\n",
-     {"profile.txt:2: is no profile", "begin with no number"},
+     {"profile.txt:2: is not a profile", "do not begin with a number"},
      {}},
     {"BadNumber", true, "1 2\n3 x4\n", {"profile.txt:2:", "`x4`"}, {}},
     {"OneColumn", false, "1\n2\n", {"profile.txt:1:", "two columns"}, {}},
@@ -89,7 +89,7 @@ const std::vector<Fault> faults{
              [](Points& p) {
                for (std::size_t k = 3; k + 8 < p.size(); k += 9) std::swap(p[k], p[k + 6]);
              }),
-     {"in no order", "sort = true"},
+     {"unordered", "sort = true"},
      [](ProfileSource& s) { s.sort = true; }},
     {"Duplicate",
      false,

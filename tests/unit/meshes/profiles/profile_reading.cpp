@@ -73,10 +73,10 @@ TEST(ProfileReading, TextThatMakesNoSenseIsRefusedWithItsLine) {
   expect_said("-36.0 37.x\n" + rows, "a.txt", "a.txt:1: expected a number, got `37.x`");
   expect_said("rail\n-36,0 37,5\n-35,9x 37\n", "a.txt", "a.txt:2: has 4 numbers");
   expect_said("1o.5 3\n" + rows, "a.txt", "a.txt:1: expected a number, got `1o.5`");
-  expect_said("To whom it may concern:\nno list follows\n", "a.txt", "a.txt:2: is no profile");
+  expect_said("To whom it may concern:\nno list follows\n", "a.txt", "a.txt:2: is not a profile");
   // Nothing of what is not meant for us is repeated.
   expect_said("root:x:0:0:root:/root:/bin/sh\nuser:secret:1000\n", "passwd",
-              "passwd:2: is no profile");
+              "passwd:2: is not a profile");
   EXPECT_EQ(refusal("root:x:0:0\nuser:secret:1000\n", false, {}, "a.prr").find("secret"),
             std::string::npos);
   expect_said("12\n" + rows, "a.txt", "a.txt:1: has one number");
@@ -84,7 +84,7 @@ TEST(ProfileReading, TextThatMakesNoSenseIsRefusedWithItsLine) {
   expect_said("Rail\n" + rows + "the end\n", "a.mpt",
               fmt::format("a.mpt:{}: expected a number, got `the`", points_of("60E1").size() + 2));
   expect_said("spline.begin\nfree text\npoint.begin\n" + rows + "point.end\nspline.end\n", "a.prr",
-              "a.prr:2: `free text` is no key");
+              "a.prr:2: `free text` is not a key");
   expect_said("spline.begin\npoint.begin\n1 2\nand so on\npoint.end\n", "a.prr",
               "a.prr:4: expected a number, got `and`");
 }

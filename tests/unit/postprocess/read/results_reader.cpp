@@ -165,7 +165,7 @@ TEST_F(ResultsReaderTest, RefusesWhatIsNoWholeResult) {
   // Killed while it was written, at many places.
   for (int part = 1; part < 40; ++part) {
     const std::string said = refusal(file(whole.substr(0, whole.size() * part / 40)));
-    EXPECT_NE(said.find("cut short or damaged"), std::string::npos) << part << ": " << said;
+    EXPECT_NE(said.find("truncated or damaged"), std::string::npos) << part << ": " << said;
     EXPECT_NE(said.find("do: "), std::string::npos) << said;
   }
 }
@@ -184,7 +184,7 @@ TEST_F(ResultsReaderTest, AFileThatWasChangedNoLongerFitsItsChecksum) {
     const std::string said = refusal(file(damaged));
     ASSERT_NE(said.find("do: "), std::string::npos) << at << ": " << said;
   }
-  EXPECT_NE(refusal(file(whole + "x")).find("does not fit its checksum"), std::string::npos);
+  EXPECT_NE(refusal(file(whole + "x")).find("its checksum does not match"), std::string::npos);
 }
 
 TEST_F(ResultsReaderTest, AFileWithoutAChecksumIsReadAndSaysSo) {
@@ -214,7 +214,7 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
     const std::string path = file(whole);
     EXPECT_EQ(testing::python("import sys, h5py\nf = h5py.File(sys.argv[1], 'a')\n" + change, path),
               "");
-    EXPECT_NE(refusal(path).find("does not fit its checksum"), std::string::npos);
+    EXPECT_NE(refusal(path).find("its checksum does not match"), std::string::npos);
     seal_again(path);
     return refusal(path);
   };
@@ -227,8 +227,8 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
       {"f.attrs['format'] = 'something'", "but not a result of rollfem"},
       {"del f.attrs['format']", "but not a result of rollfem"},
       {"f.attrs['format_version'] = 3", "format version 3, this program reads 1 and 2"},
-      {"del f.attrs['complete']", "is incomplete: its writing was cut short"},
-      {"f.attrs['complete'] = 0", "is incomplete: its writing was cut short"},
+      {"del f.attrs['complete']", "is incomplete, because writing it was interrupted"},
+      {"f.attrs['complete'] = 0", "is incomplete, because writing it was interrupted"},
       {"del f['case']", "there is no group case"},
       {"del f['models/hertz/grid']", "there is no group grid"},
       {"del f['models/fem/points/0002'].attrs['approach']", "there is no attribute approach"},
@@ -313,7 +313,7 @@ with open(sys.argv[1], 'r+b') as f:
             "");
   seal_again(path);
   const std::string said = refusal(path);
-  EXPECT_NE(said.find("damaged or cut short: dataset pressure"), std::string::npos) << said;
+  EXPECT_NE(said.find("damaged or truncated: dataset pressure"), std::string::npos) << said;
 }
 
 TEST_F(ResultsReaderTest, ReadsAFileWithoutBodies) {

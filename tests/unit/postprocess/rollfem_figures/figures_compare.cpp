@@ -67,7 +67,7 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   run.input.title = "second <case>";
   run.models.erase(run.models.begin());
   record.cases.push_back(written("two", run));
-  record.cases[1].missing = {{"strip", "it cannot take this & that", false}};
+  record.cases[1].missing = {{"strip", "it cannot handle this & that", false}};
   ComparedCase failed;
   failed.name = "three";
   failed.title = "third";
@@ -78,9 +78,10 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   const std::string page = contents(base_ / "compare.html");
   expect_self_contained(page);
   for (const char* text :
-       {"Comparison of models on 3 cases", "second &lt;case&gt;", "it cannot take this &amp; that",
-        "is left out", "no contact", "failed", "Within the error bars of half-space: ", "Cost",
-        "Force per strip", "Lateral traction", "id=\"one\"",
+       {"Comparison of models on 3 cases", "second &lt;case&gt;",
+        "it cannot handle this &amp; that", "is left out", "no contact", "failed",
+        "Within the error bars of half-space: ", "Cost", "Force per strip", "Lateral traction",
+        "id=\"one\"",
         "largest longitudinal traction |p<sub>x</sub>|<br><span class=d>% of μ p<sub>0</sub>"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   // Ten figures in the first case, one less in the second without Hertz, and differences against

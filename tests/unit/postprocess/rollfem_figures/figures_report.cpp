@@ -181,7 +181,7 @@ TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
   const fs::path folder = draw(testing::synthetic_run());
   fs::resize_file(folder / "results.h5", fs::file_size(folder / "results.h5") / 2);
   const std::string message = make_report(folder.string(), scripts);
-  EXPECT_NE(message.find("is cut short or damaged"), std::string::npos) << message;
+  EXPECT_NE(message.find("is truncated or damaged"), std::string::npos) << message;
   EXPECT_NE(message.find("run the case again"), std::string::npos) << message;
   EXPECT_EQ(message.find("Traceback"), std::string::npos) << message;
   fs::remove(folder / "results.h5");
@@ -196,7 +196,7 @@ TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
   std::ofstream(scripts_here / "__main__.py") << "def f():\n    raise ValueError('odd')\nf()\n";
   const std::string message = make_report(folder.string(), base_.string());
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  EXPECT_EQ(message.rfind("ValueError: odd (the whole text is in ", 0), 0U) << message;
+  EXPECT_EQ(message.rfind("ValueError: odd (full text in ", 0), 0U) << message;
   EXPECT_NE(contents(folder / "report.log").find("Traceback"), std::string::npos);
 }
 

@@ -123,9 +123,9 @@ TEST(Limit, NoOrderIsClaimedWhereThereIsNone) {
     return limit.reason;
   };
   EXPECT_EQ(reason({1.0, 1.2, 1.1}), "the sequence is not monotone");
-  EXPECT_EQ(reason({1.0, 1.1, 1.3}), "its changes do not fall");
+  EXPECT_EQ(reason({1.0, 1.1, 1.3}), "its changes do not decrease");
   EXPECT_EQ(reason({1.0, 1.1, 1.1}), "the last two values are the same");
-  EXPECT_EQ(reason({1.0, 1.1}), "two levels show no order");
+  EXPECT_EQ(reason({1.0, 1.1}), "two levels cannot show an order");
   EXPECT_NE(reason(sequence(0.2, 3)).find("too slowly"), std::string::npos);
   EXPECT_NE(reason(sequence(8.0, 3)).find("chance"), std::string::npos);
   // Three times the largest of the last two changes.
