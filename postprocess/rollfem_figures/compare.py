@@ -176,9 +176,9 @@ def _elasticity(cases):
     """What is not error where finite elements and half-space differ."""
     if not {"fem", "halfspace"} <= set(_models(cases)):
         return ""
-    return (" Where FEM and half-space differ by more than the bars, not all of it is error: a half-space leaves out "
-            "how a loaded wheel is strained along its circle, which gives a force even at ξ = 0, and that a curved "
-            "patch is not flat (docs/verification.md).")
+    return (" Differences between FEM and half-space beyond the bars are not numerical errors alone: a half-space "
+            "leaves out the strain of a loaded wheel along its circle, which causes a force even at ξ = 0, and the "
+            "curvature of the patch (docs/verification.md).")
 
 
 def _reference_words(comparison):
@@ -186,16 +186,16 @@ def _reference_words(comparison):
     wished = comparison["reference"] or "halfspace"
     ways = list(dict.fromkeys([wished, *(m for m in ("halfspace", "fem") if m in comparison["models"])]))
     first, *others = [escape(looks.label(_model(name))) for name in ways]
-    return f"Differences are to {first}" + (f" where it has the number, else to {' or '.join(others)}. " if others else ". ")
+    return f"Differences are to {first}" + (f", or, if it lacks the number, to {' or '.join(others)}. " if others else ". ")
 
 
 def _asked(comparison):
     names = ", ".join(escape(looks.label(_model(m))) for m in comparison["models"])
     cases = "".join(f"<li><a href=\"#{escape(c['name'])}\">{escape(c['name'])}</a>: "
                     f"{escape(c['title'])}</li>" for c in comparison["cases"])
-    return (f"<p>The models {names} on the same cases. {_reference_words(comparison)}"
-            "Error bars are each model's own estimate of its numerical error; a theory without one "
-            "(Hertz) counts as having none, so that what it leaves out shows as a difference.</p>"
+    return (f"<p>Models: {names}. {_reference_words(comparison)}"
+            "Error bars are each model's own estimate of its numerical error; an exact closed form "
+            "(Hertz) has none, so that what it leaves out shows as a difference.</p>"
             f"<ul>{cases}</ul>")
 
 
@@ -207,8 +207,8 @@ def build_comparison(directory):
     looks.know(comparison.get("labels", {}))
     cases = [c for c in comparison["cases"] if c["complete"]]
     sections = [_case_section(comparison, c, directory) for c in comparison["cases"]]
-    drawn = draw_all([("difference_cost.svg", "What a model differs from the reference by, and what it costs: one "
-                       "marker for each case. Differences below 0.0001 % are drawn there.",
+    drawn = draw_all([("difference_cost.svg", "Difference of each model from the reference against its cost, one marker "
+                       "per case. Differences below 0.0001 % are drawn at that value.",
                        lambda: cost_figure(cases))], folder_of(directory))
     found = _differences(cases, {name: _heading(quantity)
                                  for name, quantity in comparison["quantities"].items()})
@@ -219,7 +219,7 @@ def build_comparison(directory):
             report.verdict(comparison["verdict"]), _asked(comparison), "<h2>Differences</h2>" * bool(found),
             *map(page.figure, drawn), found,
             "<p class=hint>Largest difference over the load points of the case, with its sign. Bold: at least one "
-            "load point is beyond the error bars of both models together, at how many stands below; “bars”: "
+            "load point exceeds the error bars of both models together; their number is given below. “bars”: "
             f"what they allow at that point.{_elasticity(cases)}</p>" if found else "",
             "<h2>Cost</h2>", _cost_table(cases), *sections,
             "<h2>Signs</h2><p>", report.CONVENTIONS, "</p>"],

@@ -12,8 +12,8 @@ from .tables import measured, number, plain, table
 
 NAMES = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orthogonal shear",
          "principal_1": "principal, tension"}
-REGIONS = {"elastic": "nothing yields", "elastic shakedown": "it yields at first, then residual stress keeps every "
-           "passage elastic", "beyond shakedown": "it flows at every passage"}
+REGIONS = {"elastic": "nothing yields", "elastic shakedown": "yields at first, then residual stress keeps every "
+           "passage elastic", "beyond shakedown": "flows at every passage"}
 
 
 def _largest_cell(found):
@@ -63,10 +63,10 @@ def _verdicts(result):
         html.append(table([f"{escape(looks.label(model))}: ξ [%]", "T/F<sub>z</sub>", "p<sub>0</sub>/k",
                            "shakedown limit", "σ<sub>v</sub>/(√3 k)", "surface fatigue index", "verdict"], rows))
     ratio = result.models[0].data["shakedown"][0]["ellipse"]["ratio"]
-    html.append(f"<p class=hint>The limit is that of an ellipse b/a = {number(ratio, 3)}, as the patch, in full slip: where "
-                "the largest shear on planes parallel to the surface is k. Whether it yields at first, the "
-                "largest von Mises stress σ<sub>v</sub> of this very contact says where it is known; else the lower of the "
-                "elastic limits of line and circle.</p>")
+    html.append(f"<p class=hint>The limit is that of an ellipse b/a = {number(ratio, 3)}, like the patch, in full slip: "
+                "there the largest shear on planes parallel to the surface is k. First yield is judged by the largest "
+                "von Mises stress σ<sub>v</sub> of this contact if known, otherwise by the lower of the elastic "
+                "limits of line and circle.</p>")
     return "".join(html)
 
 

@@ -224,12 +224,12 @@ def _overview(study):
     return "<h2>Largest pressure of every patch</h2>" + tables.table(head, rows)
 
 
-HINTS = """±: the model's own estimate; of limits, what the levels leave uncertain.
+HINTS = """±: the model's own estimate; of limits, the uncertainty left by the levels.
 Errors in percent of the reference, of traction coefficients in percent of μ. Orders: from the
-errors of a level and the one before where the reference is exact or given, else from the last three values.
-Limit: Richardson's value of the three finest levels with its uncertainty; where these show no order (they are
-not monotone, or their changes do not fall) that of a curve fitted to all levels, if four or more follow one;
-else the finest value with three times the largest change.
+errors of a level and the one before if the reference is exact or given, otherwise from the last three values.
+Limit: Richardson's value of the three finest levels with its uncertainty; if these show no order (not monotone, or
+changes that do not decrease), that of a curve fitted to all levels, if four or more follow one;
+otherwise the finest value with three times the largest change.
 An order well above 2 is partly chance. Seconds: what a user waits for, all load points and the error
 estimates included."""
 
@@ -244,8 +244,8 @@ def _figures(study):
     for place in study["places"]:
         suffix = f"_{place['key']}" if place["key"] else ""
         if len(study["places"]) <= MOST_OPEN or len(place["series"]) > 1:
-            yield (f"speed_error{suffix}.svg", "Error against seconds. Where a line stays flat the theory ends, not "
-                   "the grid; what has no error (Hertz where it is the reference) is not drawn.",
+            yield (f"speed_error{suffix}.svg", "Error against seconds. Where a line stays flat, the error is that of the "
+                   "theory, not of the grid. An exact reference (Hertz) is not drawn.",
                    lambda place=place: speed_error(place, friction))
         yield (f"error_unknowns{suffix}.svg", "Error against unknowns, every quantity of the study.",
                lambda place=place: errors_figure(place, "unknowns", _keys(place), friction))
