@@ -8,6 +8,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "postprocess/write/output.hpp"
+#include "postprocess/write/wheelset_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -49,13 +50,25 @@ void check_before(const RunRequest& request, const contact::Case& input,
   if (input.output.stress_maxima) warn("[output] stress_maxima");
 }
 
-void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {
+/// Of which a line a position is printed: the one that others are measured against, where it is
+/// run.
+std::string model_to_tell(const postprocess::RunRecord& record,
+                          const contact::ModelRegistry& models) {
+  const std::vector<std::string> run = postprocess::model_names(record);
+  const std::string& reference = models.reference().name;
+  const bool there = std::find(run.begin(), run.end(), reference) != run.end();
+  return there || run.empty() ? reference : run.back();
+}
+
+void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record,
+                    const contact::ModelRegistry& models) {
   const fs::path directory = output_directory(request);
   write_whole(directory.string(), record);
   const bool drawn = request.report && report_drawn(directory.string());
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"
-            << run_table(record.models) << wheelset_lines(record.input, record.wheelset);
+            << run_table(record.models)
+            << postprocess::wheelset_table(record, model_to_tell(record, models));
   std::cout << notes_text(record.models);
   std::cout << "\n\nresults: " << directory.string() << '\n';
   if (drawn) std::cout << "report:  " << (directory / "report.html").string() << '\n';
@@ -93,9 +106,9 @@ void run(const RunRequest& request, const contact::ModelRegistry& models) {
     if (!how.first) return;
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);
-    record.wheelset = wheelset_geometry(record.input);
+    add_rigid_wheelset(record);
     frame.clear_line();
-    write_and_tell(request, record);
+    write_and_tell(request, record, models);
     frame.forget_kept();
     refuse_shortfall(record);
   });

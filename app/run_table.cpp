@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <regex>
 #include <set>
 #include <utility>
 
@@ -143,39 +143,38 @@ std::string place_line(const contact::ContactPlace& place) {
 /// More patches than this are told in a line each.
 constexpr std::size_t most_told = 3;
 
-/// Of the numbers of a row: their bars, or why they have none.
-std::string bars_of_row(const PointResult& point) {
-  return fmt::format(
-      "{:<78}{:>10} {:>10} {:>11} {:>8}\n", "", contact::bar_text(point, "normal_force"),
-      contact::bar_text(point, "max_pressure"), contact::bar_text(point, "longitudinal_creepage"),
-      contact::bar_text(point, "traction_coefficient"));
+/// "0.3052 +- 0.0028"
+std::string with_bar(const std::string& value, const PointResult& point, const char* quantity) {
+  return value + ' ' + contact::bar_text(point, quantity);
 }
 
+/// The words of a sentence: numbers may differ in digits, sign and exponent.
 std::string without_numbers(const std::string& text) {
-  std::string words;
-  for (const char c : text)
-    if (std::isdigit(static_cast<unsigned char>(c)) == 0) words += c;
-  return words;
+  static const std::regex number(R"([-+]?[0-9]+(\.[0-9]*)?(e[-+]?[0-9]+)?)");
+  return std::regex_replace(text, number, "");
 }
 
-/// Two lines for each result: place and the first load point, and its bars.
+/// A line for each result: place, size and the first load point with its bars.
 std::string row_table(const std::vector<ModelResult>& models) {
-  std::string text =
-      fmt::format("{:<7}{:>4}{:>6}{:>9}{:>11}{:>11}{:>10}  {:<18}{:>10}{:>11}{:>12}{:>9}\n",
-                  "wheel", "pos", "patch", "shift mm", "y rail mm", "y wheel mm", "angle rad",
-                  "model", "F_n N", "p0 MPa", "xi", "-F_x/F_z");
+  std::string text = fmt::format(
+      "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>18}{:>12}{:>18}\n",
+      "wheel", "pos", "patch", "shift mm", "y rail mm", "y wheel mm", "angle rad", "model", "F_n N",
+      "length mm", "width mm", "p0 MPa", "xi", "-F_x/F_z");
   for (const ModelResult& model : models) {
     if (model.points.empty() || !model.place) continue;
     const contact::ContactPlace& place = *model.place;
     const PointResult& point = model.points.front();
+    const double coefficient =
+        std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient;
     text += fmt::format(
-        "{:<7}{:>4}{:>6}{:>9.3g}{:>11.4f}{:>11.4f}{:>10.4f}  {:<18}{:>10.5g}{:>11.2f}{:>12.4e}"
-        "{:>9.4f}\n",
+        "{:<6}{:>3}{:>6}{:>9.3g}{:>10.4f}{:>11.4f}{:>10.4f}  {:<12}{:>9.5g}{:>10.3f}{:>10.3f}{:>18}"
+        "{:>12.4e}{:>18}\n",
         place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
         place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
-        point.max_pressure, point.creepage.longitudinal,
-        std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient);
-    text += bars_of_row(point);
+        point.contact_length, point.contact_width,
+        with_bar(fmt::format("{:.2f}", point.max_pressure), point, "max_pressure"),
+        point.creepage.longitudinal,
+        with_bar(fmt::format("{:.4f}", coefficient), point, "traction_coefficient"));
   }
   return text;
 }
@@ -209,25 +208,29 @@ std::string run_table(const std::vector<ModelResult>& models) {
 
 std::string notes_text(const std::vector<ModelResult>& models) {
   struct Note {
+    std::string words;  // with the model's name
     std::string text;
-    std::set<std::string> variants;
+    std::set<std::string> others = {};  // patches that have it with other numbers
   };
-  std::vector<std::pair<std::string, Note>> notes;  // by model and words
+  std::vector<Note> notes;
   for (const ModelResult& model : models)
     for (const std::string& text : model.notes) {
       const std::string words = model.name + without_numbers(text);
-      const auto same = [&](const auto& note) { return note.first == words; };
+      const auto same = [&](const Note& note) { return note.words == words; };
       const auto found = std::find_if(notes.begin(), notes.end(), same);
       if (found == notes.end())
-        notes.push_back({words, {model.name + ": " + text, {text}}});
-      else
-        found->second.variants.insert(text);
+        notes.push_back({words, model.name + ": " + text});
+      else if (found->text != model.name + ": " + text)
+        found->others.insert(model.key());
     }
   std::string text;
-  for (const auto& [words, note] : notes) {
+  for (const Note& note : notes) {
     text += '\n' + note.text;
-    if (note.variants.size() > 1)
-      text += fmt::format(" (and {} patches with other numbers)", note.variants.size() - 1);
+    if (!note.others.empty())
+      text += fmt::format(" ({} with other numbers)",
+                          note.others.size() == 1
+                              ? "and another patch"
+                              : fmt::format("and {} other patches", note.others.size()));
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include "contact/case/case_reader.hpp"
 #include "meshes/track/rigid_touch.hpp"
 #include "meshes/track/scenes.hpp"
+#include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 
 namespace rollfem::app {
 
@@ -26,8 +28,6 @@ namespace {
 
 constexpr double shift_step = 0.1;  // mm; EN 15302 asks for 0.2 at most
 constexpr int rows_per_millimetre = 10;
-/// Of what a run says beside its patches, mm: as EN 15302.
-constexpr double step_of_rows = 0.2;
 
 std::string value_or(const std::optional<double>& value, const char* format, const char* none) {
   return value ? fmt::format(fmt::runtime(format), *value) : none;
@@ -49,21 +49,25 @@ std::string table_of(const std::vector<WheelsetRow>& rows) {
   return text;
 }
 
-std::string csv_of(const std::vector<WheelsetRow>& rows) {
-  std::string text =
-      "lateral_shift [mm],roll [rad],radius_left [mm],radius_right [mm],radius_difference "
-      "[mm],angle_left [rad],angle_right [rad],y_wheel_left [mm],y_wheel_right "
-      "[mm],conicity_harmonic [-],conicity_wave [-],wave_length [mm]\n";
-  for (const WheelsetRow& row : rows) {
-    const meshes::WheelsetTouch& touch = row.touch;
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", touch.lateral_shift, touch.roll,
-                    touch.left.rolling_radius, touch.right.rolling_radius,
-                    touch.radius_difference(), touch.left.contact_angle, touch.right.contact_angle,
-                    touch.left.y_wheel, touch.right.y_wheel, value_or(row.harmonic, "{}", ""),
-                    value_or(row.wave, "{}", ""), value_or(row.wave_length, "{}", ""));
-  }
-  return text;
+postprocess::RigidWheelset rigid_of(const WheelsetRow& row) {
+  const meshes::WheelsetTouch& touch = row.touch;
+  return {touch.lateral_shift,
+          touch.roll,
+          touch.left.rolling_radius,
+          touch.right.rolling_radius,
+          touch.left.contact_angle,
+          touch.right.contact_angle,
+          touch.left.y_wheel,
+          touch.right.y_wheel,
+          row.harmonic,
+          row.wave,
+          row.wave_length};
+}
+
+std::vector<postprocess::RigidWheelset> rigid_row(const std::vector<WheelsetRow>& rows) {
+  std::vector<postprocess::RigidWheelset> rigid;
+  for (const WheelsetRow& row : rows) rigid.push_back(rigid_of(row));
+  return rigid;
 }
 
 void check(const WheelsetRequest& request, const contact::Case& input) {
@@ -79,38 +83,28 @@ void check(const WheelsetRequest& request, const contact::Case& input) {
 
 }  // namespace
 
-std::vector<postprocess::WheelsetGeometry> wheelset_geometry(const contact::Case& input) {
+void add_rigid_wheelset(postprocess::RunRecord& record) {
+  const contact::Case& input = record.input;
   const std::vector<double>& shifts = input.wheelset.lateral_shift;
-  const auto farther = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  if (!input.has_profiles() || input.wheelset.side != contact::WheelSide::both ||
-      input.wheelset.positions() < 2)
-    return {};
-  const double reach = std::abs(*std::max_element(shifts.begin(), shifts.end(), farther));
-  if (reach < step_of_rows) return {};
-  const auto rows =
-      meshes::wheelset_rows(input, meshes::search_scene_of(input), reach, step_of_rows);
-  std::vector<postprocess::WheelsetGeometry> geometry;
-  for (const double shift : shifts) {
-    // The nearest of the rows: the other side is the mirror image.
-    const auto k = static_cast<std::size_t>(std::lround(std::abs(shift) / step_of_rows));
-    const WheelsetRow& row = rows[std::min(k, rows.size() - 1)];
-    geometry.push_back(
-        {std::copysign(1.0, shift) * row.touch.radius_difference(), row.harmonic, row.wave});
+  if (!input.has_profiles() || input.wheelset.positions() < 2) return;
+  const auto [least, most] = std::minmax_element(shifts.begin(), shifts.end());
+  if (*least == *most) return;  // a row of yaw angles
+  const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double reach = std::abs(*std::max_element(shifts.begin(), shifts.end(), nearer));
+  if (reach < 2.0 * shift_step) return;
+  const meshes::SearchScene search = meshes::search_scene_of(input);
+  std::vector<WheelsetRow> rows;
+  try {
+    rows = meshes::wheelset_rows(input, search, std::ceil(reach / shift_step) * shift_step,
+                                 shift_step);
+  } catch (const std::runtime_error&) {
+    return;  // profiles of which one wheel alone stands on its rail
   }
-  return geometry;
-}
-
-std::string wheelset_lines(const contact::Case& input,
-                           const std::vector<postprocess::WheelsetGeometry>& geometry) {
-  if (geometry.empty()) return "";
-  std::string text =
-      "\nrigid wheelset: position, shift mm, r right - left mm, equivalent conicity at that "
-      "amplitude\n";
-  for (std::size_t k = 0; k < geometry.size(); ++k)
-    text += fmt::format("{:>8}{:>10.4g}{:>20.4f}{:>12}\n", k + 1, input.wheelset.lateral_shift[k],
-                        geometry[k].radius_difference,
-                        value_or(geometry[k].conicity_harmonic, "{:.4f}", "-"));
-  return text;
+  for (const double shift : shifts) {
+    const auto row = meshes::wheelset_row(input, search, rows, shift);
+    record.wheelset.push_back(row ? std::optional(rigid_of(*row)) : std::nullopt);
+  }
+  record.rigid_row = rigid_row(rows);
 }
 
 void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models) {
@@ -124,7 +118,7 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
           ? fs::path("results") / (fs::path(request.case_file).stem().string() + "_wheelset")
           : fs::path(request.directory);
   FilesTogether files("wheelset", folder);
-  files.write("wheelset.csv", csv_of(rows));
+  files.write("wheelset.csv", postprocess::rigid_wheelset_csv(rigid_row(rows)));
   files.commit();
   const double last = rows.back().touch.lateral_shift;
   std::cout << fmt::format(

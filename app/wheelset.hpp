@@ -17,12 +17,9 @@ struct WheelsetRequest {
   double reach = 10.0;               ///< mm of shift, to the right; the other side is its mirror
 };
 
-/// Of every position of a case that moves a wheelset of two wheels sideways; else nothing.
-std::vector<postprocess::WheelsetGeometry> wheelset_geometry(const contact::Case& input);
-
-/// The same as lines for the screen; "" where there is nothing.
-std::string wheelset_lines(const contact::Case& input,
-                           const std::vector<postprocess::WheelsetGeometry>& geometry);
+/// Of a case with several lateral shifts: how the rigid wheelset stands at each, and the row of
+/// small steps up to the largest.
+void add_rigid_wheelset(postprocess::RunRecord& record);
 
 /// Prints the table, writes wheelset.csv and draws wheelset.svg. Throws contact::InputError where
 /// the case has no profiles, contact::SolveError where the wheelset does not stand on the track.

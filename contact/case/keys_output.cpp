@@ -21,7 +21,8 @@ SectionWithKeys output_section() {
           "Load points at which pressure, tractions, slip, gap and displacement on the contact "
           "grid "
           "are kept, in results.h5, path_x.csv, path_y.csv and as ParaView files: `some` are 25 "
-          "from the first to the last, `auto` all of up to 100 and some of more; scalars are kept "
+          "from the first to the last, `auto` all of up to 100 and some of more, counted for every "
+          "model and patch by itself; scalars are kept "
           "of all. Figures and rollfem stress of half-spaces need them.")
       .into(&OutputOptions::grid_fields, {{"auto", GridFields::automatic},
                                           {"all", GridFields::all},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::meshes {
 
@@ -58,28 +59,65 @@ double contact_distance(const contact::Track& track) {
   return track.gauge + 65.0;
 }
 
+namespace {
+
+/// Nothing for fewer than two rows.
+std::optional<RadiusDifference> radii_of(const std::vector<WheelsetRow>& rows) {
+  std::vector<double> at, difference;
+  for (const WheelsetRow& row : rows) {
+    at.push_back(row.touch.lateral_shift);
+    // In the middle both wheels are alike.
+    difference.push_back(at.size() == 1 ? 0.0 : row.touch.radius_difference());
+  }
+  if (at.size() < 2) return {};
+  return RadiusDifference(std::move(at), std::move(difference));
+}
+
+void add_conicity(const contact::Case& input, const RadiusDifference& radii, WheelsetRow& row) {
+  const double amplitude = row.touch.lateral_shift;
+  const double distance = contact_distance(input.track);
+  const double radius = input.wheel.rolling_radius;
+  row.harmonic = radii.harmonic_conicity(amplitude);
+  row.wave = radii.wave_conicity(amplitude, distance, radius);
+  row.wave_length = radii.wave_length(amplitude, distance, radius);
+}
+
+WheelsetTouch mirrored(const WheelsetTouch& touch) {
+  return {0.0 - touch.lateral_shift, 0.0 - touch.roll, touch.right, touch.left};
+}
+
+}  // namespace
+
 std::vector<WheelsetRow> wheelset_rows(const contact::Case& input, const SearchScene& search,
                                        double reach, double step) {
   std::vector<double> shifts;
   for (int k = 0; k <= std::lround(reach / step); ++k) shifts.push_back(k * step);
-  const double distance = contact_distance(input.track);
-  const double radius = input.wheel.rolling_radius;
   std::vector<WheelsetRow> rows;
-  std::vector<double> at, difference;
-  for (const WheelsetTouch& touch : rigid_touches(input, search, shifts)) {
-    WheelsetRow row{touch, {}, {}, {}};
-    at.push_back(touch.lateral_shift);
-    // In the middle both wheels are alike.
-    difference.push_back(at.size() == 1 ? 0.0 : touch.radius_difference());
-    if (at.size() > 1) {
-      const RadiusDifference radii(at, difference);
-      row.harmonic = radii.harmonic_conicity(touch.lateral_shift);
-      row.wave = radii.wave_conicity(touch.lateral_shift, distance, radius);
-      row.wave_length = radii.wave_length(touch.lateral_shift, distance, radius);
-    }
-    rows.push_back(row);
-  }
+  for (const WheelsetTouch& touch : rigid_touches(input, search, shifts))
+    rows.push_back({touch, {}, {}, {}});
+  const std::optional<RadiusDifference> radii = radii_of(rows);
+  for (std::size_t k = 1; k < rows.size(); ++k) add_conicity(input, *radii, rows[k]);
   return rows;
+}
+
+std::optional<WheelsetRow> wheelset_row(const contact::Case& input, const SearchScene& search,
+                                        const std::vector<WheelsetRow>& rows, double shift) {
+  const double amplitude = std::abs(shift);
+  WheelsetRow row;
+  try {
+    row.touch = rigid_touches(input, search, {amplitude}).front();
+  } catch (const contact::SolveError&) {
+    return {};
+  } catch (const contact::InputError&) {
+    return {};
+  }
+  const std::optional<RadiusDifference> radii = radii_of(rows);
+  // Within the first piece the radii are known at its ends alone.
+  if (radii && amplitude >= rows[1].touch.lateral_shift &&
+      amplitude <= radii->largest_shift() * (1.0 + 1e-12))
+    add_conicity(input, *radii, row);
+  if (shift < 0.0) row.touch = mirrored(row.touch);
+  return row;
 }
 
 }  // namespace rollfem::meshes

@@ -47,4 +47,9 @@ double contact_distance(const contact::Track& track);
 std::vector<WheelsetRow> wheelset_rows(const contact::Case& input, const SearchScene& search,
                                        double reach, double step);
 
+/// At any shift (mm, either side), with the conicity at its amplitude from the radii of `rows`,
+/// which begin in the middle; nothing where a wheel leaves its rail or its profile ends.
+std::optional<WheelsetRow> wheelset_row(const contact::Case& input, const SearchScene& search,
+                                        const std::vector<WheelsetRow>& rows, double shift);
+
 }  // namespace rollfem::meshes

@@ -2,7 +2,7 @@
 import os
 from dataclasses import dataclass
 
-from . import curves, lateral, looks, maps, overlay, places, selection, stresses
+from . import curves, lateral, looks, maps, overlay, places, selection, stresses, wheelset
 from .figure import folder_of
 from .reader import read_result
 from .report import write_report
@@ -50,8 +50,13 @@ def place_captions(result):
                    f"The {wheel} wheel on its rail{places.at_words(result, position)}, with the contact "
                    "points. Right: how far apart the two are beside them before they are pressed together.",
                    lambda wheel=wheel, position=position: places.pair(result, wheel, position))
+    yield ("wheelset.svg", "The wheelset over its lateral shift: rolling radii and contact angles, without a load "
+           "(lines) and under it (markers); equivalent conicity over the amplitude, by the wave of the free "
+           "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the length of the wave.",
+           lambda: wheelset.of_run(result))
     yield ("positions.svg", "Along the row of positions: where wheel and rail touch, and what comes of "
-           "it at the first load point. Lines: the most loaded patch; single points: further patches. "
+           "it at the first load point. Lines: the most loaded patch; single points: further patches; forces: all "
+           "patches of a wheel. "
            "Full: left wheel, open: right wheel.", lambda: places.sweep(result))
 
 

@@ -91,6 +91,14 @@ def draw_pair_file(path):
     draw_pair(drawn, touching, title).save(os.path.splitext(path)[0] + ".svg")
 
 
+def force_to_the_right(model):
+    """Of the wheel along y of the track at the first load point, N, from the forces in the patch's frame
+    (docs/track.md)."""
+    angle, tilt = model.place["contact_angle"], 1 if model.place["wheel"] == "left" else -1
+    point = model.points[0]
+    return -point["lateral_force"] * math.cos(angle) + tilt * point["normal_force"] * math.sin(angle)
+
+
 def _curves():
     """Panels of the sweep: (title, unit, least span of the scale, value of a model's first point and
     place)."""
@@ -100,11 +108,16 @@ def _curves():
             ("normal force", "[kN]", 1.0, lambda m: m.points[0]["normal_force"] / 1e3),
             (PRESSURE, "[MPa]", 50.0, lambda m: m.points[0]["max_pressure"]),
             ("contact area", "[mm²]", 5.0, lambda m: m.points[0]["contact_area"]),
+            ("length of the patch, along rolling", "[mm]", 1.0, lambda m: m.points[0]["contact_length"]),
+            ("width of the patch", "[mm]", 1.0, lambda m: m.points[0]["contact_width"]),
             ("longitudinal creepage $\\xi$", "[%]", 0.02, lambda m: 100 * m.points[0]["longitudinal_creepage"]),
-            ("spin $\\varphi$", "[rad/m]", 0.02, lambda m: 1e3 * m.points[0]["spin"])]
+            ("spin $\\varphi$", "[rad/m]", 0.02, lambda m: 1e3 * m.points[0]["spin"]),
+            (FORCES[0], "[kN]", 0.2, lambda m: m.points[0]["longitudinal_force"] / 1e3),
+            (FORCES[1], "[kN]", 0.2, lambda m: force_to_the_right(m) / 1e3)]
 
 
 PRESSURE = "largest pressure"
+FORCES = ("$F_x$ on the wheel", "force to the right on the wheel")  # those of all its patches
 
 
 def along(result):
@@ -131,43 +144,70 @@ def at_words(result, position):
 WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow markers
 
 
-def _radius_difference(figure, models, at, label):
-    """Right less left rolling radius of the most loaded patches; nothing for one wheel."""
-    radius = {(m.place["position"], m.place["wheel"]): m.place["rolling_radius"] for m in models
-              if m.place["patch"] == 1}
-    both = sorted((at[p], radius[p, "right"] - radius[p, "left"]) for p in at
-                  if (p, "left") in radius and (p, "right") in radius)
-    if both:
-        panel = figure.add(250, 165, "rolling radius, right less left", label, "[mm]")
-        panel.y.least = 0.2
-        panel.line(*zip(*both), "green", marker="D", size=2.6)
+def radius_differences(found):
+    """[(lateral shift, right less left rolling radius)] of places of the most loaded patches of both
+    wheels; empty for one wheel."""
+    radius = {(p["position"], p["wheel"]): p["rolling_radius"] for p in found}
+    return sorted((p["lateral_shift"], radius[p["position"], "right"] - radius[p["position"], "left"])
+                  for p in found if p["wheel"] == "left" and (p["position"], "right") in radius)
+
+
+def reference_of_row(result):
+    """Name of the model that rows are drawn of: one that has most places (Hertz cannot take every patch), of
+    those the reference."""
+    names = list(dict.fromkeys(m.name for m in result.models if m.points and m.place))
+    wished = [name for name in (result.reference, "halfspace", "hybrid", "fem") if name in names] + names
+    return max(wished, key=lambda name: sum(m.name == name for m in result.models))
+
+
+def _of_row(models, at, value, joined):
+    """[(where, value)] of the most loaded patches, or (not `joined`) of the others."""
+    return sorted((at[m.place["position"]], value(m)) for m in models if (m.place["patch"] == 1) == joined)
+
+
+def _of_wheels(models, at, value):
+    """[(where, sum over the patches)]."""
+    sums = {}
+    for model in models:
+        where = at[model.place["position"]]
+        sums[where] = sums.get(where, 0.0) + value(model)
+    return sorted(sums.items())
+
+
+def _draw_row(panel, title, models, at, value, look):
+    """A quantity of one model and wheel over the row."""
+    colour, dash, marker, hollow = look
+    if title in FORCES:
+        panel.line(*zip(*_of_wheels(models, at, value)), colour, 1.2, dash, marker, 2.8, hollow)
+        return
+    for joined in (True, False):
+        chosen = _of_row(models, at, value, joined)
+        if chosen:
+            panel.line(*zip(*chosen), colour, 1.2, dash, marker, 2.8, hollow, joined=joined)
 
 
 def sweep(result):
-    """Contact point, angle, load, pressure, patch and creepages of both wheels over the positions; None
-    for fewer than 3."""
+    """Contact point, angle, load, pressure, patch, creepages and forces of both wheels over the positions;
+    None for fewer than 3."""
     if len(positions(result)) < 3:
         return None
     at, label = along(result)
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
-    # Of what all models share, the one that has most places: Hertz cannot take every patch.
-    reference = max(dict.fromkeys(m.name for m in models), key=lambda name: sum(m.name == name for m in models))
+    reference = reference_of_row(result)
     figure = Figure(3)
     wheels = [w for w in WHEELS if any(m.place["wheel"] == w[0] for m in models)]
-    names = sorted({m.name for m in models})
+    names = list(dict.fromkeys(m.name for m in models))
     for title, unit, least, value in _curves():
         panel = figure.add(250, 165, title, label, unit)
         panel.y.least = least
-        for name in names if title == PRESSURE else [reference]:
+        for name in names if title == PRESSURE or title in FORCES else [reference]:
             for wheel, dash, hollow in wheels:
                 here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
-                for joined in (True, False):
-                    chosen = sorted((at[m.place["position"]], value(m)) for m in here
-                                    if (m.place["patch"] == 1) == joined)
-                    if chosen:
-                        panel.line(*zip(*chosen), looks.of_model(here[0])[0], 1.2, dash, looks.marker(here[0]),
-                                   2.8, hollow, joined=joined)
-    _radius_difference(figure, [m for m in models if m.name == reference], at, label)
+                if title in FORCES and not any(m.has_friction for m in here):
+                    continue
+                if here:
+                    _draw_row(panel, title, here, at, value,
+                              (looks.of_model(here[0])[0], dash, looks.marker(here[0]), hollow))
     for name in names:
         model = next(m for m in models if m.name == name)
         for wheel, dash, hollow in wheels:
@@ -176,8 +216,8 @@ def sweep(result):
     ends = f"{label} from {min(at.values()):.4g} to {max(at.values()):.4g}"
     peak = max((m.points[0]["max_pressure"], at[m.place["position"]], m.place["wheel"]) for m in models
                if m.name == reference)
-    figure.seen = (f"Contact points, contact angle, normal force, pressure, patch and creepages over the {ends}. The "
-                   f"largest pressure, {peak[0]:.4g} MPa, is at {peak[1]:.4g} on the {peak[2]} wheel.")
+    figure.seen = (f"Contact points, contact angle, normal force, pressure, patch, creepages and forces over the {ends}. "
+                   f"The largest pressure, {peak[0]:.4g} MPa, is at {peak[1]:.4g} on the {peak[2]} wheel.")
     return figure
 
 

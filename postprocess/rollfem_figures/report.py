@@ -3,7 +3,7 @@ import os
 import re
 from html import escape
 
-from . import looks, places, selection, stresses, tables
+from . import looks, places, selection, stresses, tables, wheelset
 from .chooser import chooser
 from .page import figure, heading, page, write_page
 from .reader import place_label
@@ -112,9 +112,20 @@ def _stresses(result, images):
 
 
 def notes(result):
-    said = dict.fromkeys((looks.label(m), note) for m in result.models
-                         for note in m.notes + [f"model error: {m.model_error_source}"] * bool(m.model_error_source))
-    rows = [f"<li>{escape(name)}: {escape(note)}</li>" for name, note in said]
+    """What the models say of their results: a sentence that differs from patch to patch in its numbers alone
+    once, with those of the first."""
+    said = {}
+    for model in result.models:
+        for note in model.notes + [f"model error: {model.model_error_source}"] * bool(model.model_error_source):
+            words = looks.label(model), re.sub(r"[-+]?\d+(\.\d*)?(e[-+]?\d+)?", "", note)
+            said.setdefault(words, [note, set()])
+            if note != said[words][0]:
+                said[words][1].add(model.key)
+    rows = []
+    for (name, _), (note, others) in said.items():
+        more = "" if not others else " (and another patch with other numbers)" if len(others) == 1 else (
+            f" (and {len(others)} other patches with other numbers)")
+        rows.append(f"<li>{escape(name)}: {escape(note + more)}</li>")
     return "<h2>What to know about the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
 
 
@@ -166,7 +177,10 @@ def touching(result, figures):
     """Where wheel and rail touch, with profiles; else nothing."""
     if not (result.models and result.models[0].place):
         return ""
-    return ("<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
+    row = wheelset.table_of_run(result)
+    shift = "".join(figure(f) for f in figures if f.name == "wheelset.svg")
+    return ((f"<h2>The wheelset over its shift</h2>{row}{shift}" if row else "")
+            + "<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
             + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
             "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
             + "".join(figure(f) for f in figures if f.name.startswith(("pair_", "positions"))))
@@ -181,7 +195,7 @@ def report_html(result, figures):
         notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result), "</div>"],
         "Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
-        "contacts.csv with profiles, path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ "
+        "contacts.csv with profiles, wheelset.csv of a row of shifts, path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ "
         "(for ParaView), figures/.")
 
 

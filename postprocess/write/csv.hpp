@@ -35,6 +35,10 @@ std::string contacts_csv(const RunRecord& run);
 /// patches and forces of both wheels. Empty where RunRecord::wheelset is.
 std::string wheelset_csv(const RunRecord& run);
 
+/// The rigid wheelset over its lateral shift: what `rollfem wheelset` writes, and a run beside its
+/// wheelset.csv.
+std::string rigid_wheelset_csv(const std::vector<RigidWheelset>& rows);
+
 /// The regions of contacts that fall into several; empty where none does.
 std::string patches_csv(const RunRecord& run);
 

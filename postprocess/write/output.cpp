@@ -76,6 +76,7 @@ void write_results(const std::string& directory, const RunRecord& run) {
   if (!contacts.empty()) folder.write("contacts.csv", contacts);
   const std::string wheelset = wheelset_csv(run);
   if (!wheelset.empty()) folder.write("wheelset.csv", wheelset);
+  if (!run.rigid_row.empty()) folder.write("wheelset_rigid.csv", rigid_wheelset_csv(run.rigid_row));
   const std::string patches = patches_csv(run);
   if (!patches.empty()) folder.write("patches.csv", patches);
   if (run.input.output.fields)

@@ -33,11 +33,17 @@ struct PlacedPair {
   std::vector<std::array<double, 2>> wheel;
 };
 
-/// A position of a wheelset that is shifted sideways, as rigid bodies touch there.
-struct WheelsetGeometry {
-  double radius_difference = 0.0;  ///< mm, right less left rolling radius
-  /// Equivalent conicity at the amplitude of the shift (meshes/track/conicity.hpp).
-  std::optional<double> conicity_harmonic, conicity_wave;
+/// A wheelset that is shifted sideways, as its rigid wheels touch their rails there.
+struct RigidWheelset {
+  double lateral_shift = 0.0;                      ///< mm, to the right
+  double roll = 0.0;                               ///< rad
+  double radius_left = 0.0, radius_right = 0.0;    ///< mm, rolling radii
+  double angle_left = 0.0, angle_right = 0.0;      ///< rad, contact angles
+  double y_wheel_left = 0.0, y_wheel_right = 0.0;  ///< mm, of the wheel's profile
+  /// Equivalent conicity at the amplitude of the shift (meshes/track/conicity.hpp), and the length
+  /// of the wave in mm.
+  std::optional<double> conicity_harmonic = {}, conicity_wave = {}, wave_length = {};
+  double radius_difference() const { return radius_right - radius_left; }  ///< mm
 };
 
 struct RunRecord {
@@ -45,8 +51,11 @@ struct RunRecord {
   Provenance provenance;
   std::vector<contact::ModelResult> models;
   std::vector<PlacedPair> pairs;  ///< with profiles: of every wheel and position
-  /// Of every position, where both wheels are computed at several; else empty.
-  std::vector<WheelsetGeometry> wheelset = {};
+  /// Of every position of a row of lateral shifts, nothing where rigid wheels do not stand on the
+  /// rails; empty without such a row.
+  std::vector<std::optional<RigidWheelset>> wheelset = {};
+  /// From the middle to the largest of these shifts, in small steps.
+  std::vector<RigidWheelset> rigid_row = {};
 };
 
 /// Throws contact::InputError when write_results could not write to `directory`: a file, a folder

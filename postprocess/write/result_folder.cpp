@@ -102,10 +102,10 @@ void check_target(const fs::path& target) {
 
 /// Whether a file of an earlier result, relative to its folder, is one that rollfem makes.
 bool is_ours(const fs::path& name) {
-  static const std::set<std::string> files{"summary.json", "results.h5",     "creep_curve.csv",
-                                           "contacts.csv", "patches.csv",    "path_x.csv",
-                                           "path_y.csv",   "case.toml",      "report.html",
-                                           "report.log",   "subsurface.csv", "wheelset.csv"};
+  static const std::set<std::string> files{
+      "summary.json",   "results.h5",   "creep_curve.csv",   "contacts.csv", "patches.csv",
+      "path_x.csv",     "path_y.csv",   "case.toml",         "report.html",  "report.log",
+      "subsurface.csv", "wheelset.csv", "wheelset_rigid.csv"};
   static const std::set<std::string> in_fields{".vtu", ".vtp", ".pvd"};
   if (name.parent_path() == "fields") return in_fields.count(name.extension().string()) > 0;
   if (name.parent_path() == "figures") return name.extension() == ".svg";

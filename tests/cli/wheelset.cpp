@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
+#include <cmath>
 #include <sstream>
 
 namespace fs = std::filesystem;
@@ -72,7 +73,17 @@ TEST(Wheelset, RowHasOneLineAPositionWithBothWheels) {
   const Outcome outcome =
       call(folder, {"run", folder.file("case.toml", two_positions), "-o", "out", "--no-report"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("equivalent conicity at that amplitude"), std::string::npos);
+  // On the screen a line a position and a line a patch, and what is alike of all patches once.
+  const auto times = [&](const std::string& words) {
+    int count = 0;
+    for (std::size_t at = 0; (at = outcome.out.find(words, at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_EQ(times("the wheelset, by halfspace at the first load point"), 1) << outcome.out;
+  EXPECT_EQ(times("\n   2         2   "), 1) << outcome.out;
+  EXPECT_EQ(times("\nleft ") + times("\nright"), 4);
+  EXPECT_EQ(times("halfspace: error bars: "), 1);
+  EXPECT_EQ(times("(and 2 other patches with other numbers)"), 1) << outcome.out;
   std::istringstream table(contents(folder.work() / "out/wheelset.csv"));
   std::string line;
   std::vector<std::vector<std::string>> rows;
@@ -92,6 +103,11 @@ TEST(Wheelset, RowHasOneLineAPositionWithBothWheels) {
   EXPECT_NEAR(number(1, "left vertical_force [N]"), 100e3, 1.0);
   EXPECT_NEAR(number(2, "radius_difference [mm]"),
               number(2, "right rolling_radius [mm]") - number(2, "left rolling_radius [mm]"), 1e-9);
+  EXPECT_EQ(rows[1][4], "1");  // load points count from 1
+  EXPECT_NEAR(number(2, "wave_length [mm]"),
+              2.0 * M_PI * std::sqrt(1500.0 * 450.0 / (2.0 * number(2, "conicity_wave [-]"))),
+              1e-6);
+  EXPECT_EQ(contents(folder.work() / "out/wheelset_rigid.csv").rfind("lateral_shift [mm],", 0), 0u);
   // The patches of 100 kN are near where the rigid bodies touch.
   EXPECT_NEAR(number(2, "radius_difference [mm]"), number(2, "rigid_radius_difference [mm]"), 0.2);
 }

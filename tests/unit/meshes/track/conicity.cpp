@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 using namespace rollfem;
 
@@ -65,4 +67,46 @@ TEST(Conicity, NoWaveWhereTheWheelsetDoesNotComeBack) {
   EXPECT_FALSE(outward.wave_length(3.0, distance, radius).has_value());
   EXPECT_LT(outward.harmonic_conicity(3.0), 0.0);
   EXPECT_TRUE(outward.wave_length(8.0, distance, radius).has_value());
+}
+
+namespace {
+
+/// Every 0.1 mm from 0.
+meshes::RadiusDifference tabulated(const std::vector<double>& difference) {
+  std::vector<double> shift;
+  for (std::size_t k = 0; k < difference.size(); ++k) shift.push_back(0.1 * static_cast<double>(k));
+  return {shift, difference};
+}
+
+}  // namespace
+
+// EN 15302:2008 (UIC 519), annex E: radius differences of reference profiles in mm, and the
+// equivalent conicities that a program must find, to three digits (tolerance of annex F: 0.05).
+TEST(Conicity, OfReferenceProfilesIsThatOfTheStandard) {
+  const auto wheel_a = tabulated(
+      {0.0,   0.032, 0.051, 0.071, 0.092, 0.116, 0.142, 0.167, 0.197, 0.227, 0.257, 0.292, 0.328,
+       0.361, 0.402, 0.443, 0.481, 0.527, 0.574, 0.616, 0.667, 0.719, 0.766, 0.822, 0.879, 0.931,
+       0.992, 1.055, 1.111, 1.177, 1.236, 1.299, 1.346, 1.407, 1.471, 1.539, 1.598, 1.673, 1.752,
+       1.834, 1.906, 1.995, 2.088, 2.185, 2.286, 2.373, 2.481, 2.593, 2.709, 2.808, 2.931});
+  const std::pair<double, double> given[] = {{1.0, 0.125}, {2.0, 0.155}, {2.5, 0.171},
+                                             {3.0, 0.188}, {4.0, 0.216}, {5.0, 0.254}};
+  for (const auto& [amplitude, conicity] : given)
+    EXPECT_NEAR(wheel_a.wave_conicity(amplitude, distance, radius).value(), conicity, 6e-4)
+        << amplitude;
+}
+
+TEST(Conicity, OfACoarseStepInTheRadiiIsThatOfTheStandard) {
+  // Wheel B: a cone of 1:40 up to 2.9 mm, then the root of the flange.
+  std::vector<double> difference;
+  for (int k = 0; k < 30; ++k) difference.push_back(0.005 * k);
+  for (const double value :
+       {1.950, 2.003, 2.057, 2.112, 2.167, 2.224, 2.281, 2.339, 2.397, 2.457, 2.517,
+        2.578, 2.640, 2.702, 2.766, 2.830, 2.895, 2.961, 3.027, 3.095, 3.163})
+    difference.push_back(value);
+  const auto wheel_b = tabulated(difference);
+  const std::pair<double, double> given[] = {{2.5, 0.025}, {3.0, 0.058}, {3.1, 0.097},
+                                             {3.5, 0.189}, {4.0, 0.241}, {5.0, 0.283}};
+  for (const auto& [amplitude, conicity] : given)
+    EXPECT_NEAR(wheel_b.wave_conicity(amplitude, distance, radius).value(), conicity, 6e-4)
+        << amplitude;
 }

@@ -67,3 +67,23 @@ TEST(RigidTouch, EndsWhereAWheelLeavesItsRail) {
   EXPECT_EQ(touches.size(), 2u);
   EXPECT_ANY_THROW(static_cast<void>(meshes::rigid_touches(input, search, {70.0})));
 }
+
+TEST(RigidTouch, ARowHasEveryShiftOnEitherSide) {
+  const contact::Case input = circles(300.0, 200.0);
+  const meshes::SearchScene search = meshes::search_scene_of(input);
+  const auto rows = meshes::wheelset_rows(input, search, 3.0, 0.2);
+  ASSERT_EQ(rows.size(), 16u);
+  const auto right = meshes::wheelset_row(input, search, rows, 2.0);
+  const auto left = meshes::wheelset_row(input, search, rows, -2.0);
+  ASSERT_TRUE(right && left);
+  EXPECT_NEAR(right->touch.radius_difference(), rows[10].touch.radius_difference(), 1e-9);
+  EXPECT_NEAR(right->wave.value(), rows[10].wave.value(), 1e-6);
+  EXPECT_EQ(left->touch.lateral_shift, -2.0);
+  EXPECT_NEAR(left->touch.radius_difference(), -right->touch.radius_difference(), 1e-12);
+  EXPECT_EQ(left->wave, right->wave);
+  // Between the steps, near the conicity of both neighbours.
+  const auto between = meshes::wheelset_row(input, search, rows, 2.1);
+  EXPECT_NEAR(between->harmonic.value(), 0.5 * (*rows[10].harmonic + *rows[11].harmonic), 1e-5);
+  EXPECT_FALSE(meshes::wheelset_row(input, search, rows, 0.0)->wave.has_value());
+  EXPECT_FALSE(meshes::wheelset_row(input, search, rows, 70.0).has_value());
+}

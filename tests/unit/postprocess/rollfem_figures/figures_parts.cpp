@@ -129,5 +129,53 @@ assert 'lateral shift of the wheelset [mm]' in row and 'NaN' not in row and 'nan
             "");
 }
 
+/// A cone of 1:20 at each position of a row, and every 0.1 mm between.
+RunRecord with_cones(RunRecord run) {
+  const auto at = [](double shift) {
+    RigidWheelset cone{shift, 0.0, 460.0 - 0.05 * shift, 460.0 + 0.05 * shift, 0.05, 0.05, 0, 0};
+    if (shift != 0.0) {
+      cone.conicity_harmonic = 0.05;
+      cone.conicity_wave = 0.05 + 1e-12;  // rounding
+      cone.wave_length = 16504.0;
+    }
+    return cone;
+  };
+  run.input.wheelset.lateral_shift = {0.0, 1.0, 2.0};
+  run.input.wheelset.yaw = {0.0, 0.0, 0.0};
+  for (const double shift : run.input.wheelset.lateral_shift) run.wheelset.push_back(at(shift));
+  for (int k = 0; k <= 20; ++k) run.rigid_row.push_back(at(0.1 * k));
+  return run;
+}
+
+TEST_F(PartsTest, ARowOfShiftsHasItsWheelsetInATableAndAFigure) {
+  const std::string folder = (base_ / "row").string();
+  write_results(folder, with_cones(testing::placed_run(3)));
+  ASSERT_EQ(make_report(folder, scripts), "");
+  EXPECT_EQ(said(R"(
+import csv, re
+text = open(sys.argv[1] + '/report.html', encoding='utf-8').read()
+part = text[text.index('The wheelset over its shift'):text.index('<h2 id="where-wheel-and-rail-touch"')]
+rows = re.findall(r'<tr><th scope=row>(.*?)</th>(.*?)</tr>', part)
+at = sorted({float(r['lateral_shift [mm]']) for r in csv.DictReader(open(sys.argv[1] + '/wheelset.csv'))})
+assert [float(shift.replace('−', '-')) for shift, _ in rows] == at, rows
+assert '0.05000' in rows[-1][1] and '16.50' in rows[-1][1], rows
+from rollfem_figures import read_result, wheelset
+result = read_result(sys.argv[1])
+figure = wheelset.of_run(result)
+assert 'amplitude of 2 mm is 0.05 by the wave and 0.05 by' in figure.seen, figure.seen
+names = {panel.title: panel for panel in figure.panels}
+low, high = names['equivalent conicity'].y.range()          # a constant is a straight line
+assert 0.05 <= high - low < 0.06 and abs((low + high) / 2 - 0.05) < 1e-6, (low, high)
+low, high = names['contact angles'].y.range()
+assert high - low >= 0.5
+for name in ('wheelset', 'positions'):
+    drawn = open(f'{sys.argv[1]}/figures/{name}.svg', encoding='utf-8').read()
+    assert '[mm]' in drawn and 'nan' not in drawn.lower().replace('nance', ''), name
+assert 'force to the right on the wheel' in drawn and 'width of the patch' in drawn
+)",
+                 folder),
+            "");
+}
+
 }  // namespace
 }  // namespace rollfem::postprocess

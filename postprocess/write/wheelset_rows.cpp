@@ -1,0 +1,113 @@
+#include "postprocess/write/wheelset_rows.hpp"
+
+#include "contact/result/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::postprocess {
+
+namespace {
+
+using contact::ModelResult;
+using contact::PointResult;
+
+/// Of the wheel along y of the track, with the patch's y and normal tilted by the contact angle
+/// (docs/track.md: y of a left patch points to the field, of a right one to the middle).
+double force_to_the_right(const contact::ContactPlace& place, const PointResult& point) {
+  const double sine = std::sin(place.contact_angle);
+  const double cosine = std::cos(place.contact_angle);
+  const double tilt = place.left ? 1.0 : -1.0;
+  return -point.lateral_force * cosine + tilt * point.normal_force * sine;
+}
+
+/// `digits` behind the point in a column; "-" where there is no number.
+std::string column(const std::optional<double>& value, int width, int digits) {
+  if (!value) return fmt::format("{:>{}}", "-", width);
+  const double rounded = std::abs(*value) < 0.5 * std::pow(10.0, -digits) ? 0.0 : *value;
+  return fmt::format("{:>{}.{}f}", rounded, width, digits);
+}
+
+template <class Value>
+std::string column_of(const WheelAt& wheel, int width, int digits, const Value& value) {
+  return column(wheel.main ? std::optional<double>(value(wheel)) : std::nullopt, width, digits);
+}
+
+std::string rigid_columns(const std::optional<RigidWheelset>& rigid) {
+  const auto of = [&](const std::optional<double> RigidWheelset::*member) {
+    return rigid ? (*rigid).*member : std::nullopt;
+  };
+  std::optional<double> difference, length = of(&RigidWheelset::wave_length);
+  if (rigid) difference = rigid->radius_difference();
+  if (length) length = 1e-3 * *length;
+  return column(difference, 10, 4) + column(of(&RigidWheelset::conicity_harmonic), 11, 4) +
+         column(of(&RigidWheelset::conicity_wave), 9, 4) + column(length, 8, 1);
+}
+
+}  // namespace
+
+WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int position,
+                 std::size_t point) {
+  WheelAt wheel;
+  for (const ModelResult& patch : run.models) {
+    if (!patch.place || patch.name != model || patch.place->left != left ||
+        patch.place->position != position || point >= patch.points.size())
+      continue;
+    const PointResult& found = patch.points[point];
+    ++wheel.patches;
+    wheel.vertical_force += contact::quantity_named("vertical_force").value(found).value_or(0.0);
+    wheel.longitudinal_force += found.longitudinal_force;
+    wheel.lateral_force += force_to_the_right(*patch.place, found);
+    wheel.area += found.contact_area;
+    wheel.max_pressure = std::max(wheel.max_pressure, found.max_pressure);
+    if (!wheel.main || found.normal_force > wheel.main->points[point].normal_force)
+      wheel.main = &patch;
+  }
+  return wheel;
+}
+
+std::optional<double> loaded_radius_difference(const WheelAt& left, const WheelAt& right) {
+  if (!left.main || !right.main) return {};
+  return right.main->place->rolling_radius - left.main->place->rolling_radius;
+}
+
+std::vector<std::string> model_names(const RunRecord& run) {
+  std::vector<std::string> names;
+  for (const ModelResult& model : run.models)
+    if (std::find(names.begin(), names.end(), model.name) == names.end())
+      names.push_back(model.name);
+  return names;
+}
+
+std::string wheelset_table(const RunRecord& run, const std::string& model) {
+  if (run.wheelset.empty()) return {};
+  std::string text = fmt::format(
+      "\nthe wheelset, by {} at the first load point; rigid: without a load; F_y: to the right, on "
+      "the wheel\n"
+      "{:>4}{:>10}{:>20}{:>29}{:>17}{:>18}{:>18}\n"
+      "{:>4}{:>10}{:>10}{:>10}{:>11}{:>9}{:>9}{:>9}{:>8}{:>10}{:>8}{:>10}{:>8}\n",
+      model, "", "", "r right - left mm", "conicity at the amplitude", "angle mrad", "p0 MPa",
+      "F_y kN", "pos", "shift mm", "rigid", "loaded", "harmonic", "wave", "wave m", "left", "right",
+      "left", "right", "left", "right");
+  for (std::size_t p = 0; p < run.wheelset.size(); ++p) {
+    const int position = static_cast<int>(p) + 1;
+    const WheelAt left = wheel_at(run, model, true, position, 0);
+    const WheelAt right = wheel_at(run, model, false, position, 0);
+    const std::string rigid = rigid_columns(run.wheelset[p]);
+    text += fmt::format("{:>4}{:>10.4g}{}{}{}", position, run.input.wheelset.lateral_shift[p],
+                        rigid.substr(0, 10), column(loaded_radius_difference(left, right), 10, 4),
+                        rigid.substr(10));
+    const auto both = [&](int first, int second, int digits, const auto& value) {
+      text += column_of(left, first, digits, value) + column_of(right, second, digits, value);
+    };
+    both(10, 8, 2, [](const WheelAt& w) { return 1e3 * w.main->place->contact_angle; });
+    both(10, 8, 1, [](const WheelAt& w) { return w.max_pressure; });
+    both(10, 8, 2, [](const WheelAt& w) { return 1e-3 * w.lateral_force; });
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace rollfem::postprocess

@@ -1,0 +1,38 @@
+// A row of positions of a wheelset: what the patches of a wheel come to at each of them.
+#pragma once
+
+#include "postprocess/write/output.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rollfem::postprocess {
+
+/// A wheel at one position and load point, with the sums over its patches.
+struct WheelAt {
+  const contact::ModelResult* main = nullptr;  ///< the most loaded patch
+  int patches = 0;
+  double vertical_force = 0.0;      ///< N
+  double longitudinal_force = 0.0;  ///< N, on the wheel
+  double lateral_force = 0.0;       ///< N, on the wheel along y of the track: to the right
+  double area = 0.0;                ///< mm^2
+  double max_pressure = 0.0;        ///< MPa, the largest of its patches
+};
+
+/// `main` is null where this model has no such patch. `point` counts from 0.
+WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int position,
+                 std::size_t point);
+
+/// Rolling radius of the right wheel less that of the left one, of the most loaded patches, mm.
+std::optional<double> loaded_radius_difference(const WheelAt& left, const WheelAt& right);
+
+/// Names of the models, in the order of the results.
+std::vector<std::string> model_names(const RunRecord& run);
+
+/// One line a position, of one model at its first load point: radii, conicity, angles, pressures
+/// and forces to the side of both wheels. Empty where the run has no row of lateral shifts.
+std::string wheelset_table(const RunRecord& run, const std::string& model);
+
+}  // namespace rollfem::postprocess
