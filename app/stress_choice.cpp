@@ -80,11 +80,11 @@ std::vector<StoredModel> models_by_name(const std::vector<StoredModel>& there,
 
 std::size_t numbered(const ModelResult& model, int point) {
   const int count = static_cast<int>(model.points.size());
-  if (point < 0 || point >= count)
+  if (point < 1 || point > count)
     throw InputError(
-        fmt::format("--point {}: model {} has load points 0 to {}; do: name one of them", point,
-                    model.key(), count - 1));
-  return static_cast<std::size_t>(point);
+        fmt::format("--point {}: model {} has load points 1 to {}; do: name one of them", point,
+                    model.key(), count));
+  return static_cast<std::size_t>(point) - 1;
 }
 
 std::size_t with_creepage(const ModelResult& model, double creepage) {
@@ -135,7 +135,7 @@ void check_stored(const StoredModel& stored, const PointResult& point, std::size
       throw InputError(fmt::format(
           "{}: model {} stores no tractions at load point {}; do: name another with "
           "--point or --model, or run the case again with [output] grid_fields = \"all\"",
-          request.result, stored.key, number));
+          request.result, stored.key, number + 1));
     return;
   }
   const std::vector<std::size_t>& kept = stored.points_with_bodies;
@@ -148,7 +148,7 @@ void check_stored(const StoredModel& stored, const PointResult& point, std::size
   throw InputError(fmt::format(
       "load point {}: of model {} the bodies are stored for these load points only: {}; do: ask "
       "for one, or for --model {}, or run the case again with [output] body_fields = \"all\"",
-      number, stored.key, listed(kept, [](std::size_t k) { return fmt::format("{}", k); }),
+      number + 1, stored.key, listed(kept, [](std::size_t k) { return fmt::format("{}", k + 1); }),
       models.reference().name));
 }
 

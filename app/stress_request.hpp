@@ -14,7 +14,7 @@ struct StressRequest {
   std::string result;               ///< results.h5, or the folder that holds it
   std::vector<std::string> models;  ///< empty: those with stress, whichever are there
   std::string patch;                ///< with profiles: SIDE,POSITION,PATCH; empty: the first
-  std::vector<int> points;          ///< load points, from 0; neither: the last one
+  std::vector<int> points;          ///< load points, from 1; neither: the last one
   std::vector<double> creepages;    ///< load points of these longitudinal creepages
   std::vector<std::string> places;  ///< x,y,z
   std::vector<std::string> lines;   ///< x,y,z:x,y,z[:n]

@@ -74,8 +74,8 @@ def read_stress(directory):
     try:
         with open(os.path.join(directory, "stress.json"), encoding="utf-8") as file:
             data = json.load(file)
-        if data["format"] != 1:
-            raise ResultError(f"{directory}: stress.json has format {data['format']}, not 1")
+        if data["format"] != 2:
+            raise ResultError(f"{directory}: stress.json has format {data['format']}, not 2; do: run rollfem stress again")
         rows = _rows(os.path.join(directory, "stress.csv"))
         models = []
         for entry in data["models"]:

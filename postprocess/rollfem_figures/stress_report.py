@@ -250,7 +250,7 @@ def shakedown_map(result):
         curve = model.data["shakedown"]
         spots = [(p["tangential_coefficient"], p["load_factor"]) for p in curve]
         panel.line(*zip(*spots), marker=looks.marker(model), size=size, hollow=True, order=4, **looks.line(model))
-        chosen = [spots[m.data["point"]] for m in result.models if m.key == model.key]
+        chosen = [spots[m.data["point"] - 1] for m in result.models if m.key == model.key]
         panel.line(*zip(*chosen), looks.of_model(model)[0], marker=looks.marker(model), size=size, joined=False, order=5)
         figure.entry(f"{looks.label(model)} (filled: the load points of the stresses)", *looks.of_model(model)[:2],
                      marker=looks.marker(model))

@@ -155,7 +155,7 @@ Json shakedown_json(const StressReport& report, const StressOfModel& model, doub
     const PointResult& point = model.result.points[number];
     const double traction = tangential_coefficient(point);
     const double factor = point.max_pressure / k;
-    list.push_back({{"point", number},
+    list.push_back({{"point", number + 1},
                     {"longitudinal_creepage", point.creepage.longitudinal},
                     {"tangential_coefficient", traction},
                     {"load_factor", factor},
@@ -192,9 +192,9 @@ Json map_json(const EllipseShear& ellipse) {
 std::string heading(const StressOfModel& model, bool named) {
   const PointResult& point = model.result.points[model.point];
   const std::size_t count = model.result.points.size();
-  std::string text = fmt::format("{}: load point {}", model.result.key(), model.point);
+  std::string text = fmt::format("{}: load point {}", model.result.key(), model.point + 1);
   if (!named && count > 1)
-    text += fmt::format(" (the last of {}; others: --point 0 to {}, --creepage)", count, count - 1);
+    text += fmt::format(" (the last of {}; others: --point 1 to {}, --creepage)", count, count);
   if (point.step > 0)
     text += fmt::format(" (step {})", point.step);
   else
@@ -238,7 +238,7 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
     const double factor = point.max_pressure / k, limit = ellipse.shakedown_limit(traction);
     const std::optional<double> ratio = yield_ratio_at(report, model, number, k);
     text += fmt::format(
-        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>10.2f}{:>9.3f}{:>8}  {}{}\n", number,
+        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>10.2f}{:>9.3f}{:>8}  {}{}\n", number + 1,
         point.creepage.longitudinal, traction, factor, limit,
         surface_fatigue_index(traction, factor), ratio ? fmt::format("{:.3f}", *ratio) : "-",
         verdict(factor, traction, limit, ratio), is_chosen(report, model, number) ? "  <" : "");
@@ -261,12 +261,12 @@ std::string stress_csv(const StressReport& report) {
     for (const StressSet& set : model.sets)
       for (std::size_t k = 0; k < set.field.points.size(); ++k)
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", model.result.key(),
-                       model.point, set.name, body_of(set), subsurface_row(set.field, k));
+                       model.point + 1, set.name, body_of(set), subsurface_row(set.field, k));
   return text;
 }
 
 std::string stress_json(const StressReport& report) {
-  Json json{{"format", 1}, {"source", report.source}, {"title", report.title}};
+  Json json{{"format", 2}, {"source", report.source}, {"title", report.title}};
   const auto& k = report.yield_shear_stress;
   if (k) json["yield_shear_stress"] = *k;
   json["models"] = Json::array();
@@ -275,7 +275,7 @@ std::string stress_json(const StressReport& report) {
     Json entry{{"name", model.result.name}, {"key", model.result.key()}};
     if (!model.result.label.empty()) entry["label"] = model.result.label;
     if (model.result.place) entry["place"] = place_json(*model.result.place);
-    entry["point"] = model.point;
+    entry["point"] = model.point + 1;
     entry["longitudinal_creepage"] = point.creepage.longitudinal;
     entry["lateral_creepage"] = point.creepage.lateral;
     entry["spin"] = point.creepage.spin;

@@ -84,8 +84,8 @@ void append_path(std::string& text, const ModelResult& model, std::size_t number
   const int count = path == Path::x ? grid.nx : grid.ny;
   for (int k = 0; k < count; ++k) {
     fmt::format_to(std::back_inserter(text), "{}{},{},{},{},{},{}", place_cells(model), model.name,
-                   number, point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin,
-                   path == Path::x ? grid.x(k) : grid.y(k));
+                   number + 1, point.creepage.longitudinal, point.creepage.lateral,
+                   point.creepage.spin, path == Path::x ? grid.x(k) : grid.y(k));
     for (const PointField& field : point_fields()) {
       const Field& values = field.value(point.fields);
       text += ',';
@@ -125,7 +125,7 @@ std::string creep_curve_csv(const RunRecord& run) {
   for (const ModelResult& model : run.models)
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       const PointResult& point = model.points[k];
-      text += fmt::format("{}{},{}", place_cells(model), model.name, k);
+      text += fmt::format("{}{},{}", place_cells(model), model.name, k + 1);
       for (const Quantity& quantity : contact::quantities()) text += cell(quantity, point);
       for (const Quantity& quantity : with_bar) text += bar_cell(point, quantity.name);
       for (const Quantity& quantity : with_bar) text += model_error_cell(point, quantity.name);
@@ -163,7 +163,7 @@ namespace {
 void append_subsurface(std::string& text, const std::string& model, std::size_t number,
                        std::size_t set, const contact::SubsurfaceField& field) {
   for (std::size_t k = 0; k < field.points.size(); ++k)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", model, number, set,
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", model, number + 1, set,
                    field.request.wheel ? "wheel" : "rail", subsurface_row(field, k));
 }
 
@@ -202,7 +202,7 @@ std::string contacts_csv(const RunRecord& run) {
     for (const PlaceScalar& scalar : place_scalars())
       place += fmt::format(",{}", scalar.value(*model.place));
     for (std::size_t k = 0; k < model.points.size(); ++k) {
-      text += fmt::format("{},{},{}", place, model.name, k);
+      text += fmt::format("{},{},{}", place, model.name, k + 1);
       for (const char* name : main_results)
         text += cell(contact::quantity_named(name), model.points[k]);
       text += fmt::format(",{}", model.contact_elements);
@@ -221,7 +221,7 @@ std::string patches_csv(const RunRecord& run) {
       int number = 0;
       for (const auto& part : contact::patch_parts(model.grid, model.points[k].fields))
         text += fmt::format("{}{},{},{},{},{},{},{},{},{},{},{},{}\n", place_cells(model),
-                            model.name, k, ++number, part.x, part.y, part.length, part.width,
+                            model.name, k + 1, ++number, part.x, part.y, part.length, part.width,
                             part.normal_force, part.longitudinal_force, part.lateral_force,
                             part.max_pressure, contact::no_bar::one_grid);
     }

@@ -290,13 +290,13 @@ TEST(StressOfBodies, IsThatOfTheLoadPointAskedFor) {
     EXPECT_NE(outcome.out.find(says), std::string::npos) << outcome.out;
     return columns(folder.work() / "out", "at_1", "rail").at("yz").at(0);
   };
-  EXPECT_NEAR(yz_at({"--point", "2"}, "fem: load point 2, xi = 0.001"), 4.0, 1e-12);
-  EXPECT_NEAR(yz_at({"--creepage", "0.001"}, "fem: load point 2, xi = 0.001"), 4.0, 1e-12);
+  EXPECT_NEAR(yz_at({"--point", "3"}, "fem: load point 3, xi = 0.001"), 4.0, 1e-12);
+  EXPECT_NEAR(yz_at({"--creepage", "0.001"}, "fem: load point 3, xi = 0.001"), 4.0, 1e-12);
   EXPECT_NEAR(
-      yz_at({}, "fem: load point 6 (the last of 7; others: --point 0 to 6, --creepage), xi"), 8.0,
+      yz_at({}, "fem: load point 7 (the last of 7; others: --point 1 to 7, --creepage), xi"), 8.0,
       1e-12);
   // Down from the surface at any of them.
-  ASSERT_EQ(call(folder, {"stress", file, "-m", "fem", "--point", "2", "--depth", "1.5", "-o",
+  ASSERT_EQ(call(folder, {"stress", file, "-m", "fem", "--point", "3", "--depth", "1.5", "-o",
                           "out", "--body", "rail", "--no-figures"})
                 .status,
             0);
@@ -310,12 +310,12 @@ TEST(StressOfBodies, IsRefusedWhereALoadPointKeepsNone) {
   const Folder folder;
   const std::string file = folder.file("results.h5", synthetic_file(false));
   expect_refused(
-      call(folder, {"stress", file, "-m", "fem", "--point", "0", "--at", "0,0,0"}),
-      "load point 0: of model fem the bodies are stored for these load points only: 2, 6; do: ");
+      call(folder, {"stress", file, "-m", "fem", "--point", "1", "--at", "0,0,0"}),
+      "load point 1: of model fem the bodies are stored for these load points only: 3, 7; do: ");
   const Outcome both =
-      call(folder, {"stress", file, "--point", "0", "--at", "0,0,-1", "-o", "out", "--no-figures"});
+      call(folder, {"stress", file, "--point", "1", "--at", "0,0,-1", "-o", "out", "--no-figures"});
   EXPECT_EQ(both.status, 0) << both.err;
-  EXPECT_NE(both.err.find("warning: left out: load point 0: of model fem"), std::string::npos);
+  EXPECT_NE(both.err.find("warning: left out: load point 1: of model fem"), std::string::npos);
   EXPECT_EQ(report(folder.work() / "out")["models"].size(), 1U);
   expect_refused(call(folder, {"stress", file, "-m", "fem", "--at", "0,0,-9"}),
                  "--at 0,0,-9: the point (0, 0, -9) mm is 7 mm outside the computed rail");
@@ -343,10 +343,10 @@ TEST_F(StressTest, WrongCallsAreRefused) {
   compute("2000.0", "10", "[0.0, 0.001]");
   const std::pair<std::vector<std::string>, const char*> calls[] = {
       {{"--model", "fem"}, "--model fem: it is not in r; allowed: halfspace"},
-      {{"--point", "2"}, "load points 0 to 1"},
-      {{"--point", "-1"}, "load points 0 to 1"},
+      {{"--point", "3"}, "load points 1 to 2"},
+      {{"--point", "0"}, "load points 1 to 2"},
       {{"--creepage", "0.002"}, "allowed: 0, 0.001"},
-      {{"--point", "0", "--creepage", "0"}, "both given"},
+      {{"--point", "1", "--creepage", "0"}, "both given"},
       {{"--at", "1,2"}, "'1,2' is not a place x,y,z"},
       {{"--at", "1,2,nan"}, "'nan' is not a number"},
       {{"--at", "1,2,"}, "'' is not a number"},

@@ -62,8 +62,8 @@ TEST_F(StressPage, SeveralLoadPointsAreThoseOfSingleCalls) {
       ask({"--creepage", "0,0.002,0.002", "--yield-shear-stress", "300"});  // twice is once
   const json both = stored()["models"];
   ASSERT_EQ(both.size(), 2U);
-  EXPECT_EQ(both[0]["point"], 0);
-  EXPECT_EQ(both[1]["point"], 1);
+  EXPECT_EQ(both[0]["point"], 1);
+  EXPECT_EQ(both[1]["point"], 2);
   EXPECT_EQ(both[1]["sets"], alone["sets"]);
   EXPECT_EQ(both[1]["maxima"], alone["maxima"]);
   EXPECT_NE(both[0]["sets"], alone["sets"]);
@@ -73,8 +73,8 @@ TEST_F(StressPage, SeveralLoadPointsAreThoseOfSingleCalls) {
   EXPECT_EQ(map, both[1]["shakedown"]);
   EXPECT_TRUE(map[0].contains("yield_ratio") && map[1].contains("yield_ratio"));
   EXPECT_FALSE(map[2].contains("yield_ratio"));
-  ask({"--point", "2,0"});
-  EXPECT_EQ(stored()["models"][0]["point"], 2);
+  ask({"--point", "3,1"});
+  EXPECT_EQ(stored()["models"][0]["point"], 3);
 }
 
 }  // namespace

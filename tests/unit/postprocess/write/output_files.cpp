@@ -88,6 +88,8 @@ TEST(CreepCurveCsv, HasOneRowPerModelAndCreepageWithTheSameNumbers) {
   const auto rows = parse_csv(creep_curve_csv(run));
   ASSERT_EQ(rows.size(), 1U + 7U + 7U);
   EXPECT_EQ(rows[0].at("model"), "hertz");
+  EXPECT_EQ(rows[0].at("point"), "1");  // as people count
+  EXPECT_EQ(rows[7].at("point"), "7");
   EXPECT_EQ(number(rows[4].at("traction_coefficient")),
             run.models[1].points[3].traction_coefficient);
   EXPECT_EQ(number(rows[14].at("max_pressure")), run.models[2].points[6].max_pressure);
