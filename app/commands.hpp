@@ -2,6 +2,7 @@
 // over.
 #pragma once
 
+#include "app/bench.hpp"
 #include "app/compare.hpp"
 #include "app/convert.hpp"
 #include "app/mesh.hpp"
@@ -23,6 +24,7 @@ struct Call {
   RunRequest run = {};
   CompareRequest compare = {};
   StudyRequest study = {};
+  BenchRequest bench = {};
   MeshRequest mesh = {};
   StressRequest stress = {};
   ProfileRequest profile = {};
@@ -40,7 +42,7 @@ struct Call {
 void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 
 /// Each adds its commands; `call` outlives the parse.
-void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study
+void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study, bench
 void add_stress_command(CLI::App& program, Call& call);
 void add_input_commands(
     CLI::App& program,

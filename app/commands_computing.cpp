@@ -180,6 +180,17 @@ void add_study(CLI::App& program, Call& call) {
   });
 }
 
+void add_bench(CLI::App& program, Call& call) {
+  CLI::App* bench = program.add_subcommand(
+      "bench", "error and seconds of each model on this machine, on cases whose limits are known");
+  bench->add_option("--seconds", call.bench.seconds,
+                    "what is expected to go beyond is left out; without it 30");
+  bench->add_flag("--quick", call.bench.quick,
+                  "one case on coarse grids in a second; the speed of the machine is not kept");
+  bench->footer("example: rollfem bench");
+  bench->callback([&call] { app::bench(call.bench, call.models); });
+}
+
 }  // namespace
 
 void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
@@ -196,6 +207,7 @@ void add_computing_commands(CLI::App& program, Call& call) {
   add_run(program, call);
   add_compare(program, call);
   add_study(program, call);
+  add_bench(program, call);
 }
 
 }  // namespace rollfem::app

@@ -1,0 +1,19 @@
+// The command `rollfem bench`: error and seconds of each model on this machine, on cases whose
+// limits are known, and how fast it is beside what the program predicts seconds by.
+#pragma once
+
+#include "app/command_frame.hpp"
+#include "contact/solve/models.hpp"
+
+namespace rollfem::app {
+
+struct BenchRequest : ComputingRequest {
+  double seconds = 30.0;  ///< what is expected to take longer altogether is left out
+  bool quick = false;     ///< one case on coarse grids, nothing kept
+};
+
+/// Prints a table and keeps the machine's speed. Throws contact::InputError for seconds that are
+/// not positive.
+void bench(const BenchRequest& request, const contact::ModelRegistry& models);
+
+}  // namespace rollfem::app
