@@ -4,6 +4,7 @@
 #include "app/scenes.hpp"
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/base/nearest_name.hpp"
 #include "contact/case/case_reader.hpp"
 #include "meshes/profiles/built_in_profiles.hpp"
 #include "meshes/profiles/profile_features.hpp"
@@ -171,13 +172,13 @@ std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
   std::error_code error;
   if (meshes::find_built_in_profile(request.name) == nullptr &&
       !fs::is_regular_file(request.name, error)) {
-    std::string names;
+    std::vector<std::string> names;
     for (const meshes::BuiltInProfile& profile : meshes::built_in_profiles())
-      names += profile.name + ", ";
+      names.push_back(profile.name);
     throw contact::InputError(fmt::format(
-        "profile: {} is no profile that is known, and no such file is there; allowed: {}a profile "
-        "file or a case file; do: correct the name",
-        request.name, names));
+        "profile: {} is no profile that is known, and no such file is there; {}allowed: {}, a "
+        "profile file or a case file; do: correct the name",
+        request.name, contact::did_you_mean(request.name, names), fmt::join(names, ", ")));
   }
   NamedProfile profile;
   profile.wheel = is_wheel(request);

@@ -17,6 +17,7 @@
 #include <iostream>
 #include <new>
 #include <poll.h>
+#include <sstream>
 #include <thread>
 #include <unistd.h>
 
@@ -51,6 +52,7 @@ void check_command(const CLI::App& program, const std::vector<std::string>& word
     known.push_back(command->get_name());
   const std::string allowed = "allowed: " + contact::listed(known) + "; do: rollfem --help";
   if (words.empty()) throw contact::InputError("no command is given; " + allowed);
+  known.emplace_back("help");
   const std::string& name = words.front();
   if (name.empty() || name.front() == '-') return;
   const auto is_named = [&](const CLI::App* command) { return command->check_name(name); };
@@ -59,19 +61,36 @@ void check_command(const CLI::App& program, const std::vector<std::string>& word
                                           contact::did_you_mean(name, known), allowed));
 }
 
-/// What CLI11 says of a call, with the option that a misspelt one was meant to be.
+/// An option that the command does not have, with the one that it was meant to be.
+std::string unknown_option(const CLI::App& program, const std::string& given) {
+  std::vector<std::string> options;
+  std::vector<const CLI::App*> commands{&program};
+  for (const CLI::App* command : program.get_subcommands()) commands.push_back(command);
+  for (const CLI::App* command : commands)
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames())
+        if (std::find(options.begin(), options.end(), "--" + name) == options.end())
+          options.push_back("--" + name);
+  return fmt::format("{}: there is no such option; {}allowed: {}", given,
+                     contact::did_you_mean(given, options), contact::listed(options));
+}
+
+/// What CLI11 says of a call, in the words of the program where somebody has mistyped.
 std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
   std::string text = error.what();
-  const std::size_t at = text.find("--");
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || at == std::string::npos)
+  if (const std::size_t at = text.find("--");
+      dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && at != std::string::npos)
+    return unknown_option(program, text.substr(at, text.find_first_of(" =\n", at) - at));
+  // "page: schem not in {case-file,models}"
+  const std::size_t words = text.find(": "), set = text.find(" not in {"), end = text.find('}');
+  if (words == std::string::npos || set == std::string::npos || end == std::string::npos)
     return text;
-  const std::string given = text.substr(at, text.find_first_of(" =\n", at) - at);
-  std::vector<std::string> options;
-  for (const CLI::App* command : program.get_subcommands())
-    for (const CLI::Option* option : command->get_options())
-      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
-  const std::string near = contact::did_you_mean(given, options);
-  return near.empty() ? text : text + "; " + near.substr(0, near.size() - 1);
+  const std::string given = text.substr(words + 2, set - words - 2);
+  std::vector<std::string> allowed;
+  std::istringstream list(text.substr(set + 9, end - set - 9));
+  for (std::string word; std::getline(list, word, ',');) allowed.push_back(word);
+  return fmt::format("{}: {} is not one of its words; {}allowed: {}", text.substr(0, words), given,
+                     contact::did_you_mean(given, allowed), contact::listed(allowed));
 }
 
 /// `rollfem help` and `rollfem help run` are `rollfem --help` and `rollfem run --help`; `rollfem

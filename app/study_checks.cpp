@@ -3,6 +3,7 @@
 #include "app/models.hpp"
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/base/nearest_name.hpp"
 #include "contact/base/text_fields.hpp"
 
 #include <fmt/format.h>
@@ -136,8 +137,8 @@ void check_call(const StudyRequest& request, const contact::Case& input,
   for (const std::string& word : request.vary) {
     if (std::find(words.begin(), words.end(), word) == words.end())
       throw InputError(
-          fmt::format("--vary {}: not something to refine; allowed: {}; do: name one of them", word,
-                      contact::listed(words)));
+          fmt::format("--vary {}: not something to refine; {}allowed: {}; do: name one of them",
+                      word, contact::did_you_mean(word, words), contact::listed(words)));
     check_varied(request, word, known);
     if (word == "domain") check_domain(input);
   }

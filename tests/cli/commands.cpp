@@ -100,6 +100,13 @@ TEST(Call, WrongCallsAreRefused) {
   expect_refused(call(folder, {"run", file, "--bogus"}), "--bogus");
   expect_refused(call(folder, {"run", file, "--modle=hertz"}), "did you mean --model?");
   expect_refused(call(folder, {"docs", "novel"}), "novel");
+  expect_refused(call(folder, {"hlep"}), "did you mean help? ");
+  expect_refused(call(folder, {"docs", "schem"}),
+                 "schem is not one of its words; did you mean schema? ");
+  expect_refused(call(folder, {"study", file, "--vary", "gird"}), "did you mean grid? ");
+  expect_refused(call(folder, {"profile", "S1003"}), "did you mean S1002? ");
+  expect_refused(call(folder, {"run", file, "--ouput", "x"}),
+                 "--ouput: there is no such option; did you mean --output? allowed: --help");
   EXPECT_TRUE(folder.made().empty());
 }
 
