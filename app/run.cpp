@@ -50,14 +50,18 @@ void check_before(const RunRequest& request, const contact::Case& input,
   if (input.output.stress_maxima) warn("[output] stress_maxima");
 }
 
-/// Of which a line a position is printed: the one that others are measured against, where it is
-/// run.
+/// Of which a line a position is printed: the one with most patches (not every theory takes all,
+/// and auto may take several), of those the one that others are measured against.
 std::string model_to_tell(const postprocess::RunRecord& record,
                           const contact::ModelRegistry& models) {
-  const std::vector<std::string> run = postprocess::model_names(record);
-  const std::string& reference = models.reference().name;
-  const bool there = std::find(run.begin(), run.end(), reference) != run.end();
-  return there || run.empty() ? reference : run.back();
+  const auto patches = [&](const std::string& name) {
+    return std::count_if(record.models.begin(), record.models.end(),
+                         [&](const contact::ModelResult& model) { return model.name == name; });
+  };
+  std::string most = models.reference().name;
+  for (const std::string& name : postprocess::model_names(record))
+    if (patches(name) > patches(most)) most = name;
+  return most;
 }
 
 void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record,
