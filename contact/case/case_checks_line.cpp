@@ -21,6 +21,12 @@ bool is_nothing(const GivenValue& value) {
          std::all_of(numbers->begin(), numbers->end(), [](double number) { return number == 0.0; });
 }
 
+/// The width where nobody gives one, as the template of a case has it.
+bool is_default_width(const std::string& name, const GivenValue& value) {
+  const auto* number = std::get_if<double>(&value.value);
+  return name == "width" && number != nullptr && *number == ContactShapeCase{}.width;
+}
+
 struct Refused {
   const char* section;
   const char* name;
@@ -76,7 +82,8 @@ bool is_line(const GivenCase& given) {
 void check_line(const GivenCase& given) {
   if (!is_line(given)) {
     for (const char* name : {"width", "relative_radius", "reference_distance"})
-      if (const GivenValue* value = given.find("geometry", name))
+      if (const GivenValue* value = given.find("geometry", name);
+          value && !is_default_width(name, *value))
         fail_at(given, std::string("geometry.") + name, *value,
                 "is of a line contact, and geometry.shape is point", "with shape = \"line\"",
                 "write `shape = \"line\"` under [geometry], or remove it");
