@@ -73,7 +73,7 @@ TEST(MeshCommand, RefusesBadMeshesAndWritesNothing) {
       "allowed: hexahedra");
   expect_refused(
       call(folder, {"mesh", folder.file("d.toml", small_case + coarse), "-o", "/proc/nowhere"}),
-      "cannot be made");
+      "cannot be created");
   expect_refused(call(folder, {"mesh"}), "case is required");
   EXPECT_TRUE(folder.made().empty());
 }

@@ -120,7 +120,7 @@ TEST(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
   *std::find(anew.begin(), anew.end(), "4") = "2";
   const Outcome short_study = execute(folder, anew);
   EXPECT_EQ(short_study.status, 0) << short_study.err;
-  EXPECT_NE(short_study.err.find("--resume continues from them"), std::string::npos)
+  EXPECT_NE(short_study.err.find("--resume would continue from them"), std::string::npos)
       << short_study.err;
   EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
 }
