@@ -18,7 +18,8 @@ enum class UpwindOrder {
   second,  ///< (3 u_i - 4 u_i+1 + u_i+2) / (2 dx)
 };
 
-/// Where the second-order difference takes the leading edge of the patch to be (docs/leading_edge.md).
+/// Where the second-order difference takes the leading edge of a patch to be
+/// (docs/leading_edge.md).
 enum class LeadingEdge {
   fitted,  ///< where the pressure says, below the element size
   plain,   ///< wherever the elements put it
