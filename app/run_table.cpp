@@ -157,7 +157,7 @@ std::string without_numbers(const std::string& text) {
 /// A line for each result: place, size and the first load point with its bars.
 std::string row_table(const std::vector<ModelResult>& models) {
   std::string text = fmt::format(
-      "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>18}{:>12}{:>18}\n",
+      "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>18}{:>13}{:>20}\n",
       "wheel", "pos", "patch", "shift mm", "y rail mm", "y wheel mm", "angle rad", "model", "F_n N",
       "length mm", "width mm", "p0 MPa", "xi", "-F_x/F_z");
   for (const ModelResult& model : models) {
@@ -168,7 +168,7 @@ std::string row_table(const std::vector<ModelResult>& models) {
         std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient;
     text += fmt::format(
         "{:<6}{:>3}{:>6}{:>9.3g}{:>10.4f}{:>11.4f}{:>10.4f}  {:<12}{:>9.5g}{:>10.3f}{:>10.3f}{:>18}"
-        "{:>12.4e}{:>18}\n",
+        "{:>13.4e}{:>20}\n",
         place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
         place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
         point.contact_length, point.contact_width,
