@@ -14,11 +14,6 @@
 
 namespace rollfem::fem {
 
-namespace {
-
-using GlobalIndex = dealii::types::global_dof_index;
-
-/// Position in deal.II's cell numbering of (component, lexicographic node).
 std::vector<unsigned int> lexicographic_positions(const dealii::FiniteElement<3>& element) {
   const auto* base = dynamic_cast<const dealii::FE_Q<3>*>(&element.base_element(0));
   if (base == nullptr || element.n_components() != 3 || base->degree > 2)
@@ -29,6 +24,10 @@ std::vector<unsigned int> lexicographic_positions(const dealii::FiniteElement<3>
       positions.push_back(element.component_to_system_index(component, node));
   return positions;
 }
+
+namespace {
+
+using GlobalIndex = dealii::types::global_dof_index;
 
 /// Global dofs of every owned cell in the kernel's order.
 std::vector<GlobalIndex> cell_dofs(const dealii::DoFHandler<3>& dofs) {

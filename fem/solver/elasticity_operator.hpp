@@ -40,6 +40,10 @@ struct LocalDofs {
   std::size_t owned_constrained = 0;
 };
 
+/// Position in deal.II's numbering of a cell of (component, node), nodes lexicographic, x quickest.
+/// Throws contact::InputError for elements other than FE_Q(1)^3 and FE_Q(2)^3.
+std::vector<unsigned int> lexicographic_positions(const dealii::FiniteElement<3>& element);
+
 /// Indices and geometry cell by cell, what operators of either precision are packed from.
 struct LocalCells {
   int degree = 0;

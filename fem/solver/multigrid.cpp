@@ -3,6 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "fem/solver/coarse_solver.hpp"
 #include "fem/solver/elasticity_operator.hpp"
+#include "fem/solver/level_transfer.hpp"
 #include "fem/solver/memory.hpp"
 
 #include <deal.II/distributed/tria.h>
@@ -25,7 +26,6 @@ namespace rollfem::fem {
 namespace {
 
 using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
-using Transfer = dealii::MGTwoLevelTransfer<3, FloatVector>;
 
 /// Ratio of largest to smallest damped eigenvalue for one degree of the polynomial. Isotropic cells
 /// need less; with the cells of aspect 3 that graded meshes have, wider ranges save a third of the
@@ -58,7 +58,7 @@ using Smoother = dealii::PreconditionChebyshev<SmoothedMatrix, FloatVector, Diag
 
 /// One level above the coarsest; single precision, it only preconditions.
 struct Level {
-  Level(const LocalCells& cells, std::unique_ptr<Transfer> transfer, int smoother_degree)
+  Level(const LocalCells& cells, std::unique_ptr<LevelTransfer> transfer, int smoother_degree)
       : matrix(cells),
         to_coarser(std::move(transfer)),
         solution(matrix.stiffness.make_vector()),
@@ -74,13 +74,12 @@ struct Level {
   }
   SmoothedMatrix matrix;
   Smoother smoother;
-  std::unique_ptr<Transfer> to_coarser;
+  std::unique_ptr<LevelTransfer> to_coarser;
   mutable FloatVector solution, right, residual;
 
   double memory_bytes() const {
     return matrix.stiffness.memory_bytes() +
-           7.0 * static_cast<double>(solution.memory_consumption()) +
-           static_cast<double>(to_coarser->memory_consumption());
+           7.0 * static_cast<double>(solution.memory_consumption()) + to_coarser->memory_bytes();
   }
 };
 
@@ -118,13 +117,8 @@ class Discretisation {
     *constraints_ = make_constraints(*dofs_, problem.mapping, problem.boundary);
   }
   LocalCells cells() const { return make_local_cells(problem_); }
-  std::unique_ptr<Transfer> transfer_to(const Discretisation& coarse) const {
-    dealii::AffineConstraints<float> own, others;
-    own.copy_from(problem_.constraints);
-    others.copy_from(coarse.problem_.constraints);
-    auto transfer = std::make_unique<Transfer>();
-    transfer->reinit_geometric_transfer(problem_.dofs, coarse.problem_.dofs, own, others);
-    return transfer;
+  std::unique_ptr<LevelTransfer> transfer_to(const Discretisation& coarse) const {
+    return make_level_transfer(problem_, coarse.problem_);
   }
 
  private:
@@ -174,8 +168,8 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
   for (std::size_t i = 0; i + 1 < meshes.size(); ++i)
     discretised.push_back(std::make_unique<Discretisation>(*meshes[i], problem));
   discretised.push_back(std::make_unique<Discretisation>(problem));
-  // Transfers take much memory for a moment, so they are made before all that stays.
-  std::vector<std::unique_ptr<Transfer>> transfers(1);
+  // Those of several processes take much memory for a moment, so they are made before what stays.
+  std::vector<std::unique_ptr<LevelTransfer>> transfers(1);
   for (std::size_t i = 1; i < discretised.size(); ++i)
     transfers.push_back(discretised[i]->transfer_to(*discretised[i - 1]));
   hand_back_memory();
