@@ -3,6 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "fem/solver/elasticity_assembly.hpp"
 #include "fem/solver/elasticity_operator.hpp"
+#include "fem/solver/node_order.hpp"
 
 #include <fmt/format.h>
 #include <suitesparse/cholmod.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <dlfcn.h>
 #include <limits>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -42,63 +42,18 @@ class SerialRegions {
   int before_ = 1;
 };
 
-/// Unknowns that follow each other and reach the same others: the components of one node.
-struct Nodes {
-  std::vector<int> first{0};  ///< unknown of each node, and the number of unknowns
-  std::vector<int> of;        ///< node of each unknown
-};
-
+/// The nodes of a matrix by its columns: below the diagonal that of one more component of a node
+/// has what the one before it has, but for itself.
 Nodes find_nodes(const cholmod_sparse& lower) {
   const int size = static_cast<int>(lower.ncol);
   const auto* start = static_cast<const int*>(lower.p);
   const auto* row = static_cast<const int*>(lower.i);
   Nodes nodes;
-  nodes.of.resize(lower.ncol);
-  for (int c = 0; c < size; ++c) {
-    // Below the diagonal a column has what the one before it has, but for itself.
-    const bool alike =
-        c > 0 && std::equal(row + start[c], row + start[c + 1],
-                            row + std::min(start[c - 1] + 1, start[c]), row + start[c]);
-    if (c > 0 && !alike) nodes.first.push_back(c);
-    nodes.of[c] = static_cast<int>(nodes.first.size()) - 1;
-  }
-  nodes.first.push_back(size);
+  for (int c = 0; c < size; ++c)
+    nodes.add(c > 0 && std::equal(row + start[c], row + start[c + 1],
+                                  row + std::min(start[c - 1] + 1, start[c]), row + start[c]));
   return nodes;
 }
-
-/// Which nodes reach which, lower triangle.
-struct NodeGraph {
-  std::vector<int> start{0}, row;
-
-  NodeGraph(const cholmod_sparse& lower, const Nodes& nodes) {
-    const auto* of_column = static_cast<const int*>(lower.p);
-    const auto* of_row = static_cast<const int*>(lower.i);
-    const std::size_t count = nodes.first.size() - 1;
-    std::vector<int> seen(count, -1);
-    for (std::size_t node = 0; node < count; ++node) {
-      const int self = static_cast<int>(node);
-      for (int k = of_column[nodes.first[node]]; k < of_column[nodes.first[node + 1]]; ++k) {
-        const int other = nodes.of[of_row[k]];
-        if (std::exchange(seen[other], self) != self) row.push_back(other);
-      }
-      start.push_back(static_cast<int>(row.size()));
-    }
-  }
-  cholmod_sparse view() {
-    cholmod_sparse graph{};
-    graph.nrow = graph.ncol = start.size() - 1;
-    graph.nzmax = row.size();
-    graph.p = start.data();
-    graph.i = row.data();
-    graph.stype = -1;
-    graph.itype = CHOLMOD_INT;
-    graph.xtype = CHOLMOD_PATTERN;
-    graph.dtype = CHOLMOD_DOUBLE;
-    graph.sorted = 0;
-    graph.packed = 1;
-    return graph;
-  }
-};
 
 }  // namespace
 
@@ -109,10 +64,7 @@ struct CholeskyFactor::Cholmod {
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
-    // Nested dissection alone: trying AMD as well costs seconds and never won in 3D.
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_GIVEN;
-    common.postorder = 1;
   }
   Cholmod(const Cholmod&) = delete;
   Cholmod& operator=(const Cholmod&) = delete;
@@ -140,32 +92,23 @@ struct CholeskyFactor::Cholmod {
     }
   }
 
-  /// Nested dissection of the graph of nodes, which has a ninth of the entries: a third of the time
-  /// that ordering all unknowns takes, and 4 % less work for the factor (0.14 million unknowns).
-  std::vector<int> order(const cholmod_sparse& lower) {
-    const Nodes nodes = find_nodes(lower);
-    NodeGraph graph(lower, nodes);
-    cholmod_sparse view = graph.view();
-    std::vector<int> order_of_nodes(view.ncol), parents(view.ncol), members(view.ncol);
-    {
-      // METIS draws from the one random sequence of the process: two orderings at a time would
-      // differ from run to run, and with them the last digits of every result.
-      static std::mutex one_at_a_time;
-      const std::lock_guard<std::mutex> lock(one_at_a_time);
-      require(cholmod_nested_dissection(&view, nullptr, 0, order_of_nodes.data(), parents.data(),
-                                        members.data(), &common) >= 0);
-    }
-    std::vector<int> unknowns;
-    unknowns.reserve(lower.ncol);
-    for (const int node : order_of_nodes)
-      for (int k = nodes.first[node]; k < nodes.first[node + 1]; ++k) unknowns.push_back(k);
-    return unknowns;
+  /// `order`: of elimination, first to last.
+  void factorise(cholmod_sparse* lower, std::vector<int> order) {
+    const SerialRegions serial;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 1;
+    factor = cholmod_analyze_p(lower, order.data(), nullptr, 0, &common);
+    compute(lower);
   }
-
+  /// As it is numbered: nothing is permuted.
   void factorise(cholmod_sparse* lower) {
     const SerialRegions serial;
-    std::vector<int> permutation = order(*lower);
-    factor = cholmod_analyze_p(lower, permutation.data(), nullptr, 0, &common);
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.postorder = 0;
+    factor = cholmod_analyze(lower, &common);
+    compute(lower);
+  }
+  void compute(cholmod_sparse* lower) {
     require(factor != nullptr);
     require(cholmod_factorize(lower, factor, &common) != 0);
   }
@@ -219,17 +162,24 @@ CholeskyFactor::CholeskyFactor(const std::vector<MatrixEntry>& entries, std::siz
   it.matrix = cholmod_triplet_to_sparse(triplets, entries.size(), &it.common);
   cholmod_free_triplet(&triplets, &it.common);
   it.require(it.matrix != nullptr);
-  it.factorise(it.matrix);
+  const Nodes nodes = find_nodes(*it.matrix);
+  const auto* start = static_cast<const int*>(it.matrix->p);
+  const auto* below = static_cast<const int*>(it.matrix->i);
+  const NodeGraph graph(nodes, [&](int c, const auto& reach) {
+    std::for_each(below + start[c], below + start[c + 1], reach);
+  });
+  it.factorise(it.matrix, nodes.unknowns(order_of_elimination(graph)));
   cholmod_free_sparse(&it.matrix, &it.common);
 }
 
 CholeskyFactor::~CholeskyFactor() = default;
 
-const double* CholeskyFactor::solve(const std::vector<double>& b) const {
+const double* CholeskyFactor::solve(const std::vector<double>& b, std::size_t right_sides) const {
   Cholmod& it = *cholmod_;
   cholmod_dense right{};
-  right.nrow = right.d = right.nzmax = b.size();
-  right.ncol = 1;
+  right.nrow = right.d = b.size() / right_sides;
+  right.nzmax = b.size();
+  right.ncol = right_sides;
   right.x = const_cast<double*>(b.data());
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;

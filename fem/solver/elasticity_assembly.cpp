@@ -1,6 +1,9 @@
 #include "fem/solver/elasticity_assembly.hpp"
 
+#include "fem/solver/node_order.hpp"
+
 #include <algorithm>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -178,26 +181,38 @@ CellUnknowns collect_cell_unknowns(const dealii::DoFHandler<3>& dofs,
   return cells;
 }
 
+/// The cells that hold each of so many unknowns.
+struct CellsOfUnknowns {
+  std::vector<std::int64_t> start;
+  std::vector<int> cell;
+
+  CellsOfUnknowns(int size, const CellUnknowns& cells)
+      : start(size + 1, 0), cell(cells.unknown.size()) {
+    for (const int unknown : cells.unknown) ++start[unknown + 1];
+    for (int c = 0; c < size; ++c) start[c + 1] += start[c];
+    std::vector<std::int64_t> next(start.begin(), start.end() - 1);
+    for (std::size_t k = 0; k + 1 < cells.start.size(); ++k)
+      for (auto n = cells.start[k]; n < cells.start[k + 1]; ++n)
+        cell[next[cells.unknown[n]]++] = static_cast<int>(k);
+  }
+  bool same(int a, int b) const {
+    return std::equal(cell.begin() + start[a], cell.begin() + start[a + 1], cell.begin() + start[b],
+                      cell.begin() + start[b + 1]);
+  }
+};
+
 /// Pattern of the lower triangle: column c couples to every unknown of the cells that hold c.
 SymmetricMatrix make_pattern(int size, const CellUnknowns& cells) {
-  std::vector<std::int64_t> first(size + 1, 0);
-  for (const int unknown : cells.unknown) ++first[unknown + 1];
-  for (int c = 0; c < size; ++c) first[c + 1] += first[c];
-  std::vector<int> cells_of(cells.unknown.size());
-  std::vector<std::int64_t> next(first.begin(), first.end() - 1);
-  for (std::size_t cell = 0; cell + 1 < cells.start.size(); ++cell)
-    for (auto k = cells.start[cell]; k < cells.start[cell + 1]; ++k)
-      cells_of[next[cells.unknown[k]]++] = static_cast<int>(cell);
-
+  const CellsOfUnknowns holding(size, cells);
   SymmetricMatrix matrix;
   matrix.size = size;
   matrix.column_start.reserve(size + 1);
   matrix.column_start.push_back(0);
   std::vector<int> seen_by(size, -1);
   for (int c = 0; c < size; ++c) {
-    for (auto n = first[c]; n < first[c + 1]; ++n) {
-      const auto begin = cells.unknown.begin() + cells.start[cells_of[n]];
-      const auto end = cells.unknown.begin() + cells.start[cells_of[n] + 1];
+    for (auto n = holding.start[c]; n < holding.start[c + 1]; ++n) {
+      const auto begin = cells.unknown.begin() + cells.start[holding.cell[n]];
+      const auto end = cells.unknown.begin() + cells.start[holding.cell[n] + 1];
       for (auto it = std::lower_bound(begin, end, c); it != end; ++it)
         if (seen_by[*it] != c) {
           seen_by[*it] = c;
@@ -265,23 +280,75 @@ class CellCondensation {
 
 }  // namespace
 
-SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns) {
-  const auto cells = collect_cell_unknowns(problem.dofs, unknowns);
-  auto matrix = make_pattern(unknowns.count, cells);
+namespace {
+
+/// A matrix while cells are added to it.
+class Assembly {
+ public:
+  Assembly(const ElasticProblem& problem, const FreeUnknowns& unknowns)
+      : cells_(collect_cell_unknowns(problem.dofs, unknowns)),
+        condensation_(unknowns),
+        matrix_(make_pattern(unknowns.count, cells_)) {}
+  bool takes(std::size_t cell) const { return cells_.start[cell + 1] > cells_.start[cell]; }
+  void add(std::size_t cell, const std::vector<dealii::types::global_dof_index>& indices,
+           const std::vector<double>& stiffness) {
+    const int count = static_cast<int>(cells_.start[cell + 1] - cells_.start[cell]);
+    const int* const reached = &cells_.unknown[cells_.start[cell]];
+    add_cell(reached, count, condensation_.condense(indices, reached, count, stiffness), matrix_);
+  }
+  SymmetricMatrix take() { return std::move(matrix_); }
+
+ private:
+  CellUnknowns cells_;
+  CellCondensation condensation_;
+  SymmetricMatrix matrix_;
+};
+
+}  // namespace
+
+void order_for_elimination(const dealii::DoFHandler<3>& dofs, FreeUnknowns& unknowns) {
+  const auto cells = collect_cell_unknowns(dofs, unknowns);
+  const CellsOfUnknowns holding(unknowns.count, cells);
+  // The components of a node, which follow each other, are in the same cells.
+  Nodes nodes;
+  for (int c = 0; c < unknowns.count; ++c) nodes.add(c > 0 && holding.same(c, c - 1));
+  const NodeGraph graph(nodes, [&](int c, const auto& reach) {
+    for (auto n = holding.start[c]; n < holding.start[c + 1]; ++n)
+      std::for_each(cells.unknown.begin() + cells.start[holding.cell[n]],
+                    cells.unknown.begin() + cells.start[holding.cell[n] + 1], reach);
+  });
+  const std::vector<int> order = nodes.unknowns(order_of_elimination(graph));
+  std::vector<int> number(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
+  for (int& column : unknowns.column) column = number[column];
+}
+
+std::vector<SymmetricMatrix> assemble(const ElasticProblem& problem,
+                                      const std::vector<const FreeUnknowns*>& unknowns) {
+  std::vector<Assembly> parts;
+  for (const FreeUnknowns* of_part : unknowns) parts.emplace_back(problem, *of_part);
   CellStiffness cell_stiffness(problem);
-  CellCondensation condensation(unknowns);
   std::vector<dealii::types::global_dof_index> indices(problem.dofs.get_fe().dofs_per_cell);
   std::size_t number = 0;
   for (const auto& cell : problem.dofs.active_cell_iterators()) {
-    const auto first = cells.start[number];
-    const int count = static_cast<int>(cells.start[++number] - first);
-    if (count == 0) continue;
-    cell->get_dof_indices(indices);
-    const int* const reached = &cells.unknown[first];
-    add_cell(reached, count,
-             condensation.condense(indices, reached, count, cell_stiffness.compute(cell)), matrix);
+    const std::vector<double>* stiffness = nullptr;
+    for (Assembly& part : parts) {
+      if (!part.takes(number)) continue;
+      if (stiffness == nullptr) {
+        cell->get_dof_indices(indices);
+        stiffness = &cell_stiffness.compute(cell);
+      }
+      part.add(number, indices, *stiffness);
+    }
+    ++number;
   }
-  return matrix;
+  std::vector<SymmetricMatrix> matrices;
+  for (Assembly& part : parts) matrices.push_back(part.take());
+  return matrices;
+}
+
+SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns) {
+  return std::move(assemble(problem, std::vector<const FreeUnknowns*>{&unknowns}).front());
 }
 
 }  // namespace rollfem::fem

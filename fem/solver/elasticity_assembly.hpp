@@ -66,6 +66,10 @@ struct FreeUnknowns {
 FreeUnknowns number_free_unknowns(const dealii::DoFHandler<3>& dofs,
                                   const dealii::AffineConstraints<double>& constraints);
 
+/// Numbers the unknowns anew, in the order in which a factorisation eliminates them. Throws
+/// contact::SolveError when memory runs out.
+void order_for_elimination(const dealii::DoFHandler<3>& dofs, FreeUnknowns& unknowns);
+
 /// Lower triangle of a symmetric matrix in compressed columns, rows sorted.
 struct SymmetricMatrix {
   int size = 0;
@@ -79,5 +83,8 @@ struct SymmetricMatrix {
 
 /// C^T K C, K of the cells that the unknowns take.
 SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns);
+/// The same of several sets of unknowns: the stiffness of a cell is computed once for all.
+std::vector<SymmetricMatrix> assemble(const ElasticProblem& problem,
+                                      const std::vector<const FreeUnknowns*>& unknowns);
 
 }  // namespace rollfem::fem

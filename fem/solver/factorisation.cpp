@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -20,21 +21,30 @@ namespace {
 /// A residual above this after the factorisation means that the factor is not to be trusted.
 constexpr double largest_residual = 1e-9;
 
+/// More gain nothing and take memory.
+constexpr std::size_t right_sides_at_once = 16;
+
 /// A stiffness in the free unknowns and its factor.
 class Part {
  public:
-  Part(const ElasticProblem& problem, FreeUnknowns unknowns) : unknowns_(std::move(unknowns)) {
-    const auto matrix = assemble(problem, unknowns_);
+  /// Of the unknowns' matrix, numbered in the order of elimination.
+  Part(FreeUnknowns unknowns, const SymmetricMatrix& matrix) : unknowns_(std::move(unknowns)) {
     factor_ = std::make_unique<CholeskyFactor>(
         matrix, FactorMessages{"factorisation of the stiffness",
                                "use a coarser fem.cell_size or linear_solver = \"multigrid\""});
     verify(matrix);
   }
-  /// u += weight C K^-1 C^T b.
-  void add_solution(double weight, const Vector& b, Vector& u) const {
-    unknowns_.condense(b, condensed_);
-    for (double& value : condensed_) value *= weight;
-    unknowns_.expand_and_add(factor_->solve(condensed_), u);
+  /// u += weight C K^-1 C^T b, of `count` right-hand sides at once.
+  void add_solutions(double weight, const Vector* b, std::size_t count, Vector* u) const {
+    const auto size = static_cast<std::size_t>(unknowns_.count);
+    right_.resize(count * size);
+    for (std::size_t k = 0; k < count; ++k) {
+      unknowns_.condense(b[k], condensed_);
+      std::transform(condensed_.begin(), condensed_.end(), right_.begin() + k * size,
+                     [=](double value) { return weight * value; });
+    }
+    const double* const solutions = factor_->solve(right_, count);
+    for (std::size_t k = 0; k < count; ++k) unknowns_.expand_and_add(solutions + k * size, u[k]);
   }
   int unknowns() const { return unknowns_.count; }
   double memory_bytes() const {
@@ -66,7 +76,7 @@ class Part {
 
   FreeUnknowns unknowns_;
   std::unique_ptr<CholeskyFactor> factor_;
-  mutable std::vector<double> condensed_;
+  mutable std::vector<double> condensed_, right_;
 };
 
 class Factorisation : public LinearSolver {
@@ -75,21 +85,29 @@ class Factorisation : public LinearSolver {
     if (problem.dofs.n_locally_owned_dofs() != problem.dofs.n_dofs())
       throw contact::InputError(
           "the factorisation runs in one process; use linear_solver = \"multigrid\" under MPI");
-    if (auto halves = find_mirrored_halves(problem)) {
-      parts_.emplace_back(problem, std::move(halves->even));
-      parts_.emplace_back(problem, std::move(halves->odd));
-    } else {
-      parts_.emplace_back(problem, number_free_unknowns(problem.dofs, problem.constraints));
+    std::vector<FreeUnknowns> unknowns;
+    if (auto halves = find_mirrored_halves(problem))
+      unknowns = {std::move(halves->even), std::move(halves->odd)};
+    else
+      unknowns = {number_free_unknowns(problem.dofs, problem.constraints)};
+    std::vector<const FreeUnknowns*> of_parts;
+    for (FreeUnknowns& of_part : unknowns) {
+      order_for_elimination(problem.dofs, of_part);
+      of_parts.push_back(&of_part);
+    }
+    std::vector<SymmetricMatrix> matrices = assemble(problem, of_parts);
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
+      parts_.emplace_back(std::move(unknowns[k]), matrices[k]);
+      matrices[k] = {};
     }
   }
   Factorisation(const Factorisation&) = delete;
   Factorisation& operator=(const Factorisation&) = delete;
 
-  void solve(Vector& u, const Vector& b) const override {
-    u = 0.0;
-    const double weight = 1.0 / static_cast<double>(parts_.size());
-    for (const Part& part : parts_) part.add_solution(weight, b, u);
-    u.update_ghost_values();
+  void solve(Vector& u, const Vector& b) const override { solve_some(&u, &b, 1); }
+  void solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const override {
+    for (std::size_t first = 0; first < b.size(); first += right_sides_at_once)
+      solve_some(&u[first], &b[first], std::min(right_sides_at_once, b.size() - first));
   }
   int last_iterations() const override { return 0; }
   bool runs_beside_others() const override { return true; }
@@ -107,6 +125,13 @@ class Factorisation : public LinearSolver {
   }
 
  private:
+  void solve_some(Vector* u, const Vector* b, std::size_t count) const {
+    std::for_each(u, u + count, [](Vector& of_one) { of_one = 0.0; });
+    const double weight = 1.0 / static_cast<double>(parts_.size());
+    for (const Part& part : parts_) part.add_solutions(weight, b, count, u);
+    std::for_each(u, u + count, [](const Vector& of_one) { of_one.update_ghost_values(); });
+  }
+
   std::vector<Part> parts_;
 };
 

@@ -35,4 +35,8 @@ Vector make_vector(const dealii::DoFHandler<3>& dofs) {
   return Vector(dofs.locally_owned_dofs(), relevant_dofs(dofs), dofs.get_communicator());
 }
 
+void LinearSolver::solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const {
+  for (std::size_t k = 0; k < b.size(); ++k) solve(u[k], b[k]);
+}
+
 }  // namespace rollfem::fem

@@ -17,6 +17,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -61,6 +62,8 @@ class LinearSolver {
   /// constraints (it is condensed here). Throws contact::SolveError when the residual stays above
   /// the tolerance the solver was made with.
   virtual void solve(Vector& u, const Vector& b) const = 0;
+  /// The same for several right-hand sides, which a factorisation reads its factor once for.
+  virtual void solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const;
   virtual int last_iterations() const = 0;  ///< 0 for a factorisation
   virtual double memory_bytes() const = 0;  ///< on this process
   virtual std::string description() const = 0;

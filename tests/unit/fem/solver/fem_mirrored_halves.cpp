@@ -11,6 +11,7 @@
 #include "support/mpi_environment.hpp"
 #include <algorithm>
 #include <random>
+#include <vector>
 
 namespace rollfem {
 namespace {
@@ -63,6 +64,28 @@ TEST(MirroredHalves, AreTheWholeBodyOfWheelAndRail) {
                 static_cast<long>(body.triangulation().n_active_cells()));
       EXPECT_LT(residual(body), 1e-10) << wheel << half;
     }
+}
+
+TEST(MirroredHalves, SolveForManyLoadsAsForEach) {
+  for (const bool wheel : {true, false}) {
+    const fem::SurfaceShape shape = wheel ? fem::SurfaceShape{true, 405.0, -105.0}
+                                          : fem::SurfaceShape{false, contact::infinity, 100.0};
+    const fem::Body body(shape, {}, coarse(true), MPI_COMM_WORLD);
+    const auto solver = fem::make_factorisation(body.problem());
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    std::vector<fem::Vector> loads(19, fem::make_vector(body.dofs()));
+    for (fem::Vector& load : loads)
+      for (double& value : load) value = uniform(random);
+    std::vector<fem::Vector> solutions(loads.size(), fem::make_vector(body.dofs()));
+    solver->solve_all(solutions, loads);
+    auto alone = fem::make_vector(body.dofs());
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      solver->solve(alone, loads[k]);
+      alone -= solutions[k];
+      EXPECT_LT(alone.linfty_norm(), 1e-11 * solutions[k].linfty_norm()) << wheel << k;
+    }
+  }
 }
 
 TEST(MirroredHalves, AreNotTakenOfWhatIsNoMirrorImage) {

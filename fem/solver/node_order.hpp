@@ -1,0 +1,52 @@
+// The order in which the unknowns of a stiffness are eliminated: nested dissection of the nodes,
+// whose graph has a ninth of the entries that the matrix has.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Unknowns that follow each other and reach the same others: the components of one node.
+struct Nodes {
+  std::vector<int> first{0};  ///< unknown of each node, and the number of unknowns
+  std::vector<int> of;        ///< node of each unknown
+
+  /// The next unknown; `with_last`: of the node of the one before it.
+  void add(bool with_last) {
+    if (!with_last || of.empty()) first.push_back(first.back());
+    of.push_back(static_cast<int>(first.size()) - 2);
+    ++first.back();
+  }
+  std::size_t count() const { return first.size() - 1; }
+  /// The unknowns of such a sequence of nodes.
+  std::vector<int> unknowns(const std::vector<int>& sequence) const;
+};
+
+/// Which nodes reach which: lower triangle with the diagonal, in compressed columns.
+struct NodeGraph {
+  std::vector<int> start{0}, row;
+
+  /// `each_reached(c, f)` calls f for every unknown that unknown c, the first of its node, reaches.
+  template <class EachReached>
+  NodeGraph(const Nodes& nodes, const EachReached& each_reached) {
+    std::vector<int> seen(nodes.count(), -1);
+    for (std::size_t node = 0; node < nodes.count(); ++node) {
+      const int self = static_cast<int>(node);
+      each_reached(nodes.first[node], [&](int unknown) {
+        const int other = nodes.of[unknown];
+        if (other >= self && std::exchange(seen[other], self) != self) row.push_back(other);
+      });
+      start.push_back(static_cast<int>(row.size()));
+    }
+  }
+};
+
+/// The nodes, first to last, so that children of the elimination tree come right before their
+/// parents. The last graph's order is kept: both parities of a mirrored body, both bodies of a
+/// contact and a body and its flattened twin have nodes that are joined alike. Throws
+/// contact::SolveError when memory runs out.
+std::vector<int> order_of_elimination(const NodeGraph& graph);
+
+}  // namespace rollfem::fem
