@@ -51,12 +51,41 @@ Vector internal_forces(const ElasticProblem& problem, const Vector& u) {
   return forces;
 }
 
-Vector solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
-                             const Vector& prescribed, const Vector& load) {
+namespace {
+
+/// With hanging nodes between their neighbours.
+Vector in_line(const ElasticProblem& problem, const dealii::AffineConstraints<double>& hanging,
+               const Vector& prescribed) {
   Vector result = make_vector(problem.dofs);
   result.copy_locally_owned_data_from(prescribed);
-  make_constraints(problem.dofs, problem.mapping, {}).distribute(result);
+  hanging.distribute(result);
   result.update_ghost_values();
+  return result;
+}
+
+}  // namespace
+
+std::vector<Vector> solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
+                                          const std::vector<Vector>& prescribed) {
+  const auto hanging = make_constraints(problem.dofs, problem.mapping, {});
+  std::vector<Vector> results, lacks;
+  for (const Vector& given : prescribed) {
+    results.push_back(in_line(problem, hanging, given));
+    lacks.push_back(internal_forces(problem, results.back()));
+    lacks.back() *= -1.0;
+  }
+  std::vector<Vector> corrections(prescribed.size(), make_vector(problem.dofs));
+  solver.solve_all(corrections, lacks);
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    results[k] += corrections[k];
+    results[k].update_ghost_values();
+  }
+  return results;
+}
+
+Vector solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
+                             const Vector& prescribed, const Vector& load) {
+  Vector result = in_line(problem, make_constraints(problem.dofs, problem.mapping, {}), prescribed);
   Vector lack = make_vector(problem.dofs);
   lack.copy_locally_owned_data_from(load);
   lack -= internal_forces(problem, result);

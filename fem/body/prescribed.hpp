@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 
 #include <functional>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -24,5 +25,8 @@ Vector internal_forces(const ElasticProblem& problem, const Vector& u);
 /// the solver throws.
 Vector solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
                              const Vector& prescribed, const Vector& load);
+/// The same without load for several displacements, solved together.
+std::vector<Vector> solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
+                                          const std::vector<Vector>& prescribed);
 
 }  // namespace rollfem::fem

@@ -68,21 +68,26 @@ class LoadedBody {
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
         grid_(grid),
         flat_(flat),
-        load_(make_vector(body.dofs())),
-        displacement_(make_vector(body.dofs())) {
+        nothing_(make_vector(body.dofs())) {
     if (far_boundary_of(scene) == FarBoundary::point_load) far_.emplace(body, *solver_, coupling_);
   }
 
-  SurfaceField under(const SurfaceField& traction) {
-    coupling_.load(traction, load_);
-    solver_->solve(displacement_, load_);
-    SurfaceField field = coupling_.sample(displacement_);
-    if (far_) far_->add(resultant(traction), field);
-    return field;
+  /// Displacement of the surface under each of the tractions.
+  std::vector<SurfaceField> under(const std::vector<SurfaceField>& tractions) {
+    std::vector<Vector> loads(tractions.size(), nothing_);
+    for (std::size_t k = 0; k < tractions.size(); ++k) coupling_.load(tractions[k], loads[k]);
+    displacements_.assign(tractions.size(), nothing_);
+    solver_->solve_all(displacements_, loads);
+    std::vector<SurfaceField> fields;
+    for (std::size_t k = 0; k < tractions.size(); ++k) {
+      fields.push_back(coupling_.sample(displacements_[k]));
+      if (far_) far_->add(resultant(tractions[k]), fields[k]);
+    }
+    return fields;
   }
-  /// Of the whole body under the tractions that it was under last.
-  Vector whole(const SurfaceField& traction) const {
-    Vector all(displacement_);
+  /// Of the whole body under number k of the tractions that it was under last.
+  Vector whole(std::size_t k, const SurfaceField& traction) const {
+    Vector all(displacements_[k]);
     if (far_) far_->add(resultant(traction), all);
     all.update_ghost_values();
     return all;
@@ -101,8 +106,8 @@ class LoadedBody {
   ContactGrid grid_;
   bool flat_;
   std::optional<FarField> far_;
-  Vector load_;
-  Vector displacement_;
+  Vector nothing_;
+  std::vector<Vector> displacements_;
 };
 
 /// The polynomials at the elements of the grid on which the bodies are loaded and sampled.
@@ -213,22 +218,29 @@ Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
   result.surface = MatrixXd::Zero(3 * basis.out.cols(), 3 * ins);
   if (below != nullptr) result.below = MatrixXd::Zero(below->terms(), 3 * ins);
   const Field none = Field::Zero(basis.grid.size());
-  for (int component = 0; component < 3; ++component)
+  for (int component = 0; component < 3; ++component) {
+    std::vector<Index> shapes;
+    std::vector<SurfaceField> tractions;
     for (Index k = 0; k < ins; ++k) {
       if (!basis.carries(component, powers[static_cast<std::size_t>(k)][1])) continue;
-      SurfaceField traction{none, none, none};
+      shapes.push_back(k);
+      SurfaceField& traction = tractions.emplace_back(SurfaceField{none, none, none});
       Field* const loaded[] = {&traction.x, &traction.y, &traction.n};
       *loaded[component] = sign * basis.ellipsoid.cwiseProduct(basis.in.col(k));
-      const SurfaceField true_field = pair.loaded.under(traction);
-      const SurfaceField flat_field = pair.flat.under(traction);
-      Field difference(3 * basis.grid.size());
-      difference << true_field.x - flat_field.x, true_field.y - flat_field.y,
-          true_field.n - flat_field.n;
-      result.surface.col(component * ins + k) = sign * basis.fitted(difference);
-      if (below != nullptr)
-        result.below.col(component * ins + k) = below->fitted(
-            below->beyond(component, k, pair.loaded.whole(traction), pair.flat.whole(traction)));
     }
+    const std::vector<SurfaceField> curved = pair.loaded.under(tractions);
+    const std::vector<SurfaceField> flat = pair.flat.under(tractions);
+    for (std::size_t j = 0; j < shapes.size(); ++j) {
+      const Index column = component * ins + shapes[j];
+      Field difference(3 * basis.grid.size());
+      difference << curved[j].x - flat[j].x, curved[j].y - flat[j].y, curved[j].n - flat[j].n;
+      result.surface.col(column) = sign * basis.fitted(difference);
+      if (below != nullptr)
+        result.below.col(column) =
+            below->fitted(below->beyond(component, shapes[j], pair.loaded.whole(j, tractions[j]),
+                                        pair.flat.whole(j, tractions[j])));
+    }
+  }
   return result;
 }
 

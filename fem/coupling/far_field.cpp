@@ -73,14 +73,15 @@ std::array<double, 3> resultant_force(const contact::PatchShape& shape,
 }
 
 FarField::FarField(const Body& body, const LinearSolver& solver, const SurfaceCoupling& coupling) {
-  const ElasticProblem problem = body.problem();
-  const Vector no_load = make_vector(body.dofs());
+  std::vector<unsigned int> axes{0, 1, 2};
+  // The symmetric part of a load has no force along y.
+  if (body.options().half) axes = {0, 2};
+  std::vector<Vector> prescribed;
+  for (const unsigned int axis : axes) prescribed.push_back(values_on_far_boundary(body, axis));
+  std::vector<Vector> solutions = solve_with_prescribed(body.problem(), solver, prescribed);
+  fields_.fill(make_vector(body.dofs()));
+  for (std::size_t k = 0; k < axes.size(); ++k) fields_[axes[k]].swap(solutions[k]);
   for (unsigned int axis = 0; axis < 3; ++axis) {
-    // The symmetric part of a load has no force along y.
-    const bool vanishes = axis == 1 && body.options().half;
-    fields_[axis] = vanishes ? make_vector(body.dofs())
-                             : solve_with_prescribed(problem, solver,
-                                                     values_on_far_boundary(body, axis), no_load);
     fields_[axis].update_ghost_values();
     sampled_[axis] = coupling.sample(fields_[axis]);
   }

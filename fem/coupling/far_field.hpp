@@ -1,6 +1,7 @@
 // What a segment of wheel or rail lacks of the large body it is cut from: its far boundary, held by
 // the solver, moves as that of a half-space under the force on the patch as a point load. Linear in
-// the force: three elastic fields, solved for once. Derivation: docs/theory.md, "Far boundary".
+// the force: three elastic fields, solved for once and together. Derivation: docs/theory.md, "Far
+// boundary".
 #pragma once
 
 #include "fem/coupling/compliance.hpp"
