@@ -5,7 +5,9 @@
 #include <suitesparse/cholmod.h>
 
 #include <algorithm>
+#include <deque>
 #include <mutex>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -61,15 +63,16 @@ std::vector<int> order_of_elimination(const NodeGraph& graph) {
   // METIS draws from the one random sequence of the process: two orderings at a time would differ
   // from run to run, and with them the last digits of every result.
   static std::mutex one_at_a_time;
-  static NodeGraph last = graph;
-  static std::vector<int> order_of_last;
+  static std::deque<std::pair<NodeGraph, std::vector<int>>> known;
+  constexpr std::size_t most_known = 2;  // wheel and rail are factorised side by side
   const std::lock_guard<std::mutex> lock(one_at_a_time);
-  if (order_of_last.empty() || last.start != graph.start || last.row != graph.row) {
-    order_of_last.clear();
-    last = graph;
-    order_of_last = dissected(last);
-  }
-  return order_of_last;
+  for (const auto& [other, order] : known)
+    if (other.start == graph.start && other.row == graph.row) return order;
+  if (known.size() == most_known) known.pop_front();
+  NodeGraph copy = graph;
+  std::vector<int> order = dissected(copy);
+  known.emplace_back(std::move(copy), order);
+  return order;
 }
 
 }  // namespace rollfem::fem

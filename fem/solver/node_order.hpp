@@ -44,9 +44,9 @@ struct NodeGraph {
 };
 
 /// The nodes, first to last, so that children of the elimination tree come right before their
-/// parents. The last graph's order is kept: both parities of a mirrored body, both bodies of a
-/// contact and a body and its flattened twin have nodes that are joined alike. Throws
-/// contact::SolveError when memory runs out.
+/// parents. The orders of the last two graphs are kept: both parities of a mirrored body, often
+/// both bodies of a contact, and a body and its flattened twin have nodes that are joined alike.
+/// Throws contact::SolveError when memory runs out.
 std::vector<int> order_of_elimination(const NodeGraph& graph);
 
 }  // namespace rollfem::fem
