@@ -6,19 +6,19 @@ void add_stress_command(CLI::App& program, Call& call) {
   StressRequest& request = call.stress;
   CLI::App* stress = program.add_subcommand(
       "stress",
-      "stress and displacement at places, on lines and on planes from stored results, without "
-      "solving again; the largest stresses; the shakedown map");
+      "stress and displacement at points, on lines and on planes from stored results, without "
+      "solving again; largest stresses; shakedown map");
   stress->add_option("result", request.result, "result folder of rollfem run, or its results.h5")
       ->required();
   stress
       ->add_option("-m,--model", request.models,
-                   "models of the result, separated by commas; without it " +
+                   "models of the result, separated by commas; default: " +
                        contact::listed(call.models.names(&contact::ModelInfo::has_stress)) +
-                       ", whichever are there")
+                       ", as far as present")
       ->delimiter(',')
       ->allow_extra_args(false);
   stress->add_option("--patch", request.patch,
-                     "with profiles: SIDE,POSITION,PATCH, as left,1,1; without it the first");
+                     "with profiles: SIDE,POSITION,PATCH, e.g. left,1,1; default: the first");
   stress
       ->add_option("--point", request.points,
                    "load points, from 1, separated by commas; without it the last one")
@@ -26,34 +26,34 @@ void add_stress_command(CLI::App& program, Call& call) {
       ->allow_extra_args(false);
   stress
       ->add_option("--creepage", request.creepages,
-                   "load points of these longitudinal creepages, separated by commas")
+                   "load points with these longitudinal creepages, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false);
-  stress->add_option("--at", request.places, "x,y,z in mm: a place; may be repeated")
+  stress->add_option("--at", request.places, "x,y,z in mm: a point; may be repeated")
       ->allow_extra_args(false);
   stress
       ->add_option("--line", request.lines,
-                   "x,y,z:x,y,z[:n]: n points from one place to the other; may be repeated")
+                   "x,y,z:x,y,z[:n]: n points from one end to the other; may be repeated")
       ->allow_extra_args(false);
   stress
       ->add_option("--plane", request.planes,
-                   "x,y,z:x,y,z:x,y,z[:n,m]: n by m points of the parallelogram whose sides go "
-                   "from the first place to the other two; may be repeated")
+                   "x,y,z:x,y,z:x,y,z[:n,m]: n by m points of the parallelogram whose sides run "
+                   "from the first corner to the other two; may be repeated")
       ->allow_extra_args(false);
-  stress->add_option("--body", request.body, "wheel or rail; without it by the sign of z")
+  stress->add_option("--body", request.body, "wheel or rail; default: by the sign of z")
       ->check(CLI::IsMember({"wheel", "rail"}));
   stress->add_flag("--depth-profile", request.depth_profile,
-                   "also lines down under the centre of the patch and under the most loaded "
-                   "element; drawn when no places are asked for");
+                   "add vertical lines below the centre of the patch and below the most loaded "
+                   "element; the default when no points are requested");
   stress->add_option("--depth", request.depth,
-                     "mm, how deep these go; without it three times the smaller semi-axis");
+                     "depth of these lines in mm; default: three times the smaller semi-axis");
   stress->add_option("--yield-shear-stress", request.yield_shear_stress,
                      "k in MPa, for the shakedown map");
   stress->add_option("--yield-strength", request.yield_strength,
-                     "in MPa, in place of k, which is this over sqrt(3)");
+                     "in MPa, instead of k, which is this over sqrt(3)");
   stress->add_option("-o,--output", request.directory,
-                     "folder for stress.csv, stress.json and figures; without it the result "
-                     "folder's name with _stress");
+                     "folder for stress.csv, stress.json and figures; default: the name of the "
+                     "result folder with _stress");
   stress->add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
   stress->add_flag("!--no-figures", request.figures, "write the tables only");
   stress->footer(

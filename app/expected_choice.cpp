@@ -112,7 +112,7 @@ std::string expected_choice(const contact::Case& input, const contact::ModelRegi
     return "";
   }
   return fmt::format(
-      "\nwhat the model auto is expected to take, by the size of the contact alone{}\n{}",
+      "\nwhat the model auto is expected to choose, judged by the size of the contact alone{}\n{}",
       speed ? fmt::format("; seconds of this machine, {:.2f} times those of the laws "
                           "(rollfem bench, {})",
                           speed->times, speed->made.substr(0, 10))

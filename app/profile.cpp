@@ -65,8 +65,8 @@ std::string described(const NamedProfile& profile) {
       line("flange face at z = 10, mm", fmt::format("y = {:.4f}", *features.gauge_face));
     // (0, 0) is the tape line, and the flange's back 70 mm from it.
     if (const auto tip = meshes::flange_tip(profile.curve); tip && (*tip < -70.0 || *tip > -25.0))
-      line("measured from the flange's back?",
-           "then `shift = [-70, 0]` under [wheel_profile] puts y = 0 on the tape line");
+      line("measured from the flange back?",
+           "then put `shift = [-70, 0]` under [wheel_profile], so that y = 0 is the tape line");
   } else {
     line("top, mm", place_of(features.top));
     if (features.gauge_face)
@@ -87,7 +87,7 @@ std::string described(const NamedProfile& profile) {
          fmt::format("{:.3g} rms, {:.3g} largest", smoothing.rms, smoothing.largest));
   }
   constexpr std::size_t most_joints = 20;
-  if (!features.joints.empty()) text += "  joints, where the radius changes at once, mm:\n";
+  if (!features.joints.empty()) text += "  joints, where the radius jumps, mm:\n";
   for (std::size_t k = 0; k < std::min(most_joints, features.joints.size()); ++k) {
     const meshes::ProfileJoint& joint = features.joints[k];
     text += fmt::format("    {:<34}{} -> {}\n", place_of(joint.place),
@@ -144,8 +144,8 @@ bool is_wheel(const ProfileRequest& request) {
   const std::string ending = fs::path(request.name).extension().string();
   if (ending == ".prw" || ending == ".whl") return true;
   if (ending == ".prr" || ending == ".ban") return false;
-  throw contact::InputError(fmt::format(
-      "profile: {} may be that of a wheel or of a rail; do: add --wheel or --rail", request.name));
+  throw contact::InputError(
+      fmt::format("profile: {} may be a wheel or a rail; do: add --wheel or --rail", request.name));
 }
 
 std::vector<NamedProfile> of_case(const ProfileRequest& request) {
@@ -240,7 +240,7 @@ void profile(const ProfileRequest& request) {
     std::error_code error;
     if (fs::equivalent(file, request.name, error))
       throw contact::InputError(fmt::format(
-          "profile: {} is the input and would be written over; do: name another folder with -o",
+          "profile: {} is the input and would be overwritten; do: name another folder with -o",
           file.string()));
     postprocess::replace_file(file, table(profile));
     std::cout << described(profile) << list(profile.curve);

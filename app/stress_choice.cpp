@@ -40,8 +40,8 @@ std::vector<StoredModel> models_of_patch(const ResultsFile& file, const std::str
   const bool placed = file.models().front().placed;
   if (!patch.empty() && !placed)
     throw InputError(
-        fmt::format("--patch {}: {} is of a case without profiles and has one patch; do: leave "
-                    "--patch out",
+        fmt::format("--patch {}: {} comes from a case without profiles and has one patch; do: "
+                    "leave --patch out",
                     patch, file.path()));
   const std::string wanted = patch.empty() && placed ? patch_name(file.models().front()) : patch;
   std::vector<StoredModel> found;
@@ -49,9 +49,8 @@ std::vector<StoredModel> models_of_patch(const ResultsFile& file, const std::str
     if (!placed || patch_name(model) == wanted) found.push_back(model);
   if (found.empty())
     throw InputError(
-        fmt::format("--patch {}: there is no such patch in {}; allowed: {}; do: name "
-                    "one of them",
-                    patch, file.path(), listed(file.models(), patch_name)));
+        fmt::format("--patch {}: no such patch in {}; allowed: {}; do: name one of them", patch,
+                    file.path(), listed(file.models(), patch_name)));
   return found;
 }
 
@@ -93,7 +92,7 @@ std::size_t with_creepage(const ModelResult& model, double creepage) {
     if (std::abs(xi - creepage) <= 1e-9 * std::max(std::abs(xi), 1e-6)) return k;
   }
   throw InputError(fmt::format(
-      "--creepage {:g}: model {} has no load point of it; allowed: {}; do: name one of them",
+      "--creepage {:g}: model {} has no such load point; allowed: {}; do: name one of them",
       creepage, model.key(), listed(model.points, [](const PointResult& point) {
         return fmt::format("{:g}", point.creepage.longitudinal);
       })));
@@ -146,8 +145,8 @@ void check_stored(const StoredModel& stored, const PointResult& point, std::size
         request.result, stored.key));
   if (std::find(kept.begin(), kept.end(), number) != kept.end()) return;
   throw InputError(fmt::format(
-      "load point {}: of model {} the bodies are stored for these load points only: {}; do: ask "
-      "for one, or for --model {}, or run the case again with [output] body_fields = \"all\"",
+      "load point {}: model {} stores its bodies only for these load points: {}; do: choose one of "
+      "them or --model {}, or run the case again with [output] body_fields = \"all\"",
       number + 1, stored.key, listed(kept, [](std::size_t k) { return fmt::format("{}", k + 1); }),
       models.reference().name));
 }

@@ -58,7 +58,7 @@ void refuse_beyond_surface(const NamedRequest& named, const std::string& model) 
     if ((named.request.wheel ? place[2] : -place[2]) < 0.0)
       throw InputError(fmt::format(
           "{}: ({:g}, {:g}, {:g}) mm is not in the {} of model {}, a half-space with z {} 0; do: "
-          "name places in it, or leave --body out",
+          "name points inside it, or leave --body out",
           named.call, place[0], place[1], place[2], named.request.wheel ? "wheel" : "rail", model,
           named.request.wheel ? ">=" : "<="));
 }
@@ -122,8 +122,7 @@ class Bodies {
     const BodySampler* body = (named.request.wheel ? wheel_ : rail_).sampler.get();
     if (body == nullptr)
       throw InputError(
-          fmt::format("{}: the {} is not stored: it is rigid and has no stress; do: name the "
-                      "other body",
+          fmt::format("{}: the {} is rigid and has no stored stress; do: name the other body",
                       named.call, named.request.wheel ? "wheel" : "rail"));
     StressSet set;
     set.name = named.name;
@@ -171,8 +170,8 @@ std::vector<NamedRequest> depth_profiles(const ModelResult& model, std::size_t n
   if (!(depth > 0.0) || !std::isfinite(depth))
     throw InputError(
         request.depth
-            ? fmt::format("--depth {:g}: allowed: a depth > 0 in mm; do: name one", *request.depth)
-            : fmt::format("model {} does not give the size of the patch; do: name a --depth",
+            ? fmt::format("--depth {:g}: allowed: a depth > 0 in mm; do: give one", *request.depth)
+            : fmt::format("model {} does not give the size of the patch; do: give a --depth",
                           model.key()));
   const auto [centre, most] = spots(model.grid, point.fields.traction.n);
   const bool apart = std::abs(most.x - centre.x) > 0.51 * model.grid.dx ||

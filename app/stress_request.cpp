@@ -37,7 +37,7 @@ struct Option {
 std::array<double, 3> place(const Option& option, std::string_view text) {
   const auto parts = contact::parts_of(text, ",");
   std::array<double, 3> values{};
-  if (parts.size() != 3) option.refuse(fmt::format("'{}' is not a place x,y,z", text));
+  if (parts.size() != 3) option.refuse(fmt::format("'{}' is not a point x,y,z", text));
   for (std::size_t c = 0; c < 3; ++c) {
     const std::optional<double> value = contact::number_of(parts[c]);
     if (!value) option.refuse(fmt::format("'{}' is not a number", parts[c]));
@@ -60,7 +60,7 @@ SubsurfaceRequest shape(const Option& option, SubsurfaceRequest::Kind kind,
   const auto parts = contact::parts_of(text, ":");
   const bool counted = kind != Kind::point && parts.size() == corners + 1;
   if (parts.size() != corners && !counted)
-    option.refuse(fmt::format("{} places are needed", corners));
+    option.refuse(fmt::format("{} points are needed", corners));
   SubsurfaceRequest request;
   request.kind = kind;
   request.from = request.to = request.across = place(option, parts[0]);
@@ -81,7 +81,7 @@ SubsurfaceRequest shape(const Option& option, SubsurfaceRequest::Kind kind,
     }
   }
   if (request.to == request.from || (kind == Kind::plane && request.across == request.from))
-    option.refuse("two of the places are the same");
+    option.refuse("two of the points coincide");
   return request;
 }
 
@@ -101,7 +101,7 @@ void add(const Option& option, const std::string& body, const std::string& name,
          SubsurfaceRequest request, std::vector<NamedRequest>& all) {
   const auto [low, high] = extent_of_z(request);
   if (body.empty() && low < 0.0 && high > 0.0)
-    option.refuse("it passes from the rail into the wheel; ask for each by itself");
+    option.refuse("it passes from the rail into the wheel; request each body separately");
   for (const bool wheel : {true, false}) {
     const bool wanted =
         body.empty() ? (wheel ? low >= 0.0 : high <= 0.0) : body == (wheel ? "wheel" : "rail");
@@ -145,7 +145,7 @@ std::optional<double> yield_shear_stress(const StressRequest& request) {
   const auto positive = [](const char* name, double value) {
     if (!(value > 0.0) || !std::isfinite(value))
       throw InputError(
-          fmt::format("{} {}: allowed: a stress > 0 in MPa; do: name one", name, value));
+          fmt::format("{} {}: allowed: a stress > 0 in MPa; do: give one", name, value));
     return value;
   };
   if (request.yield_shear_stress)

@@ -32,7 +32,7 @@ void check_directory(const StudyRequest& request) {
   while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there))
     throw InputError(fmt::format(
-        "study: the folder {} cannot be made: {} is a file; do: name another folder with -o",
+        "study: the folder {} cannot be created: {} is a file; do: name another folder with -o",
         directory.string(), there.string()));
 }
 
@@ -42,7 +42,7 @@ void check_domain(const contact::Case& input) {
   if (input.has_profiles())
     why = "the bodies are true sections of rail and rim, or end where their profiles do";
   else if (!input.wheel.mesh.empty() || !input.rail.mesh.empty())
-    why = "the bodies end where the meshes do that the case names";
+    why = "the bodies end where the meshes named by the case end";
   if (why != nullptr)
     throw InputError(
         fmt::format("{}: study --vary domain: {}; allowed for this case: grid, cell, degree; do: "
@@ -66,10 +66,10 @@ void check_varied(const StudyRequest& request, const std::string& word,
   for (const std::string& other : varied_words(known))
     allowed += fmt::format("{}{} of {}", allowed.empty() ? "" : "; ", other,
                            contact::listed(models_that_vary(known, other)));
-  throw InputError(fmt::format(
-      "--vary {}: none of the models of this study has it; allowed: {}; do: add --model {}, or "
-      "vary something else",
-      word, allowed, models_that_vary(known, word).back()));
+  throw InputError(
+      fmt::format("--vary {}: no model of this study can refine it; allowed: {}; do: add --model "
+                  "{}, or vary something else",
+                  word, allowed, models_that_vary(known, word).back()));
 }
 
 /// "left_3_1." of a place among several.
@@ -115,7 +115,7 @@ void read_number(const std::string& word, std::vector<StudyPlace>& places) {
       break;
     }
   if (meant == nullptr)
-    refuse_reference(word, "the case has several patches, and this names none of them", places);
+    refuse_reference(word, "the case has several patches, and this does not name one", places);
   const auto known = quantities_of(*meant);
   if (std::find(known.begin(), known.end(), key) == known.end())
     refuse_reference(word, "no such quantity in this case", places);
@@ -137,7 +137,7 @@ void check_call(const StudyRequest& request, const contact::Case& input,
   for (const std::string& word : request.vary) {
     if (std::find(words.begin(), words.end(), word) == words.end())
       throw InputError(
-          fmt::format("--vary {}: not something to refine; {}allowed: {}; do: name one of them",
+          fmt::format("--vary {}: cannot be refined; {}allowed: {}; do: name one of them",
                       word, contact::did_you_mean(word, words), contact::listed(words)));
     check_varied(request, word, known);
     if (word == "domain") check_domain(input);

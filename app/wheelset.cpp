@@ -73,12 +73,12 @@ std::vector<postprocess::RigidWheelset> rigid_row(const std::vector<WheelsetRow>
 void check(const WheelsetRequest& request, const contact::Case& input) {
   if (!input.has_profiles())
     throw contact::InputError(fmt::format(
-        "{}: wheel and rail have radii, and no track; allowed: a case with profiles; do: give "
-        "wheel.profile, rail.profile and [wheelset], as in cases/manchester_A22.toml",
+        "{}: wheel and rail are given by radii, without a track; allowed: a case with profiles; "
+        "do: give wheel.profile, rail.profile and [wheelset], as in cases/manchester_A22.toml",
         input.file));
   if (!(request.reach >= 2.0 * shift_step && request.reach <= 30.0))
     throw contact::InputError(fmt::format(
-        "--reach {:g}: allowed: 0.2 to 30 mm; do: give a shift of that size", request.reach));
+        "--reach {:g}: allowed: 0.2 to 30 mm; do: give a shift in this range", request.reach));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ SectionWithKeys output_section() {
   keys.choices("paths")
       .among({"x", "y"})
       .or_empty()
-      .says("Middle lines of the patch along which stresses are written and drawn.")
+      .says("Middle lines of the patch along which tractions are written and drawn.")
       .into(&OutputOptions::paths);
   keys.toggle("fields")
       .says(
@@ -19,11 +19,10 @@ SectionWithKeys output_section() {
   keys.choice("grid_fields")
       .says(
           "Load points at which pressure, tractions, slip, gap and displacement on the contact "
-          "grid "
-          "are kept, in results.h5, path_x.csv, path_y.csv and as ParaView files: `some` are 25 "
-          "from the first to the last, `auto` all of up to 100 and some of more, counted for every "
-          "model and patch by itself; scalars are kept "
-          "of all. Figures and rollfem stress of half-spaces need them.")
+          "grid are kept, in results.h5, path_x.csv, path_y.csv and as ParaView files: `some` "
+          "keeps 25 from the first to the last, `auto` all of up to 100 and otherwise some, "
+          "counted for each model and patch. Scalars are always kept. Figures, and rollfem stress "
+          "for half-spaces, need these fields.")
       .into(&OutputOptions::grid_fields, {{"auto", GridFields::automatic},
                                           {"all", GridFields::all},
                                           {"some", GridFields::some},
@@ -32,8 +31,8 @@ SectionWithKeys output_section() {
       .says(
           "Load points at which displacement (mm) and stress (MPa) of wheel and rail (model fem) "
           "are kept, as ParaView files and in results.h5, from which rollfem stress reads them: "
-          "some "
-          "12 MB a load point, and about as long to recover as the load point takes to solve.")
+          "some 12 MB per load point, and recovering them takes about as long as solving the load "
+          "point.")
       .into(&OutputOptions::body_fields,
             {{"all", BodyFields::all}, {"last", BodyFields::last}, {"none", BodyFields::none}});
   keys.toggle("stress_maxima")

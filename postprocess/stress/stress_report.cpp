@@ -244,8 +244,8 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
         verdict(factor, traction, limit, ratio), is_chosen(report, model, number) ? "  <" : "");
   }
   return text +
-         "  elastic: the largest von Mises stress is below sqrt(3) k (Y-ratio; where it is not "
-         "known, p0 below the limits of line and circle); shakedown: of full slip\n";
+         "  elastic: the largest von Mises stress is below sqrt(3) k (Y-ratio; if unknown, p0 "
+         "below the limits of line and circle); shakedown: under full slip\n";
 }
 
 }  // namespace

@@ -88,16 +88,16 @@ void check_target(const fs::path& target) {
                                  target.string()));
   if (fs::equivalent(target, fs::current_path(error), error) || !target.has_relative_path())
     throw InputError(
-        fmt::format("{} is the folder you are in, and a result replaces its folder as a whole; "
-                    "give a folder below it with -o",
+        fmt::format("{} is the current folder, and a result replaces its folder as a whole; give a "
+                    "folder below it with -o",
                     target.string()));
   const bool empty = fs::is_empty(target, error);
   if (error) fail("read", target, error.value());
   if (!empty && !is_result_folder(target))
-    throw InputError(fmt::format(
-        "{} holds files that are not an earlier result of rollfem (no summary.json of its kind), "
-        "and they shall not be lost; choose a new or empty folder with -o",
-        target.string()));
+    throw InputError(
+        fmt::format("{} holds files that are not an earlier result of rollfem (no matching "
+                    "summary.json) and would be lost; choose a new or empty folder with -o",
+                    target.string()));
 }
 
 /// Whether a file of an earlier result, relative to its folder, is one that rollfem makes.

@@ -98,7 +98,7 @@ TEST_F(FemStress, BodiesAreKeptAsTheCaseSays) {
   EXPECT_FALSE(has("last/fields/fem_wheel_0000.vtu"));
   EXPECT_FALSE(stress("last", {}).empty());
   expect_refused(call(folder, {"stress", "last", "--point", "1"}),
-                 "the bodies are stored for these load points only: 2; do: ");
+                 "stores its bodies only for these load points: 2; do: ");
   run("none", curve, "");
   EXPECT_TRUE(has("none/fields/fem_contact_0001.vtu"));
   EXPECT_FALSE(has("none/fields/fem_wheel.vtu"));

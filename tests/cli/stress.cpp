@@ -311,11 +311,11 @@ TEST(StressOfBodies, IsRefusedWhereALoadPointKeepsNone) {
   const std::string file = folder.file("results.h5", synthetic_file(false));
   expect_refused(
       call(folder, {"stress", file, "-m", "fem", "--point", "1", "--at", "0,0,0"}),
-      "load point 1: of model fem the bodies are stored for these load points only: 3, 7; do: ");
+      "load point 1: model fem stores its bodies only for these load points: 3, 7; do: ");
   const Outcome both =
       call(folder, {"stress", file, "--point", "1", "--at", "0,0,-1", "-o", "out", "--no-figures"});
   EXPECT_EQ(both.status, 0) << both.err;
-  EXPECT_NE(both.err.find("warning: left out: load point 1: of model fem"), std::string::npos);
+  EXPECT_NE(both.err.find("warning: left out: load point 1: model fem"), std::string::npos);
   EXPECT_EQ(report(folder.work() / "out")["models"].size(), 1U);
   expect_refused(call(folder, {"stress", file, "-m", "fem", "--at", "0,0,-9"}),
                  "--at 0,0,-9: the point (0, 0, -9) mm is 7 mm outside the computed rail");
@@ -347,13 +347,13 @@ TEST_F(StressTest, WrongCallsAreRefused) {
       {{"--point", "0"}, "load points 1 to 2"},
       {{"--creepage", "0.002"}, "allowed: 0, 0.001"},
       {{"--point", "1", "--creepage", "0"}, "both given"},
-      {{"--at", "1,2"}, "'1,2' is not a place x,y,z"},
+      {{"--at", "1,2"}, "'1,2' is not a point x,y,z"},
       {{"--at", "1,2,nan"}, "'nan' is not a number"},
       {{"--at", "1,2,"}, "'' is not a number"},
       {{"--line", "0,0,-1:0,0,1"}, "passes from the rail into the wheel"},
-      {{"--line", "0,0,1:0,0,1"}, "two of the places are the same"},
+      {{"--line", "0,0,1:0,0,1"}, "two of the points coincide"},
       {{"--line", "0,0,0:0,0,-5:1"}, "'1' is not a number of points"},
-      {{"--plane", "0,0,0:1,0,0"}, "3 places are needed"},
+      {{"--plane", "0,0,0:1,0,0"}, "3 points are needed"},
       {{"--plane", "0,0,0:1,0,0:0,0,-1:2000,2000"}, "more than 1000000 points"},
       {{"--body", "rail", "--at", "0,0,1"}, "is not in the rail of model halfspace"},
       {{"--body", "sleeper"}, "sleeper"},

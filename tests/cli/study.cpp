@@ -75,8 +75,8 @@ TEST(Study, RefusesWhatMakesNoSense) {
   const Folder folder;
   const std::string file = folder.file("quick.toml", quick);
   expect_refused(call(folder, {"study"}), "no case file is named");
-  expect_refused(call(folder, {"study", file, "--vary", "degrees"}), "not something to refine");
-  expect_refused(call(folder, {"study", file, "--vary", "domain"}), "none of the models");
+  expect_refused(call(folder, {"study", file, "--vary", "degrees"}), "cannot be refined");
+  expect_refused(call(folder, {"study", file, "--vary", "domain"}), "no model of this study");
   expect_refused(call(folder, {"study", file, "--levels", "1"}), "allowed: 2 to 8");
   expect_refused(call(folder, {"study", file, "--reference", "best"}), "not a reference");
   expect_refused(call(folder, {"study", file, "--reference", "max_pressure=abc"}), "not a number");
