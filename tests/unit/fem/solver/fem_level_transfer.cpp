@@ -90,7 +90,9 @@ TEST_P(Levels, TakeForcesBackByTheTranspose) {
   const float exact = prolongated * fine;
   EXPECT_NEAR(restricted * coarse, exact, 1e-4F * prolongated.l2_norm() * fine.l2_norm());
   for (const auto i : dofs.locally_owned_dofs())
-    if (constraints.is_constrained(i)) EXPECT_EQ(restricted(i), 0.0F);
+    if (constraints.is_constrained(i)) {
+      EXPECT_EQ(restricted(i), 0.0F);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Levels, ::testing::Values(1u, 2u));
