@@ -73,7 +73,7 @@ TEST(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
   expect_refused(call(folder, {"profile", folder.file("a.csv", "1,2\n"), "--rail"}),
                  "has 1 points");
   expect_refused(call(folder, {"profile", folder.file("e.csv", ""), "--wheel"}), "is empty");
-  expect_refused(call(folder, {"profile", "60E1", "--wheel"}), "that of a rail");
+  expect_refused(call(folder, {"profile", "60E1", "--wheel"}), "belongs to a rail");
   expect_refused(call(folder, {"profile", "60E1", "--wheel", "--rail"}), "contradict");
   EXPECT_TRUE(folder.made().empty());
 }
