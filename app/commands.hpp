@@ -10,6 +10,7 @@
 #include "app/run.hpp"
 #include "app/stress.hpp"
 #include "app/study.hpp"
+#include "app/table.hpp"
 #include "app/wheelset.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,6 +26,7 @@ struct Call {
   CompareRequest compare = {};
   StudyRequest study = {};
   BenchRequest bench = {};
+  TableRequest table = {};
   MeshRequest mesh = {};
   StressRequest stress = {};
   ProfileRequest profile = {};
@@ -42,7 +44,7 @@ struct Call {
 void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 
 /// Each adds its commands; `call` outlives the parse.
-void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study, bench
+void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study, table, bench
 void add_stress_command(CLI::App& program, Call& call);
 void add_input_commands(
     CLI::App& program,

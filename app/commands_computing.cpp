@@ -191,6 +191,26 @@ void add_bench(CLI::App& program, Call& call) {
   bench->callback([&call] { app::bench(call.bench, call.models); });
 }
 
+void add_table(CLI::App& program, Call& call) {
+  CLI::App* table = program.add_subcommand(
+      "table",
+      "fill a table of creep forces over creepages, spin and the ratio of the ellipse's axes");
+  table
+      ->add_option("case", call.table.case_file,
+                   "case file (.toml); its section [table] is the grid")
+      ->required();
+  table->add_option("-o,--output", call.table.directory,
+                    "folder for the table; without it results/<name of the case file>_table");
+  table->add_flag("--resume", call.table.resume,
+                  "go on with a table that was ended: its finished points are in FOLDER.unfinished "
+                  "beside the results");
+  add_report_flags(*table, call.table);
+  table->footer(
+      "example: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"
+      "What is in a table and how Python and C read it: docs/tables.md");
+  table->callback([&call] { app::table(call.table, call.models); });
+}
+
 }  // namespace
 
 void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
@@ -208,6 +228,7 @@ void add_computing_commands(CLI::App& program, Call& call) {
   add_compare(program, call);
   add_study(program, call);
   add_bench(program, call);
+  add_table(program, call);
 }
 
 }  // namespace rollfem::app

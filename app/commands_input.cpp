@@ -84,10 +84,11 @@ void draw_report(const std::string& directory) {
   const auto holds = [&](const char* file) {
     return std::filesystem::exists(std::filesystem::path(directory) / file);
   };
-  if (!holds("results.h5") && !holds("compare.json") && !holds("study.json"))
-    throw contact::InputError(fmt::format(
-        "report: {} holds no result; do: name a folder that rollfem run, compare or study wrote",
-        directory));
+  if (!holds("results.h5") && !holds("compare.json") && !holds("study.json") && !holds("table.h5"))
+    throw contact::InputError(
+        fmt::format("report: {} holds no result; do: name a folder that rollfem run, compare, "
+                    "study or table wrote",
+                    directory));
   const std::string problem = postprocess::make_report(directory, script_directory().string());
   if (!problem.empty()) throw contact::InputError("report: " + problem);
 }
@@ -179,7 +180,9 @@ void add_input_commands(CLI::App& program, Call& call) {
 
   CLI::App* report = program.add_subcommand(
       "report", "draw figures and report of a result again, or of one that was written without");
-  report->add_option("result", call.drawn_directory, "folder of a run, a comparison or a study")
+  report
+      ->add_option("result", call.drawn_directory,
+                   "folder of a run, a comparison, a study or a table")
       ->required();
   report->footer("example: rollfem report results/thesis_a");
   report->callback([&call] { draw_report(call.drawn_directory); });

@@ -108,7 +108,7 @@ std::vector<std::string> arguments(int argc, char** argv) {
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   Call call{models};
   for (ComputingRequest* request : std::initializer_list<ComputingRequest*>{
-           &call.run, &call.compare, &call.study, &call.bench}) {
+           &call.run, &call.compare, &call.study, &call.table, &call.bench}) {
     request->command = joined(argc, argv);
     request->argc = argc;
     request->argv = argv;

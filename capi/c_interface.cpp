@@ -1,4 +1,5 @@
 // rollfem.h: units, and exceptions as status and text.
+#include "capi/guarded.hpp"
 #include "capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
@@ -8,10 +9,9 @@
 #include "rollfem/rollfem.h"
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <new>
 #include <string>
 
+using rollfem::capi::guarded;
 using rollfem::capi::SolvedPatch;
 using rollfem::capi::SolvedWheel;
 using rollfem::capi::WheelRailPair;
@@ -40,31 +40,6 @@ Units units_of(rollfem_units units) {
       "units = {}: are not known; allowed: ROLLFEM_MM_N, ROLLFEM_M_N, ROLLFEM_MM_KN; do: "
       "fill the definition with rollfem_defaults",
       static_cast<int>(units)));
-}
-
-void tell(const std::string& text, char* message, size_t size) {
-  if (message == nullptr || size == 0) return;
-  const size_t length = std::min(size - 1, text.size());
-  std::memcpy(message, text.data(), length);
-  message[length] = '\0';
-}
-
-/// Runs what may throw.
-template <class Work>
-rollfem_status guarded(const Work& work, char* message, size_t size) {
-  try {
-    tell("", message, size);
-    work();
-    return ROLLFEM_OK;
-  } catch (const contact::InputError& error) {
-    tell(error.what(), message, size);
-    return ROLLFEM_REFUSED;
-  } catch (const std::bad_alloc&) {
-    tell("out of memory", message, size);
-  } catch (const std::exception& error) {
-    tell(error.what(), message, size);
-  }
-  return ROLLFEM_FAILED;
 }
 
 /// A text as TOML, whatever is in it.

@@ -5,6 +5,7 @@
 #include "python/blas_threads.hpp"
 #include "python/records.hpp"
 #include "python/stress.hpp"
+#include "python/tables.hpp"
 
 #include <optional>
 #include <pybind11/stl.h>
@@ -101,6 +102,7 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
   py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError);
   python::define_progress(module);
+  python::define_tables(module);
   py::class_<Case>(module, "Case")
       .def_readonly("title", &Case::title)
       .def_readonly("text", &Case::text)

@@ -98,6 +98,35 @@ rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* stat
 
 void rollfem_destroy(rollfem_pair* pair);
 
+/* A table of creep forces that `rollfem table` has written, for ellipses of any size (docs/tables.md). */
+typedef struct rollfem_table rollfem_table;
+
+/* In consistent units: mm, N, MPa or m, N, Pa. */
+typedef struct {
+  double semi_axis_x;    /* of the ellipse, along rolling */
+  double semi_axis_y;    /* across */
+  double shear_modulus;  /* combined: 1/G = (1/G1 + 1/G2)/2 */
+  double friction_bound; /* coefficient of friction times normal force */
+  double longitudinal_creepage, lateral_creepage;
+  double spin; /* 1/length */
+} rollfem_ellipse;
+
+/* On the wheel. Bars: of the force vector and of the moment, from the table and from interpolation. */
+typedef struct {
+  double longitudinal_force, lateral_force, spin_moment;
+  double force_bar, moment_bar;
+} rollfem_creep_forces;
+
+/* A file table.h5, or the folder that holds it; NULL when it is refused, as by rollfem_create. */
+rollfem_table* rollfem_table_open(const char* path, char* message, size_t size);
+
+/* Allocates nothing unless it refuses; threads may ask the same table at once. When the status is not ROLLFEM_OK the
+   forces are zero and `message` (may be NULL) has the reason. */
+rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_ellipse* ellipse,
+                                    rollfem_creep_forces* forces, char* message, size_t size);
+
+void rollfem_table_close(rollfem_table* table);
+
 /* "0.1.0" */
 const char* rollfem_version(void);
 

@@ -246,6 +246,16 @@ struct OutputOptions {
   }
 };
 
+/// What `rollfem table` fills: the creep force law of Hertzian contacts over scaled creepages, or a
+/// wheelset over its lateral shift.
+struct TableOptions {
+  std::vector<double> axis_ratio;                   ///< a/b; empty: that of the case's ellipse
+  std::array<int, 3> points{16, 16, 31};            ///< of xi', eta', phi'
+  std::array<double, 3> largest{3.0, 3.0, 5.0};     ///< xi', eta', phi'
+  std::vector<double> longitudinal, lateral, spin;  ///< instead of both; >= 0
+  int check_points = 200;                           ///< between grid points, at random
+};
+
 struct Case {
   std::string title;
   std::string file;  ///< as given by the user
@@ -274,6 +284,7 @@ struct Case {
   std::vector<SubsurfaceRequest> subsurface;
   FemOptions fem;
   OutputOptions output;
+  TableOptions table;
   /// Wheel and rail are given by profiles: not to be solved as it is, but made into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
 };

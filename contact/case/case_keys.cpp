@@ -38,6 +38,7 @@ Declarations gather() {
                         &carter_section,
                         &fem_section,
                         &output_section,
+                        &table_section,
                         &subsurface_point_section,
                         &subsurface_line_section,
                         &subsurface_plane_section,

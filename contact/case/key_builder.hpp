@@ -310,6 +310,7 @@ SectionWithKeys strip_section();
 SectionWithKeys carter_section();
 SectionWithKeys fem_section();
 SectionWithKeys output_section();
+SectionWithKeys table_section();
 SectionWithKeys subsurface_point_section();
 SectionWithKeys subsurface_line_section();
 SectionWithKeys subsurface_plane_section();

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -33,9 +34,6 @@ constexpr int coarsest = 10;  ///< elements across
 
 /// Starts leave traces of this size in the forces.
 constexpr double tolerance = 1e-11;
-
-/// Points that one thread solves in turn. A cut costs one start from nothing.
-constexpr std::size_t longest_chain = 64;
 
 ContactGrid grid_of(const EllipseShape& shape, int across) {
   const double a = std::sqrt(shape.axis_ratio);
@@ -70,18 +68,13 @@ class EllipseRolling {
         rolling_(compliance_.rolling(UpwindOrder::first), compliance_.rolling(UpwindOrder::second),
                  contact::upwind_weights(grid_, pressure_)) {}
 
+  /// From tractions nearby or, where that does not converge, from nothing.
   ScaledForces solve(const CreepPoint& point, const TangentialField& start) {
-    contact::TangentialProblem problem;
-    problem.pressure = pressure_;
-    problem.friction = contact::coulomb(1.0);
-    problem.rigid_slip.x =
-        grid_.sample([&](double, double y) { return point.longitudinal - point.spin * y; });
-    problem.rigid_slip.y =
-        grid_.sample([&](double x, double) { return point.lateral + point.spin * x; });
-    contact::TangentialOptions options;
-    options.tolerance = tolerance;
-    traction_ = contact::solve_tangential(rolling_, problem, options, start).traction;
-    return forces();
+    try {
+      return solve_from(point, start);
+    } catch (const contact::SolveError&) {
+      return solve_from(point, {});
+    }
   }
 
   const TangentialField& traction() const { return traction_; }
@@ -95,6 +88,20 @@ class EllipseRolling {
   }
 
  private:
+  ScaledForces solve_from(const CreepPoint& point, const TangentialField& start) {
+    contact::TangentialProblem problem;
+    problem.pressure = pressure_;
+    problem.friction = contact::coulomb(1.0);
+    problem.rigid_slip.x =
+        grid_.sample([&](double, double y) { return point.longitudinal - point.spin * y; });
+    problem.rigid_slip.y =
+        grid_.sample([&](double x, double) { return point.lateral + point.spin * x; });
+    contact::TangentialOptions options;
+    options.tolerance = tolerance;
+    traction_ = contact::solve_tangential(rolling_, problem, options, start).traction;
+    return forces();
+  }
+
   /// The pressure of elements that the ellipse cuts is not their mean: what the elements carry
   /// together is set to the load.
   ScaledForces forces() const {
@@ -212,32 +219,56 @@ std::vector<Chain> chains_of(std::size_t shapes, const std::vector<CreepPoint>& 
   return chains;
 }
 
+/// What the threads share.
+struct Shared {
+  std::atomic<std::size_t> next{0};  ///< chain
+  std::mutex telling;
+};
+
 /// Takes one chain after another until there is none. Grids are kept while the shape is the same.
 class Worker {
  public:
   Worker(const std::vector<EllipseShape>& shapes, const std::vector<CreepPoint>& points,
-         const ManyOptions& options, const std::vector<Chain>& chains,
-         std::atomic<std::size_t>& next, std::vector<ManyForces>& results)
+         const ManyOptions& options, const std::vector<Chain>& chains, Shared& shared,
+         std::vector<ManyForces>& results)
       : shapes_(shapes),
         points_(points),
         options_(options),
         chains_(chains),
-        next_(next),
+        shared_(shared),
         results_(results) {}
 
   void operator()() const {
-    const contact::SingleThread single;
-    std::unique_ptr<EllipseLevels> levels;
-    std::size_t shape = shapes_.size();
-    for (std::size_t c = next_++; c < chains_.size(); c = next_++) {
-      if (chains_[c].shape != shape || !levels)
-        levels = std::make_unique<EllipseLevels>(shapes_[shape = chains_[c].shape]);
-      levels->forget();
-      for (const std::size_t k : chains_[c].points) solve(*levels, k);
+    try {
+      work();
+    } catch (...) {
+      shared_.next = chains_.size();  // nobody begins another
+      throw;
     }
   }
 
  private:
+  void work() const {
+    const contact::SingleThread single;
+    std::unique_ptr<EllipseLevels> levels;
+    std::size_t shape = shapes_.size();
+    for (std::size_t c = shared_.next++; c < chains_.size(); c = shared_.next++) {
+      if (chains_[c].shape != shape || !levels)
+        levels = std::make_unique<EllipseLevels>(shapes_[shape = chains_[c].shape]);
+      levels->forget();
+      for (const std::size_t k : chains_[c].points) solve(*levels, k);
+      tell(chains_[c].points);
+    }
+  }
+
+  void tell(const std::vector<std::size_t>& points) const {
+    if (!options_.finished) return;
+    std::vector<ManyForces> found;
+    for (const std::size_t k : points) found.push_back(results_[k]);
+    const std::lock_guard<std::mutex> one_at_a_time(shared_.telling);
+    options_.finished(points, found);
+  }
+
   void solve(EllipseLevels& levels, std::size_t k) const {
     const CreepPoint& point = points_[k];
     try {
@@ -254,7 +285,7 @@ class Worker {
   const std::vector<CreepPoint>& points_;
   const ManyOptions& options_;
   const std::vector<Chain>& chains_;
-  std::atomic<std::size_t>& next_;
+  Shared& shared_;
   std::vector<ManyForces>& results_;
 };
 
@@ -266,8 +297,8 @@ std::vector<ManyForces> solve_many(const std::vector<EllipseShape>& shapes,
   check(shapes, points, options);
   const std::vector<Chain> chains = chains_of(shapes.size(), points);
   std::vector<ManyForces> results(points.size());
-  std::atomic<std::size_t> next{0};
-  const Worker worker(shapes, points, options, chains, next, results);
+  Shared shared;
+  const Worker worker(shapes, points, options, chains, shared, results);
   const int wanted = options.threads > 0 ? options.threads : contact::threads();
   const std::size_t others =
       std::min(static_cast<std::size_t>(wanted), std::max<std::size_t>(chains.size(), 1)) - 1;

@@ -1,5 +1,5 @@
-"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html or
-study.html in the folder of a comparison or a study.
+"""python3 -m rollfem_figures DIR: draws DIR/figures/*.svg and writes DIR/report.html; compare.html,
+study.html or table.html in the folder of a comparison, a study or a table.
 --profile NAME.csv: draws NAME.svg of a wheel or rail profile; --pair NAME.csv: of a wheel on its rail;
 --wheelset NAME.csv: radii, angles and conicity over the lateral shift;
 --stress DIR: draws what rollfem stress wrote to DIR, to DIR/figures."""
@@ -10,7 +10,7 @@ import sys
 
 def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
-    parser.add_argument("directory", nargs="?", help="a result folder of rollfem run, compare or study")
+    parser.add_argument("directory", nargs="?", help="a result folder of rollfem run, compare, study or table")
     parser.add_argument("--profile", metavar="NAME.csv", help="draw this table of a profile instead")
     parser.add_argument("--pair", metavar="NAME.csv", help="draw this table of wheel and rail instead")
     parser.add_argument("--wheelset", metavar="NAME.csv", help="draw this table of rollfem wheelset instead")
@@ -49,6 +49,9 @@ def _draw(options):
     elif os.path.exists(os.path.join(options.directory, "study.json")):
         from .study import build_study
         build_study(options.directory)
+    elif os.path.exists(os.path.join(options.directory, "table.h5")):
+        from .table import build as build_table
+        build_table(options.directory)
     else:
         from .build import build
         build(options.directory)

@@ -16,9 +16,10 @@ from .result import FIELDS, QUANTITIES, ModelResult, Point, Result
 from .solving import AccuracyWarning, DoubtWarning, solve
 from .stress import stress_measures
 from .sweeping import Sweep, sweep
+from .table import Table, TableForces
 
 __version__ = _version()
 models = _models
 __all__ = ["AccuracyWarning", "Case", "DoubtWarning", "FIELDS", "InputError", "ModelResult", "Point", "Progress",
-           "QUANTITIES", "Result", "SolveError", "Sweep", "models", "read", "solve", "stress_measures",
+           "QUANTITIES", "Result", "SolveError", "Sweep", "Table", "TableForces", "models", "read", "solve", "stress_measures",
            "sweep"]

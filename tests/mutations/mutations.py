@@ -275,6 +275,10 @@ MUTATIONS = [
              "? -point.lateral_force / point.normal_force", "? point.lateral_force / point.normal_force",
              "the lateral coefficient falls with creepage",
              ("unit_comparison",)),
+    Mutation("table_mirror", "postprocess/table/creep_table.cpp",
+             "across * creepage[1], across * creepage[2]}", "across * creepage[1], creepage[2]}",
+             "the mirror image of a contact in a table keeps its spin",
+             ("unit_creep_table",)),
     # fem/
     Mutation("fem_curvature_slip_sign", "contact/scene/curvature_slip.cpp",
              "return {displacement.n.cwiseProduct(normal_) +", "return {-displacement.n.cwiseProduct(normal_) -",

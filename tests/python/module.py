@@ -232,5 +232,52 @@ class Solving(unittest.TestCase):
         np.testing.assert_array_equal(found[0][0].traction_coefficient, again[0].traction_coefficient)
 
 
+class Tables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        file = rollfem.Case(SMALL, table={"axis_ratio": [0.5, 2.0], "points": [4, 3, 5], "largest": [2.0, 2.0, 2.0],
+                                          "check_points": 10}).write(os.path.join(cls.folder.name, "small.toml"))
+        cls.path = os.path.join(cls.folder.name, "out")
+        subprocess.run([PROGRAM, "table", file, "-o", cls.path, "--no-report", "-q"], check=True)
+        cls.table = rollfem.Table(cls.path)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_arrays_are_those_of_the_csv(self):
+        self.assertEqual(self.table.shape, (2, 4, 3, 5))
+        rows = np.genfromtxt(os.path.join(self.path, "table.csv"), delimiter=",", skip_header=1)
+        columns = self.table.columns()
+        for number, name in enumerate(("axis_ratio", "longitudinal", "lateral", "spin", "longitudinal_force",
+                                       "lateral_force", "spin_moment")):
+            np.testing.assert_allclose(rows[:, number], columns[name], rtol=1e-6, atol=1e-9)
+        self.assertEqual(self.table.interpolation["points"], 10)
+        self.assertIn("2 x 4 x 3 x 5", repr(self.table))
+
+    def test_points_are_found_again_and_arrays_broadcast(self):
+        axes = self.table.axes
+        found = self.table.scaled(axes["longitudinal"][:, None], axes["lateral"], axes["spin"][1], axis_ratio=2.0)
+        np.testing.assert_allclose(found.lateral_force, self.table.lateral_force[1, :, :, 1], atol=1e-12)
+        one = self.table.scaled(-axes["longitudinal"][2], axis_ratio=0.5)
+        self.assertAlmostEqual(one.longitudinal_force, -self.table.longitudinal_force[0, 2, 0, 2], 12)
+        with self.assertRaises(ValueError):
+            self.table.scaled(1.0)
+        with self.assertRaises(rollfem.InputError):
+            self.table.scaled(1.0, axis_ratio=3.0)
+
+    def test_large_creepage_slides(self):
+        known = {"semi_axis_x": 5.0, "semi_axis_y": 5.0, "shear_modulus": 80e3, "friction_bound": 15e3}
+        slide = self.table.forces(longitudinal_creepage=[0.5, 0.3], lateral_creepage=[0.0, 0.4], **known)
+        self.assertAlmostEqual(slide.longitudinal_force[0] / -15e3, 1.0, 2)
+        self.assertTrue((np.hypot(slide.longitudinal_force, slide.lateral_force) <= 15e3 * (1 + 1e-12)).all())
+        self.assertTrue((slide.force_bar > 0).all())
+
+    def test_other_files_are_refused(self):
+        with self.assertRaises(rollfem.InputError):
+            rollfem.Table(os.path.join(self.folder.name, "nothing"))
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

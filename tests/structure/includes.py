@@ -5,7 +5,7 @@ contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds;
 knows results, and is given what solves; convert knows cases and closed forms; meshes knows cases and
 scenes, no solver; wheelset balances loads and rotation over the patches that meshes finds and knows
 halfspace too; postprocess knows results, never solvers; app knows all; interface, which others build on, hands app on, and
-python stands on interface; capi, the C interface, knows what wheelset knows; deal.II is seen in fem only.
+python stands on interface; capi, the C interface, knows what wheelset knows, and tables; deal.II is seen in fem only.
 Inside contact: base <- case <- scene <- result <- solve. Call: includes.py SOURCE_DIR
 """
 
@@ -35,7 +35,7 @@ ALLOWED = {
             "fem": {"model", "body"}},
     "interface": {"contact": ANY, "postprocess": ANY, "app": ANY},
     "python": {"contact": ANY, "postprocess": ANY},
-    "capi": {"contact": ANY, "halfspace": ANY, "meshes": ANY, "wheelset": ANY},
+    "capi": {"contact": ANY, "halfspace": ANY, "meshes": ANY, "wheelset": ANY, "postprocess": {"table"}},
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")

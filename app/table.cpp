@@ -1,0 +1,96 @@
+#include "app/table.hpp"
+
+#include "app/files_together.hpp"
+#include "app/models.hpp"
+#include "app/table_filling.hpp"
+#include "app/table_grid.hpp"
+#include "contact/case/case_reader.hpp"
+#include "postprocess/table/table_files.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using postprocess::CreepTable;
+
+fs::path table_directory(const TableRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_table");
+}
+
+std::string range_of(const char* name, const std::vector<double>& axis) {
+  return axis.size() == 1 ? fmt::format("{} = {:.4g}", name, axis.front())
+                          : fmt::format("{:>2} values of {:<5} {:.4g} to {:.4g}", axis.size(), name,
+                                        axis.front(), axis.back());
+}
+
+std::string summary_of(const CreepTable& table, double seconds) {
+  const postprocess::InterpolationError& error = table.interpolation;
+  std::string text = fmt::format(
+      "{}\n\n{} points in {:.3g} s: forces over mu F_n, moment over mu F_n sqrt(a b)\n  {}\n",
+      table.title, table.size(), seconds, range_of("a/b", table.axis_ratio));
+  const char* const names[] = {"xi'", "eta'", "phi'"};
+  for (std::size_t q = 0; q < 3; ++q)
+    text += fmt::format("  {}\n", range_of(names[q], table.creepage[q]));
+  double force = 0.0, moment = 0.0;
+  for (const auto& [f, m] : table.bars) {
+    force = std::max(force, f);
+    moment = std::max(moment, m);
+  }
+  text += fmt::format("bars at the points: forces up to {:.2g} %, moment up to {:.2g} %\n",
+                      100.0 * force, 100.0 * moment);
+  if (error.points > 0)
+    text += fmt::format(
+        "interpolation at {} points at random (seed {}): forces off by up to {:.2g} % in 95 of "
+        "100, {:.2g} % at most; moment {:.2g} %, {:.2g} %\n",
+        error.points, error.seed, 100.0 * error.force_95, 100.0 * error.force_max,
+        100.0 * error.moment_95, 100.0 * error.moment_max);
+  return text;
+}
+
+void write_and_tell(const TableRequest& request, const CreepTable& table, double seconds) {
+  const fs::path directory = table_directory(request);
+  FilesTogether files("table", directory);
+  files.write("table.h5", postprocess::table_hdf5(table));
+  files.write("table.csv", postprocess::table_csv(table));
+  files.write("interpolation.csv", postprocess::interpolation_csv(table));
+  files.commit();
+  const bool drawn = request.report && report_drawn(directory.string());
+  if (request.quiet) return;
+  std::cout << summary_of(table, seconds) << "\nresults: " << directory.string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / "table.html").string() << '\n';
+}
+
+}  // namespace
+
+void table(const TableRequest& request, const contact::ModelRegistry& models) {
+  const contact::Case input =
+      contact::read_case(request.case_file, model_words(models), request.changes);
+  CommandFrame frame(request, models, {"halfspace"});
+  if (frame.idle()) return;
+  CreepTable made = empty_table(input);
+  const postprocess::Provenance provenance = frame.provenance();
+  made.program = fmt::format("rollfem {} ({})", provenance.version, provenance.commit);
+  made.command = provenance.command;
+  made.started = provenance.started;
+  postprocess::check_directory(table_directory(request).string());
+  frame.own(table_directory(request));
+  const auto begin = std::chrono::steady_clock::now();
+  frame.compute("table", "points", [&](const Solving& how) {
+    fill_table(made, input.table.check_points, how.progress,
+               frame.keep_in(table_directory(request), input));
+    frame.clear_line();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    write_and_tell(request, made, seconds.count());
+    frame.forget_kept();
+  });
+}
+
+}  // namespace rollfem::app

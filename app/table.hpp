@@ -1,0 +1,20 @@
+// The command `table`: the creep force law of a case's contact over scaled creepages and ratios of
+// its axes, with error bars and the error of interpolation between the points.
+#pragma once
+
+#include "app/command_frame.hpp"
+
+#include <string>
+
+namespace rollfem::app {
+
+/// Without `directory` results/<case>_table. `resume` takes up finished points.
+struct TableRequest : ComputingRequest {
+  std::string case_file;
+};
+
+/// Writes DIR/table.h5, table.csv, interpolation.csv and table.html. Throws contact::InputError
+/// before anything is computed, contact::SolveError where a point has no solution.
+void table(const TableRequest& request, const contact::ModelRegistry& models);
+
+}  // namespace rollfem::app

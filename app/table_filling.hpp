@@ -1,0 +1,17 @@
+// Solving the points of a table on all cores; finished parts outlive a run that is ended.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+#include "contact/base/progress.hpp"
+#include "postprocess/table/creep_table.hpp"
+
+namespace rollfem::app {
+
+/// Fills forces, bars and elements_across of a table with its axes (app/table_grid.hpp), then looks
+/// at interpolation at `check_points` points at random. `checkpoint` may be null. Numbers do not
+/// depend on what was taken up from it, nor on the number of threads. Throws contact::SolveError
+/// where a point does not converge.
+void fill_table(postprocess::CreepTable& table, int check_points, const contact::Progress& progress,
+                contact::Checkpoint* checkpoint);
+
+}  // namespace rollfem::app

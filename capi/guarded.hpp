@@ -1,0 +1,39 @@
+// Exceptions as status and text, which is what C knows.
+#pragma once
+
+#include "contact/base/errors.hpp"
+
+#include "rollfem/rollfem.h"
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <string>
+
+namespace rollfem::capi {
+
+inline void tell(const std::string& text, char* message, size_t size) {
+  if (message == nullptr || size == 0) return;
+  const size_t length = std::min(size - 1, text.size());
+  std::memcpy(message, text.data(), length);
+  message[length] = '\0';
+}
+
+/// Runs what may throw.
+template <class Work>
+rollfem_status guarded(const Work& work, char* message, size_t size) {
+  try {
+    tell("", message, size);
+    work();
+    return ROLLFEM_OK;
+  } catch (const contact::InputError& error) {
+    tell(error.what(), message, size);
+    return ROLLFEM_REFUSED;
+  } catch (const std::bad_alloc&) {
+    tell("out of memory", message, size);
+  } catch (const std::exception& error) {
+    tell(error.what(), message, size);
+  }
+  return ROLLFEM_FAILED;
+}
+
+}  // namespace rollfem::capi

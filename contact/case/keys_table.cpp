@@ -1,0 +1,59 @@
+#include "contact/case/key_builder.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+/// A list in place of `points` and `largest`.
+void add_list(Keys<TableOptions>& keys, const std::string& name, const std::string& symbol,
+              const std::string& sentence, std::vector<double> TableOptions::*list) {
+  keys.reals(name)
+      .symbol(symbol)
+      .between(0.0, 1000.0)
+      .otherwise("by points and largest")
+      .says(sentence)
+      .into(list);
+}
+
+}  // namespace
+
+SectionWithKeys table_section() {
+  Keys<TableOptions> keys("table", "Grid of `rollfem table`; nothing else reads it", &Case::table);
+  keys.reals("axis_ratio")
+      .symbol("a/b")
+      .between(0.02, 50.0)
+      .otherwise("that of Hertz's ellipse of the case")
+      .says("Ratios of the ellipse's axes, a along rolling, each larger than the one before.")
+      .into(&TableOptions::axis_ratio);
+  keys.triple("points")
+      .between(2, 200)
+      .says(
+          "Grid points along xi', eta' (from 0) and phi' (of both signs; with an odd number 0 is "
+          "among them): whole numbers.")
+      .into(&TableOptions::points);
+  keys.triple("largest")
+      .between(0.01, 1000.0)
+      .says("Largest xi', eta' and phi' of the grid; beyond it sliding is taken to be full.")
+      .into(&TableOptions::largest);
+  add_list(keys, "longitudinal_values", "xi'",
+           "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, in place of "
+           "the first of points and largest.",
+           &TableOptions::longitudinal);
+  add_list(keys, "lateral_values", "eta'",
+           "Scaled lateral creepages eta' = eta G a b C22 / (3 mu F_n) from 0 on, in place of the "
+           "second.",
+           &TableOptions::lateral);
+  add_list(keys, "spin_values", "phi'",
+           "Scaled spins phi' = phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n) that are not "
+           "negative, in place of the third; the negative ones follow.",
+           &TableOptions::spin);
+  keys.whole("check_points")
+      .between(0, 1e6)
+      .says(
+          "Points at random between those of the grid, at which the error of interpolation is "
+          "found.")
+      .into(&TableOptions::check_points);
+  return keys;
+}
+
+}  // namespace rollfem::contact

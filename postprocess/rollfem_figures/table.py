@@ -1,0 +1,184 @@
+"""table.html: a table of creep forces as surfaces and curves, and how far off it is between its points."""
+import os
+from html import escape
+
+import numpy as np
+
+from .build import draw_all
+from .creep_table import read_table
+from .figure import Figure, folder_of
+from .page import figure, page, write_page
+from .tables import number, plain, table
+
+# Of each panel: the force, its name, the axis that runs to the right and the one that runs to the back.
+VIEWS = (("longitudinal_force", "$-F_x/μF_n$", "longitudinal", "spin"),
+         ("lateral_force", "$-F_y/μF_n$", "lateral", "spin"),
+         ("spin_moment", "$-M_z/(μF_n$ $c)$", "spin", "longitudinal"))
+LETTER = {"longitudinal": "ξ′", "lateral": "η′", "spin": "φ′", "axis_ratio": "a/b"}
+COLOURS = ("blue", "slip", "green", "red", "pink", "sky", "wine")
+ORDER = ("axis_ratio", "longitudinal", "lateral", "spin")
+
+
+def _middle(axis):
+    """The place of the value nearest to 1 among ratios, to 0 among creepages; to the right of it where two are."""
+    return int(np.argmin(np.abs(axis) - 1e-12 * np.sign(axis)))
+
+
+def _ratio(found):
+    """The ratio of axes that is drawn: the one in the middle."""
+    return len(found.axes["axis_ratio"]) // 2
+
+
+def _plane(found, force, right, back):
+    """-force over (back from 0 on, right), the others 0."""
+    at = {name: _middle(found.axes[name]) for name in ORDER}
+    at["axis_ratio"] = _ratio(found)
+    place = tuple(slice(None) if name in (right, back) else at[name] for name in ORDER)
+    values = -found.forces[force][place]
+    return (values if ORDER.index(back) < ORDER.index(right) else values.T)[found.axes[back] >= 0]
+
+
+def _even(values):
+    """Creepages as the axes of the table have them: even up to 1, then in equal ratios."""
+    size = np.abs(values)
+    return np.sign(values) * np.where(size <= 1, size, 1 + np.log(np.maximum(size, 1)))
+
+
+def _oblique(panel, x, y, z, names):
+    """A surface as lines that hide what is behind them, from the back to the front."""
+    def view(a, b, c):
+        return np.stack(np.broadcast_arrays(a + 0.42 * b, 0.5 * b + 0.9 * c), axis=-1)
+
+    a = (_even(x) - _even(x[0])) / np.ptp(_even(x))
+    b = (_even(y) - _even(y[0])) / np.ptp(_even(y))
+    low, high = min(0.0, z.min()) + 0.0, max(0.0, z.max())
+    c = (z - low) / (high - low)
+    corners = view(np.array([0, 1, 1, 0, 0]), np.array([0, 0, 1, 1, 0]), -low / (high - low))
+    panel.paths([corners], "soft", 0.8, (3, 3), 1)
+    rows = [view(a, b[row], c[row]) for row in range(len(y))]
+    for row in range(len(y) - 1, -1, -1):
+        order = 2 + len(y) - row
+        if row:
+            panel.area([np.concatenate([rows[row], rows[row - 1][::-1]])], "ground", 1, order)
+            panel.paths(list(np.stack([rows[row], rows[row - 1]], axis=1)), "blue", 0.6, (), order, 0.45)
+        panel.paths([rows[row]], "blue", 1.3, (), order)
+    panel.x.limits, panel.y.limits = (-0.2, 1.6), (-0.3, 1.52)
+    text = {"order": 1000, "colour": "ink"}
+    for place, axis, (start, end), shift in ((view(np.array([0, 1]), 0, 0), x, (0, -1), (0, 14)),
+                                              (view(1, np.array([0, 1]), 0), y, (0, -1), (6, 4))):
+        for spot, value in zip(place, (axis[start], axis[end])):
+            panel.text(*spot, plain(value), "middle" if axis is x else "start", shift=shift, **text)
+    panel.text(*view(0.5, 0, 0), names[0], "middle", shift=(0, 28), **text)
+    panel.text(*view(1, 0.5, 0), names[1], shift=(14, 12), **text)
+    for level in (low, high):
+        spot = view(0, 0, (level - low) / (high - low))
+        panel.text(*spot, f"{round(level, 2) + 0.0:.2f}".replace("-", "−"), "end", shift=(-4, 4), **text)
+    panel.paths([view(0, 0, np.array([0, 1]))], "soft", 0.9, (), 1000)
+
+
+def surfaces(found):
+    """The three forces over the creepage that makes them and one that takes part."""
+    result = Figure(3)
+    for force, name, right, back in VIEWS:
+        panel = result.add(330, 270, name, bare=True)
+        behind = found.axes[back]
+        _oblique(panel, found.axes[right], behind[behind >= 0], _plane(found, force, right, back),
+                 (LETTER[right], LETTER[back]))
+    result.entry(f"a/b = {found.axes['axis_ratio'][_ratio(found)]:.4g}; creepages that are not shown are 0")
+    result.seen = ("Surfaces of the longitudinal force over longitudinal creepage and spin, of the lateral force over lateral "
+                   "creepage and spin, of the moment over spin and longitudinal creepage: each rises from 0 and levels off.")
+    return result
+
+
+def curves(found):
+    """The same as curves."""
+    result = Figure(3)
+    for force, name, right, back in VIEWS:
+        axis, behind = found.axes[right], found.axes[back][found.axes[back] >= 0]
+        panel = result.add(290, 220, name, f"{LETTER[right]}", name)
+        values = _plane(found, force, right, back)
+        rows = np.unique(np.linspace(0, len(behind) - 1, min(5, len(behind))).round().astype(int))
+        for number_, (row, colour) in enumerate(zip(rows, COLOURS)):
+            panel.line(axis, values[row], colour, 1.5, (), "o", 1.8)
+            panel.text(0.97, 0.05 + 0.075 * number_, f"{LETTER[back]} = {behind[row]:.3g}", "end", colour,
+                       share=(True, True))
+    result.seen = "Curves of the three forces over their creepage, each for several values of another."
+    return result
+
+
+def ratios(found):
+    """The forces of each creepage alone, a curve for each ratio of axes. None where there is one."""
+    count = len(found.axes["axis_ratio"])
+    if count < 2:
+        return None
+    chosen = np.unique(np.linspace(0, count - 1, min(count, 7)).round().astype(int))
+    result = Figure(3)
+    for force, name, right, _ in VIEWS:
+        panel = result.add(290, 220, name, LETTER[right], name)
+        for ratio, colour in zip(chosen, COLOURS):
+            place = tuple(ratio if axis == "axis_ratio" else slice(None) if axis == right else _middle(found.axes[axis])
+                          for axis in ORDER)
+            panel.line(found.axes[right], -found.forces[force][place], colour)
+    for ratio, colour in zip(chosen, COLOURS):
+        result.entry(f"a/b = {found.axes['axis_ratio'][ratio]:.3g}", colour)
+    result.seen = "Forces of each creepage alone: scaled, those of all ratios of axes begin alike."
+    return result
+
+
+def errors(found):
+    """How many of the points at random are off by how much. None without any."""
+    if not len(found.checked):
+        return None
+    off = found.checked[:, 4:7] - found.checked[:, 7:10]
+    result = Figure(1)
+    panel = result.add(420, 220, "interpolation between the points", "error [%]", "share of points [%]")
+    panel.x.log, panel.y.limits = True, (0, 100)
+    share = 100 * (np.arange(len(off)) + 1) / len(off)
+    for name, size, colour, dash in (("forces, of $μF_n$", np.hypot(off[:, 0], off[:, 1]), "blue", ()),
+                                     ("moment, of $μF_n$ $c$", np.abs(off[:, 2]), "slip", (5, 2))):
+        panel.line(np.maximum(100 * np.sort(size), 1e-3), share, colour, 1.6, dash)
+        result.entry(name, colour, dash)
+    error = found.interpolation
+    result.seen = (f"In 95 of 100 points forces are off by at most {100 * error['force_95']:.2g} %, the moment by "
+                   f"{100 * error['moment_95']:.2g} %.")
+    return result
+
+
+def _axes(found):
+    return "".join(f"<p><b>{LETTER[name]}</b> ({len(values)}): {', '.join(f'{v:.4g}' for v in values)}</p>".replace("-", "−")
+                   for name, values in found.axes.items())
+
+
+def _said(found):
+    error = found.interpolation
+
+    def percent(value):
+        return number(100 * float(value), 2)
+
+    rows = [["bars at the points, largest", percent(found.force_bar.max()), percent(found.moment_bar.max())]]
+    if error["points"]:
+        rows += [[f"interpolation, {what}", percent(error["force_" + key]), percent(error["moment_" + key])]
+                 for key, what in (("rms", "root mean square"), ("95", "95 of 100 points"), ("max", "largest"))]
+    return table(["error", "forces [% of μF<sub>n</sub>]", "moment [% of μF<sub>n</sub>c]"], rows) + (
+        f"<p class=hint>Interpolation: {error['points']} points at random between those of the grid (seed {error['seed']}), "
+        "solved for by themselves.</p>" if error["points"] else "<p class=hint>Interpolation was not looked at.</p>")
+
+
+def build(directory):
+    """Draws the table of a folder to its figures/ and writes table.html."""
+    found = read_table(directory)
+    drawn = draw_all([
+        ("table_surfaces.svg", "Forces on the wheel of opposite sign, over scaled creepages in steps of the table.", lambda: surfaces(found)),
+        ("table_curves.svg", "The same as curves; creepages that are not named are 0.", lambda: curves(found)),
+        ("table_ratios.svg", "One creepage alone, for the ratios of the ellipse's axes.", lambda: ratios(found)),
+        ("table_errors.svg", "Share of points at random at which interpolation is off by no more.", lambda: errors(found))],
+        folder_of(directory))
+    about = found.about
+    head = (f"<h1>{escape(about['title'])}</h1><p class=meta>{escape(about['program'])}, {escape(about['started'])}<br>"
+            f"<code>{escape(about['command'])}</code></p>")
+    write_page(os.path.join(directory, "table.html"), page(about["title"], head, [
+        f"<p>Creep forces of Hertzian contacts, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
+        "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
+        "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
+        "<h2>Errors</h2>", _said(found), "<h2>Forces</h2>", *map(figure, drawn), "<h2>Axes</h2>", _axes(found)],
+        "Beside this file: table.h5, table.csv, interpolation.csv, figures/."))

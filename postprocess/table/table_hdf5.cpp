@@ -1,0 +1,196 @@
+#include "contact/base/errors.hpp"
+#include "postprocess/table/table_files.hpp"
+#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/write/seal.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace rollfem::postprocess {
+
+namespace {
+
+using namespace hdf5;
+
+const char* const table_format = "rollfem table";
+constexpr long table_version = 1;
+
+const char* const table_conventions =
+    "Scaled creepages: xi' = xi G a b C11 / (3 mu F_n), eta' = eta G a b C22 / (3 mu F_n), phi' = "
+    "phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n); G combined shear modulus, C Kalker's "
+    "coefficients, a along rolling. Forces act on the wheel, F_x and F_y over mu F_n, M_z over mu "
+    "F_n sqrt(a b). Arrays [axis_ratio, longitudinal, lateral, spin]. Of -xi': F_x turns round. Of "
+    "-eta' and -phi': F_y and M_z turn round.";
+
+/// One number of every entry of a list.
+template <class List, class Get>
+std::vector<double> column(const List& list, const Get& get) {
+  std::vector<double> found;
+  found.reserve(list.size());
+  for (const auto& entry : list) found.push_back(get(entry));
+  return found;
+}
+
+void write_column(hid_t group, const char* name, const std::vector<hsize_t>& shape,
+                  const std::vector<double>& values, const char* unit, const char* says) {
+  describe(write_dataset(group, name, shape, values.data()), unit, says, "on the wheel");
+}
+
+void write_axes(hid_t file, const CreepTable& table) {
+  const Handle group = create_group(file, "axes", "What the arrays run over");
+  const auto write = [&](const char* name, const std::vector<double>& values, const char* says) {
+    describe(write_dataset(group, name, {values.size()}, values.data()), "1", says, "");
+  };
+  write("axis_ratio", table.axis_ratio, "a/b of the ellipse, a along rolling");
+  write("longitudinal", table.creepage[0], "xi', scaled longitudinal creepage");
+  write("lateral", table.creepage[1], "eta', scaled lateral creepage");
+  write("spin", table.creepage[2], "phi', scaled spin");
+  write_rows(
+      group, "scale", table.scale, "1",
+      "Of every ratio: C11/3, C22/3 and sqrt(C23^2 + C33^2), by which xi G a b/(mu F_n), eta "
+      "G a b/(mu F_n) and phi G (a b)^(3/2)/(mu F_n) are multiplied; between ratios their "
+      "logarithms are interpolated");
+}
+
+void write_interpolation(hid_t file, const CreepTable& table) {
+  const InterpolationError& error = table.interpolation;
+  const Handle group = create_group(file, "interpolation",
+                                    "Errors of interpolation at points at random between those of "
+                                    "the grid: forces over mu F_n, the moment over mu F_n c");
+  write_attribute(group, "points", static_cast<long>(error.points));
+  write_attribute(group, "seed", static_cast<long>(error.seed));
+  write_attribute(group, "force_rms", error.force_rms);
+  write_attribute(group, "force_95", error.force_95);
+  write_attribute(group, "force_max", error.force_max);
+  write_attribute(group, "moment_rms", error.moment_rms);
+  write_attribute(group, "moment_95", error.moment_95);
+  write_attribute(group, "moment_max", error.moment_max);
+  if (table.checked.empty()) return;
+  std::vector<std::array<double, 10>> rows;
+  for (const CheckedPoint& p : table.checked)
+    rows.push_back({p.axis_ratio, p.creepage[0], p.creepage[1], p.creepage[2], p.interpolated[0],
+                    p.interpolated[1], p.interpolated[2], p.solved[0], p.solved[1], p.solved[2]});
+  write_rows(group, "checked", rows, "1",
+             "a/b, xi', eta', phi', then F_x, F_y, M_z as interpolated and as solved for");
+}
+
+void write_values(hid_t file, const CreepTable& table) {
+  std::vector<hsize_t> shape{table.axis_ratio.size()};
+  for (const auto& axis : table.creepage) shape.push_back(axis.size());
+  const auto force = [&](std::size_t q) {
+    return column(table.forces, [q](const Scaled& f) { return f[q]; });
+  };
+  const auto bar = [&](std::size_t q) {
+    return column(table.bars, [q](const std::array<double, 2>& b) { return b[q]; });
+  };
+  write_column(file, "longitudinal_force", shape, force(0), "mu F_n", "F_x");
+  write_column(file, "lateral_force", shape, force(1), "mu F_n", "F_y");
+  write_column(file, "spin_moment", shape, force(2), "mu F_n c", "M_z, c = sqrt(a b)");
+  write_column(file, "force_bar", shape, bar(0), "mu F_n", "error bar of the force vector");
+  write_column(file, "moment_bar", shape, bar(1), "mu F_n c", "error bar of M_z");
+  describe(write_dataset(file, "elements_across", shape, table.elements_across.data()), "1",
+           "contact elements across the ellipse of the finer of two grids", "");
+}
+
+[[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
+  throw contact::InputError(
+      fmt::format("{}: {}; do: name a table.h5 that rollfem table has written", path, why));
+}
+
+std::vector<double> numbers_of(hid_t parent, const char* name) {
+  return read_dataset(parent, name).values;
+}
+
+CreepTable table_of(hid_t file) {
+  CreepTable table;
+  table.title = read_text(file, "title");
+  table.program = read_text(file, "program");
+  table.command = read_text(file, "command");
+  table.started = read_text(file, "started");
+  table.case_file = read_text(file, "case_file");
+  table.poisson_ratio = read_number(file, "poisson_ratio");
+  for (const std::string& line : read_lines(file, "case_text")) table.case_text += line;
+  const Handle axes = open_group(file, "axes");
+  table.axis_ratio = numbers_of(axes, "axis_ratio");
+  table.creepage = {numbers_of(axes, "longitudinal"), numbers_of(axes, "lateral"),
+                    numbers_of(axes, "spin")};
+  table.scale = read_rows<3>(axes, "scale");
+  const auto x = numbers_of(file, "longitudinal_force"), y = numbers_of(file, "lateral_force"),
+             m = numbers_of(file, "spin_moment"), force = numbers_of(file, "force_bar"),
+             moment = numbers_of(file, "moment_bar"), across = numbers_of(file, "elements_across");
+  for (const auto* values : {&y, &m, &force, &moment, &across})
+    if (values->size() != x.size()) throw std::runtime_error("its arrays have different sizes");
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    table.forces.push_back({x[k], y[k], m[k]});
+    table.bars.push_back({force[k], moment[k]});
+    table.elements_across.push_back(static_cast<int>(across[k]));
+  }
+  return table;
+}
+
+void read_interpolation(hid_t file, CreepTable& table) {
+  const Handle group = open_group(file, "interpolation");
+  InterpolationError& error = table.interpolation;
+  error.points = static_cast<int>(read_number(group, "points"));
+  error.seed = static_cast<unsigned>(read_number(group, "seed"));
+  error.force_rms = read_number(group, "force_rms");
+  error.force_95 = read_number(group, "force_95");
+  error.force_max = read_number(group, "force_max");
+  error.moment_rms = read_number(group, "moment_rms");
+  error.moment_95 = read_number(group, "moment_95");
+  error.moment_max = read_number(group, "moment_max");
+  if (!has_member(group, "checked")) return;
+  const Numbers found = read_dataset(group, "checked");
+  if (found.shape.size() != 2 || found.shape[1] != 10)
+    throw std::runtime_error("its checked points have another shape");
+  for (std::size_t k = 0; k < found.values.size(); k += 10) {
+    const double* r = &found.values[k];
+    table.checked.push_back({r[0], {r[1], r[2], r[3]}, {r[4], r[5], r[6]}, {r[7], r[8], r[9]}});
+  }
+}
+
+}  // namespace
+
+std::string table_hdf5(const CreepTable& table) {
+  const Handle file = create_file_in_memory();
+  write_attribute(file, "format", std::string(table_format));
+  write_attribute(file, "format_version", table_version);
+  write_attribute(file, "kind", std::string("creep force law of Hertzian contacts"));
+  write_attribute(file, "conventions", std::string(table_conventions));
+  write_attribute(file, "title", table.title);
+  write_attribute(file, "program", table.program);
+  write_attribute(file, "command", table.command);
+  write_attribute(file, "started", table.started);
+  write_attribute(file, "case_file", table.case_file);
+  write_attribute(file, "poisson_ratio", table.poisson_ratio);
+  write_dataset(file, "case_text", table.case_text);
+  write_axes(file, table);
+  write_values(file, table);
+  write_interpolation(file, table);
+  return sealed_image(file);
+}
+
+CreepTable read_table(const std::string& path) {
+  namespace fs = std::filesystem;
+  const std::string file_name =
+      fs::is_directory(path) ? (fs::path(path) / "table.h5").string() : path;
+  if (!fs::exists(file_name)) refuse_file(file_name, "there is no such file");
+  if (check_hdf5_seal(file_name) == Seal::broken) refuse_file(file_name, "is damaged");
+  try {
+    const Handle file = open_file(file_name);
+    if (!has_attribute(file, "format") || read_text(file, "format") != table_format)
+      refuse_file(file_name, "is no table");
+    if (read_number(file, "format_version") != static_cast<double>(table_version))
+      refuse_file(file_name, "is of another version");
+    CreepTable table = table_of(file);
+    read_interpolation(file, table);
+    return table;
+  } catch (const contact::InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    refuse_file(file_name, error.what());
+  }
+}
+
+}  // namespace rollfem::postprocess

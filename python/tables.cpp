@@ -1,0 +1,78 @@
+#include "python/tables.hpp"
+
+#include "postprocess/table/table_files.hpp"
+
+#include <map>
+#include <pybind11/stl.h>
+#include <string>
+#include <vector>
+
+namespace rollfem::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using postprocess::CreepTableReader;
+using postprocess::TableForces;
+using Column = std::vector<double>;
+
+/// F_x, F_y, M_z and both bars, a column each.
+template <class Ask>
+std::vector<Column> columns_of(std::size_t count, const Ask& ask) {
+  std::vector<Column> found(5, Column(count));
+  const py::gil_scoped_release free;
+  for (std::size_t k = 0; k < count; ++k) {
+    const TableForces forces = ask(k);
+    for (std::size_t q = 0; q < 3; ++q) found[q][k] = forces.forces[q];
+    found[3][k] = forces.force_bar;
+    found[4][k] = forces.moment_bar;
+  }
+  return found;
+}
+
+std::map<std::string, double> interpolation_of(const CreepTableReader& reader) {
+  const postprocess::InterpolationError& error = reader.table().interpolation;
+  return {{"points", error.points},       {"seed", error.seed},
+          {"force_rms", error.force_rms}, {"force_95", error.force_95},
+          {"force_max", error.force_max}, {"moment_rms", error.moment_rms},
+          {"moment_95", error.moment_95}, {"moment_max", error.moment_max}};
+}
+
+std::vector<Column> axes_of(const CreepTableReader& reader) {
+  const postprocess::CreepTable& table = reader.table();
+  return {table.axis_ratio, table.creepage[0], table.creepage[1], table.creepage[2]};
+}
+
+}  // namespace
+
+void define_tables(py::module_& module) {
+  py::class_<CreepTableReader>(module, "CreepTable")
+      .def(py::init(
+          [](const std::string& path) { return CreepTableReader(postprocess::read_table(path)); }))
+      .def_property_readonly("title", [](const CreepTableReader& r) { return r.table().title; })
+      .def_property_readonly("case_text",
+                             [](const CreepTableReader& r) { return r.table().case_text; })
+      .def_property_readonly("poisson_ratio",
+                             [](const CreepTableReader& r) { return r.table().poisson_ratio; })
+      .def_property_readonly("axes", &axes_of)
+      .def_property_readonly("interpolation", &interpolation_of)
+      .def_property_readonly("forces", [](const CreepTableReader& r) { return r.table().forces; })
+      .def_property_readonly("bars", [](const CreepTableReader& r) { return r.table().bars; })
+      .def("scaled",
+           [](const CreepTableReader& reader, const Column& ratio, const Column& xi,
+              const Column& eta, const Column& phi) {
+             return columns_of(ratio.size(), [&](std::size_t k) {
+               return reader.at(ratio[k], {xi[k], eta[k], phi[k]});
+             });
+           })
+      .def("physical", [](const CreepTableReader& reader, const Column& a, const Column& b,
+                          const Column& modulus, const Column& bound, const Column& xi,
+                          const Column& eta, const Column& phi) {
+        return columns_of(a.size(), [&](std::size_t k) {
+          return reader.physical(a[k], b[k], modulus[k], bound[k], {xi[k], eta[k], phi[k]});
+        });
+      });
+}
+
+}  // namespace rollfem::python

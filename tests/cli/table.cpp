@@ -1,0 +1,133 @@
+// The command table: what it writes, that an ended call is taken up, and what it refuses.
+#include "postprocess/table/table_files.hpp"
+
+#include <fmt/format.h>
+
+#include "support/case_examples.hpp"
+#include "support/resume.hpp"
+
+namespace {
+
+using namespace rollfem::testing;
+namespace fs = std::filesystem;
+using rollfem::postprocess::CreepTableReader;
+
+std::string table_case(const std::string& table) {
+  return small_case + "[table]\n" + table;
+}
+
+const std::string quick = "points = [4, 3, 5]\nlargest = [2.0, 2.0, 2.0]\ncheck_points = 10\n";
+
+TEST(Table, IsWrittenWithItsErrorsAndAReport) {
+  const Folder folder;
+  const Outcome outcome =
+      call(folder, {"table", folder.file("case.toml", table_case(quick)), "-o", "out"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* text : {"60 points", "4 values of xi'", "interpolation at 10 points at random"})
+    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
+  const fs::path out = folder.work() / "out";
+  for (const char* name :
+       {"table.h5", "table.csv", "interpolation.csv", "table.html", "figures/table_surfaces.svg",
+        "figures/table_curves.svg", "figures/table_errors.svg"})
+    EXPECT_TRUE(fs::exists(out / name)) << name;
+  const CreepTableReader reader(rollfem::postprocess::read_table(out.string()));
+  EXPECT_EQ(reader.table().size(), 60U);
+  EXPECT_EQ(reader.table().interpolation.points, 10);
+  const double ratio = reader.table().axis_ratio.front();
+  const double full = reader.at(ratio, {50.0, 0.0, 0.0}).forces[0];
+  EXPECT_NEAR(full, -1.0, 0.005);
+  const std::string rows = contents(out / "table.csv");
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 61);
+  EXPECT_NE(contents(out / "table.html").find("95 of 100 points"), std::string::npos);
+}
+
+TEST(Table, AnEndedCallIsTakenUpAndIsTheSame) {
+  const Folder folder;
+  const std::string file =
+      folder.file("slow.toml", table_case("axis_ratio = [0.5, 2.0]\npoints = [6, 5, 9]\n"
+                                          "check_points = 20\n"));
+  const std::vector<std::string> command{ROLLFEM_PROGRAM, "table",      file, "-o",
+                                         "out",           "--no-report"};
+  const fs::path unfinished = folder.work() / "out.unfinished";
+  const Killed killed = kill_when(folder, command, [&] { return records(unfinished) >= 3; });
+  ASSERT_TRUE(killed.killed) << killed.err;
+  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  const int kept = records(unfinished);
+  std::vector<std::string> again = command;
+  again.emplace_back("--resume");
+  const Outcome outcome = execute(folder, again);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("resume: " + std::to_string(kept) + " solutions"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(unfinished));
+  std::vector<std::string> whole = command;
+  whole[4] = "whole";
+  ASSERT_EQ(execute(folder, whole).status, 0);
+  for (const char* name : {"table.csv", "interpolation.csv"})
+    EXPECT_EQ(contents(folder.work() / "out" / name), contents(folder.work() / "whole" / name))
+        << name;
+}
+
+/// The table at a physical creepage of the small case against the model halfspace, which solves
+/// with other grids, levels and pressure.
+void expect_like_halfspace(const Folder& folder, const CreepTableReader& reader,
+                           const rollfem::postprocess::Scaled& creepage) {
+  const auto key = [](const char* name, double value) {
+    return std::string("rolling.") + name + "=" + fmt::format("{:.17g}", value);
+  };
+  const Outcome outcome =
+      call(folder, {"run", folder.file("case.toml", small_case), "-m", "halfspace", "-o", "run",
+                    "--no-report", "--set", key("longitudinal_creepage", creepage[0]), "--set",
+                    key("lateral_creepage", creepage[1]), "--set", key("spin", creepage[2])});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto summary = nlohmann::json::parse(contents(folder.work() / "run/summary.json"));
+  const auto& point = summary["models"][0]["points"][0];
+  const auto number = [&](const char* name) { return point[name].get<double>(); };
+  const double bound = 0.55 * 50e3, c = std::sqrt(3.79236 * 10.87295);
+  // Hertz's exact semi-axes of this case.
+  const auto found = reader.physical(3.79236, 10.87295, 210e3 / 2.6, bound, creepage);
+  EXPECT_NEAR(found.forces[0], number("longitudinal_force"), 0.004 * bound);
+  EXPECT_NEAR(found.forces[1], number("lateral_force"), 0.004 * bound);
+  EXPECT_NEAR(found.forces[2], number("spin_moment"), 0.01 * bound * c);
+}
+
+TEST(Table, ForcesAreThoseOfTheModelHalfspace) {
+  const Folder folder;
+  ASSERT_EQ(call(folder, {"table",
+                          folder.file("table.toml", table_case("points = [12, 2, 2]\n"
+                                                               "lateral_values = [0.0, 0.3, 0.6]\n"
+                                                               "spin_values = [0.0, 0.4, 0.8]\n"
+                                                               "check_points = 0\n")),
+                          "-o", "out", "--no-report"})
+                .status,
+            0);
+  const CreepTableReader reader(rollfem::postprocess::read_table((folder.work() / "out").string()));
+  for (const double xi : {0.0005, 0.0015, 0.004}) expect_like_halfspace(folder, reader, {xi, 0, 0});
+  // A grid point of all three.
+  const double a = 3.79236, b = 10.87295, c = std::sqrt(a * b), bound = 0.55 * 50e3;
+  const double stiffness = 210e3 / 2.6 * a * b / bound;
+  const auto scale = reader.scale_at(a / b);
+  expect_like_halfspace(folder, reader,
+                        {reader.table().creepage[0][2] / (scale[0] * stiffness),
+                         -0.3 / (scale[1] * stiffness), 0.4 / (scale[2] * stiffness * c)});
+}
+
+void expect_refused(const std::string& text, const std::string& said) {
+  const Folder folder;
+  const Outcome outcome = call(folder, {"table", folder.file("case.toml", text), "-o", "out"});
+  EXPECT_EQ(outcome.status, 2) << outcome.out;
+  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+}
+
+TEST(Table, WrongInputIsSaidInOneLine) {
+  expect_refused(table_case("axis_ratio = [2.0, 1.0]\n"), "table.axis_ratio: 1 follows 2");
+  expect_refused(table_case("points = [1, 8, 11]\n"), "table.points");
+  expect_refused(table_case("point = [8, 8, 11]\n"), "points");
+  expect_refused(table_case("spin_values = [-1.0, 1.0]\n"), "table.spin_values");
+  expect_refused(table_case(quick) + "[undeformed_distance]\nfile = \"none.csv\"\n", "none.csv");
+  expect_refused(with("[rail]\n", "[rail]\npoisson_ratio = 0.4\n"), "unlike materials");
+}
+
+}  // namespace
