@@ -240,7 +240,7 @@ TEST(MeshCheck, RefusesCellsThatDangle) {
   };
   // Apart; side by side with doubled nodes; side by side with nodes in the middle of edges.
   expect_message(check(joined(small_block(), block({5, 6}, {0, 1}, {-2, 0}, true))),
-                 "falls into 2 parts");
+                 "consists of 2 parts");
   expect_message(check(joined(small_block(), block({1, 2, 3}, {-1, 0, 1}, {-2, -1, 0}, true))),
                  "do not match");
   expect_message(check(joined(small_block(), block({1, 3}, {-1, 1}, {-2, 0}, true))),
@@ -250,7 +250,7 @@ TEST(MeshCheck, RefusesCellsThatDangle) {
   const HexMesh other = block({1, 2}, {1, 2}, {-1, 0}, true);
   edge.points.insert(edge.points.end(), other.points.begin(), other.points.end());
   edge.cells.push_back({3, 9, 11, 10, 7, 13, 15, 14});
-  expect_message(check(edge), "falls into 2 parts");
+  expect_message(check(edge), "consists of 2 parts");
 }
 
 TEST(MeshFile, RoundTripKeepsEveryDigit) {
