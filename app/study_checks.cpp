@@ -137,8 +137,8 @@ void check_call(const StudyRequest& request, const contact::Case& input,
   for (const std::string& word : request.vary) {
     if (std::find(words.begin(), words.end(), word) == words.end())
       throw InputError(
-          fmt::format("--vary {}: cannot be refined; {}allowed: {}; do: name one of them",
-                      word, contact::did_you_mean(word, words), contact::listed(words)));
+          fmt::format("--vary {}: cannot be refined; {}allowed: {}; do: name one of them", word,
+                      contact::did_you_mean(word, words), contact::listed(words)));
     check_varied(request, word, known);
     if (word == "domain") check_domain(input);
   }

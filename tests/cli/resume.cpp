@@ -81,7 +81,8 @@ TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   leave_unfinished(folder, file, "out");
   const Outcome outcome = execute(folder, run(file, "out"));
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("--resume would continue from them"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--resume would continue from them"), std::string::npos)
+      << outcome.err;
   EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
   EXPECT_TRUE(fs::exists(folder.work() / "out" / "summary.json"));
 }

@@ -50,7 +50,8 @@ TEST(Gate, AStepOfAHistoryThatTheGridDoesNotSeeIsRefused) {
                            "[history]\nnormal_force = [50e3, 1e-3, 50e3]\nstep_length = 1.0\n"
                            "[contact_grid]\nelements_across = 20\n"))});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("load point 2 of 3: the patch has only 2 by 2 contact elements"), std::string::npos)
+  EXPECT_NE(outcome.err.find("load point 2 of 3: the patch has only 2 by 2 contact elements"),
+            std::string::npos)
       << outcome.err;
 }
 
