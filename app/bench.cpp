@@ -126,29 +126,38 @@ class Bench {
   /// The difference between the coarsest and the finest grid tells the speed: what a run takes
   /// whatever its grid is in neither.
   void half_spaces(const contact::ModelInfo& model, const BenchCase& given) {
-    double measured = 0.0, expected = 0.0;
+    struct Timed {
+      double measured, expected;
+    };
+    std::vector<Timed> timed;
     for (const int across : grids_of_half_spaces()) {
-      std::optional<Row> row = solved(given, model.name, across);
-      for (int k = 1; given.of_bodies && row && k < repeats; ++k)
-        if (const auto again = solved(given, model.name, across)) {
-          row->seconds = std::min(row->seconds, again->seconds);
-          row->own_seconds = std::min(row->own_seconds, again->own_seconds);
-        }
+      const std::optional<Row> row = quickest(given, model.name, across);
       tell(model, across, row);
       const auto seconds = predicted(given, model.name, across);
       if (!row || !seconds) return;
-      const bool first = across == grids_of_half_spaces().front();
-      measured = first ? -row->own_seconds : measured + (is_last(across) ? row->own_seconds : 0.0);
+      timed.push_back({row->own_seconds, *seconds});
       if (given.of_bodies) busy_ = busy_ || row->seconds > 1.5 * row->own_seconds;
-      expected = first ? -*seconds : expected + (is_last(across) ? *seconds : 0.0);
     }
-    if (given.of_bodies && measured > 0.0 && expected > 0.0) speed_ = measured / expected;
+    if (!given.of_bodies) return;
+    const double measured = timed.back().measured - timed.front().measured;
+    const double expected = timed.back().expected - timed.front().expected;
+    if (measured > 0.0 && expected > 0.0) speed_ = measured / expected;
+  }
+
+  /// Of the runs of a case that tells the speed; of any other the only one.
+  std::optional<Row> quickest(const BenchCase& given, const std::string& model, int across) {
+    std::optional<Row> row = solved(given, model, across);
+    for (int k = 1; given.of_bodies && row && k < repeats; ++k)
+      if (const auto again = solved(given, model, across)) {
+        row->seconds = std::min(row->seconds, again->seconds);
+        row->own_seconds = std::min(row->own_seconds, again->own_seconds);
+      }
+    return row;
   }
 
   const std::vector<int>& grids_of_half_spaces() const {
     return request_.quick ? quick_grids : grids;
   }
-  bool is_last(int across) const { return across == grids_of_half_spaces().back(); }
 
   /// Seconds by the laws of choice/laws.hpp.
   std::optional<double> predicted(const BenchCase& given, const std::string& model,

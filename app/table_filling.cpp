@@ -44,43 +44,36 @@ struct Task {
   std::vector<ManyForces> forces;
 };
 
-std::string bytes_of(const std::vector<ManyForces>& forces) {
-  contact::Record record;
-  for (ManyForces entry : forces) {
+/// Written or read.
+void record_forces(contact::Record& record, std::vector<ManyForces>& forces) {
+  for (ManyForces& entry : forces) {
     record.values(entry.limit.longitudinal, entry.limit.lateral, entry.limit.spin_moment);
     record.values(entry.correction.longitudinal, entry.correction.lateral,
                   entry.correction.spin_moment, entry.elements_across);
   }
+}
+
+std::string bytes_of(std::vector<ManyForces> forces) {
+  contact::Record record;
+  record_forces(record, forces);
   return record.bytes();
 }
 
 std::vector<ManyForces> forces_of(const std::string& bytes, std::size_t count) {
   contact::Record record(bytes);
   std::vector<ManyForces> forces(count);
-  for (ManyForces& entry : forces) {
-    record.values(entry.limit.longitudinal, entry.limit.lateral, entry.limit.spin_moment);
-    record.values(entry.correction.longitudinal, entry.correction.lateral,
-                  entry.correction.spin_moment, entry.elements_across);
-  }
+  record_forces(record, forces);
   return forces;
 }
 
-/// The chains that solve_many makes of a list: longest_chain points of one shape. Cut the same way
-/// whatever is taken up, so that the numbers are the same to the last bit.
-std::vector<std::vector<std::size_t>> parts_of(const std::vector<CreepPoint>& points) {
-  std::vector<std::vector<std::size_t>> parts;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const bool begins = parts.empty() || parts.back().size() == halfspace::longest_chain ||
-                        points[parts.back().front()].shape != points[k].shape;
-    if (begins) parts.emplace_back();
-    parts.back().push_back(k);
-  }
-  return parts;
+Scaled limit_of(const ManyForces& forces) {
+  return {forces.limit.longitudinal, forces.limit.lateral, forces.limit.spin_moment};
 }
 
 void solve(Task& task, const std::string& stage, const contact::Progress& progress,
            contact::Checkpoint* checkpoint) {
-  const auto parts = parts_of(task.points);
+  // Cut the same way whatever is taken up, so that the numbers are the same to the last bit.
+  const std::vector<halfspace::Chain> parts = halfspace::chains_of(task.shapes.size(), task.points);
   std::vector<std::size_t> part_of(task.points.size());
   task.forces.resize(task.points.size());
   const auto name_of = [&](std::size_t part) { return fmt::format("{}-{:05}", task.name, part); };
@@ -89,12 +82,12 @@ void solve(Task& task, const std::string& stage, const contact::Progress& progre
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto kept = checkpoint == nullptr ? std::nullopt : checkpoint->find(name_of(p));
     if (kept) {
-      const auto forces = forces_of(*kept, parts[p].size());
-      for (std::size_t n = 0; n < forces.size(); ++n) task.forces[parts[p][n]] = forces[n];
+      const auto forces = forces_of(*kept, parts[p].points.size());
+      for (std::size_t n = 0; n < forces.size(); ++n) task.forces[parts[p].points[n]] = forces[n];
       done += forces.size();
       continue;
     }
-    for (const std::size_t k : parts[p]) {
+    for (const std::size_t k : parts[p].points) {
       part_of[k] = p;
       missing.push_back(k);
     }
@@ -156,8 +149,7 @@ void fill_grid(CreepTable& table, const contact::Progress& progress,
   table.elements_across.resize(table.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
     const ManyForces& found = task.forces[k];
-    table.forces[places[k]] = {found.limit.longitudinal, found.limit.lateral,
-                               found.limit.spin_moment};
+    table.forces[places[k]] = limit_of(found);
     table.bars[places[k]] = {std::max(least_force_bar, std::hypot(found.correction.longitudinal,
                                                                   found.correction.lateral)),
                              std::max(least_moment_bar, std::abs(found.correction.spin_moment))};
@@ -224,8 +216,7 @@ void look_between(CreepTable& table, int count, const contact::Progress& progres
   }
   if (!points.empty()) solve(task, "points between", progress, checkpoint);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const halfspace::ScaledForces& limit = task.forces[k].limit;
-    points[k].solved = {limit.longitudinal, limit.lateral, limit.spin_moment};
+    points[k].solved = limit_of(task.forces[k]);
     points[k].interpolated = reader.at(points[k].axis_ratio, points[k].creepage).forces;
   }
   table.interpolation = error_of(points);

@@ -33,10 +33,9 @@ std::vector<Column> columns_of(std::size_t count, const Ask& ask) {
 
 std::map<std::string, double> interpolation_of(const CreepTableReader& reader) {
   const postprocess::InterpolationError& error = reader.table().interpolation;
-  return {{"points", error.points},       {"seed", error.seed},
-          {"force_rms", error.force_rms}, {"force_95", error.force_95},
-          {"force_max", error.force_max}, {"moment_rms", error.moment_rms},
-          {"moment_95", error.moment_95}, {"moment_max", error.moment_max}};
+  std::map<std::string, double> found{{"points", error.points}, {"seed", error.seed}};
+  for (const auto& [name, member] : postprocess::interpolation_errors) found[name] = error.*member;
+  return found;
 }
 
 std::vector<Column> axes_of(const CreepTableReader& reader) {

@@ -81,7 +81,11 @@ std::optional<double> RadiusDifference::wave_conicity(double amplitude, double c
                                                       double rolling_radius) const {
   const auto length = wave_length(amplitude, contact_distance, rolling_radius);
   if (!length) return {};
-  return 2.0 * pi * pi * contact_distance * rolling_radius / (*length * *length);
+  return conicity_of_wave(*length, contact_distance, rolling_radius);
+}
+
+double conicity_of_wave(double wave_length, double contact_distance, double rolling_radius) {
+  return 2.0 * pi * pi * contact_distance * rolling_radius / (wave_length * wave_length);
 }
 
 }  // namespace rollfem::meshes

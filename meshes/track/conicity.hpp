@@ -29,7 +29,7 @@ class RadiusDifference {
   /// it does not swing back. (Klingel's equation with the real radii: UIC 519, EN 15302.)
   std::optional<double> wave_length(double amplitude, double contact_distance,
                                     double rolling_radius) const;
-  /// Of the cones with that wave length: 2 pi^2 e r / L^2.
+  /// Of the cones with that wave length (conicity_of_wave).
   std::optional<double> wave_conicity(double amplitude, double contact_distance,
                                       double rolling_radius) const;
 
@@ -38,5 +38,8 @@ class RadiusDifference {
 
   std::vector<double> shift_, difference_, integral_;
 };
+
+/// Of the cones whose free wheelset has this wave length (mm): 2 pi^2 e r / L^2.
+double conicity_of_wave(double wave_length, double contact_distance, double rolling_radius);
 
 }  // namespace rollfem::meshes

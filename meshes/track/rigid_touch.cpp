@@ -78,8 +78,8 @@ void add_conicity(const contact::Case& input, const RadiusDifference& radii, Whe
   const double distance = contact_distance(input.track);
   const double radius = input.wheel.rolling_radius;
   row.harmonic = radii.harmonic_conicity(amplitude);
-  row.wave = radii.wave_conicity(amplitude, distance, radius);
   row.wave_length = radii.wave_length(amplitude, distance, radius);
+  if (row.wave_length) row.wave = conicity_of_wave(*row.wave_length, distance, radius);
 }
 
 WheelsetTouch mirrored(const WheelsetTouch& touch) {

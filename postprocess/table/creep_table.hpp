@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::postprocess {
@@ -26,6 +27,12 @@ struct InterpolationError {
   double force_rms = 0.0, force_95 = 0.0, force_max = 0.0;
   double moment_rms = 0.0, moment_95 = 0.0, moment_max = 0.0;
 };
+
+/// Its errors by the names that files and Python have them under.
+inline constexpr std::pair<const char*, double InterpolationError::*> interpolation_errors[] = {
+    {"force_rms", &InterpolationError::force_rms}, {"force_95", &InterpolationError::force_95},
+    {"force_max", &InterpolationError::force_max}, {"moment_rms", &InterpolationError::moment_rms},
+    {"moment_95", &InterpolationError::moment_95}, {"moment_max", &InterpolationError::moment_max}};
 
 /// A point at which it was found.
 struct CheckedPoint {

@@ -7,13 +7,18 @@
 
 namespace rollfem::postprocess {
 
+namespace {
+
+/// Columns that both tables begin with.
+const std::string place_and_forces =
+    "axis_ratio [-],longitudinal_scaled [-],lateral_scaled [-],spin_scaled [-],"
+    "longitudinal_force [mu F_n],lateral_force [mu F_n],spin_moment [mu F_n c]";
+
+}  // namespace
+
 std::string table_csv(const CreepTable& table) {
   std::string text =
-      "axis_ratio [-],longitudinal_scaled [-],lateral_scaled [-],spin_scaled "
-      "[-],longitudinal_force "
-      "[mu F_n],lateral_force [mu F_n],spin_moment [mu F_n c],force_bar [mu F_n],moment_bar [mu "
-      "F_n "
-      "c],elements_across [-]\n";
+      place_and_forces + ",force_bar [mu F_n],moment_bar [mu F_n c],elements_across [-]\n";
   const auto& [xi, eta, phi] = table.creepage;
   std::size_t at = 0;
   for (const double ratio : table.axis_ratio)
@@ -31,12 +36,7 @@ std::string table_csv(const CreepTable& table) {
 }
 
 std::string interpolation_csv(const CreepTable& table) {
-  std::string text =
-      "axis_ratio [-],longitudinal_scaled [-],lateral_scaled [-],spin_scaled "
-      "[-],longitudinal_force "
-      "[mu F_n],lateral_force [mu F_n],spin_moment [mu F_n c],force_error [mu F_n],moment_error "
-      "[mu "
-      "F_n c]\n";
+  std::string text = place_and_forces + ",force_error [mu F_n],moment_error [mu F_n c]\n";
   for (const CheckedPoint& point : table.checked) {
     const auto& [x, y, z] = point.creepage;
     const Scaled& found = point.interpolated;

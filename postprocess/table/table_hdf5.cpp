@@ -60,12 +60,8 @@ void write_interpolation(hid_t file, const CreepTable& table) {
                                     "the grid: forces over mu F_n, the moment over mu F_n c");
   write_attribute(group, "points", static_cast<long>(error.points));
   write_attribute(group, "seed", static_cast<long>(error.seed));
-  write_attribute(group, "force_rms", error.force_rms);
-  write_attribute(group, "force_95", error.force_95);
-  write_attribute(group, "force_max", error.force_max);
-  write_attribute(group, "moment_rms", error.moment_rms);
-  write_attribute(group, "moment_95", error.moment_95);
-  write_attribute(group, "moment_max", error.moment_max);
+  for (const auto& [name, member] : interpolation_errors)
+    write_attribute(group, name, error.*member);
   if (table.checked.empty()) return;
   std::vector<std::array<double, 10>> rows;
   for (const CheckedPoint& p : table.checked)
@@ -134,12 +130,7 @@ void read_interpolation(hid_t file, CreepTable& table) {
   InterpolationError& error = table.interpolation;
   error.points = static_cast<int>(read_number(group, "points"));
   error.seed = static_cast<unsigned>(read_number(group, "seed"));
-  error.force_rms = read_number(group, "force_rms");
-  error.force_95 = read_number(group, "force_95");
-  error.force_max = read_number(group, "force_max");
-  error.moment_rms = read_number(group, "moment_rms");
-  error.moment_95 = read_number(group, "moment_95");
-  error.moment_max = read_number(group, "moment_max");
+  for (const auto& [name, member] : interpolation_errors) error.*member = read_number(group, name);
   if (!has_member(group, "checked")) return;
   const Numbers found = read_dataset(group, "checked");
   if (found.shape.size() != 2 || found.shape[1] != 10)

@@ -12,9 +12,25 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <random>
 #include <utility>
 
 namespace rollfem::testing {
+
+/// Aluminium on steel.
+inline contact::CombinedMaterial unlike() {
+  return contact::combine({70e3, 0.33}, {210e3, 0.28});
+}
+
+/// Each component of each element from -1 to 1.
+inline contact::SurfaceField random_traction(int n, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const auto field = [&] {
+    return contact::Field(contact::Field::NullaryExpr(n, [&] { return number(generator); }));
+  };
+  return {field(), field(), field()};
+}
 
 /// Half-planes under tractions that do not change with y. The grid has one row (ny = 1); its dy is
 /// the length of roller that forces are for: dy = 1 gives N/mm. u_y is that of antiplane shear.

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace rollfem {
 namespace {
@@ -19,19 +18,8 @@ using contact::Field;
 using contact::SurfaceField;
 using contact::UpwindOrder;
 using testing::LineCompliance;
-
-contact::CombinedMaterial unlike() {
-  return contact::combine({70e3, 0.33}, {210e3, 0.28});
-}
-
-SurfaceField random_traction(int n, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  const auto field = [&] {
-    return Field(Field::NullaryExpr(n, [&] { return number(generator); }));
-  };
-  return {field(), field(), field()};
-}
+using testing::random_traction;
+using testing::unlike;
 
 TEST(LineCompliance, IsTheHalfspaceUnderVeryLongElements) {
   const ContactGrid grid = ContactGrid::centred(12, 1, 0.1, 1.0);

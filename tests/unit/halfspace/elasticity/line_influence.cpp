@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "support/line_compliance.hpp"
-#include <random>
 
 namespace rollfem {
 namespace {
@@ -15,24 +14,13 @@ using contact::ContactGrid;
 using contact::Field;
 using contact::SurfaceField;
 using contact::UpwindOrder;
-
-contact::CombinedMaterial unlike() {
-  return contact::combine({70e3, 0.33}, {210e3, 0.28});
-}
+using testing::random_traction;
+using testing::unlike;
 
 ContactGrid line_of(int n) {
   ContactGrid grid = ContactGrid::centred(n, 1, 0.05, 2.0);
   grid.line_reference = 30.0;
   return grid;
-}
-
-SurfaceField random_traction(int n) {
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  const auto field = [&] {
-    return Field(Field::NullaryExpr(n, [&] { return number(generator); }));
-  };
-  return {field(), field(), field()};
 }
 
 void expect_same(const Field& one, const Field& other) {
@@ -43,7 +31,7 @@ TEST(LineInfluence, OfAFourierSumIsThatOfADenseMatrix) {
   const ContactGrid grid = line_of(53);
   const halfspace::HalfspaceCompliance fast(grid, unlike());
   const testing::LineCompliance dense(grid, unlike(), grid.line_reference);
-  const SurfaceField p = random_traction(grid.size());
+  const SurfaceField p = random_traction(grid.size(), 7);
   const SurfaceField u = fast.apply(p), v = dense.apply(p);
   expect_same(u.x, v.x);
   expect_same(u.y, v.y);
