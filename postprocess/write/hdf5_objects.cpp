@@ -45,7 +45,7 @@ Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hs
   if (count >= 512) {
     check(H5Pset_chunk(options, static_cast<int>(shape.size()), shape.data()), "H5Pset_chunk");
     check(H5Pset_shuffle(options), "H5Pset_shuffle");
-    check(H5Pset_deflate(options, 4), "H5Pset_deflate");
+    check(H5Pset_deflate(options, 1), "H5Pset_deflate");
   }
   Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, options, H5P_DEFAULT),
                  "H5Dcreate2");

@@ -43,7 +43,7 @@ std::string deflate(std::string_view bytes) {
   uLongf size = compressBound(bytes.size());
   std::string out(size, '\0');
   const int status = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6);
+                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 1);
   if (status != Z_OK) throw std::runtime_error(fmt::format("zlib: compress2 gave {}", status));
   out.resize(size);
   return out;
