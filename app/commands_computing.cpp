@@ -192,9 +192,10 @@ void add_bench(CLI::App& program, Call& call) {
 }
 
 void add_table(CLI::App& program, Call& call) {
-  CLI::App* table = program.add_subcommand(
-      "table",
-      "fill a table of creep forces over creepages, spin and the ratio of the ellipse's axes");
+  CLI::App* table = program.add_subcommand("table",
+                                           "fill a table of creep forces over creepages, spin and "
+                                           "the ratio of the ellipse's axes or the "
+                                           "lateral shift of a wheelset");
   table
       ->add_option("case", call.table.case_file,
                    "case file (.toml); its section [table] is the grid")
@@ -206,7 +207,8 @@ void add_table(CLI::App& program, Call& call) {
                   "beside the results");
   add_report_flags(*table, call.table);
   table->footer(
-      "example: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"
+      "examples: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"
+      "          rollfem table cases/s1002_uic60_left.toml --set table.lateral_shift=[-2,0,2]\n"
       "What is in a table and how Python and C read it: docs/tables.md");
   table->callback([&call] { app::table(call.table, call.models); });
 }

@@ -31,11 +31,29 @@ std::string range_of(const char* name, const std::vector<double>& axis) {
                                         axis.front(), axis.back());
 }
 
+/// A line for each shift, and where contact jumps.
+std::string text_of_wheels(const CreepTable& table) {
+  std::string text = "shift mm  angle mrad  radius mm  a mm   b mm   F_n N    p0 MPa  planes\n";
+  for (std::size_t k = 0; k < table.wheels.size(); ++k) {
+    const postprocess::TableWheel& wheel = table.wheels[k];
+    text += fmt::format("{:8.3g} {:11.2f} {:10.4f} {:6.3f} {:6.3f} {:8.0f} {:8.1f} {:5.0f}\n",
+                        table.lateral_shift[k], 1e3 * wheel.contact_angle, wheel.rolling_radius,
+                        wheel.semi_axis_x, wheel.semi_axis_y, wheel.normal_force,
+                        wheel.max_pressure, wheel.contacts);
+    if (wheel.jump_after != 0.0)
+      text += "         contact jumps: nothing is interpolated up to the next shift\n";
+  }
+  return text;
+}
+
 std::string summary_of(const CreepTable& table, double seconds) {
   const postprocess::InterpolationError& error = table.interpolation;
   std::string text = fmt::format(
       "{}\n\n{} points in {:.3g} s: forces over mu F_n, moment over mu F_n sqrt(a b)\n  {}\n",
-      table.title, table.size(), seconds, range_of("a/b", table.axis_ratio));
+      table.title, table.size(), seconds,
+      table.over_shifts() ? range_of("mm   ", table.lateral_shift) + " of lateral shift"
+                          : range_of("a/b", table.axis_ratio));
+  if (table.over_shifts()) text += text_of_wheels(table);
   const char* const names[] = {"xi'", "eta'", "phi'"};
   for (std::size_t q = 0; q < 3; ++q)
     text += fmt::format("  {}\n", range_of(names[q], table.creepage[q]));
@@ -61,6 +79,7 @@ void write_and_tell(const TableRequest& request, const CreepTable& table, double
   files.write("table.h5", postprocess::table_hdf5(table));
   files.write("table.csv", postprocess::table_csv(table));
   files.write("interpolation.csv", postprocess::interpolation_csv(table));
+  if (table.over_shifts()) files.write("shifts.csv", postprocess::shifts_csv(table));
   files.commit();
   const bool drawn = request.report && report_drawn(directory.string());
   if (request.quiet) return;
@@ -84,8 +103,7 @@ void table(const TableRequest& request, const contact::ModelRegistry& models) {
   frame.own(table_directory(request));
   const auto begin = std::chrono::steady_clock::now();
   frame.compute("table", "points", [&](const Solving& how) {
-    fill_table(made, input.table.check_points, how.progress,
-               frame.keep_in(table_directory(request), input));
+    fill_table(made, input, how.progress, frame.keep_in(table_directory(request), input));
     frame.clear_line();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     write_and_tell(request, made, seconds.count());

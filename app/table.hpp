@@ -1,5 +1,6 @@
 // The command `table`: the creep force law of a case's contact over scaled creepages and ratios of
-// its axes, with error bars and the error of interpolation between the points.
+// its axes, or lateral shifts of its wheelset, with error bars and the error of interpolation
+// between the points.
 #pragma once
 
 #include "app/command_frame.hpp"
@@ -13,8 +14,9 @@ struct TableRequest : ComputingRequest {
   std::string case_file;
 };
 
-/// Writes DIR/table.h5, table.csv, interpolation.csv and table.html. Throws contact::InputError
-/// before anything is computed, contact::SolveError where a point has no solution.
+/// Writes DIR/table.h5, table.csv, interpolation.csv, over lateral shifts shifts.csv, and
+/// table.html. Throws contact::InputError before anything is computed, contact::SolveError where a
+/// point has no solution or a wheel does not touch.
 void table(const TableRequest& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

@@ -3,15 +3,17 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/case/case.hpp"
 #include "postprocess/table/creep_table.hpp"
 
 namespace rollfem::app {
 
-/// Fills forces, bars and elements_across of a table with its axes (app/table_grid.hpp), then looks
-/// at interpolation at `check_points` points at random. `checkpoint` may be null. Numbers do not
-/// depend on what was taken up from it, nor on the number of threads. Throws contact::SolveError
-/// where a point does not converge.
-void fill_table(postprocess::CreepTable& table, int check_points, const contact::Progress& progress,
-                contact::Checkpoint* checkpoint);
+/// Fills forces, bars and elements_across of a table with its axes (app/table_grid.hpp), over
+/// lateral shifts its wheels and scales before, then looks at interpolation at as many points at
+/// random as the case asks for. `checkpoint` may be null. Numbers do not depend on what was taken
+/// up from it, nor on the number of threads. Throws contact::SolveError where a point does not
+/// converge or a wheel does not touch.
+void fill_table(postprocess::CreepTable& table, const contact::Case& input,
+                const contact::Progress& progress, contact::Checkpoint* checkpoint);
 
 }  // namespace rollfem::app

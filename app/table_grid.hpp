@@ -6,8 +6,13 @@
 
 namespace rollfem::app {
 
-/// A table without forces. Throws contact::InputError where the lists do not increase, the bodies
-/// are of unlike materials, or there is no ellipse whose ratio could be taken.
+/// A table without forces, over lateral shifts also without wheels and scales, which
+/// app/wheel_filling.hpp finds. Throws contact::InputError where the lists do not increase, the
+/// bodies are of unlike materials, there is no ellipse whose ratio could be taken, or no single
+/// wheel that could be shifted.
 postprocess::CreepTable empty_table(const contact::Case& input);
+
+/// C11/3, C22/3 and sqrt(C23^2 + C33^2) of the ratio: CreepTable::scale.
+postprocess::Scaled scale_of_ratio(double axis_ratio, double poisson_ratio);
 
 }  // namespace rollfem::app

@@ -38,6 +38,39 @@ rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_el
       message, size);
 }
 
+rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
+                                          const rollfem_shifted_wheel* wheel,
+                                          rollfem_wheel_forces* forces, char* message,
+                                          size_t size) {
+  *forces = rollfem_wheel_forces{};
+  return rollfem::capi::guarded(
+      [&] {
+        // What one unit is in mm and N.
+        const double length = wheel->units == ROLLFEM_M_N ? 1e3 : 1.0;
+        const double newtons = wheel->units == ROLLFEM_MM_KN ? 1e3 : 1.0;
+        const double shift = length * wheel->lateral_shift;
+        const auto place = table->reader.wheel_at(shift);
+        const double own = table->reader.table().friction_coefficient * place.normal_force;
+        const double bound = wheel->friction_bound == 0.0 ? own : newtons * wheel->friction_bound;
+        const auto found = table->reader.of_wheel(
+            shift, bound,
+            {wheel->longitudinal_creepage, wheel->lateral_creepage, wheel->spin / length});
+        const double moment = newtons * length;
+        *forces = {found.forces[0] / newtons,
+                   found.forces[1] / newtons,
+                   found.along_normal / newtons,
+                   found.forces[2] / moment,
+                   found.force_bar / newtons,
+                   found.moment_bar / moment,
+                   bound / newtons,
+                   place.normal_force / newtons,
+                   place.contact_angle,
+                   place.rolling_radius / length,
+                   place.jump_after != 0.0};
+      },
+      message, size);
+}
+
 void rollfem_table_close(rollfem_table* table) {
   delete table;
 }

@@ -98,7 +98,8 @@ rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* stat
 
 void rollfem_destroy(rollfem_pair* pair);
 
-/* A table of creep forces that `rollfem table` has written, for ellipses of any size (docs/tables.md). */
+/* A table of creep forces that `rollfem table` has written, for ellipses of any size or for a wheel over the lateral
+   shift of its wheelset (docs/tables.md). */
 typedef struct rollfem_table rollfem_table;
 
 /* In consistent units: mm, N, MPa or m, N, Pa. */
@@ -124,6 +125,31 @@ rollfem_table* rollfem_table_open(const char* path, char* message, size_t size);
    forces are zero and `message` (may be NULL) has the reason. */
 rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_ellipse* ellipse,
                                     rollfem_creep_forces* forces, char* message, size_t size);
+
+/* A wheel of a table over lateral shifts. Creepages are those of its main contact, the most loaded one. */
+typedef struct {
+  rollfem_units units;
+  double lateral_shift;  /* of the wheelset, to the right */
+  double friction_bound; /* coefficient of friction times normal force of all contacts; 0: that of the table */
+  double longitudinal_creepage, lateral_creepage;
+  double spin; /* 1/length */
+} rollfem_shifted_wheel;
+
+/* Of friction, on the wheel, in the frame of the main contact: the sum over all contacts. */
+typedef struct {
+  double longitudinal_force, lateral_force;
+  double force_along_normal; /* not 0 on a curved surface and where contacts in other planes take part */
+  double spin_moment;
+  double force_bar, moment_bar; /* where contact jumps between two shifts all by which these differ is in them */
+  double friction_bound;        /* that was taken */
+  double normal_force;          /* under which the table was made, all contacts */
+  double contact_angle, rolling_radius; /* of the main contact */
+  int jumps; /* 1: contact jumps between the shifts around this one, and the numbers are those of the nearer one */
+} rollfem_wheel_forces;
+
+/* As rollfem_table_forces. */
+rollfem_status rollfem_table_wheel_forces(const rollfem_table* table, const rollfem_shifted_wheel* wheel,
+                                          rollfem_wheel_forces* forces, char* message, size_t size);
 
 void rollfem_table_close(rollfem_table* table);
 

@@ -246,11 +246,14 @@ struct OutputOptions {
   }
 };
 
-/// What `rollfem table` fills: the creep force law of Hertzian contacts over scaled creepages, or a
-/// wheelset over its lateral shift.
+/// What `rollfem table` fills: the creep force law of Hertzian contacts over scaled creepages and
+/// the ratio of their axes, or of a wheel on its rail over the lateral shift.
 struct TableOptions {
-  std::vector<double> axis_ratio;                   ///< a/b; empty: that of the case's ellipse
-  std::array<int, 3> points{16, 16, 31};            ///< of xi', eta', phi'
+  std::vector<double> axis_ratio;     ///< a/b; empty: that of the case's ellipse
+  std::vector<double> lateral_shift;  ///< mm, with profiles; empty: over ratios
+  /// mm; lateral_shift then holds the first and the last shift.
+  std::optional<double> lateral_shift_step;
+  std::optional<std::array<int, 3>> points;         ///< of xi', eta', phi'
   std::array<double, 3> largest{3.0, 3.0, 5.0};     ///< xi', eta', phi'
   std::vector<double> longitudinal, lateral, spin;  ///< instead of both; >= 0
   int check_points = 200;                           ///< between grid points, at random

@@ -25,11 +25,27 @@ SectionWithKeys table_section() {
       .otherwise("that of Hertz's ellipse of the case")
       .says("Ratios of the ellipse's axes, a along rolling, each larger than the one before.")
       .into(&TableOptions::axis_ratio);
+  keys.reals("lateral_shift")
+      .unit("mm")
+      .within(1e3)
+      .otherwise("none, the table is over axis_ratio")
+      .says(
+          "Lateral shifts of the wheelset, positive to the right, each larger than the one before: "
+          "the table is that of the wheel on its rail, with profiles, under the load and friction "
+          "of the case.")
+      .into(&TableOptions::lateral_shift);
+  keys.real("lateral_shift_step")
+      .unit("mm")
+      .between(1e-3, 1e3)
+      .otherwise("lateral_shift holds every shift")
+      .says("lateral_shift holds the first and the last shift only, between which steps are even.")
+      .into(&TableOptions::lateral_shift_step);
   keys.triple("points")
       .between(2, 200)
+      .otherwise("16, 16, 31; over lateral shifts 8, 8, 15")
       .says(
-          "Grid points along xi', eta' (from 0) and phi' (of both signs; with an odd number 0 is "
-          "among them): whole numbers.")
+          "Grid points along xi', eta' (from 0; over lateral shifts the negative ones follow) and "
+          "phi' (of both signs; with an odd number 0 is among them): whole numbers.")
       .into(&TableOptions::points);
   keys.triple("largest")
       .between(0.01, 1000.0)
@@ -37,7 +53,7 @@ SectionWithKeys table_section() {
       .into(&TableOptions::largest);
   add_list(keys, "longitudinal_values", "xi'",
            "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, in place of "
-           "the first of points and largest.",
+           "the first of points and largest; over lateral shifts the negative ones follow.",
            &TableOptions::longitudinal);
   add_list(keys, "lateral_values", "eta'",
            "Scaled lateral creepages eta' = eta G a b C22 / (3 mu F_n) from 0 on, in place of the "

@@ -32,8 +32,6 @@ constexpr int free_around = 2;
 
 constexpr int coarsest = 10;  ///< elements across
 
-constexpr std::size_t longest_chain = 64;
-
 /// Starts leave traces of this size in the forces.
 constexpr double tolerance = 1e-11;
 
@@ -201,6 +199,26 @@ void check(const std::vector<EllipseShape>& shapes, const std::vector<CreepPoint
                                           options.most_across, 2 * coarsest));
 }
 
+/// Points of one shape that follow each other: none of them knows of another chain.
+struct Chain {
+  std::size_t shape;
+  std::vector<std::size_t> points;
+};
+
+std::vector<Chain> chains_of(std::size_t shapes, const std::vector<CreepPoint>& points) {
+  std::vector<Chain> chains;
+  for (std::size_t s = 0; s < shapes; ++s) {
+    std::vector<std::size_t> rest;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (points[k].shape != s) continue;
+      rest.push_back(k);
+      if (rest.size() == longest_chain) chains.push_back({s, std::exchange(rest, {})});
+    }
+    if (!rest.empty()) chains.push_back({s, std::move(rest)});
+  }
+  return chains;
+}
+
 /// What the threads share.
 struct Shared {
   std::atomic<std::size_t> next{0};  ///< chain
@@ -272,20 +290,6 @@ class Worker {
 };
 
 }  // namespace
-
-std::vector<Chain> chains_of(std::size_t shapes, const std::vector<CreepPoint>& points) {
-  std::vector<Chain> chains;
-  for (std::size_t s = 0; s < shapes; ++s) {
-    std::vector<std::size_t> rest;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (points[k].shape != s) continue;
-      rest.push_back(k);
-      if (rest.size() == longest_chain) chains.push_back({s, std::exchange(rest, {})});
-    }
-    if (!rest.empty()) chains.push_back({s, std::move(rest)});
-  }
-  return chains;
-}
 
 std::vector<ManyForces> solve_many(const std::vector<EllipseShape>& shapes,
                                    const std::vector<CreepPoint>& points,

@@ -38,14 +38,8 @@ struct ManyForces {
   int elements_across = 0;  ///< of the finer one
 };
 
-/// Points of one shape that a thread solves in turn: none of them knows of another chain.
-struct Chain {
-  std::size_t shape = 0;
-  std::vector<std::size_t> points;  ///< places in the list
-};
-
-/// How solve_many cuts a list: up to 64 points of a shape, in their order, shape after shape.
-std::vector<Chain> chains_of(std::size_t shapes, const std::vector<CreepPoint>& points);
+/// Points that a thread solves in turn.
+inline constexpr std::size_t longest_chain = 64;
 
 struct ManyOptions {
   /// Grids are doubled from 10 across on until the correction of the forces is at most this of
@@ -54,8 +48,9 @@ struct ManyOptions {
   double largest_correction = 0.003;
   int most_across = 80;  ///< where that ends: 20, 40, 80 or 160
   int threads = 0;       ///< 0: contact::threads()
-  /// Told of every chain (chains_of) that is finished, by one thread at a time: the places of its
-  /// points in the list and their forces. What it throws ends the work and comes out of solve_many.
+  /// Told of every chain that is finished, by one thread at a time: the places of its points in the
+  /// list and their forces. Chains are longest_chain points of one shape that follow each other.
+  /// What it throws ends the work and comes out of solve_many.
   std::function<void(const std::vector<std::size_t>&, const std::vector<ManyForces>&)> finished =
       {};
 };

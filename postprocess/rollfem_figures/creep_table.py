@@ -13,15 +13,22 @@ FORCES = ("longitudinal_force", "lateral_force", "spin_moment")
 
 @dataclass
 class CreepTable:
-    """Arrays over [axis_ratio, longitudinal, lateral, spin]; forces over mu F_n, the moment over mu F_n sqrt(a b)."""
+    """Arrays over [axis_ratio or lateral_shift, longitudinal, lateral, spin]; forces over mu F_n, the moment over mu F_n
+    sqrt(a b)."""
 
     about: dict  # title, program, command, started, poisson_ratio, ...
-    axes: dict
+    axes: dict  # in the order of the arrays
     forces: dict
     force_bar: np.ndarray
     moment_bar: np.ndarray
     interpolation: dict
-    checked: np.ndarray  # [points, 10]: a/b, xi', eta', phi', F_x, F_y, M_z interpolated, and solved for
+    checked: np.ndarray  # [points, 10]: a/b or mm, xi', eta', phi', F_x, F_y, M_z interpolated, and solved for
+    wheels: dict  # of every lateral shift; empty over ratios
+
+    @property
+    def first(self):
+        """Name of the first axis."""
+        return next(iter(self.axes))
 
 
 def read_table(directory):
@@ -33,7 +40,10 @@ def read_table(directory):
         if file.attrs.get("format") != "rollfem table":
             raise ResultError(f"{path}: is no table")
         checked = file["interpolation"]
+        first = "lateral_shift" if "lateral_shift" in file["axes"] else "axis_ratio"
+        wheel = file.get("wheel", {})
         return CreepTable(
-            dict(file.attrs), {name: file["axes"][name][()] for name in ("axis_ratio", "longitudinal", "lateral", "spin")},
+            dict(file.attrs), {name: file["axes"][name][()] for name in (first, "longitudinal", "lateral", "spin")},
             {name: file[name][()] for name in FORCES}, file["force_bar"][()], file["moment_bar"][()],
-            dict(checked.attrs), checked["checked"][()] if "checked" in checked else np.zeros((0, 10)))
+            dict(checked.attrs), checked["checked"][()] if "checked" in checked else np.zeros((0, 10)),
+            {**dict(getattr(wheel, "attrs", {})), **{name: wheel[name][()] for name in wheel}})

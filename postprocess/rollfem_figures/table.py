@@ -14,28 +14,28 @@ from .tables import number, plain, table
 VIEWS = (("longitudinal_force", "$-F_x/μF_n$", "longitudinal", "spin"),
          ("lateral_force", "$-F_y/μF_n$", "lateral", "spin"),
          ("spin_moment", "$-M_z/(μF_n$ $c)$", "spin", "longitudinal"))
-LETTER = {"longitudinal": "ξ′", "lateral": "η′", "spin": "φ′", "axis_ratio": "a/b"}
+LETTER = {"longitudinal": "ξ′", "lateral": "η′", "spin": "φ′", "axis_ratio": "a/b", "lateral_shift": "lateral shift [mm]"}
 COLOURS = ("blue", "slip", "green", "red", "pink", "sky", "wine")
-ORDER = ("axis_ratio", "longitudinal", "lateral", "spin")
 
 
 def _middle(axis):
-    """The place of the value nearest to 1 among ratios, to 0 among creepages; to the right of it where two are."""
+    """The place of the value nearest to 0 among creepages; to the right of it where two are."""
     return int(np.argmin(np.abs(axis) - 1e-12 * np.sign(axis)))
 
 
-def _ratio(found):
-    """The ratio of axes that is drawn: the one in the middle."""
-    return len(found.axes["axis_ratio"]) // 2
+def _first(found):
+    """The ratio of axes, or the shift, that is drawn: the one in the middle."""
+    return len(found.axes[found.first]) // 2
 
 
 def _plane(found, force, right, back):
     """-force over (back from 0 on, right), the others 0."""
-    at = {name: _middle(found.axes[name]) for name in ORDER}
-    at["axis_ratio"] = _ratio(found)
-    place = tuple(slice(None) if name in (right, back) else at[name] for name in ORDER)
+    order = list(found.axes)
+    at = {name: _middle(found.axes[name]) for name in order}
+    at[found.first] = _first(found)
+    place = tuple(slice(None) if name in (right, back) else at[name] for name in order)
     values = -found.forces[force][place]
-    return (values if ORDER.index(back) < ORDER.index(right) else values.T)[found.axes[back] >= 0]
+    return (values if order.index(back) < order.index(right) else values.T)[found.axes[back] >= 0]
 
 
 def _even(values):
@@ -76,15 +76,21 @@ def _oblique(panel, x, y, z, names):
     panel.paths([view(0, 0, np.array([0, 1]))], "soft", 0.9, (), 1000)
 
 
+def _said_first(found, place):
+    value = found.axes[found.first][place]
+    return f"a/b = {value:.4g}" if found.first == "axis_ratio" else f"lateral shift {value:.4g} mm"
+
+
 def surfaces(found):
     """The three forces over the creepage that makes them and one that takes part."""
     result = Figure(3)
     for force, name, right, back in VIEWS:
         panel = result.add(330, 270, name, bare=True)
-        behind = found.axes[back]
-        _oblique(panel, found.axes[right], behind[behind >= 0], _plane(found, force, right, back),
+        behind, across = found.axes[back], found.axes[right]
+        shown = across >= (0 if found.first == "lateral_shift" else -np.inf)  # else the surface hides its negative half
+        _oblique(panel, across[shown], behind[behind >= 0], _plane(found, force, right, back)[:, shown],
                  (LETTER[right], LETTER[back]))
-    result.entry(f"a/b = {found.axes['axis_ratio'][_ratio(found)]:.4g}; creepages that are not shown are 0")
+    result.entry(f"{_said_first(found, _first(found))}; creepages that are not shown are 0")
     result.seen = ("Surfaces of the longitudinal force over longitudinal creepage and spin, of the lateral force over lateral "
                    "creepage and spin, of the moment over spin and longitudinal creepage: each rises from 0 and levels off.")
     return result
@@ -107,8 +113,8 @@ def curves(found):
 
 
 def ratios(found):
-    """The forces of each creepage alone, a curve for each ratio of axes. None where there is one."""
-    count = len(found.axes["axis_ratio"])
+    """The forces of each creepage alone, a curve for each ratio of axes or some shifts. None where there is one."""
+    count = len(found.axes[found.first])
     if count < 2:
         return None
     chosen = np.unique(np.linspace(0, count - 1, min(count, 7)).round().astype(int))
@@ -116,12 +122,70 @@ def ratios(found):
     for force, name, right, _ in VIEWS:
         panel = result.add(290, 220, name, LETTER[right], name)
         for ratio, colour in zip(chosen, COLOURS):
-            place = tuple(ratio if axis == "axis_ratio" else slice(None) if axis == right else _middle(found.axes[axis])
-                          for axis in ORDER)
+            place = tuple(ratio if axis == found.first else slice(None) if axis == right else _middle(found.axes[axis])
+                          for axis in found.axes)
             panel.line(found.axes[right], -found.forces[force][place], colour)
     for ratio, colour in zip(chosen, COLOURS):
-        result.entry(f"a/b = {found.axes['axis_ratio'][ratio]:.3g}", colour)
-    result.seen = "Forces of each creepage alone: scaled, those of all ratios of axes begin alike."
+        result.entry(_said_first(found, ratio), colour)
+    result.seen = "Forces of each creepage alone: scaled, those of all curves begin alike."
+    return result
+
+
+def _stretches(found):
+    """Slices of the shifts between which contact does not jump."""
+    ends = np.flatnonzero(found.wheels["jump_after"]) + 1
+    return [slice(begin, end) for begin, end in zip([0, *ends], [*ends, len(found.wheels["jump_after"])])]
+
+
+def _some_from_zero(axes):
+    """Of every axis the places of up to four creepages from 0 to where sliding sets in, and of the largest."""
+    rising = [np.flatnonzero((axis >= 0) & (axis <= 1.2)) for axis in axes]
+    count = min(4, *map(len, rising))
+    return [[*places[np.linspace(0, len(places) - 1, count).round().astype(int)], len(axis) - 1]
+            for axis, places in zip(axes, rising)]
+
+
+def _over_shift(panel, found, values, colour, dash=()):
+    for part in _stretches(found):
+        panel.line(found.axes["lateral_shift"][part], values[part], colour, 1.5, dash, "o", 1.8)
+
+
+def shifts(found):
+    """Forces of each creepage alone over the shift, gaps where contact jumps. None over ratios, and of one shift."""
+    if found.first != "lateral_shift" or len(found.axes[found.first]) < 2:
+        return None
+    result = Figure(3)
+    rights = [right for _, _, right, _ in VIEWS]
+    chosen = dict(zip(rights, _some_from_zero([found.axes[right] for right in rights])))
+    for force, name, right, _ in VIEWS:
+        panel = result.add(290, 220, name, LETTER["lateral_shift"], name)
+        for at, colour in zip(chosen[right], COLOURS):
+            place = tuple(slice(None) if axis == found.first else at if axis == right else _middle(found.axes[axis])
+                          for axis in found.axes)
+            _over_shift(panel, found, -found.forces[force][place], colour)
+    names = ", ".join(LETTER[right] for right in chosen)
+    for places, colour in zip(zip(*chosen.values()), COLOURS):
+        values = ", ".join(f"{found.axes[right][at] + 0.0:.3g}" for right, at in zip(chosen, places))
+        result.entry(f"{names} = {values}", colour)
+    result.seen = "Forces over the lateral shift of the wheelset, for several values of the creepage that makes them."
+    return result
+
+
+def wheels(found):
+    """Where the wheel touches. None over ratios, and of one shift."""
+    if found.first != "lateral_shift" or len(found.axes[found.first]) < 2:
+        return None
+    result = Figure(4)
+    for name, unit, entries, factor in (("contact angle", "mrad", ("contact_angle",), 1e3), ("rolling radius", "mm", ("rolling_radius",), 1),
+                                        ("semi-axes of the ellipse", "mm", ("semi_axis_x", "semi_axis_y"), 1),
+                                        ("largest pressure", "MPa", ("max_pressure",), 1)):
+        panel = result.add(230, 200, name, LETTER["lateral_shift"], f"{name} [{unit}]")
+        for entry, colour, dash in zip(entries, ("blue", "slip"), ((), (5, 2))):
+            _over_shift(panel, found, factor * found.wheels[entry], colour, dash)
+            if len(entries) > 1:
+                panel.text(0.97, 0.95 if colour == "blue" else 0.87, "a" if colour == "blue" else "b", "end",
+                           colour, share=(True, True))
+    result.seen = "Contact angle, rolling radius, size of the patch and largest pressure over the lateral shift."
     return result
 
 
@@ -145,7 +209,7 @@ def errors(found):
 
 
 def _axes(found):
-    return "".join(f"<p><b>{LETTER[name]}</b> ({len(values)}): {', '.join(f'{v:.4g}' for v in values)}</p>".replace("-", "−")
+    return "".join(f"<p><b>{LETTER[name].capitalize() if ' ' in LETTER[name] else LETTER[name]}</b> ({len(values)}): {', '.join(f'{v:.4g}' for v in values)}</p>".replace("-", "−")
                    for name, values in found.axes.items())
 
 
@@ -164,20 +228,32 @@ def _said(found):
         "solved for by themselves.</p>" if error["points"] else "<p class=hint>Interpolation was not looked at.</p>")
 
 
+def _of_what(found):
+    if found.first == "axis_ratio":
+        return "Creep forces of Hertzian contacts"
+    force = found.wheels["normal_force"]
+    return (f"Creep forces of a wheel on its rail, friction {number(float(found.wheels['friction_coefficient']), 3)}, normal force "
+            f"{number(float(force.min()), 6)} to {number(float(force.max()), 6)} N, creepages and forces of the main contact; "
+            "a and b are those of the ellipse that carries as far")
+
+
 def build(directory):
     """Draws the table of a folder to its figures/ and writes table.html."""
     found = read_table(directory)
     drawn = draw_all([
         ("table_surfaces.svg", "Forces on the wheel of opposite sign, over scaled creepages in steps of the table.", lambda: surfaces(found)),
         ("table_curves.svg", "The same as curves; creepages that are not named are 0.", lambda: curves(found)),
-        ("table_ratios.svg", "One creepage alone, for the ratios of the ellipse's axes.", lambda: ratios(found)),
+        ("table_ratios.svg", "One creepage alone, for " + (
+            "the ratios of the ellipse's axes." if found.first == "axis_ratio" else "shifts of the wheelset."), lambda: ratios(found)),
+        ("table_shifts.svg", "One creepage alone over the shift; gaps where contact jumps.", lambda: shifts(found)),
+        ("table_wheels.svg", "Where the wheel touches, without friction.", lambda: wheels(found)),
         ("table_errors.svg", "Share of points at random at which interpolation is off by no more.", lambda: errors(found))],
         folder_of(directory))
     about = found.about
     head = (f"<h1>{escape(about['title'])}</h1><p class=meta>{escape(about['program'])}, {escape(about['started'])}<br>"
             f"<code>{escape(about['command'])}</code></p>")
     write_page(os.path.join(directory, "table.html"), page(about["title"], head, [
-        f"<p>Creep forces of Hertzian contacts, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
+        f"<p>{_of_what(found)}, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
         "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
         "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
         "<h2>Errors</h2>", _said(found), "<h2>Forces</h2>", *map(figure, drawn), "<h2>Axes</h2>", _axes(found)],

@@ -14,6 +14,8 @@ std::string table_hdf5(const CreepTable& table);
 std::string table_csv(const CreepTable& table);
 /// One row for each point at which interpolation was looked at.
 std::string interpolation_csv(const CreepTable& table);
+/// Of a table over lateral shifts: one row for each, with the wheel's contact.
+std::string shifts_csv(const CreepTable& table);
 
 /// A file table.h5, or the folder that holds it. Throws contact::InputError for one that is none,
 /// or damaged.

@@ -15,47 +15,92 @@ class Table:
                              longitudinal_creepage=[0.001, 0.002], spin=1e-4)
         force.longitudinal_force, force.force_bar              # N
 
-    axes: {"axis_ratio", "longitudinal", "lateral", "spin": values}; longitudinal_force, lateral_force (over mu F_n),
-    spin_moment (over mu F_n sqrt(a b)), force_bar, moment_bar: arrays over these four axes. interpolation: what was
-    found at points at random between those of the grid. Raises rollfem.InputError for a file that is no table, and for
-    a ratio of axes outside of it.
+        wheel = rollfem.Table("results/s1002_uic60_left_table")       # over lateral shifts
+        force = wheel.forces(lateral_shift=1.3, longitudinal_creepage=[0.001, 0.002], spin=1e-4)
+
+    axes: {"axis_ratio" or "lateral_shift", "longitudinal", "lateral", "spin": values}; longitudinal_force,
+    lateral_force (over mu F_n), spin_moment (over mu F_n sqrt(a b)), force_bar, moment_bar: arrays over these four
+    axes. interpolation: what was found at points at random between those of the grid. Over lateral shifts also
+    force_along_normal (over mu F_n) and wheels, {name: array over the shifts}: contact_angle, rolling_radius,
+    normal_force, ... (docs/tables.md); else None. Raises rollfem.InputError for a file that is no table, and for a
+    ratio or a shift outside of it.
     """
 
     def __init__(self, path):
         self._core = _CreepTable(os.fspath(path))
         found = self._core
         self.title, self.case_text, self.poisson_ratio = found.title, found.case_text, found.poisson_ratio
-        self.axes = dict(zip(("axis_ratio", "longitudinal", "lateral", "spin"), map(np.array, found.axes)))
+        first = "lateral_shift" if found.over_shifts else "axis_ratio"
+        self.axes = dict(zip((first, "longitudinal", "lateral", "spin"), map(np.array, found.axes)))
         self.interpolation = dict(found.interpolation)
         shape = tuple(len(values) for values in self.axes.values())
         forces = np.array(found.forces).reshape(*shape, 3)
         bars = np.array(found.bars).reshape(*shape, 2)
         self.longitudinal_force, self.lateral_force, self.spin_moment = np.moveaxis(forces, -1, 0)
         self.force_bar, self.moment_bar = np.moveaxis(bars, -1, 0)
+        self.wheels = self.force_along_normal = self.shear_modulus = self.friction_coefficient = None
+        if found.over_shifts:
+            self.wheels = {name: np.array(values) for name, values in found.wheels.items()}
+            self.force_along_normal = np.array(found.along_normal).reshape(shape)
+            self.shear_modulus, self.friction_coefficient = found.shear_modulus, found.friction_coefficient
 
     @property
     def shape(self):
         """Number of values of each axis."""
         return self.force_bar.shape
 
-    def scaled(self, longitudinal=0.0, lateral=0.0, spin=0.0, axis_ratio=None):
+    def scaled(self, longitudinal=0.0, lateral=0.0, spin=0.0, axis_ratio=None, lateral_shift=None):
         """Forces over mu F_n, the moment over mu F_n sqrt(a b), at scaled creepages xi', eta', phi' (docs/tables.md);
-        arguments may be arrays. Without `axis_ratio` the only one of the table. Returns a TableForces."""
-        if axis_ratio is None:
+        arguments may be arrays. Without `axis_ratio` or `lateral_shift` (mm) the only one of the table. Returns a
+        TableForces."""
+        first = next(iter(self.axes))
+        given = {"axis_ratio": axis_ratio, "lateral_shift": lateral_shift}
+        for name, value in given.items():
+            if name != first and value is not None:
+                raise ValueError(f"this table is over {first}; do: name that in place of {name}")
+        place = given[first]
+        if place is None:
             if self.shape[0] != 1:
-                raise ValueError("this table has several ratios of axes; do: name axis_ratio")
-            axis_ratio = self.axes["axis_ratio"][0]
-        return self._ask(self._core.scaled, axis_ratio, longitudinal, lateral, spin)
+                raise ValueError(f"this table has several values of {first}; do: name {first}")
+            place = self.axes[first][0]
+        return self._ask(self._core.scaled, place, longitudinal, lateral, spin)
 
-    def forces(self, *, semi_axis_x, semi_axis_y, shear_modulus, friction_bound, longitudinal_creepage=0.0,
-               lateral_creepage=0.0, spin=0.0):
-        """Forces on the wheel in the units of the arguments, which must be consistent (mm, N, MPa or m, N, Pa).
+    def forces(self, *, semi_axis_x=None, semi_axis_y=None, shear_modulus=None, lateral_shift=None, friction_bound=None,
+               longitudinal_creepage=0.0, lateral_creepage=0.0, spin=0.0):
+        """Forces of friction on the wheel. All arguments may be arrays. Returns a TableForces.
 
-        semi_axis_x, semi_axis_y: of the ellipse, along rolling and across; shear_modulus: combined, 1/G = (1/G1 +
-        1/G2)/2; friction_bound: mu F_n. All may be arrays. Returns a TableForces.
+        Of an ellipse, in the units of the arguments, which must be consistent (mm, N, MPa or m, N, Pa): semi_axis_x,
+        semi_axis_y: along rolling and across; shear_modulus: combined, 1/G = (1/G1 + 1/G2)/2; friction_bound: mu F_n.
+
+        Of a wheel, in mm, N and N mm: lateral_shift of the wheelset; friction_bound: mu F_n of all contacts, without it
+        that of the table; creepages of the main contact, the most loaded one, in whose frame the forces are. The table
+        holds for the load it was made with. Between two shifts where contact jumps the nearer one is taken, and the
+        bars hold all by which they differ.
         """
-        return self._ask(self._core.physical, semi_axis_x, semi_axis_y, shear_modulus, friction_bound,
-                         longitudinal_creepage, lateral_creepage, spin)
+        ellipse = {"semi_axis_x": semi_axis_x, "semi_axis_y": semi_axis_y, "shear_modulus": shear_modulus}
+        creepages = longitudinal_creepage, lateral_creepage, spin
+        if self.wheels is None:
+            needed = {**ellipse, "friction_bound": friction_bound}
+            excess = {"lateral_shift": lateral_shift}
+        else:
+            needed, excess = {"lateral_shift": lateral_shift}, ellipse
+        missing = [name for name, value in needed.items() if value is None]
+        wrong = [name for name, value in excess.items() if value is not None]
+        if missing or wrong:
+            raise TypeError(f"this table is over {next(iter(self.axes))}: it needs {', '.join(needed)}; "
+                            f"do: {'give ' + ', '.join(missing) if missing else 'leave out ' + ', '.join(wrong)}")
+        if self.wheels is None:
+            return self._ask(self._core.physical, *needed.values(), *creepages)
+        if friction_bound is None:
+            friction_bound = self.friction_coefficient * self.wheel_at(lateral_shift)["normal_force"]
+        return self._ask(self._core.of_wheel, lateral_shift, friction_bound, *creepages)
+
+    def wheel_at(self, lateral_shift):
+        """{name: number or array} of `wheels` at a lateral shift (mm); jump_after: 1 where contact jumps there. Raises
+        rollfem.InputError for a table over ratios of axes."""
+        shifts = np.asarray(lateral_shift, dtype=float)
+        found = self._core.wheels_at(np.ascontiguousarray(shifts).ravel())
+        return {name: np.array(values).reshape(shifts.shape)[()] for name, values in found.items()}
 
     @staticmethod
     def _ask(function, *arguments):
@@ -69,6 +114,8 @@ class Table:
         found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
         for name in ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"):
             found[name] = getattr(self, name).ravel()
+        if self.force_along_normal is not None:
+            found["force_along_normal"] = self.force_along_normal.ravel()
         return found
 
     def to_dataframe(self):
@@ -82,9 +129,9 @@ class Table:
 class TableForces:
     """What a table says: longitudinal_force, lateral_force, spin_moment, and the bars force_bar (of the force vector)
     and moment_bar, which hold the bars of the grid around the point and what 95 of 100 points at random were off by
-    interpolation. Numbers or arrays."""
+    interpolation; force_along_normal, 0 of an ellipse. Numbers or arrays."""
 
-    __slots__ = ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar")
+    __slots__ = ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar", "force_along_normal")
 
     def __init__(self, *values):
         for name, value in zip(self.__slots__, values):

@@ -112,6 +112,27 @@ TEST(Table, ForcesAreThoseOfTheModelHalfspace) {
                          -0.3 / (scale[1] * stiffness), 0.4 / (scale[2] * stiffness * c)});
 }
 
+TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
+  const Folder folder;
+  const std::string source = contents(fs::path(ROLLFEM_SOURCE_DIR) / "cases/s1002_uic60_left.toml");
+  const Outcome outcome =
+      call(folder, {"table", folder.file("case.toml", source), "-o", "out", "--set",
+                    "table.lateral_shift=[0.0,1.0,2.0]", "--set", "table.points=[2,2,3]", "--set",
+                    "table.check_points=10", "--set", "contact_grid.elements_across=12"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* text : {"81 points", "3 values of mm", "radius mm", "interpolation at 10"})
+    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
+  const fs::path out = folder.work() / "out";
+  for (const char* name : {"table.h5", "table.csv", "shifts.csv", "interpolation.csv", "table.html",
+                           "figures/table_shifts.svg", "figures/table_wheels.svg"})
+    EXPECT_TRUE(fs::exists(out / name)) << name;
+  const CreepTableReader reader(rollfem::postprocess::read_table(out.string()));
+  EXPECT_EQ(reader.table().size(), 81U);
+  EXPECT_EQ(reader.table().wheels.size(), 3U);
+  // As far as the table knows no run: the radius that the case's own position has (docs/track.md).
+  EXPECT_NEAR(reader.wheel_at(2.0).rolling_radius, 449.82, 0.02);
+}
+
 void expect_refused(const std::string& text, const std::string& said) {
   const Folder folder;
   const Outcome outcome = call(folder, {"table", folder.file("case.toml", text), "-o", "out"});

@@ -279,5 +279,57 @@ class Tables(unittest.TestCase):
             rollfem.Table(os.path.join(self.folder.name, "nothing"))
 
 
+class ShiftedTables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.case = rollfem.Case(os.path.join(ROOT, "cases", "s1002_uic60_left.toml")).with_(
+            contact_grid={"elements_across": 12},
+            table={"lateral_shift": [1.0, 3.0], "lateral_shift_step": 1.0, "points": [2, 2, 3], "check_points": 10})
+        cls.path = os.path.join(cls.folder.name, "out")
+        subprocess.run([PROGRAM, "table", cls.case.write(os.path.join(cls.folder.name, "c.toml")), "-o", cls.path,
+                        "--no-report", "-q"], check=True)
+        cls.table = rollfem.Table(cls.path)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_arrays_are_those_of_the_csv(self):
+        self.assertEqual(self.table.shape, (3, 3, 3, 3))
+        rows = np.genfromtxt(os.path.join(self.path, "table.csv"), delimiter=",", skip_header=1)
+        columns = self.table.columns()
+        for number, name in {0: "lateral_shift", 1: "longitudinal", 4: "longitudinal_force", 6: "spin_moment",
+                             10: "force_along_normal"}.items():
+            np.testing.assert_allclose(rows[:, number], columns[name], rtol=1e-6, atol=1e-9)
+        shifts = np.genfromtxt(os.path.join(self.path, "shifts.csv"), delimiter=",", names=True)
+        np.testing.assert_allclose(shifts["rolling_radius_mm"], self.table.wheels["rolling_radius"], rtol=1e-8)
+        np.testing.assert_allclose(self.table.wheel_at([1.0, 2.0])["contact_angle"], self.table.wheels["contact_angle"][:2])
+
+    def test_points_are_found_again_in_newtons(self):
+        wheels, axes = self.table.wheels, self.table.axes
+        a, b = wheels["semi_axis_x"][1], wheels["semi_axis_y"][1]
+        bound = self.table.friction_coefficient * wheels["normal_force"][1]
+        slide = self.table.forces(lateral_shift=2.0, longitudinal_creepage=[0.5, -0.5])
+        np.testing.assert_allclose(slide.longitudinal_force, [-bound, bound], rtol=0.01)
+        doubled = self.table.forces(lateral_shift=2.0, friction_bound=2 * bound, longitudinal_creepage=[1.0, -1.0])
+        np.testing.assert_allclose(doubled.longitudinal_force, 2 * slide.longitudinal_force, rtol=1e-12)
+        at_rest = self.table.forces(lateral_shift=2.0)
+        self.assertAlmostEqual(at_rest.longitudinal_force, bound * self.table.longitudinal_force[1, 1, 1, 1], 6)
+        self.assertAlmostEqual(at_rest.spin_moment, bound * np.sqrt(a * b) * self.table.spin_moment[1, 1, 1, 1], 5)
+        found = self.table.scaled(axes["longitudinal"], lateral_shift=3.0)
+        np.testing.assert_allclose(found.lateral_force, self.table.lateral_force[2, :, 1, 1], atol=1e-12)
+
+    def test_wrong_questions_are_refused(self):
+        with self.assertRaises(rollfem.InputError):
+            self.table.forces(lateral_shift=3.5)
+        with self.assertRaisesRegex(TypeError, "it needs lateral_shift"):
+            self.table.forces(longitudinal_creepage=0.001)
+        with self.assertRaisesRegex(TypeError, "leave out semi_axis_x"):
+            self.table.forces(lateral_shift=2.0, semi_axis_x=5.0)
+        with self.assertRaisesRegex(ValueError, "over lateral_shift"):
+            self.table.scaled(1.0, axis_ratio=1.0)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

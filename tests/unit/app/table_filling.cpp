@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/records_in_memory.hpp"
 #include <cmath>
-#include <map>
 
 namespace {
 
@@ -29,21 +29,9 @@ contact::Case case_of(const std::string& table, double poisson_ratio = 0.25) {
       "case");
 }
 
-/// Keeps records in memory; of some it says that they were never kept.
-class Memory : public contact::Checkpoint {
- public:
-  std::optional<std::string> find(const std::string& name) override {
-    const auto found = records.find(name);
-    return found == records.end() ? std::nullopt : std::optional<std::string>(found->second);
-  }
-  void keep(const std::string& name, const std::string& record) override { records[name] = record; }
-
-  std::map<std::string, std::string> records;
-};
-
 CreepTable filled(const contact::Case& input, contact::Checkpoint* checkpoint = nullptr) {
   CreepTable table = app::empty_table(input);
-  app::fill_table(table, input.table.check_points, {}, checkpoint);
+  app::fill_table(table, input, {}, checkpoint);
   return table;
 }
 
@@ -127,13 +115,13 @@ TEST(TableFilling, InterpolationIsJudgedAtPointsThatWereSolvedFor) {
   const CreepTableReader reader(table);
   double largest = 0.0;
   for (const auto& point : table.checked) {
-    const Scaled scale = reader.scale_at(point.axis_ratio);
-    const auto alone = solved({{point.axis_ratio, table.poisson_ratio}},
+    const Scaled scale = reader.scale_at(point.place);
+    const auto alone = solved({{point.place, table.poisson_ratio}},
                               {{0, point.creepage[0] / scale[0], point.creepage[1] / scale[1],
                                 point.creepage[2] / scale[2]}})[0];
     EXPECT_NEAR(point.solved[0], alone.limit.longitudinal, 1e-10);
-    EXPECT_GE(point.axis_ratio, 0.7);
-    EXPECT_LE(point.axis_ratio, 1.4);
+    EXPECT_GE(point.place, 0.7);
+    EXPECT_LE(point.place, 1.4);
     largest = std::max(largest, std::hypot(point.interpolated[0] - alone.limit.longitudinal,
                                            point.interpolated[1] - alone.limit.lateral));
   }
@@ -146,23 +134,22 @@ TEST(TableFilling, TakenUpItIsTheSameToTheLastBit) {
   const contact::Case input = case_of(
       "axis_ratio = [0.7, 1.4]\npoints = [4, 3, 7]\nlargest = [2.0, 1.5, 2.0]\ncheck_points = "
       "20\n");
-  Memory memory;
+  rollfem::testing::RecordsInMemory memory;
   const CreepTable whole = filled(input, &memory);
   EXPECT_EQ(whole.forces, small_table().forces);
   const std::size_t all = memory.records.size();
   EXPECT_GE(all, 4U);
-  int n = 0;
-  for (auto record = memory.records.begin(); record != memory.records.end();)
-    record = ++n % 2 == 0 ? memory.records.erase(record) : std::next(record);
+  memory.forget_every_second();
   EXPECT_EQ(filled(input, &memory).forces, whole.forces);
   EXPECT_EQ(memory.records.size(), all);
 }
 
 TEST(TableFilling, WhatIsRaisedByProgressEndsIt) {
   struct Stop {};
-  CreepTable table = app::empty_table(case_of("points = [3, 3, 3]\ncheck_points = 0\n"));
+  const contact::Case input = case_of("points = [3, 3, 3]\ncheck_points = 0\n");
+  CreepTable table = app::empty_table(input);
   EXPECT_THROW(app::fill_table(
-                   table, 0, [](const contact::ProgressEvent&) { throw Stop(); }, nullptr),
+                   table, input, [](const contact::ProgressEvent&) { throw Stop(); }, nullptr),
                Stop);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "rollfem/rollfem.h"
+#include "support/shifted_table.hpp"
 #include "support/temporary_folder.hpp"
 #include <memory>
 #include <string>
@@ -66,6 +67,79 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
             ROLLFEM_REFUSED);
   EXPECT_NE(std::string(message).find("a/b = 0.2"), std::string::npos) << message;
   EXPECT_EQ(forces.longitudinal_force, 0.0);
+}
+
+Table opened(const std::string& file) {
+  return {rollfem_table_open(file.c_str(), nullptr, 0), rollfem_table_close};
+}
+
+TEST(CTable, OfShiftsSaysWhatTheTableSaysInEveryUnit) {
+  const rollfem::testing::TemporaryFolder folder;
+  const CreepTable truth = rollfem::testing::table_of_shifts(3);
+  const postprocess::CreepTableReader reader(truth);
+  const Table table = opened(folder.file("table.h5", postprocess::table_hdf5(truth)));
+  ASSERT_NE(table, nullptr);
+  const auto expected = reader.of_wheel(0.4, 12e3, {0.001, -0.002, 3e-4});
+  struct Unit {
+    rollfem_units units;
+    double length, force;
+  };
+  for (const auto& [units, length, force] :
+       {Unit{ROLLFEM_MM_N, 1.0, 1.0}, Unit{ROLLFEM_M_N, 1e3, 1.0}, Unit{ROLLFEM_MM_KN, 1.0, 1e3}}) {
+    const rollfem_shifted_wheel wheel{units, 0.4 / length, 12e3 / force,
+                                      0.001, -0.002,       3e-4 * length};
+    rollfem_wheel_forces forces;
+    ASSERT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, nullptr, 0), ROLLFEM_OK);
+    EXPECT_NEAR(force * forces.longitudinal_force, expected.forces[0], 1e-8);
+    EXPECT_NEAR(force * forces.lateral_force, expected.forces[1], 1e-8);
+    EXPECT_NEAR(force * length * forces.spin_moment, expected.forces[2], 1e-7);
+    EXPECT_NEAR(force * forces.force_along_normal, expected.along_normal, 1e-8);
+    EXPECT_NEAR(force * forces.force_bar, expected.force_bar, 1e-8);
+    EXPECT_NEAR(force * length * forces.moment_bar, expected.moment_bar, 1e-7);
+    EXPECT_NEAR(force * forces.friction_bound, 12e3, 1e-8);
+    EXPECT_NEAR(force * forces.normal_force, 50e3, 1e-8);
+    EXPECT_NEAR(length * forces.rolling_radius, 449.6, 1e-10);
+    EXPECT_NEAR(forces.contact_angle, 0.12, 1e-14);
+    EXPECT_EQ(forces.jumps, 0);
+  }
+}
+
+TEST(CTable, OfShiftsTakesItsOwnFrictionAndTellsOfJumps) {
+  const rollfem::testing::TemporaryFolder folder;
+  const CreepTable truth = rollfem::testing::table_of_shifts(3);
+  const Table table = opened(folder.file("table.h5", postprocess::table_hdf5(truth)));
+  ASSERT_NE(table, nullptr);
+  const rollfem_shifted_wheel wheel{ROLLFEM_MM_N, 1.2, 0.0, 0.001, 0.0, 0.0};
+  rollfem_wheel_forces forces;
+  ASSERT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, nullptr, 0), ROLLFEM_OK);
+  const auto expected = postprocess::CreepTableReader(truth).of_wheel(1.2, 15e3, {0.001, 0.0, 0.0});
+  EXPECT_NEAR(forces.friction_bound, 15e3, 1e-9);
+  EXPECT_NEAR(forces.longitudinal_force, expected.forces[0], 1e-9);
+  EXPECT_NEAR(forces.force_bar, expected.force_bar, 1e-9);
+  EXPECT_EQ(forces.jumps, 1);
+}
+
+TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
+  const rollfem::testing::TemporaryFolder folder;
+  char message[300];
+  const Table ratios = opened(folder.file("a/table.h5", postprocess::table_hdf5(some_table())));
+  const Table shifts = opened(
+      folder.file("b/table.h5", postprocess::table_hdf5(rollfem::testing::table_of_shifts(2))));
+  ASSERT_TRUE(ratios && shifts);
+  rollfem_shifted_wheel wheel{ROLLFEM_MM_N, 0.5, 0.0, 0.001, 0.0, 0.0};
+  rollfem_wheel_forces forces;
+  EXPECT_EQ(rollfem_table_wheel_forces(ratios.get(), &wheel, &forces, message, sizeof message),
+            ROLLFEM_REFUSED);
+  EXPECT_NE(std::string(message).find("over ratios of axes"), std::string::npos) << message;
+  wheel.lateral_shift = 4.0;
+  EXPECT_EQ(rollfem_table_wheel_forces(shifts.get(), &wheel, &forces, message, sizeof message),
+            ROLLFEM_REFUSED);
+  EXPECT_NE(std::string(message).find("lateral shift 4 mm"), std::string::npos) << message;
+  EXPECT_EQ(forces.force_bar, 0.0);
+  const rollfem_ellipse ellipse{6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
+  rollfem_creep_forces of_ellipse;
+  EXPECT_EQ(rollfem_table_forces(shifts.get(), &ellipse, &of_ellipse, message, sizeof message),
+            ROLLFEM_REFUSED);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+// A checkpoint that keeps its records in memory.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace rollfem::testing {
+
+class RecordsInMemory : public contact::Checkpoint {
+ public:
+  std::optional<std::string> find(const std::string& name) override {
+    const auto found = records.find(name);
+    return found == records.end() ? std::nullopt : std::optional<std::string>(found->second);
+  }
+  void keep(const std::string& name, const std::string& record) override { records[name] = record; }
+
+  void forget_every_second() {
+    int n = 0;
+    for (auto record = records.begin(); record != records.end();)
+      record = ++n % 2 == 0 ? records.erase(record) : std::next(record);
+  }
+
+  std::map<std::string, std::string> records;
+};
+
+}  // namespace rollfem::testing
