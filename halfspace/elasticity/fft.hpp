@@ -32,7 +32,8 @@ struct FftAllocator {
 
 /// Transforms between a field of nx by ny values and the spectrum of the padded field. The
 /// transform of a real field is kept for the frequencies kx = 0 .. px/2, index kx * py + ky.
-/// forward() and backward() are const but share work space: one thread at a time per object.
+/// forward() and backward() are const but share work space: one thread at a time per object. Large
+/// transforms take a second thread.
 class PaddedFft {
  public:
   using Spectrum = std::vector<std::complex<double>, FftAllocator<std::complex<double>>>;
@@ -61,8 +62,8 @@ class PaddedFft {
 
  private:
   struct Plans;
-  void forward(const contact::Field& field, Spectrum& spectrum, double* rows) const;
-  void backward(Spectrum& spectrum, contact::Field& field, double* rows) const;
+  void forward(const contact::Field& field, Spectrum& spectrum, double* rows, bool at_once) const;
+  void backward(Spectrum& spectrum, contact::Field& field, double* rows, bool at_once) const;
 
   int nx_;
   int ny_;
