@@ -108,10 +108,10 @@ void refuse(const std::string& file, const Refused& refused, bool nothing_left) 
     all.insert(all.end(), numbers.begin(), numbers.end());
   std::sort(all.begin(), all.end());
   throw contact::InputError(
-      fmt::format("convert: {}: {} {} no equivalent, nothing is written; do: {}", file,
+      fmt::format("convert: {}: {} {} no equivalent, nothing was written; do: {}", file,
                   case_words(all), all.size() == 1 ? "has" : "have",
                   nothing_left ? "see docs/coming_from_contact.md for what can be converted"
-                               : "change them, or write the others with --partial"));
+                               : "change them, or convert the others with --partial"));
 }
 
 /// Profiles that the run will not find.
@@ -126,7 +126,7 @@ void warn_of_missing_profiles(const std::vector<convert::ContactCase>& cases,
   for (const std::string& name : names)
     if (!fs::exists(file.parent_path() / name))
       std::cerr << fmt::format(
-          "warning: the profile {} is missing; do: put it beside {} before you run the cases\n",
+          "warning: the profile {} does not exist; do: put it beside {} before running the cases\n",
           name, file.string());
 }
 

@@ -55,8 +55,10 @@ void read_wheel_on_rail(InputLines& lines, ContactCase& next) {
 void check_first(const InputLines& lines, const ContactCase& first) {
   const Digits& digits = first.digits;
   const auto refuse = [&](const char* digit, const char* what) {
-    lines.fail(fmt::format("digit {} of the first case keeps {} of a case before", digit, what),
-               "begin with a case that gives everything anew");
+    lines.fail(
+        fmt::format("digit {} of the first case keeps {} of a previous case, and there is none",
+                    digit, what),
+        "begin with a case that gives all its data");
   };
   if (digits.L == 1) refuse("L", "the friction");
   if (digits.D == 0) refuse("D", "the grid");
@@ -77,7 +79,7 @@ std::vector<ContactCase> read_contact_file(std::string_view text, const std::str
       lines.fail(fmt::format("module {:g}; allowed: 1 (wheel and rail), 3 (single contacts), "
                              "0 (the end)",
                              module),
-                 "look whether a line is missing above it");
+                 "check for a missing line above it");
     next.module = static_cast<int>(module);
     next.number = static_cast<int>(cases.size()) + 1;
     next.line = lines.line();
@@ -89,7 +91,7 @@ std::vector<ContactCase> read_contact_file(std::string_view text, const std::str
       read_wheel_on_rail(lines, next);
     cases.push_back(next);
   }
-  if (cases.empty()) lines.fail("there is no case in this file", "name an input file of CONTACT");
+  if (cases.empty()) lines.fail("the file contains no case", "give an input file of CONTACT");
   return cases;
 }
 

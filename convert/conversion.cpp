@@ -48,7 +48,7 @@ void roll_first_step(Group& group, const Equivalent& next) {
   group.first.problem = "transient";
   group.first.fixed["rolling"] = next.fixed.at("rolling");
   group.notes.push_back(
-      "the first step is a shift in CONTACT, which from rest is a step of rolling under the same "
+      "the first step is a shift in CONTACT; from rest it equals a step of rolling under the same "
       "force");
 }
 
@@ -119,8 +119,8 @@ std::string case_text(const Group& group, const std::string& name, const std::st
   const std::string which = group.cases.size() == 1 ? "case" : "cases";
   std::string text = fmt::format("# Made by rollfem convert of {}, {} {}", source, which,
                                  numbers_text(group.cases));
-  text += group.cases.size() == 1 ? ".\n" : ": its load points in this order.\n";
-  text += "# Signs and what becomes of every digit: docs/coming_from_contact.md\n";
+  text += group.cases.size() == 1 ? ".\n" : ", one load point each, in this order.\n";
+  text += "# Signs, and how every digit is converted: docs/coming_from_contact.md\n";
   text += "# Units: mm, N, MPa, rad. Keys: docs/case-file.md\n";
   for (const std::string& note : group.notes) text += "# note: " + note + "\n";
   text += fmt::format("\ntitle = {}\nmodels = [\"{}\"]\n",
@@ -169,12 +169,11 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
     coarse = made.too_coarse && (begins_late || !made.continues);
     if (made.impossible.empty() && begins_late)
       made.notes.push_back(
-          "the history begins here: the cases before have fewer than 4 elements across the patch");
+          "the history begins here: earlier cases have fewer than 4 elements across the patch");
     else if (made.impossible.empty() && made.continues && !joined)
-      made.impossible.push_back(
-          open ? "digit P = 0: it continues a case from which it differs in more than load, "
-                 "creepages and forces"
-               : "digit P = 0: it continues a case without an equivalent");
+      made.impossible.push_back(open ? "digit P = 0: it continues a case but differs from it in "
+                                       "more than load, creepages and forces"
+                                     : "digit P = 0: it continues a case that has no equivalent");
     open = made.impossible.empty();
     if (!open) {
       conversion.refused.push_back({given.number, given.line, made.impossible});

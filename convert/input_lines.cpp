@@ -72,7 +72,7 @@ std::vector<double> InputLines::take_numbers(std::size_t count, std::size_t more
   while (values.size() < count) {
     const std::string& missing = name_of(values.size());
     if (fields == nullptr || at == fields->size()) {
-      if (at_end()) fail("the file ends before " + missing, "look whether it is complete");
+      if (at_end()) fail("the file ends before " + missing, "check that it is complete");
       fields = &take().fields;
       if (first == 0) first = line_;
       at = 0;
@@ -80,7 +80,7 @@ std::vector<double> InputLines::take_numbers(std::size_t count, std::size_t more
     const auto value = number((*fields)[at++]);
     if (!value)
       fail(fmt::format("expected {}, got {}", missing, contact::printable((*fields)[at - 1])),
-           "look whether a value or a line is missing, or the file is of another version");
+           "check for a missing value or line, or a file of another version of CONTACT");
     values.push_back(*value);
   }
   for (; fields != nullptr && at < fields->size() && more > 0; --more) {
@@ -104,19 +104,19 @@ std::vector<double> InputLines::array(const std::string& name, std::size_t count
 int InputLines::whole(double value, const char* name, int least, int most) const {
   if (value != std::floor(value) || value < least || value > most)
     fail(fmt::format("{} = {:g}; allowed: a whole number from {} to {}", name, value, least, most),
-         "look whether a value or a line is missing above it");
+         "check for a missing value or line above it");
   return static_cast<int>(value);
 }
 
 InputLines::Named InputLines::named(const std::string& what, const std::vector<std::string>& names,
                                     std::size_t more) {
-  if (at_end()) fail("the file ends before " + what, "look whether it is complete");
+  if (at_end()) fail("the file ends before " + what, "check that it is complete");
   // The text is taken off its line, whose numbers are then read as those of any other.
   std::vector<std::string>& fields = lines_[next_].fields;
   line_ = lines_[next_].number;
   if (fields.front().front() != '\'')
     fail(fmt::format("expected {} in quotes, got {}", what, contact::printable(fields.front())),
-         "look whether a line is missing");
+         "check for a missing line");
   Named result;
   result.text = std::string(contact::trimmed(std::string_view(fields.front()).substr(1)));
   fields.erase(fields.begin());

@@ -74,7 +74,7 @@ void read_friction(InputLines& lines, ContactCase& next, int sets) {
     add({"FREF", "TREF", "DFHEAT", "DTHEAT"});
   else
     lines.fail(fmt::format("digit L = {}; allowed: 0 to 4 and 6", L),
-               "look whether a line is missing above it");
+               "check for a missing line above it");
   for (int set = 0; set < sets; ++set) {
     const auto values = lines.numbers(names);
     if (L == 0) next.fstat = values[values.size() - 2], next.fkin = values.back();
@@ -198,7 +198,7 @@ void read_undeformed_distance(InputLines& lines, ContactCase& next) {
         lines.array("H of every element", count(next.potential.mx) * count(next.potential.my));
   } else {
     lines.fail(fmt::format("IBASE = {}; allowed: 1, 2, 3, 9", distance.ibase),
-               "look whether a line is missing above it");
+               "check for a missing line above it");
   }
   read_planform(lines, distance.iplan);
 }

@@ -24,12 +24,13 @@ std::optional<double> turn(const ContactCase& given, Equivalent& made) {
   if (std::abs(chi) < 1e-9) return 1.0;
   if (std::abs(std::abs(chi) - contact::pi) < 1e-9) {
     made.notes.push_back(
-        "CHI = 180 degrees: the case rolls along +x here, in axes turned by half a turn; against "
-        "CONTACT x, y, F_x and F_y change their sign, the spin and M_z do not");
+        "CHI = 180 degrees: the axes are turned by half a turn so that the case rolls along +x; x, "
+        "y, F_x and F_y have the opposite sign of CONTACT's, spin and M_z the same");
     return -1.0;
   }
-  made.impossible.push_back(fmt::format(
-      "CHI = {:g} degrees: bodies roll along x; allowed: 0 and 180", chi * 180.0 / contact::pi));
+  made.impossible.push_back(
+      fmt::format("CHI = {:g} degrees: rolling is along x only; allowed: 0 and 180",
+                  chi * 180.0 / contact::pi));
   return std::nullopt;
 }
 
@@ -55,7 +56,7 @@ void judge_values(const ContactCase& given, Equivalent& made) {
   for (std::size_t body = 0; body < 2; ++body) {
     const double nu = given.bodies.poisson[body];
     demand(given.bodies.shear_modulus[body] > 0.0, "GG must be positive");
-    demand(nu >= 0.0 && nu < 0.5, "POISS must be from 0 to below 0.5");
+    demand(nu >= 0.0 && nu < 0.5, "POISS must be at least 0 and below 0.5");
   }
   demand(given.kinematics[0] > 0.0,
          given.digits.N == 0 ? "PEN must be positive" : "FN must be positive");
@@ -67,7 +68,7 @@ void judge_values(const ContactCase& given, Equivalent& made) {
   const double first = given.potential.ipotcn == -2 ? 1.0 : size[0];
   if (given.potential.ipotcn < 0 && given.potential.ipotcn >= -3)
     demand(!is_line(std::pow(first, power), std::pow(size[1], power)),
-           "curvatures so different are a line contact");
+           "the curvatures differ so much that this is a line contact");
 }
 
 void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
@@ -79,7 +80,8 @@ void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
   if (digits.T == 0) return;
   if (digits.F > 0 && digits.N == 0) {
     made.impossible.push_back(
-        "digits N = 0, F > 0: tangential forces over a normal force that is not known before");
+        "digits N = 0, F > 0: tangential forces are relative to a normal force that is not known "
+        "in advance");
     return;
   }
   const std::array<const char*, 2> names{"longitudinal", "lateral"};
@@ -110,7 +112,7 @@ void set_grid(const ContactCase& given, const Area& area, double sign, Equivalen
   if (given.potential.my > 1)
     fill_stresses(given, area, sign, made);
   else if (given.digits.S > 0)
-    made.notes.push_back("stresses below a line contact (digit S) are left out");
+    made.notes.push_back("stresses below a line contact (digit S) are not converted");
 }
 
 Area stated_area(const PotentialContact& given) {
@@ -177,7 +179,7 @@ void judge_resolution(const HertzContact& hertz, double dx, double dy, Equivalen
   if (along >= 4.0 && across >= 4.0) return;
   made.too_coarse = made.impossible.empty();
   made.impossible.push_back(fmt::format(
-      "the patch is {:g} by {:g} elements; allowed: at least 4 each way", along, across));
+      "the patch is {:g} by {:g} elements; allowed: at least 4 in each direction", along, across));
 }
 
 void fill_ellipse(const ContactCase& given, double modulus, double sign, Equivalent& made) {
@@ -237,20 +239,22 @@ void fill_line(const ContactCase& given, Area area, double modulus, double sign,
   const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
   if (given.distance.ibase != 1 || !(B[0] > 0.0) ||
       std::any_of(B.begin() + 1, B.end(), [](double value) { return value != 0.0; }))
-    return refuse("MY = 1: a line contact of rollers has IBASE = 1 with B1 > 0 and no other B");
-  if (given.digits.N == 0) return refuse("MY = 1, N = 0: a line contact under a given approach");
-  if (given.kinematics[3] != 0.0) return refuse("MY = 1, CPHI: a line contact that spins");
+    return refuse(
+        "MY = 1: a line contact of rollers needs IBASE = 1 with B1 > 0 and all other B = 0");
+  if (given.digits.N == 0) return refuse("MY = 1, N = 0: a line contact with prescribed approach");
+  if (given.kinematics[3] != 0.0) return refuse("MY = 1, CPHI: a line contact with spin");
   const double row = given.potential.mx * area.dx;
   if (area.dy < longest_row * row)
     return refuse(
-        fmt::format("MY = 1: elements of {:g} mm across are no line contact; allowed: {:g} times "
-                    "the {:g} mm of the row",
+        fmt::format("MY = 1: DY = {:g} mm is too short for a line contact; allowed: at least {:g} "
+                    "times the row of {:g} mm",
                     area.dy, longest_row, row));
   made.set_word("geometry", "shape", "line");
-  made.set("geometry", "width", area.dy, "mm, that forces are of: DY");
+  made.set("geometry", "width", area.dy, "mm, the width that forces refer to: DY");
   const double radius = 0.5 / B[0];
   made.set("geometry", "relative_radius", radius, fmt::format("mm, B1 = {:g} /mm", B[0]));
-  made.set("geometry", "reference_distance", area.dy, "mm, the approach of elements that long");
+  made.set("geometry", "reference_distance", area.dy,
+           "mm, so that the approach is that of elements of this length");
   area.y = -0.5 * area.dy;
   set_grid(given, area, sign, made);
   made.varied.erase("rolling.spin");
@@ -263,18 +267,20 @@ void fill_line(const ContactCase& given, Area area, double modulus, double sign,
 void fill_distance(const ContactCase& given, double modulus, double sign, Equivalent& made) {
   const UndeformedDistance& distance = given.distance;
   const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
-  if (distance.iplan != 1) refuse(fmt::format("IPLAN = {}: a given planform", distance.iplan));
+  if (distance.iplan != 1) refuse(fmt::format("IPLAN = {}: a prescribed planform", distance.iplan));
   if (distance.ibase == 2 || distance.ibase == 3)
-    refuse(fmt::format("IBASE = {}: this kind of undeformed distance (1 and 9 can be had)",
-                       distance.ibase));
+    refuse(fmt::format(
+        "IBASE = {}: this kind of undeformed distance (only 1 and 9 have an equivalent)",
+        distance.ibase));
   if (!made.impossible.empty()) return;
   const Area area = stated_area(given.potential);
   const auto& B = distance.values;
-  if (area.dx <= 0.0 || area.dy <= 0.0) return refuse("the elements have no size");
+  if (area.dx <= 0.0 || area.dy <= 0.0) return refuse("the element size is not positive");
   if (given.potential.my == 1) return fill_line(given, area, modulus, sign, made);
   const bool plain = distance.ibase == 1 && B[1] == 0.0 && B[3] == 0.0 && B[4] == 0.0 &&
                      B[5] == 0.0 && B[0] > 0.0 && B[2] > 0.0;
-  if (plain && is_line(B[0], B[2])) return refuse("curvatures so different are a line contact");
+  if (plain && is_line(B[0], B[2]))
+    return refuse("the curvatures differ so much that this is a line contact");
   set_grid(given, area, sign, made);
   if (plain) {
     made.set_pair("undeformed_distance", "quadratic", B[0], B[2], "1/mm, h = A x^2 + B y^2");

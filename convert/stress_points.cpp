@@ -95,10 +95,10 @@ void fill_stresses(const ContactCase& given, const ElementPlaces& elements, doub
     const auto texts = Block(block, elements, sign).entries();
     entries += texts.size();
     if (texts.empty() || entries > most_entries)
-      made.notes.push_back(fmt::format(
-          "a block of {} by {} by {} points below the surface is left out: rollfem stress has "
-          "planes and lines, after the run",
-          block.x.size(), block.y.size(), block.z.size()));
+      made.notes.push_back(
+          fmt::format("a block of {} by {} by {} points below the surface is not converted: "
+                      "rollfem stress evaluates planes and lines after the run",
+                      block.x.size(), block.y.size(), block.z.size()));
     else
       for (const std::string& text : texts) made.stresses += "\n" + text;
   }

@@ -34,7 +34,7 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
     refuse(fmt::format("SCALE = {:g}; allowed: 1 (mm), 25.4 (inch), 1000 (m)", profile.scale));
   if (profile.smooth != 0.0 || profile.has_options)
     refuse(
-        "smoothing by CONTACT's spline (SMOOTH, PRFOPT); give it as 0 and use "
+        "smoothing by CONTACT's spline (SMOOTH, PRFOPT); set it to 0 and use "
         "wheel_profile.smoothing or rail_profile.smoothing");
   if (profile.name.size() > 5 && profile.name.substr(profile.name.size() - 5) == ".slcs")
     refuse("profiles that vary along the track");
@@ -42,12 +42,13 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
 
 void fill_track(const WheelRail& pair, const std::string& profile_folder, Equivalent& made) {
   if (pair.gauge_height <= 0.0)
-    made.impossible.push_back("GAUGHT <= 0: a rail placed by RAILY0, RAILZ0 in place of the gauge");
+    made.impossible.push_back("GAUGHT <= 0: a rail placed by RAILY0, RAILZ0 instead of the gauge");
   if (pair.gauge_sequence > 1.0)
-    made.impossible.push_back(fmt::format(
-        "GAUGSQ = {:g}: the gauge is measured at the first gauge point", pair.gauge_sequence));
+    made.impossible.push_back(
+        fmt::format("GAUGSQ = {:g}: the gauge is always measured at the first gauge point",
+                    pair.gauge_sequence));
   if (any(pair.rail_deviations))
-    made.impossible.push_back("DY to VROLL: a rail out of its place or in motion");
+    made.impossible.push_back("DY to VROLL: a displaced or moving rail");
   made.set("track", "gauge", pair.gauge, "mm");
   made.set("track", "gauge_height", pair.gauge_height, "mm below the top of the rails");
   if (pair.cant == 0.0)
@@ -63,8 +64,9 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   const auto& [s, y, vertical, roll, yaw, pitch] = pair.position;
   const auto& [vs, vy, vz, vroll, vyaw, vpitch] = pair.velocity;
   const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
-  if (given.digits.N == 0) refuse("digit N = 0: the height of the wheelset in place of its load");
-  if (any(pair.wheel_deviations)) refuse("digit E >= 4: a wheelset that is bent");
+  if (given.digits.N == 0)
+    refuse("digit N = 0: a prescribed height of the wheelset instead of its load");
+  if (any(pair.wheel_deviations)) refuse("digit E >= 4: a flexible wheelset");
   made.set_word("wheelset", "side", given.digits.config == 0 ? "left" : "right");
   made.set("wheelset", "flange_back_distance", pair.flange_back_distance, "mm");
   made.set("wheelset", "flange_back_position", pair.flange_back_position, "mm");
@@ -73,8 +75,8 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   made.varied["wheelset.yaw"] = yaw;
   made.varied["wheelset.roll"] = roll;
   if (given.digits.T == 0) return;
-  if (vs <= 0.0) return refuse("VS is not positive: the wheelset rolls forward");
-  if (vz != 0.0 || vroll != 0.0) refuse("VZ, VROLL: a wheelset that heaves or rolls about x");
+  if (vs <= 0.0) return refuse("VS is not positive: the wheelset must roll forward");
+  if (vz != 0.0 || vroll != 0.0) refuse("VZ, VROLL: a wheelset with a vertical or roll velocity");
   if (vy != 0.0) made.set("wheelset", "lateral_velocity", vy / vs, "VY / VS");
   if (vyaw != 0.0) made.set("wheelset", "yaw_velocity", vyaw / vs, "rad/mm, VYAW / VS");
   if (given.digits.F == 0)
@@ -83,8 +85,9 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   else if (given.digits.F == 1 && vpitch == 0.0)
     made.set_word("wheelset", "free_rolling", "force");
   else
-    refuse(fmt::format("digit F = {}: a given force or moment of the wheel other than no force",
-                       given.digits.F));
+    refuse(
+        fmt::format("digit F = {}: a prescribed force or moment on the wheel other than zero force",
+                    given.digits.F));
 }
 
 }  // namespace
@@ -113,12 +116,12 @@ void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder
     made.set_word("rolling", "upwind_order", "first");
   }
   made.notes.push_back(
-      "DQREL, A_SEP, D_SEP and D_COMB have no equivalent: which places share a grid follows from "
-      "their angles (docs/track.md)");
+      "DQREL, A_SEP, D_SEP and D_COMB are ignored: contacts share a grid depending on their angles "
+      "(docs/track.md)");
   if (made.varied["wheelset.yaw"] != 0.0 || made.varied["wheelset.lateral_shift"] != 0.0)
     made.notes.push_back(
-        "slip is over the forward speed here, over the mean of forward and circumferential speed "
-        "in CONTACT");
+        "creepages are relative to the forward speed; CONTACT divides by the mean of forward and "
+        "circumferential speed");
 }
 
 }  // namespace rollfem::convert

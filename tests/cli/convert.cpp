@@ -42,7 +42,7 @@ TEST(Convert, WritesTheOthersWhenToldTo) {
   EXPECT_NE(refused.err.find("case 4: no equivalent: FSTAT = 0.4 and FKIN = 0.3 differ"),
             std::string::npos)
       << refused.err;
-  EXPECT_NE(refused.err.find("write the others with --partial"), std::string::npos);
+  EXPECT_NE(refused.err.find("convert the others with --partial"), std::string::npos);
   EXPECT_TRUE(folder.made().empty());
   const Outcome made = call(folder, {"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(made.status, 0) << made.err;
@@ -75,8 +75,8 @@ TEST(Convert, ProfilesThatAreNotThereAreWarnedOf) {
   const std::string file = folder.file("wheel.inp", left_wheel);
   const Outcome made = call(folder, {"convert", file});
   EXPECT_EQ(made.status, 0) << made.err;
-  EXPECT_NE(made.err.find("warning: the profile rail.csv is missing"), std::string::npos);
-  EXPECT_NE(made.err.find("warning: the profile wheel.csv is missing"), std::string::npos);
+  EXPECT_NE(made.err.find("warning: the profile rail.csv does not exist"), std::string::npos);
+  EXPECT_NE(made.err.find("warning: the profile wheel.csv does not exist"), std::string::npos);
 }
 
 TEST(Convert, FilesThatAreNoInputAreRefused) {

@@ -95,20 +95,19 @@ TEST(ContactInput, ReadsWheelAndRail) {
 }
 
 TEST(ContactInput, SaysWhereItStoppedToUnderstand) {
-  EXPECT_EQ(
-      message_of(replaced(pushed_ball, "0.30  0.30  ", "0.30  FKIN  ")),
-      "made.inp:8: expected FKIN, got FKIN; do: look whether a value or a line is missing, or "
-      "the file is of another version");
+  EXPECT_EQ(message_of(replaced(pushed_ball, "0.30  0.30  ", "0.30  FKIN  ")),
+            "made.inp:8: expected FKIN, got FKIN; do: check for a missing value or line, or a file "
+            "of another version of CONTACT");
   EXPECT_EQ(message_of(pushed_ball.substr(0, pushed_ball.find("0.02 0.0"))),
-            "made.inp:12: the file ends before B1; do: look whether it is complete");
+            "made.inp:12: the file ends before B1; do: check that it is complete");
   EXPECT_NE(message_of(replaced(pushed_ball, " 36 36 ", " 99999 99999 "))
                 .find("MX MY = 99999 by 99999 elements; allowed: 4e+06 in all"),
             std::string::npos);
   EXPECT_NE(message_of(" 4 module\n").find("module 4; allowed: 1 (wheel and rail), 3"),
             std::string::npos);
-  EXPECT_NE(message_of("% nothing\n").find("no case in this file"), std::string::npos);
+  EXPECT_NE(message_of("% nothing\n").find("the file contains no case"), std::string::npos);
   EXPECT_NE(message_of(replaced(rolling_ellipse, " 022020 ", " 122020 "))
-                .find("digit L of the first case keeps the friction of a case before"),
+                .find("digit L of the first case keeps the friction of a previous case"),
             std::string::npos);
   EXPECT_NE(message_of(replaced(pushed_ball, " 36 36 ", " 36.5 36 ")).find("MX = 36.5; allowed"),
             std::string::npos);
