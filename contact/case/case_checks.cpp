@@ -185,13 +185,21 @@ const GivenValue* GivenCase::find(const std::string& section, const std::string&
   return found == values.end() ? nullptr : &found->second;
 }
 
+bool is_option(const std::string& file) {
+  return file.rfind("--set ", 0) == 0;
+}
+
 void fail(const std::string& file, const CaseProblem& problem) {
   std::string text = file;
-  if (problem.line > 0) text += fmt::format(":{}:{}", problem.line, problem.column);
-  text += ": ";
-  if (!problem.key.empty()) text += problem.key;
-  if (!problem.value.empty()) text += " = " + problem.value;
-  if (!problem.key.empty()) text += ": ";
+  if (is_option(file)) {
+    text += ": ";
+  } else {
+    if (problem.line > 0) text += fmt::format(":{}:{}", problem.line, problem.column);
+    text += ": ";
+    if (!problem.key.empty()) text += problem.key;
+    if (!problem.value.empty()) text += " = " + problem.value;
+    if (!problem.key.empty()) text += ": ";
+  }
   text += problem.wrong;
   if (!problem.allowed.empty()) text += "; allowed: " + problem.allowed;
   if (!problem.action.empty()) text += "; do: " + problem.action;
@@ -250,7 +258,7 @@ void check_geometry(const GivenCase& given, const Case& input) {
   CaseProblem problem =
       problem_at("wheel.transverse_radius", *given.find("wheel", "transverse_radius"));
   if (std::isinf(wheel) && std::isinf(rail)) {
-    problem.wrong = "flat on a flat rail is a line contact without ends";
+    problem.wrong = "flat on a flat rail is an endless line contact";
     problem.allowed = "a finite radius of the wheel or of the rail";
     problem.action =
         "give one of the two profiles a radius, which may be very large, or write shape = \"line\" "

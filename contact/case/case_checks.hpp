@@ -44,6 +44,9 @@ struct CaseProblem {
   std::string action;
 };
 
+/// `file` is a change by --set as typed: it names key and value itself and has no lines.
+bool is_option(const std::string& file);
+
 /// Throws InputError with the message.
 [[noreturn]] void fail(const std::string& file, const CaseProblem& problem);
 

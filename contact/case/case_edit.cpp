@@ -32,7 +32,10 @@ bool is_bare_word(const std::string& value) {
          value.find_first_of("\"'\\") == std::string::npos;
 }
 
-/// Looked at as a case file of its own: what is wrong is then said of the call, not of the file.
+constexpr const char* example = "--set friction.coefficient=0.3";
+
+/// Read as a case file of its own, so that a mistake is reported for the option and not for the
+/// file.
 Change read_change(const std::string& text, const ModelWords& models) {
   const std::size_t equals = text.find('=');
   const bool printable = std::all_of(text.begin(), text.end(), [](const char c) {
@@ -41,8 +44,8 @@ Change read_change(const std::string& text, const ModelWords& models) {
   if (equals == std::string::npos || !printable)
     throw InputError(
         fmt::format("--set {}: expected KEY=VALUE; allowed: the keys of docs/case-file.md, each "
-                    "with its section; do: write for instance --set friction.coefficient=0.3",
-                    printable ? text : "..."));
+                    "with its section; do: write for instance {}",
+                    printable ? text : "...", example));
   const std::string path = trimmed(text.substr(0, equals));
   const std::size_t dot = path.rfind('.');
   Change change;
@@ -51,7 +54,15 @@ Change read_change(const std::string& text, const ModelWords& models) {
   change.value = trimmed(text.substr(equals + 1));
   if (is_bare_word(change.value)) change.value = '"' + change.value + '"';
   const std::string header = change.section.empty() ? "" : "[" + change.section + "]\n";
-  static_cast<void>(read_toml(header + change.line() + "\n", "--set", models.known));
+  const std::string option = "--set " + (text.size() > 80 ? text.substr(0, 77) + "..." : text);
+  if (change.value.empty())
+    throw InputError(option + ": the value is missing; do: write for instance " + example);
+  if (change.section.find('.') != std::string::npos)
+    throw InputError(
+        fmt::format("{}: [[{}]] may be repeated; allowed: keys of other sections; do: "
+                    "change it in the case file",
+                    option, change.section));
+  static_cast<void>(read_toml(header + change.line() + "\n", option, models.known));
   return change;
 }
 

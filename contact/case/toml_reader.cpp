@@ -52,12 +52,23 @@ std::vector<std::string> keys_of(const std::string& name) {
   return names;
 }
 
-/// A section that may stand once and has a key of that name; empty when none has.
-std::string section_that_has(const std::string& name) {
+/// Sections that may occur once and have a key of that name.
+std::vector<std::string> sections_that_have(const std::string& name) {
+  std::vector<std::string> found;
   for (const Section& section : case_sections())
     if (!section.repeated && !section.name.empty() && find_key(section.name, name) != nullptr)
-      return section.name;
-  return "";
+      found.push_back(section.name);
+  return found;
+}
+
+/// Where a key belongs that was given without its section, or in another one.
+std::string move_to(const std::vector<std::string>& sections, const std::string& name,
+                    bool option) {
+  std::string places;
+  for (const std::string& section : sections)
+    places +=
+        (places.empty() ? "" : " or ") + (option ? section + '.' + name : '[' + section + ']');
+  return option ? "write " + places : "move it to " + places;
 }
 
 /// Turns TOML into checked key values; everything it refuses becomes one InputError.
@@ -109,8 +120,11 @@ class Reader {
     CaseProblem problem;
     problem.line = line;
     problem.column = column;
-    problem.wrong = fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong);
-    problem.action = "correct this line; `rollfem new-case` prints a valid case file";
+    const bool option = is_option(given_.file);
+    problem.wrong = option ? "not a value in TOML: " + wrong
+                           : fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong);
+    problem.action = option ? "write the value as in a case file"
+                            : "correct this line; `rollfem new-case` prints a valid case file";
     fail(given_.file, problem);
   }
 
@@ -197,9 +211,11 @@ class Reader {
         if (!known.name.empty()) here.push_back(known.name);
     problem.allowed = joined(here);
     const std::string near = nearest_name(name, here);
-    const std::string elsewhere = section_that_has(name);
+    const std::vector<std::string> elsewhere = sections_that_have(name);
+    const bool option = is_option(given_.file);
+    if (option) problem.wrong = problem.key + ' ' + problem.wrong;
     if (!elsewhere.empty())
-      problem.action = fmt::format("move it to [{}]", elsewhere);
+      problem.action = move_to(elsewhere, name, option);
     else if (!near.empty())
       problem.action = fmt::format("did you mean `{}`? Write that, or remove the key", near);
     else

@@ -91,8 +91,8 @@ def nested(changes):
 
 
 def path_of(name):
-    """Section and name of a key that is given by its name alone: "spin" is ["rolling", "spin"]. One that nobody knows
-    stays, so that the reader refuses it."""
+    """Section and name of a key given by its name alone: "spin" is ["rolling", "spin"]. An unknown one is returned as it
+    is, and the reader rejects it. InputError where several sections have the key."""
     sections = [section for section, key in _core.keys() if key == name]
     if "" in sections or not sections:
         return [name]
@@ -100,7 +100,8 @@ def path_of(name):
         sections.remove("history")  # what it has of the same name is for single steps
     if len(sections) > 1:
         raise InputError(f"{name}: several sections have this key; allowed: "
-                         + ", ".join(f"{section}.{name}" for section in sections))
+                         + ", ".join(f"{section}.{name}" for section in sections)
+                         + f"; do: write {sections[0]}={{'{name}': ...}} or **{{'{sections[0]}.{name}': ...}}")
     return [sections[0], name]
 
 
