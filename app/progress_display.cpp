@@ -35,8 +35,8 @@ std::string time_left(const contact::ProgressEvent& event, double seconds) {
 
 std::string progress_line(const contact::ProgressEvent& event, double seconds) {
   std::string line = fmt::format("{:<10} {:<18}", event.model, event.stage);
-  if (event.point > 0)
-    line += fmt::format(" {}/{} xi {:<7g}", event.point, event.points, event.creepage);
+  if (event.point > 0) line += fmt::format(" {}/{}", event.point, event.points);
+  if (event.point > 0 && event.creepage) line += fmt::format(" xi {:<7g}", *event.creepage);
   if (event.iteration > 0) line += fmt::format(" it {:<3}", event.iteration);
   if (event.residual > 0.0) line += fmt::format(" res {:.1e}", event.residual);
   if (event.contact_elements > 0) line += fmt::format(" contact {}", event.contact_elements);
@@ -69,8 +69,10 @@ void ProgressDisplay::show(const contact::ProgressEvent& event) {
   const std::string stage = event.model + '/' + event.stage;
   if (stage != stage_) {
     stage_ = stage;
-    stage_begin_ = now;
-    last_shown_ = mode_ == Mode::plain ? now : Clock::time_point();
+    // The stages of a step alternate: each goes on from where it began.
+    if (event.point <= 1 || begins_.count(stage) == 0) begins_[stage] = now;
+    stage_begin_ = begins_[stage];
+    if (mode_ == Mode::terminal) last_shown_ = Clock::time_point();
   }
   event_ = event;
   // The load points of a stage share its line.

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -41,7 +42,8 @@ class ProgressDisplay {
   contact::ProgressEvent event_;
   std::string stage_;  ///< model and stage that the clock runs for
   Clock::time_point stage_begin_ = Clock::now();
-  Clock::time_point last_shown_;
+  std::map<std::string, Clock::time_point> begins_;  ///< of every stage so far
+  Clock::time_point last_shown_ = Clock::now();
   bool line_open_ = false;
   bool ended_ = false;
   std::condition_variable end_;

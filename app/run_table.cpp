@@ -23,9 +23,11 @@ bool has_friction(const ModelResult& model) {
                      [](const PointResult& point) { return point.max_traction > 0.0; });
 }
 
+/// What a search leaves of a creepage that is zero does not count.
 bool any_creepage(const std::vector<PointResult>& points, double contact::Creepage::*member) {
-  return std::any_of(points.begin(), points.end(),
-                     [&](const PointResult& point) { return point.creepage.*member != 0.0; });
+  return std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
+    return std::abs(point.creepage.*member) > 1e-15;
+  });
 }
 
 /// Under the values of a model: their bars, or why they have none.

@@ -75,15 +75,16 @@ std::vector<std::pair<std::string, std::string>> keys() {
 }
 
 void define_progress(py::module_& module) {
-  py::class_<ProgressEvent>(module, "Progress", R"(What a running model tells of itself.)")
+  py::class_<ProgressEvent>(module, "Progress", R"(Progress report of a running model.)")
       .def_readonly("model", &ProgressEvent::model)
-      .def_readonly("stage", &ProgressEvent::stage, "'normal', 'rolling', 'mesh', ...")
+      .def_readonly("stage", &ProgressEvent::stage, "'normal', 'rolling', 'shift', 'mesh', ...")
       .def_readonly("point", &ProgressEvent::point, "load point from 1; 0: none")
       .def_readonly("points", &ProgressEvent::points, "number of load points")
-      .def_readonly("creepage", &ProgressEvent::creepage, "longitudinal creepage of the point")
+      .def_readonly("creepage", &ProgressEvent::creepage,
+                    "longitudinal creepage of the point; None where nothing rolls with friction")
       .def_readonly("iteration", &ProgressEvent::iteration)
-      .def_readonly("residual", &ProgressEvent::residual, "relative; 0: it has none")
-      .def_readonly("finished", &ProgressEvent::finished, "the stage is over")
+      .def_readonly("residual", &ProgressEvent::residual, "relative residual; 0: none")
+      .def_readonly("finished", &ProgressEvent::finished, "the stage has finished")
       .def_readonly("note", &ProgressEvent::note)
       .def("__repr__", [](const ProgressEvent& event) {
         return "<rollfem.Progress " + event.model + ": " + event.stage + ", point " +

@@ -1,23 +1,24 @@
-// What a running model tells the outside: which stage, which creepage, how the iteration goes.
+// What a running model tells the outside: the stage, the load point, the iteration.
 // The models only send; the program decides whether and how to show it.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace rollfem::contact {
 
 struct ProgressEvent {
-  std::string model;         ///< "fem"
-  std::string stage;         ///< "mesh", "factorise wheel", "normal", "rolling", ...
-  int point = 0;             ///< 1-based load point, 0 when the stage belongs to none
-  int points = 0;            ///< number of load points
-  double creepage = 0.0;     ///< longitudinal creepage of the point
-  int iteration = 0;         ///< outer (FE) or Newton (half-space) iteration
-  double residual = 0.0;     ///< relative residual of that iteration, 0 when it has none
-  int contact_elements = 0;  ///< active set
+  std::string model;               ///< "fem"
+  std::string stage;               ///< "mesh", "factorise wheel", "normal", "rolling", "shift", ...
+  int point = 0;                   ///< 1-based load point, 0 when the stage belongs to none
+  int points = 0;                  ///< number of load points
+  std::optional<double> creepage;  ///< longitudinal, where the bodies roll with friction
+  int iteration = 0;               ///< outer (FE) or Newton (half-space) iteration
+  double residual = 0.0;           ///< relative residual of that iteration, 0 when it has none
+  int contact_elements = 0;        ///< active set
   int adhesion_elements = 0;
-  bool finished = false;  ///< the stage is over
+  bool finished = false;  ///< the stage has finished
   std::string note;       ///< e.g. "2 x 184 512 unknowns"
 };
 

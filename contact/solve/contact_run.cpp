@@ -21,6 +21,17 @@ int count_adhesion(const std::vector<ElementState>& state) {
   return static_cast<int>(std::count(state.begin(), state.end(), ElementState::adhesion));
 }
 
+/// What progress calls the solution of a load point.
+const char* stage_of(Problem problem) {
+  if (problem == Problem::frictionless) return "frictionless";
+  if (problem == Problem::shift) return "shift";
+  return problem == Problem::transient ? "transient" : "rolling";
+}
+
+bool rolls(Problem problem) {
+  return problem == Problem::steady || problem == Problem::transient;
+}
+
 /// Tractions per unit of area of the grid.
 SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape) {
   if (shape.stretch.size() == 0) return traction;
@@ -50,7 +61,7 @@ void ContactRun::tell(ProgressEvent event, const char* stage, bool finished) con
 ProgressEvent ContactRun::event_of(std::size_t k) const {
   ProgressEvent event;
   event.point = static_cast<int>(k) + 1;
-  event.creepage = scene_.points[k].creepage.longitudinal;
+  if (rolls(scene_.problem)) event.creepage = scene_.points[k].creepage.longitudinal;
   return event;
 }
 
@@ -129,14 +140,16 @@ bool ContactRun::press(std::size_t k) {
   const Stopwatch watch;
   const bool first = state_.normal.pressure.size() == 0;
   const bool solved_anew = first || scene_.is_history() || scene_.load_changes();
-  if (solved_anew) tell({}, "normal", false);
+  ProgressEvent event;
+  if (solved_anew && scene_.points.size() > 1 && (scene_.is_history() || scene_.load_changes()))
+    event.point = static_cast<int>(k) + 1;
+  if (solved_anew) tell(event, "normal", false);
   const LevelResult* coarser = options_.coarser;
   const Field start = !first    ? state_.normal.pressure
                       : coarser ? interpolated(coarser->grid, coarser->pressure, result_.grid)
                                 : Field();
   const NormalSolution& normal = problem_->press(scene_.points[k].load, start);
   result_.pressure = normal.pressure;
-  ProgressEvent event;
   event.iteration = normal.iterations;
   event.residual = normal.residual;
   event.contact_elements = normal.contact_elements;
@@ -170,7 +183,7 @@ OuterCallback ContactRun::each_iteration(std::size_t k) {
     event.residual = state.residual;
     event.contact_elements = state.normal.contact_elements;
     event.adhesion_elements = count_adhesion(state.tangential.state);
-    tell(event, "rolling", false);
+    tell(event, stage_of(scene_.problem), false);
   };
 }
 
@@ -230,7 +243,7 @@ bool ContactRun::take_up(std::size_t k) {
   result_.pressure = state_.normal.pressure;
   result_.contact_elements = state_.normal.contact_elements;
   ProgressEvent event = event_of(k);
-  event.creepage = point.creepage.longitudinal;
+  if (rolls(scene_.problem)) event.creepage = point.creepage.longitudinal;
   event.note = fmt::format("{} of {} taken up", k + 1, scene_.points.size());
   tell(event, "taken up", true);
   result_.points.push_back(std::move(point));
@@ -239,7 +252,7 @@ bool ContactRun::take_up(std::size_t k) {
 
 void ContactRun::solve_point(std::size_t k) {
   const Stopwatch watch;
-  const char* stage = scene_.problem == Problem::shift ? "shift" : "rolling";
+  const char* stage = stage_of(scene_.problem);
   ProgressEvent event = event_of(k);
   if (options_.same_normal_block) {
     event.contact_elements = problem_->press(scene_.points[k].load).contact_elements;
@@ -256,7 +269,7 @@ void ContactRun::solve_point(std::size_t k) {
   point.seconds = watch.seconds();
   if (store_) store_->keep(k, point, state_);
 
-  event.creepage = point.creepage.longitudinal;
+  if (rolls(scene_.problem)) event.creepage = point.creepage.longitudinal;
   event.iteration = state_.iterations;
   event.residual = state_.residual;
   event.contact_elements = state_.normal.contact_elements;

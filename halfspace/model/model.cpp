@@ -122,23 +122,41 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Area
   }
 }
 
-void add_notes(const Scene& scene, ModelResult& result) {
+std::string discretisation_words(const Scene& scene) {
   const bool first = scene.upwind_order == contact::UpwindOrder::first;
-  result.notes.push_back(fmt::format(
-      "elastic half-spaces; contact elements of {:.4g} by {:.4g} mm with constant tractions; "
-      "{}-order upwind difference along rolling{}",
-      result.grid.dx, result.grid.dy, first ? "first" : "second",
-      first ? ", the spin taken a sixth of its step upstream, as CONTACT does" : ""));
+  const char* order = first ? "first" : "second";
+  const char* spin = first ? ", the spin taken a sixth of its step upstream, as CONTACT does" : "";
+  switch (scene.problem) {
+    case contact::Problem::frictionless:
+      return "with constant pressure; normal problem alone";
+    case contact::Problem::shift:
+      return "with constant tractions; shift without rolling";
+    case contact::Problem::transient:
+      return fmt::format(
+          "with constant tractions; transient rolling, {}-order difference over the "
+          "steps{}",
+          order, spin);
+    case contact::Problem::steady:
+      break;
+  }
+  return fmt::format("with constant tractions; {}-order upwind difference along rolling{}", order,
+                     spin);
+}
+
+void add_notes(const Scene& scene, ModelResult& result) {
+  result.notes.push_back(
+      fmt::format("elastic half-spaces; contact elements of {:.4g} by {:.4g} mm {}", result.grid.dx,
+                  result.grid.dy, discretisation_words(scene)));
   result.notes.push_back(
       "error bars: from grids with cells of this, twice and four times the size, and from the "
       "solution near edges and peaks; they hold in about 95 of 100 random contacts "
       "(docs/accuracy.md)");
   if (const auto& line = scene.geometry.line)
-    result.notes.push_back(fmt::format(
-        "line contact: rollers without ends across, in plane strain; forces, moments, areas and "
-        "works are those of {:g} mm across; approach and elastic energy are relative to the "
-        "surface at {:g} mm from a line load",
-        line->width, line->reference));
+    result.notes.push_back(
+        fmt::format("line contact: endless rollers in plane strain; forces, moments, areas and "
+                    "work refer to a width of {:g} mm; approach and elastic energy are relative to "
+                    "the surface at {:g} mm from a line load",
+                    line->width, line->reference));
   if (scene.follows_surface > 0.0 && scene.follows_surface < 1.0)
     result.notes.push_back(
         fmt::format("the normals of this contact spread too much for a plane and too little for "
@@ -149,9 +167,8 @@ void add_notes(const Scene& scene, ModelResult& result) {
     result.notes.push_back(
         "curved contact, because of halfspace.surface or the spread of the normals: y of the "
         "contact grid and contact_width are arc lengths along the common surface, tractions along "
-        "its local tangents and normal, forces along x, y, z; compliance of the surface rolled out "
-        "flat; normal_force includes the tangential tractions along z, which the given force does "
-        "not");
+        "its local tangents and normal, forces along x, y, z; compliance of the unrolled surface; "
+        "normal_force includes the tangential tractions along z, which the given force does not");
   const double difference = scene.material.difference;
   if (std::abs(difference) > 1e-12)
     result.notes.push_back(

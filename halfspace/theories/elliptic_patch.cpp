@@ -68,7 +68,7 @@ contact::ModelResult run_theory(const contact::Scene& scene, const contact::Cont
   result.seconds["total"] = seconds_since(start);
   contact::ProgressEvent done;
   done.model = name;
-  done.stage = "rolling";
+  done.stage = "solved";
   done.points = static_cast<int>(result.points.size());
   done.contact_elements = result.contact_elements;
   done.finished = true;
