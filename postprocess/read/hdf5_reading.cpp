@@ -153,7 +153,7 @@ std::string read_text(hid_t object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
   const Handle type(H5Aget_type(attribute), "H5Aget_type");
   const Handle space(H5Aget_space(attribute), "H5Aget_space");
-  if (!is_text(type) || count_of(shape_of(space)) != 1) fail("not a text: attribute", name);
+  if (!is_text(type) || count_of(shape_of(space)) != 1) fail("not a string: attribute", name);
   const Handle wanted = text_type();
   Texts texts(wanted, space, 1);
   if (H5Aread(attribute, wanted, texts.data()) < 0) fail("unreadable attribute", name);

@@ -35,7 +35,7 @@ void check_model_name(const std::string& name, std::set<std::string>& seen) {
       name.front() != '.';
   require(is_file_name, fmt::format("model name '{}'", name),
           "must be a file name of letters, digits and - _ + .");
-  require(seen.insert(name).second, fmt::format("model '{}'", name), "is there twice");
+  require(seen.insert(name).second, fmt::format("model '{}'", name), "occurs twice");
 }
 
 void check_fields(const std::string& where, const contact::ContactGrid& grid,
@@ -104,7 +104,7 @@ void check_body_values(const std::string& where, const std::vector<contact::Body
     const std::string name = fmt::format("{}/{}", where, bodies[b].name);
     const std::size_t count = bodies[b].points.size();
     require(values[b].displacement.size() == count && values[b].stress.size() == count, name,
-            fmt::format("has not {} values, one for each point", count));
+            fmt::format("does not have {} values, one for each point", count));
     check_vectors(name + "/displacement", values[b].displacement, count);
     check_vectors(name + "/stress", values[b].stress, count);
   }

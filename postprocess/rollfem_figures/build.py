@@ -11,7 +11,7 @@ from .report import write_report
 def captions(result):
     """(file name, caption, function that draws it or returns None) of every figure."""
     yield ("creep_curve.svg", "Creep curve: traction coefficient of every model with friction, and "
-           "beside it the difference to the reference model where there are several. Bars: error "
+           "beside it the difference from the reference model if there are several. Bars: error "
            "estimates.",
            lambda: curves.creep_curve(result))
     for axis, across in (("x", "y"), ("y", "x")):
@@ -26,7 +26,7 @@ def captions(result):
     yield ("strip_force.svg",
            "Force per strip: pressure and tangential traction summed along rolling, for each mm of "
            "width. Thin: the same strip sliding fully.", lambda: curves.strip_forces(result))
-    yield ("outlines.svg", "Contact areas of all models on each other, with the border between adhesion "
+    yield ("outlines.svg", "Contact areas of all models overlaid, with the border between adhesion "
            "and slip of each; shaded: the zones of the reference model. Material enters on the right.",
            lambda: overlay.outlines(result))
     yield ("contact_area.svg", "Zones of adhesion and slip, model by model.",
@@ -42,25 +42,24 @@ def captions(result):
 
 
 def place_captions(result):
-    """The same for what comes before the patches when wheel and rail have profiles."""
+    """The same for the figures before the patches, when wheel and rail have profiles."""
     numbers = places.positions(result)
     for (wheel, position) in result.profiles:
         if position in (numbers[0], numbers[-1]):
             yield (f"pair_{wheel}_{position:.0f}.svg",
                    f"The {wheel} wheel on its rail{places.at_words(result, position)}, with the contact "
-                   "points. Right: how far apart the two are beside them before they are pressed together.",
+                   "points. Right: the undeformed distance between the two around them.",
                    lambda wheel=wheel, position=position: places.pair(result, wheel, position))
     yield ("wheelset.svg", "The wheelset over its lateral shift: rolling radii and contact angles, without a load "
-           "(lines) and under it (markers); equivalent conicity over the amplitude, by the wave of the free "
-           "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the length of the wave.",
+           "(lines) and under load (markers); equivalent conicity over the amplitude, from the wave of the free "
+           "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the wavelength.",
            lambda: wheelset.of_run(result))
-    yield ("positions.svg", "Along the row of positions: where wheel and rail touch, and what comes of "
-           "it at the first load point. Lines: the most loaded patch; single points: further patches; forces: all "
-           "patches of a wheel. "
-           "Full: left wheel, open: right wheel.", lambda: places.sweep(result))
+    yield ("positions.svg", "Over the positions: where wheel and rail touch, and the results at the first load "
+           "point. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
+           "wheel. Filled: left wheel, open: right wheel.", lambda: places.sweep(result))
 
 
-# With more patches than this each has the figures that tell most.
+# With more patches than this, each gets only the most telling figures.
 MOST_FULL = 8
 
 
@@ -95,7 +94,7 @@ class Drawn:
     html: str
 
 
-# Fewer are drawn sooner than other processes are there.
+# Fewer figures are drawn before other processes have started.
 LEAST_SPREAD = 24
 
 

@@ -122,7 +122,7 @@ def _cost_table(cases):
 
 
 def cost_figure(cases):
-    """Largest difference to the reference against seconds, one marker for each model and case. None
+    """Largest difference from the reference against seconds, one marker for each model and case. None
     when nothing was compared."""
     figure, shown, said = Figure(2), {}, []
     for quantity, title, of in (("max_pressure", "largest pressure $p_0$", "reference"),
@@ -148,7 +148,7 @@ def cost_figure(cases):
     for model, (colour, _, marker) in shown.items():
         figure.entry(looks.label(_model(model)), colour, width=0, marker=marker)
     figure.entry("error bars, median", "soft", (1.5, 2.2), 1.0)
-    figure.seen = f"Largest difference to the reference against seconds. {'; '.join(said)}."
+    figure.seen = f"Largest difference from the reference against seconds. {'; '.join(said)}."
     return figure
 
 
@@ -177,7 +177,7 @@ def _elasticity(cases):
     if not {"fem", "halfspace"} <= set(_models(cases)):
         return ""
     return (" Differences between FEM and half-space beyond the bars are not numerical errors alone: a half-space "
-            "leaves out the strain of a loaded wheel along its circle, which causes a force even at ξ = 0, and the "
+            "neglects the strain of a loaded wheel along its circle, which causes a force even at ξ = 0, and the "
             "curvature of the patch (docs/verification.md).")
 
 
@@ -186,7 +186,7 @@ def _reference_words(comparison):
     wished = comparison["reference"] or "halfspace"
     ways = list(dict.fromkeys([wished, *(m for m in ("halfspace", "fem") if m in comparison["models"])]))
     first, *others = [escape(looks.label(_model(name))) for name in ways]
-    return f"Differences are to {first}" + (f", or, if it lacks the number, to {' or '.join(others)}. " if others else ". ")
+    return f"Differences are from {first}" + (f" or, where it has no value, from {' or '.join(others)}. " if others else ". ")
 
 
 def _asked(comparison):
@@ -195,7 +195,7 @@ def _asked(comparison):
                     f"{escape(c['title'])}</li>" for c in comparison["cases"])
     return (f"<p>Models: {names}. {_reference_words(comparison)}"
             "Error bars are each model's own estimate of its numerical error; an exact closed form "
-            "(Hertz) has none, so that what it leaves out shows as a difference.</p>"
+            "(Hertz) has none, so that what it neglects shows as a difference.</p>"
             f"<ul>{cases}</ul>")
 
 
@@ -223,4 +223,4 @@ def build_comparison(directory):
             f"what they allow at that point.{_elasticity(cases)}</p>" if found else "",
             "<h2>Cost</h2>", _cost_table(cases), *sections,
             "<h2>Signs</h2><p>", report.CONVENTIONS, "</p>"],
-        "Beside this file: compare.csv and compare.json with every number, and a result folder for each case."))
+        "Also in this folder: compare.csv and compare.json with every number, and a result folder for each case."))

@@ -57,7 +57,7 @@ def _draw_difference(panel, model, reference, points, at, values, force, frictio
 
 
 def creep_curve(result):
-    """-F_x/F_z of every model with friction, and beside it the difference to the reference model. None
+    """-F_x/F_z of every model with friction, and beside it the difference from the reference model. None
     when no model has two load points."""
     models = [m for m in selection.friction_models(result) if len(m.points) > 1]
     if not models:
@@ -77,7 +77,7 @@ def creep_curve(result):
     top.text(0.01, friction, f"full slip: $\\mu$ = {friction:.3g}", shift=(0, -4), share=(True, False))
     beside = None
     if len(models) > 1 and reference in models:
-        beside = figure.add(400, 270, f"difference to {looks.label(reference)}", axis_label, "[% of $\\mu$]")
+        beside = figure.add(400, 270, f"difference from {looks.label(reference)}", axis_label, "[% of $\\mu$]")
         beside.y.see([-1.0, 1.0])
         beside.level(0, looks.of_model(reference)[0], (), 1.6)
     said = []
@@ -173,7 +173,8 @@ def path(result, axis):
     if shared:
         figure.entry(shared)
     figure.seen = (f"Contact pressure over {axis}: " + "; ".join(
-        f"{looks.label(m)} up to {m.points[0]['max_pressure']:.4g} MPa between {span(line_of(m, m.points[0], 'pressure', axis))}"
+        f"{looks.label(m)} up to {m.points[0]['max_pressure']:.4g} MPa between "
+        f"{span(line_of(m, m.points[0], 'pressure', axis))}"
         for m in models) + (f". Then tangential traction under its bound at {len(chosen)} load points." if chosen else "."))
     return figure
 

@@ -41,7 +41,7 @@ def _draw(panel, model, point, shaded):
 
 
 def outlines(result):
-    """Outlines of all models on each other, at up to three creepages with the border between adhesion
+    """Outlines of all models overlaid, at up to three creepages with the border between adhesion
     (on the leading side) and slip of each; shaded are the zones of the reference model. None when no
     model has a pressure field."""
     models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]

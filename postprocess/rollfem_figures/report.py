@@ -15,9 +15,9 @@ coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises wit
 −p<sub>x</sub> for the same reason. Slip is that of the wheel's surface relative to the rail."""
 
 
-BARS = ("±: what grid and solver leave uncertain, as the model estimates it, in the unit of the value; the word in its "
-        "place says why there is none (exact: a closed form; theory: one that is no exact solution). "
-        "“model ±”: what the model leaves out whatever its grid; from what it was taken, the notes say.")
+BARS = ("±: uncertainty left by grid and solver, estimated by the model, in the unit of the value; a word in its place "
+        "says why there is none (exact: a closed form; theory: an approximate theory). “model ±”: what the model "
+        "neglects on any grid; the notes say how it was estimated.")
 
 
 def asked(result):
@@ -34,13 +34,15 @@ def asked(result):
         return "flat" if abs(value) == float("inf") else f"{tables.plain(value)} mm"
 
     what = {"shift": "Load points are steps of a shift without rolling. ",
-            "transient": "Load points are steps of rolling. ",
-            "frictionless": "Without friction. "}.get(case.get("problem"), "")
+            "transient": "Load points are steps of rolling. "}.get(case.get("problem"), "")
     if case.get("prescribed_forces"):
         what += "Tangential forces are prescribed; creepages are results. "
     details = (f"<details><summary>case file {escape(result.case_file)}</summary>"
                f"<pre>{escape(result.case_text)}</pre></details>")
-    friction = f"friction coefficient {tables.plain(case['friction_coefficient'])}. {what}</p>{details}"
+    law = f"friction coefficient {tables.plain(case['friction_coefficient'])}"
+    if case.get("problem") == "frictionless":
+        law = "without friction"
+    friction = f"{law}. {what}</p>{details}"
     if "given_max_pressure" in case:
         return (f"<p>Hertz's pressure of {tables.plain(case['given_max_pressure'])} MPa given on an "
                 f"ellipse of semi-axes {tables.plain(case['given_semi_axis_x'])} by "
@@ -66,7 +68,7 @@ def _numbers(result):
     if reference is None:
         return "<p>No model was run.</p>"
     html = ["<h2>Patch and pressure</h2>", tables.patch_table(result), tables.published_table(result),
-            f"<p class=hint>Small percentages: difference to {escape(looks.label(reference))}, of its value; "
+            f"<p class=hint>Small percentages: difference from {escape(looks.label(reference))}, relative to its value; "
             f"bold: more than both error bars allow. {BARS}</p>"]
     failed = [f"{looks.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
               for m in result.models for p in m.points if not p["converged"]]
@@ -88,7 +90,7 @@ def _forces(result, creep_curve):
         shared += f" {selection.MOST_ROWS} of {count} load points; all are in creep_curve.csv."
     note = ""
     if len(models) > 1:
-        note = (f"Small percentages: difference to {escape(looks.label(reference))}, in percent of full "
+        note = (f"Small percentages: difference from {escape(looks.label(reference))}, in percent of full "
                 "sliding (μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow.")
     hint = f"<p class=hint>{note}{shared}</p>" if note or shared else ""
     html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
@@ -112,8 +114,8 @@ def _stresses(result, images):
 
 
 def notes(result):
-    """What the models say of their results: a sentence that differs from patch to patch in its numbers alone
-    once, with those of the first."""
+    """The notes of the models. A note that differs between patches only in its numbers appears once, with those of
+    the first patch."""
     said = {}
     for model in result.models:
         for note in model.notes + [f"model error: {model.model_error_source}"] * bool(model.model_error_source):
@@ -126,7 +128,7 @@ def notes(result):
         more = "" if not others else " (and another patch with other numbers)" if len(others) == 1 else (
             f" (and {len(others)} other patches with other numbers)")
         rows.append(f"<li>{escape(name)}: {escape(note + more)}</li>")
-    return "<h2>What to know about the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
+    return "<h2>Notes on the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
 
 
 def _details(result):
@@ -179,7 +181,7 @@ def touching(result, figures):
         return ""
     row = wheelset.table_of_run(result)
     shift = "".join(figure(f) for f in figures if f.name == "wheelset.svg")
-    return ((f"<h2>The wheelset over its shift</h2>{row}{shift}" if row else "")
+    return ((f"<h2>Wheelset over lateral shift</h2>{row}{shift}" if row else "")
             + "<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
             + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
             "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
@@ -194,9 +196,9 @@ def report_html(result, figures):
         asked(result), touching(result, figures), patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
         notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result), "</div>"],
-        "Beside this file: results.h5 (all fields), summary.json, creep_curve.csv, "
-        "contacts.csv with profiles, wheelset.csv of a row of shifts, path_x.csv, path_y.csv, subsurface.csv where asked for, fields/ "
-        "(for ParaView), figures/.")
+        "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
+        "wheelset.csv (for a row of shifts), path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
+        "ParaView), figures/.")
 
 
 # What a verdict, made for a terminal, looks like on a page.

@@ -12,8 +12,8 @@ from .tables import measured, number, plain, table
 
 NAMES = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orthogonal shear",
          "principal_1": "principal, tension"}
-REGIONS = {"elastic": "nothing yields", "elastic shakedown": "yields at first, then residual stress keeps every "
-           "passage elastic", "beyond shakedown": "flows at every passage"}
+REGIONS = {"elastic": "nothing yields", "elastic shakedown": "yields at first, then residual stresses keep "
+           "every further pass elastic", "beyond shakedown": "plastic flow at every pass"}
 
 
 def _largest_cell(found):
@@ -80,7 +80,7 @@ def stress_html(result, drawn):
         "<p class=hint>±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
         "the wheel). Tension is positive.</p>",
         _verdicts(result), *map(figure, maps), "<h2>Lines and planes</h2>" + below if below else ""],
-        "Beside this file: stress.csv with every place, stress.json, figures/.")
+        "Also in this folder: stress.csv with every place, stress.json, figures/.")
 
 
 def build(directory):

@@ -258,7 +258,7 @@ def shakedown_map(result):
     panel.text(0.012, 0.3, "elastic")
     if top < 6:  # else there is no room between the limits
         panel.text(0.008, 3.2, "elastic shakedown")
-    panel.text(0.97, 0.93, "material flows at every passage", "end", share=(True, True))
+    panel.text(0.97, 0.93, "plastic flow at every pass", "end", share=(True, True))
     figure.seen = ("Shakedown map, tangential force over normal force against the load factor: " + "; ".join(said)
                    + ". The words beside it say in which region they are.")
     return figure

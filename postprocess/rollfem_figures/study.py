@@ -182,7 +182,7 @@ def _limit_cell(limit):
     value = tables.number(limit["value"], 6)
     html = f"{value} <span class=e>± {tables.number(limit['uncertainty'], 2)}</span><br><span class=d>"
     if "order" not in limit:
-        return html + ("settled to rounding" if limit.get("settled") else "no order") + "</span>"
+        return html + ("converged to rounding" if limit.get("settled") else "no order") + "</span>"
     return html + f"order {tables.number(limit['order'], 3)}{', fitted' if limit['fitted'] else ''}</span>"
 
 
@@ -230,8 +230,8 @@ errors of a level and the one before if the reference is exact or given, otherwi
 Limit: Richardson's value of the three finest levels with its uncertainty; if these show no order (not monotone, or
 changes that do not decrease), that of a curve fitted to all levels, if four or more follow one;
 otherwise the finest value with three times the largest change.
-An order well above 2 is partly chance. Seconds: what a user waits for, all load points and the error
-estimates included."""
+An order well above 2 is partly coincidence. Seconds: elapsed time, including all load points and error
+estimates."""
 
 
 # With more patches than this the details of each are folded away.
@@ -298,4 +298,4 @@ def build_study(directory):
     parts.append(f"<p class=hint>{HINTS}</p>")
     page.write_page(os.path.join(directory, "study.html"), page.page(
         title, page.heading(title, study["program"], study), parts,
-        "Beside this file: study.json and study.csv with every number, figures/."))
+        "Also in this folder: study.json and study.csv with every number, figures/."))

@@ -49,7 +49,7 @@ def _conicity_seen(table):
     """What is seen of the conicity, at the amplitude nearest to 3 mm that has one."""
     known = numpy.flatnonzero(numpy.isfinite(table["conicity_wave"]))
     if not known.size:
-        return "The wheelset does not swing back."
+        return "The wheelset does not oscillate."
     at = known[numpy.argmin(abs(table["lateral_shift"][known] - 3.0))]
     return (f"The equivalent conicity at an amplitude of {table['lateral_shift'][at]:.3g} mm is "
             f"{table['conicity_wave'][at]:.3g} by the wave and {table['conicity_harmonic'][at]:.3g} by "
@@ -69,7 +69,8 @@ def drawn(table):
         angles.line(shift, numpy.degrees(table[f"angle_{side}"]), colour, 1.6, dash)
         figure.entry(f"{side} wheel", colour, dash)
     _conicity(figure, table)
-    figure.seen = (f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: the right rolling radius grows to {difference[-1]:.3g} mm "
+    figure.seen = (f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: the right rolling radius grows to "
+                   f"{difference[-1]:.3g} mm "
                    f"more than the left, the right contact angle to "
                    f"{numpy.degrees(table['angle_right']).max():.3g} degrees. {_conicity_seen(table)}")
     return figure
@@ -125,7 +126,8 @@ def of_run(result):
         radii.line(*zip(*both), "ink", 1.2, marker="D", size=2.8, joined=False, order=5)
     figure.entry("right less left (markers: under load)", "ink", marker="D")
     _conicity(figure, table)
-    figure.seen = (f"Rolling radii, contact angles and equivalent conicity over the lateral shift, up to {shift[-1]:.3g} mm. "
+    figure.seen = ("Rolling radii, contact angles and equivalent conicity over the lateral shift, up to "
+                   f"{shift[-1]:.3g} mm. "
                    + _conicity_seen(table))
     return figure
 
@@ -162,6 +164,7 @@ def table_of_run(result):
     label = looks.label(next(m for m in result.models if m.name == reference))
     return (tables.table([column[0] for column in columns],
                          [[_cell(row, *column[1:]) for column in columns] for row in rows])
-            + f"<p class=hint>Patches by {label} at the first load point, length and width of the most loaded of a wheel; "
-            "forces on the wheel, along the track and to the right. Rigid: without a load. Conicity at the amplitude of the "
-            "shift: by harmonic linearisation, and of the cones whose free wheelset has the same wave (UIC 519, EN 15302).</p>")
+            + f"<p class=hint>Patches by {label} at the first load point; length and width: most loaded patch of a wheel; "
+            "forces on the wheel, along the track and to the right. Rigid: without a load. Conicity at the "
+            "amplitude of the "
+            "shift: by harmonic linearisation, and that of cones with the same wave (UIC 519, EN 15302).</p>")

@@ -41,8 +41,9 @@ Three three_levels(double coarse, double middle, double fine, double ratio) {
     if (order < least_order)
       result.reason = fmt::format("its changes decrease too slowly (order {:.2f})", order);
     else if (order > largest_order)
-      result.reason =
-          fmt::format("its changes decrease too fast for the method (order {:.1f}): chance", order);
+      result.reason = fmt::format(
+          "its changes decrease too fast for the method (order {:.1f}), which is coincidence",
+          order);
     else
       result.order = order;
   }
@@ -159,7 +160,7 @@ Limit limit_of(const std::vector<double>& values, double ratio, double noise) {
   limit.uncertainty = limit.grid_uncertainty = std::max(floor, blind_uncertainty(values));
   limit.settled = largest_change(values) <= floor;
   if (limit.settled) {
-    limit.reason = "settled to rounding";
+    limit.reason = "converged to rounding";
   } else if (n == 2) {
     limit.reason = "two levels cannot show an order";
   } else {

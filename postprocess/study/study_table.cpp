@@ -76,12 +76,13 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
         "    limit {:.7g} +- {:.2g}, order {:.2f} fitted to all levels (of the last three {})\n",
         limit->value, limit->uncertainty, *limit->order, limit->reason);
   else if (limit && limit->order)
-    text += fmt::format("    limit {:.7g} +- {:.2g}, order {:.2f} from the last three levels{}\n",
-                        limit->value, limit->uncertainty, *limit->order,
-                        *limit->order > 2.5 ? " (partly chance: the method has 2)" : "");
+    text +=
+        fmt::format("    limit {:.7g} +- {:.2g}, order {:.2f} from the last three levels{}\n",
+                    limit->value, limit->uncertainty, *limit->order,
+                    *limit->order > 2.5 ? " (partly coincidence: the method is of order 2)" : "");
   else if (limit && limit->settled)
     text +=
-        fmt::format("    settled to rounding: finest value +- {:.2g}\n", limit->grid_uncertainty);
+        fmt::format("    converged to rounding: finest value +- {:.2g}\n", limit->grid_uncertainty);
   else if (limit)
     text += fmt::format("    finest value +- {:.2g}; no order can be claimed: {}\n",
                         limit->grid_uncertainty, limit->reason);

@@ -92,7 +92,7 @@ std::string description(const Key& key, const contact::ModelWords& models) {
   std::string text = key.sentence;
   if (!key.unit.empty()) text += fmt::format(" Unit: {}.", key.unit);
   text += fmt::format(" Allowed: {}.", contact::allowed_values(key, models.known));
-  if (!key.when_absent.empty()) text += fmt::format(" Without it: {}.", key.when_absent);
+  if (!key.when_absent.empty()) text += fmt::format(" Default: {}.", key.when_absent);
   return text;
 }
 

@@ -227,7 +227,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
   for (const auto& [quantity, word] : point.no_bar) write_attribute(words, quantity, word);
   if (!point.model_error.empty())
     write_by_quantity(group, "model_error",
-                      "Attributes: what the model leaves out, by quantity, in its unit",
+                      "Attributes: what the model neglects, by quantity, in its unit",
                       point.model_error);
   if (!point.richardson.empty())
     write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",

@@ -232,7 +232,7 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
       {"del f['case']", "there is no group case"},
       {"del f['models/hertz/grid']", "there is no group grid"},
       {"del f['models/fem/points/0002'].attrs['approach']", "there is no attribute approach"},
-      {"f['case'].attrs['title'] = 3.0", "not a text: attribute title"},
+      {"f['case'].attrs['title'] = 3.0", "not a string: attribute title"},
       {"f['models/fem/bodies/rail/cells'][1, 2] = 12", "names node 12 of 12"},
       {"del f['models/fem/points/0002/bodies/rail/stress']", "there is no dataset stress"},
       {"d = f['models/fem/points/0002/bodies/wheel']; x = d['stress'][1:]; del d['stress']; "

@@ -154,7 +154,7 @@ TEST_F(PartsTest, ARowOfShiftsHasItsWheelsetInATableAndAFigure) {
   EXPECT_EQ(said(R"(
 import csv, re
 text = open(sys.argv[1] + '/report.html', encoding='utf-8').read()
-part = text[text.index('The wheelset over its shift'):text.index('<h2 id="where-wheel-and-rail-touch"')]
+part = text[text.index('Wheelset over lateral shift'):text.index('<h2 id="where-wheel-and-rail-touch"')]
 rows = re.findall(r'<tr><th scope=row>(.*?)</th>(.*?)</tr>', part)
 at = sorted({float(r['lateral_shift [mm]']) for r in csv.DictReader(open(sys.argv[1] + '/wheelset.csv'))})
 assert [float(shift.replace('−', '-')) for shift, _ in rows] == at, rows

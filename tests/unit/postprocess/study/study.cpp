@@ -90,7 +90,7 @@ TEST(Limit, WhatIsSettledToRoundingHasNoOrderAndABarThatIsNotZero) {
     const Limit limit = limit_of(values, 2.0);
     EXPECT_TRUE(limit.settled);
     EXPECT_FALSE(limit.order);
-    EXPECT_EQ(limit.reason, "settled to rounding");
+    EXPECT_EQ(limit.reason, "converged to rounding");
     EXPECT_GE(limit.uncertainty, 1e-12 * a);
     EXPECT_LT(limit.uncertainty, 1e-11 * a);
   }
