@@ -64,40 +64,42 @@ CORNER_FRICTION = [("half-space, curved", "10.56", "22.66", "92.74", "1005.4"),
                    ("CONTACT, coefficients by finite elements of others", "12.70", "23.83", "99.83", "1040")]
 
 VERDICT = """\
-**Why CONTACT and the curved half-space seemed to differ.** They do not. In the grooves CONTACT rolls with friction of 0.3 and
-no force along rolling; normals that lean make spin, spin makes friction across, and at 10.25 mm that carries {part} % of
-the load. With the same friction p0, approach and creepage agree as above; without it the half-space has 0.6 to 1.5 % more
-pressure. Distance along the local normal, elements along the arc of the mean circle, half-space coefficients rolled out
-flat and the load as the sum of p cos are the same in both. In the corner CONTACT prints the sum of pressure, 91.84 kN, of
-which 89.25 kN are along the approach; what is left, 0.9 % in force and 0.7 % in p0, is its distance along rolling, x²/2R along the
-normal, where the wheel's circle closes along z.
+**CONTACT and the curved half-space agree.** In the grooves CONTACT rolls with friction of 0.3 and no force along
+rolling; tilted normals cause spin, spin causes lateral friction, and at 10.25 mm that carries {part} % of the load.
+With the same friction p0, approach and creepage agree as above; without it the half-space has 0.6 to 1.5 % more
+pressure. Distance along the local normal, elements along the arc of the mean circle, half-space coefficients on the
+unrolled surface and the load as the sum of p cos are the same in both. In the corner CONTACT prints the sum of
+pressure, 91.84 kN, of which 89.25 kN act along the approach; the remaining 0.9 % in force and 0.7 % in p0 come from
+its distance along rolling, x²/2R along the normal, where the wheel's circle closes along z.
 
-**What "Blanco's" coefficients are.** No bodies by finite elements, but the half-space's coefficients with directions turned
-by the angle between two places (between like bodies the normal one is multiplied by its cosine). Without friction they give the
-pressure of the hybrid, whose bodies are meshed: in the grooves they are right about what a curved half-space lacks. CONTACT's
-520.6 MPa has, beyond that, friction that displaces the surfaces along the normal; the hybrid with friction (xi = −2.31e-4)
-has 522.7 ± 1.0 MPa, between 527.4 without and 520.6 with it. Only the corner's second
-set of coefficients is of meshed bodies: quarter and three-quarter spaces, whose flanks begin at 45 degrees where ours begin at
-44.4 ([meshes](../meshes.md#how-far-circles-go-on)). At a given approach they and the hybrid have 8 to 9 % more force than
-half-spaces. Conformity adds 21 % to F_x by them and 28 % by the hybrid.
+**What "Blanco's" coefficients are.** Not those of bodies meshed by finite elements, but the half-space's coefficients
+with directions turned by the angle between two places (between like bodies the normal one is multiplied by its
+cosine). Without friction they give the pressure of the hybrid, whose bodies are meshed: in the grooves they supply
+what a curved half-space lacks. CONTACT's 520.6 MPa has, beyond that, friction that displaces the surfaces along the
+normal; the hybrid with friction (xi = −2.31e-4) has 522.7 ± 1.0 MPa, between 527.4 without and 520.6 with it. Only the
+corner's second set of coefficients comes from meshed bodies: quarter and three-quarter spaces, whose flanks begin at
+45 degrees where ours begin at 44.4 ([meshes](../meshes.md#how-far-circles-go-on)). At a given approach they and the
+hybrid have 8 to 9 % more force than half-spaces. Conformity adds 21 % to F_x by them and 28 % by the hybrid.
 
-**How sure the hybrid and finite elements are.** Of one and the same body they have p0 within 0.1 % and, with finer cells of the
-correction, the corner's force within 0.02 %; with those of the program's choice it is 0.24 % in p0 and force. Cells of 0.55 and 0.42 mm
-of finite elements differ by 0.07 % in p0 and 0.04 % in force. In the grooves, at a given force, the rest of the body changes p0 by
-0.1 % at 10.25 mm and 0.3 % at 10.05 mm, unless the far boundary is clamped near the patch. At the corner's given approach it changes
-the force by more than 0.2 %: from segments of 35 mm to 130 mm by 0.5 %, from 0.7 to 0.9 of the radius round by 2.5 to 2.8 %, p0 by 1 to 1.5 %,
-and clamped by finite elements 12 %, as the approach is then that of 63 mm of material. An answer there to 0.2 % is one of a named
-body, not of the corner.
+**How certain the hybrid and finite elements are.** For the same body their p0 agrees within 0.1 % and, with finer
+cells of the correction, the corner's force within 0.02 %; with those of the program's choice it is 0.24 % in p0 and
+force. Cells of 0.55 and 0.42 mm of finite elements differ by 0.07 % in p0 and 0.04 % in force. In the grooves, at a
+given force, the rest of the body changes p0 by 0.1 % at 10.25 mm and 0.3 % at 10.05 mm, unless the far boundary is
+clamped near the patch. At the corner's given approach it changes the force by more than 0.2 %: from segments of 35 mm
+to 130 mm by 0.5 %, from circles up to 0.7 to circles up to 0.9 of the radius by 2.5 to 2.8 %, p0 by 1 to 1.5 %, and
+with clamped finite elements by 12 %, as the approach is then that of 63 mm of material. An accuracy of 0.2 % there
+needs the whole body to be specified, not the corner alone.
 
-**Which body has CONTACT's 99.32 kN.** Bodies round to 0.7 have 101.2 kN and those round to 0.9 98.3 kN; 99.32 kN lies at
-0.85 of the radius (58 degrees); with friction the sum of 99.83 kN lies at 0.88. But p0 falls on that way, from 1002 to 994 MPa
-(1018 to 1007 with friction), while CONTACT's is 1034 (1040): no such body has both. The extents of the bodies behind
-these coefficients and their cells are not published, so 3 % of p0 and 7 % of F_x (13.6 against 12.7 kN) stay unexplained.
+**Which body has CONTACT's 99.32 kN.** Bodies circular up to 0.7 of the radius have 101.2 kN, up to 0.9 98.3 kN; 99.32
+kN lies at 0.85 of the radius (58 degrees); with friction the sum of 99.83 kN lies at 0.88. But p0 falls along the way,
+from 1002 to 994 MPa (1018 to 1007 with friction), while CONTACT's is 1034 (1040): no such body has both. The extents
+of the bodies behind these coefficients and their cells are not published, so 3 % of p0 and 7 % of F_x (13.6 against
+12.7 kN) remain unexplained.
 
-**How far a theory goes** (half the patch over the smaller radius across, here in the four grooves, between
-them by the square of the ratio, which also goes on below 0.29).
-Given the force, p0 is within 1 % by Hertz and plane half-spaces up to 0.19 and within 5 % up to 0.48, by the curved
-half-space within 1 % up to 0.59 and within 2 % to the end, 0.81. The width is within 5 % by Hertz up to 0.43, by the curved half-space to
-the end. The approach is within 1 % by Hertz up to 0.43 and within 5 % up to 0.66; the curved half-space is 1.8 %
-off at 0.29, 4.5 % at 0.59 and 6.3 % at 0.81: its normals turn and its coefficients do not. At a given approach a corner of 0.6 has 8 % less
-force than the hybrid, so there it is the hybrid, or finite elements."""
+**Where each theory ends** (half the patch over the smaller radius across, here in the four grooves, interpolated by
+the square of the ratio and continued below 0.29). Given the force, p0 is within 1 % by Hertz and plane half-spaces up
+to 0.19 and within 5 % up to 0.48, by the curved half-space within 1 % up to 0.59 and within 2 % to the end, 0.81. The
+width is within 5 % by Hertz up to 0.43, by the curved half-space to the end. The approach is within 1 % by Hertz up to
+0.43 and within 5 % up to 0.66; the curved half-space is 1.8 % off at 0.29, 4.5 % at 0.59 and 6.3 % at 0.81: its
+normals turn and its coefficients do not. At a given approach a corner of 0.6 has 8 % less force than the hybrid, so
+the hybrid or finite elements are needed there."""

@@ -7,13 +7,13 @@ from rollfem_figures.report import write_page
 
 INTRO = """# Verification book
 
-What rollfem's numbers are worth: every benchmark computed again and laid beside a closed form, a published value or
-an independent method. References are computed by the book's own formulas (`benchmarks/book/closed_forms.py`) or quoted
-with their source (`benchmarks/book/published.py`); what was reached comes from the runs and tests named. *Difference*
-is (reached − reference) in percent of the reference, or of what is said beside it. *Allowed* is what the book holds the
-number to: what the test allows where one of those named holds that very number; where it is empty, the difference is
-shown and not judged. `./rollfem book` makes this page again and fails when a number is beyond. What each part must meet
-and which test holds what: [verification](../verification.md).
+How accurate rollfem is: every benchmark is recomputed and compared with a closed form, a published value or an
+independent method. References are computed by the book's own formulas (`benchmarks/book/closed_forms.py`) or quoted
+with their source (`benchmarks/book/published.py`); the values reached come from the runs and tests named. *Difference*
+is (reached − reference) in percent of the reference, or of the quantity stated. *Allowed* is the book's tolerance,
+that of the named test where it checks this number; where it is empty, the difference is shown for information.
+`./rollfem book` regenerates this page and fails when a number exceeds its tolerance. Requirements and the tests that
+check them: [verification](../verification.md).
 """
 
 

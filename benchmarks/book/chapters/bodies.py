@@ -19,8 +19,8 @@ def elements(bench):
         seconds += found["seconds"]
     return Chapter(
         "elements", "Order of the elements on curved bodies",
-        "A displacement is chosen, its body force and surface tractions are laid on segments of wheel and rail with "
-        "curved surfaces, and the solution is compared with it; two meshes.",
+        "A displacement is chosen, its body force and surface tractions are applied to segments of wheel and rail with "
+        "curved surfaces, and the solution is compared with it, on two meshes.",
         "the manufactured solution; orders k + 1 in the displacement (L2) and k in the energy of elements of degree k.",
         rows, cost=[Cost("four tests", seconds)],
         tests=["verification.ManufacturedSolution.QuadraticElementsOnAConvexWheel",
@@ -47,13 +47,13 @@ def persson(bench):
         missed.append(f"{100 * (2 / (np.pi * semi_axis) / pressure - 1):.1f} % at {angle} degrees".replace("-", "−"))
     return Chapter(
         "persson", "Persson's conformal pin: far from half-spaces",
-        "A disc in the hole of a large plate, plane strain, like materials, no friction; own meshes of both through the "
-        "library's elasticity, factorisation and normal solver; elements of 1.5 degrees.",
+        "A disc in the hole of a large plate, plane strain, like materials, no friction; both meshed separately and "
+        "solved with the library's elasticity, factorisation and normal solver; elements of 1.5 degrees.",
         "Persson (1964), checked against an independent Fourier solution of disc and plate (to 5 digits).", rows,
         cost=[Cost("three angles, two meshes each", found["seconds"])],
         tests=["verification.PerssonPin.TouchesOverTheAngleAndWithThePressureOfTheClosedForm",
                "unit.Persson.GivesTheTableOfTheFourierSolution"],
-        after="Hertz's theory, that is half-spaces, at the same load and clearance has p(0) off by "
+        after="At the same load and clearance Hertz's theory, i.e. half-spaces, has p(0) wrong by "
               + ", ".join(missed) + ".")
 
 

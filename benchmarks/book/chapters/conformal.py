@@ -88,18 +88,19 @@ def _groove_table(bench, cost):
                                                   for k in ("p0", "a", "b", "approach"))])
         lines.append([f"{radius} mm", "hybrid", *(number(truth[k], 5) for k in ("p0", "a", "b", "approach"))])
         sweep.append((truth["b"] / 10.0, away))
-    return Table("Grooves at 10 kN without friction, differences to the hybrid: p0 in MPa, semi-axes and approach in mm.",
+    return Table("Grooves at 10 kN without friction, differences from the hybrid: p0 in MPa, semi-axes and approach in mm.",
                  ["groove", "theory", "p0", "a", "b", "approach"], lines), sweep
 
 
 def _corner_tables():
     head = ["", "F_z, kN", "sum of pressure, kN", "p0, MPa"]
-    without = Table("Corner at the approach of 0.09089 mm without friction, and what the rest of the body changes:", head,
+    without = Table("Corner at an approach of 0.09089 mm without friction, and the effect of the rest of the body:", head,
                     [list(line) for line in records.CORNER])
     friction = Table("Corner, friction of 0.3, the whole rigid slip of CONTACT's cases 4 and 5 (`extra_slip = \"file\"`):",
                      ["", "F_x, kN", "F_s along the arc, kN", "sum of pressure, kN", "p0, MPa"],
                      [list(line) for line in records.CORNER_FRICTION])
-    rest = Table("The rest of the body, changes against bodies round to 0.7 of their radii and segments as large as the program "
+    rest = Table("Effect of the rest of the body: changes against bodies that are circular up to 0.7 of their radii "
+                 "and segments as large as the program "
                  "takes them (8 semi-axes):", ["", "corner: F_z", "corner: p0", "10.25 mm: p0", "10.05 mm: p0"],
                  [list(line) for line in records.REST])
     return [without, rest, friction]
@@ -131,13 +132,16 @@ def conformal_contact(bench):
     return Chapter(
         "conformal-contact", "Conformal contact: grooves and corners",
         "A wheel of 420 mm and 10 mm across in grooves of 10.25, 10.10, 10.05, 10.02 mm under 10 kN "
-        "([case](../../cases/conformal_groove.toml)), and a rail's corner of 10 mm in a wheel's root of 10.2 mm at a given "
-        "approach ([case](../../cases/conformal_corner.toml)).",
+        "([case](../../cases/conformal_groove.toml)), and a rail's corner of 10 mm in a wheel's root of 10.2 mm at "
+        "a prescribed approach ([case](../../cases/conformal_corner.toml)).",
         "CONTACT's printed results (testbank/examples_conformal/groove_li and examples/conformal of its repository); "
-        "a half-space of the book's own that does what CONTACT does and nothing else (`benchmarks/book/turned_half_space.py`); "
-        "records of the hybrid and of finite elements with the commands that made them (`benchmarks/book/conformal_records.py`).",
+        "a half-space of the book's own that does what CONTACT does and nothing else "
+        "(`benchmarks/book/turned_half_space.py`); "
+        "records of the hybrid and of finite elements with the commands that made them "
+        "(`benchmarks/book/conformal_records.py`).",
         rows, tables=[table, *_corner_tables()],
-        figures=[(_figure(bench, sweep), "Hertz and the curved half-space less the hybrid in the grooves at 10 kN; grey: 1 %")],
+        figures=[(_figure(bench, sweep), "Hertz and the curved half-space less the hybrid in the grooves at 10 kN; "
+                                         "grey: 1 %")],
         cost=cost,
         tests=["verification.DeepGroove.RollsFreelyAsInContact", "verification.CornerInARoot.SumOfPressureIsNotTheForce",
                "verification.HybridInAGroove.HasThePressureOfDirectionsTurned",

@@ -80,7 +80,7 @@ def _convergence(semi_axis):
         errors = [abs(elastic_sphere.surface_strain(place, angle, POISSON, count, split)[0][0] / best - 1)
                   for split in (False, True)]
         rows.append([f"{count}", *(f"{e:.1e}".replace("-", "−") for e in errors)])
-    return Table("Error of the strain along the meridian at a/2, relative, by the number of terms (20 000 taken for exact):",
+    return Table("Relative error of the strain along the meridian at a/2 over the number of terms (20 000 taken as exact):",
                  ["terms", "plain", "with closed sums"], rows)
 
 
@@ -125,11 +125,12 @@ def curvature_slip(bench):
                         results[letter].model("fem").nearest(0.0)["traction_coefficient"], 0.08, by="FEM"))
     return Chapter(
         "curvature-slip", "Slip without creepage: an elastic sphere, curved half-spaces",
-        "Under pressure alone a curved body strains a little more along rolling than a half-space does, by the order of p0 a/(G R): "
-        "without creepage, friction and profile there is slip, and a force. A sphere of 405 mm on a flat rail under 50 kN "
+        "Under pressure alone a curved body strains slightly more along rolling than a half-space, by the order of "
+        "p0 a/(G R): there is slip, and with friction a force, without any creepage. A sphere of 405 mm on a flat "
+        "rail under 50 kN "
         "(a = 5.09 mm), segments of 8 and 16 a; and the 2012 study's cases a, b, c.",
         "Lur'e's series for a sphere between two opposite Hertz pressures, its strains less those of the half-space "
-        "(`benchmarks/book/elastic_sphere.py`); and the half-space disturbed to first order in its curvature, a closed "
+        "(`benchmarks/book/elastic_sphere.py`); and the half-space perturbed to first order in its curvature, a closed "
         "form up to one integral (`benchmarks/book/curved_half_space.py`, [theory](../theory.md)). Neither shares code "
         "with the program; they agree with each other as a/R goes to 0.",
         rows, tables=[_convergence(semi_axis)],
@@ -137,8 +138,9 @@ def curvature_slip(bench):
                   "difference of rolling radii; the first order is that of a/R to 0")],
         cost=[Cost("the test, four bodies and their point loads", found["seconds"])],
         tests=["verification.ElasticSphere.SlipsWithoutCreepageAsLuresSeriesSays"],
-        after="Segments leave out the curvature beyond them, which is felt as one over their reach: from 8 semi-axes, the "
-              "default, to 16 the slip grows by 1.9 %, so that some 4 % are missing at 8. Cells of a/5 add 3 %. The forces of "
+        after="Segments omit the curvature beyond them, whose effect falls as one over their extent: from 8 semi-axes, the "
+              "default, to 16 the slip grows by 1.9 %, so that some 4 % are missing at 8. Cells of a/5 add 3 %. The "
+              "forces of "
               "a, b, c are those of segments of 8 semi-axes on finer cells.")
 
 

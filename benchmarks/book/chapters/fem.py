@@ -36,9 +36,10 @@ def fem_hertz(bench):
     name = bench.save(figure, "fem_hertz")
     return Chapter(
         "fem-hertz", "Finite elements on finer cells: Hertz's case a",
-        "Case a, degree 2, segments held as half-spaces under a point load; cells and contact elements of 1.88, 0.94 and "
+        "Case a, degree 2, segments with the far boundary of a half-space under a point load; cells and contact "
+        "elements of 1.88, 0.94 and "
         "0.47 mm (a/2, a/4, a/8), `rollfem study cases/thesis_a.toml --model fem --vary cell`.",
-        "Hertz's closed form. The bodies are nearly half-spaces, so that what is left is discretisation.", rows,
+        "Hertz's closed form. The bodies are nearly half-spaces, so the remaining error is that of discretisation.", rows,
         figures=[(name, "Errors against Hertz on three meshes")],
         cost=[Cost(f"{level['label']}, two load points", level["seconds"], level["unknowns"])
               for level in series["levels"]],

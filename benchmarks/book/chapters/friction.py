@@ -12,7 +12,7 @@ FORCE, FRICTION, SHEAR_MODULUS, POISSON = 9.1954, 0.4, 200.0, 0.42
 
 
 def cattaneo(bench):
-    """Cattaneo and Mindlin: a sphere pushed to and fro"""
+    """Cattaneo and Mindlin: a sphere pushed back and forth"""
     result = bench.run("cattaneo", "cases/cattaneo.toml")
     model = result.model("halfspace")
     radius, _, pressure, approach = closed_forms.hertz(0.01, 0.01, FORCE, SHEAR_MODULUS / (1 - POISSON))
@@ -31,10 +31,10 @@ def cattaneo(bench):
             Row("work lost in a cycle, nu = 0", "N mm", losses[0], loop["loss"], 0.003),
             Row("work lost in a cycle, nu = 0.42", "N mm", losses[1], loop["loss_of_the_benchmark"], 0.01)]
     return Chapter(
-        "cattaneo", "Cattaneo and Mindlin: a sphere pushed to and fro",
-        "Like bodies, G = 200 MPa, nu = 0.42, R = 50 mm, 9.1954 N, mu = 0.4, so that a = 1 mm; pushed by 0.008172 mm, "
-        "back and again ([case](../../cases/cattaneo.toml)); 40 elements across. The loss is that of cycles of +-7/8 mu F_z "
-        "at 30 across.",
+        "cattaneo", "Cattaneo and Mindlin: a sphere pushed back and forth",
+        "Like bodies, G = 200 MPa, nu = 0.42, R = 50 mm, 9.1954 N, mu = 0.4, so that a = 1 mm; pushed by 0.008172 "
+        "mm, back, and forth again ([case](../../cases/cattaneo.toml)); 40 elements across. The work lost is that "
+        "of cycles of +-7/8 mu F_z at 30 across.",
         "Cattaneo (1938), Mindlin (1949), Mindlin and Deresiewicz (1953). The closed form neglects the traction "
         "across the push, which is exact for nu = 0 alone: with nu = 0.42 it is an approximation itself. The "
         "adhesion area is counted by elements here.",
@@ -111,8 +111,8 @@ def spence(bench):
         "An elastic sphere (G = 0.5 MPa, nu = 0, R = 121.5 mm) pressed on a rigid plane, mu = 0.2986, in steps of load "
         "([case](../../cases/spence.toml)).",
         "CONTACT's user guide after Spence (1975): the adhesion area keeps half the radius; p0 1.31 of Hertz's; CONTACT's "
-        "example: 0.09874 mm and 0.02392 MPa at 0.4705 N. Spence's closed form is not quoted: the one at hand "
-        "does not give the user guide's datum.",
+        "example: 0.09874 mm and 0.02392 MPa at 0.4705 N. Spence's closed form is not used: the version available "
+        "does not reproduce the user guide's value.",
         rows, figures=[(name, "The adhesion area grows with the patch: cases/spence.toml, from the fourth step on")],
         cost=[Cost("16 steps", model.seconds["total"], model.unknowns),
               Cost("the test, 0.1 mm", fine["seconds"])],
@@ -146,8 +146,8 @@ def transient(bench):
         "Case b rolled from rest at 0.1 % creepage in steps of a tenth of the patch, 24 elements across "
         "([case](../../cases/cattaneo_to_carter.toml)).",
         "the program's own steady solution on the same grid, which is an independent algorithm (no steps) on the same "
-        "influence coefficients. With steps of one element the two agree to 5e-5 of mu F_z in the test; here steps "
-        "are 2.4 elements long.",
+        "influence coefficients. With steps of one element the two agree to 5e-5 of mu F_z in the test; here the "
+        "steps are 2.4 elements long.",
         rows, figures=[(name, "Force against distance rolled")],
         cost=[Cost("24 steps", model.seconds["total"], model.unknowns)],
         tests=["verification.TransientRolling.TendsToTheSteadySolutionOfTheSameOrder",
@@ -156,7 +156,7 @@ def transient(bench):
 
 
 def creep_frequency(bench):
-    """Creepage that oscillates: amplitude and phase of the force"""
+    """Oscillating creepage: amplitude and phase of the force"""
     found = bench.test("verification_creep_frequency:CreepFrequency.OfLineContactIsTheClosedForm")
     waves, distance, rows = (0.1, 0.3, 1.0, 2.0, 4.0), 20.0, []
     for wave in waves:
@@ -182,12 +182,14 @@ def creep_frequency(bench):
     axes[0].legend()
     figure.tight_layout()
     return Chapter(
-        "creep-frequency", "Creepage that oscillates: amplitude and phase of the force",
-        "Line contact in full adhesion, rolled in steps of one element under the creepage xi cos(2 pi s/L) until its start "
-        "is forgotten; 80 elements, displacements relative to those at 20 a.",
-        "a closed form derived here ([theory](../theory.md)), F/F_0 = (J_0 + i J_1)/(J_0 + i k a ln(2 D/a) (J_0 + i J_1)), J = "
-        "J(k a), k = 2 pi/L: the two-dimensional case of Knothe and Gross-Thebing's (1986) transfer functions, whose "
-        "values for ellipses could not be had. Half-planes have no fixed point at infinity, hence the distance D.",
+        "creep-frequency", "Oscillating creepage: amplitude and phase of the force",
+        "Line contact in full adhesion, rolled in steps of one element under the creepage xi cos(2 pi s/L) until "
+        "the start no longer matters; 80 elements, displacements relative to those at 20 a.",
+        "a closed form derived here ([theory](../theory.md)), F/F_0 = (J_0 + i J_1)/(J_0 + i k a ln(2 D/a) (J_0 + i "
+        "J_1)), J = "
+        "J(k a), k = 2 pi/L: the two-dimensional case of Knothe and Gross-Thebing's (1986) transfer functions, "
+        "whose values for ellipses were not available. Half-planes have no fixed point at infinity, hence the "
+        "distance D.",
         rows, figures=[(bench.save(figure, "creep_frequency"), "Amplitude and phase over the wavelength")],
         cost=[Cost("the test, two grids", found["seconds"])],
         tests=["verification.CreepFrequency.OfLineContactIsTheClosedForm"])

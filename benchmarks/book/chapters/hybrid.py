@@ -85,8 +85,8 @@ def _limits_table(record):
                              ", ".join(f"{d:.5f}".replace("-", "−") for d in force["differences"]),
                              f"{force['limit']:.5f}".replace("-", "−"), f"{force['plain']:.5f}".replace("-", "−")])
     return Table("What the limits are made of: finite elements less the half-space on the same contact elements, cells of "
-                 "a/4, a/8 and, where there are three, a/12; the limit; and the plain extrapolation of the finite elements, which has "
-                 "their grid's error in it. One cell size has no extrapolation.",
+                 "a/4, a/8 and, where there are three, a/12; the limit; and the plain extrapolation of the finite "
+                 "elements, which includes the error of their grid. With one cell size there is no extrapolation.",
                  ["case, xi", "p0 less the half-space's, MPa", "limit", "plain", "−F_x/F_z less the half-space's", "limit", "plain"], rows)
 
 
@@ -142,26 +142,35 @@ def hybrid(bench):
     return Chapter(
         "hybrid", "The hybrid against the limit of finite elements",
         "The 2012 study's cases at xi = 0, 0.1, 0.3 %, S1002 on UIC60, a groove and a corner: the hybrid on "
-        f"{ACROSS} elements across, its correction by cells of a third of the smaller semi-axis. Asked are 0.05 % of p0 and "
-        "0.1 % of mu in forces.",
-        "Finite elements in the limit of small cells. Their runs are too dear for the book and are kept in a record, "
-        "`benchmarks/hybrid_limits.json`, which `benchmarks/hybrid_limits.py` makes: the half-space in the limit of its contact "
-        "grid, and the difference between finite elements and the half-space on the same contact elements in the limit of their cells. "
-        "Segments reach eight of the larger semi-axis; what lies beyond them is in neither. What finite elements have beyond half-spaces "
-        "on bodies a hundred times larger, where nothing should be, is taken off (up to 0.024 % of p0). Largest pressures are those of the "
-        f"middlemost of {ACROSS} elements: their references are less the 0.016 % that a half-space of so many lacks.",
+        f"{ACROSS} elements across, its correction by cells of a third of the smaller semi-axis. Required: 0.05 % of "
+        "p0 and 0.1 % of mu in forces.",
+        "Finite elements in the limit of small cells. Their runs take too long for the book and are stored in a record, "
+        "`benchmarks/hybrid_limits.json`, which `benchmarks/hybrid_limits.py` makes: the half-space in the limit of "
+        "its contact "
+        "grid, and the difference between finite elements and the half-space on the same contact elements in the "
+        "limit of their cells. "
+        "Segments reach eight times the larger semi-axis; neither model includes what lies beyond. The difference "
+        "between finite elements and half-spaces on bodies a hundred times larger, where there should be none, is "
+        "subtracted (up to 0.024 % of p0). Largest pressures are those of the "
+        f"middle one of {ACROSS} elements: the references are reduced by the 0.016 % that a half-space on this grid "
+        "is too low.",
         _rows(record, found) + _conformal_rows(record, conformal), tables=[_limits_table(record)],
-        figures=[(_figure(bench, record, series), "Case f from nothing: root mean square error at the three creepages over the CPU "
-                  "seconds of the whole run, error bars and all; beside the points elements across, or cells of finite elements; "
+        figures=[(_figure(bench, record, series), "Case f from nothing: root mean square error at the three "
+                                                  "creepages over the CPU "
+                  "seconds of the whole run, error bars and all; beside the points elements across, or cells of "
+                  "finite elements; "
                   "dotted: what is asked; grey: what is not known of the limit")],
         cost=[Cost(f"case {letter}, hybrid", result.seconds["total"], result.unknowns)
               for letter, (result, _) in {**found, **conformal}.items()]
         + [Cost(f"case f, {style.label(r)}, {note}", r.seconds["total"], r.unknowns) for line in series for (r, _), note in line
            if r is not found["f"][0]],
         tests=["verification.Hybrid.MeetsTheLimitOfFiniteElements", "verification.Hybrid.HasTheSlipOfAnElasticSphere"],
-        after="Nearly all of the hybrid's seconds are its correction, which is the same for every contact grid, creepage and friction. "
-              "Contact elements of finite elements are as large as their cells: their force at partial slip has the error of so few. In e "
-              "and f rows of elements across are not quite the same in both, which is most of what is not known of these limits.")
+        after="Nearly all of the hybrid's seconds are its correction, which is the same for every contact grid, "
+              "creepage and friction. "
+              "The contact elements of finite elements are as large as their cells, so their force in partial slip "
+              "has the error of a coarse grid. In e "
+              "and f rows of elements across are not quite the same in both, which is most of the uncertainty of "
+              "these limits.")
 
 
 hybrid.needs_fem = True

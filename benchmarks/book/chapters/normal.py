@@ -61,7 +61,7 @@ def grid_order(bench):
         "Case a of the study of 2012 (Hertz: p0 578.967 MPa) on 10 to 160 elements across, "
         "`rollfem study cases/thesis_a.toml`.",
         "Hertz's closed form; CONTACT rev 2707 on the same grids (its discretisation of the normal problem is the "
-        "same, so that digits agree); order 2 of constant elements (Kalker 1990).",
+        "same, so the digits agree); order 2 of constant elements (Kalker 1990).",
         rows, figures=[(_figure(bench, levels, exact), "Errors in p0 and approach against elements across the patch")],
         cost=[Cost(f"{n} across, seven load points", levels[n]["seconds"], levels[n]["unknowns"]) for n in (40, 160)],
         tests=["verification.HalfspaceNormal.MaxPressureConvergesToHertzWithOrderTwoAsInContact",
@@ -173,8 +173,10 @@ def steuermann(bench):
         "steuermann", "Steuermann: bodies flatter than paraboloids",
         "Steel, h = 0.001 mm (r/a)^4 and (r/a)^6 with a = 5 mm, given point by point in a file; the force is that of the "
         "closed form, P = 64 E* A a^5/15 and 192 E* A a^7/35.",
-        "Steuermann (1939; Johnson 1985, 5.24, from memory), derived again from Sneddon's integrals: approach 8 A a^4/3 and "
-        "16 A a^6/5, pressure 32 E* A sqrt(a^2 - r^2) (a^2 + 2 r^2)/(9 pi) for the fourth power, largest not in the middle but at "
+        "Steuermann (1939; Johnson 1985, 5.24, from memory), derived again from Sneddon's integrals: approach 8 A "
+        "a^4/3 and "
+        "16 A a^6/5, pressure 32 E* A sqrt(a^2 - r^2) (a^2 + 2 r^2)/(9 pi) for the fourth power, largest not in the "
+        "middle but at "
         "r = a/sqrt(2).",
         rows, figures=[(bench.save(figure, "steuermann"),
                         "Pressure over the radius (lines: closed form, marks: 40 across), and errors against the grid")],

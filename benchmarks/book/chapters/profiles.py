@@ -88,10 +88,12 @@ def wheel_on_rail(bench):
     return Chapter(
         "wheel-on-rail", "S1002 on UIC60 at 100 kN",
         "A wheelset 2 mm to the right, wheel radius 450 mm, mu = 0.55, rails inclined 1:40 "
-        "([left](../../cases/s1002_uic60_left.toml), [right](../../cases/s1002_uic60_right.toml)); half-space at 40 across, "
+        "([left](../../cases/s1002_uic60_left.toml), [right](../../cases/s1002_uic60_right.toml)); half-space at 40 "
+        "across, "
         "finite elements on cells of 0.5 mm.",
-        "CONTACT rev 2707 on the same profiles (0.05 mm elements on the left; on the right only p0 is at hand). The "
-        "thesis's figures stand beside; its lengths cannot carry 100 kN at its pressures "
+        "CONTACT rev 2707 on the same profiles (0.05 mm elements on the left; on the right only p0 is available). "
+        "The figures of the 2012 study are shown for comparison; its patch lengths cannot carry 100 kN at its "
+        "pressures "
         "([verification](../verification.md)).",
         rows, tables=tables, figures=[figure], cost=cost,
         tests=["verification.ProfilePatches.S1002OnUic60HasContactsPatch",
@@ -189,19 +191,22 @@ def manchester(bench):
     name = bench.save(_draw_manchester(places), "manchester")
     return Chapter(
         "manchester", "Manchester benchmark A-2.2",
-        "S1002 on UIC60, 10 kN on each wheel, mu = 0.3, shift 0 to 10 mm with 2.4 mrad of yaw for each, no torque about the "
-        "axle; both wheels, every column, of which the table has the position that is nearest to what is allowed "
+        "S1002 on UIC60, 10 kN on each wheel, mu = 0.3, shift 0 to 10 mm with 2.4 mrad of yaw for each, no torque "
+        "about the "
+        "axle; both wheels, every column; the table shows the position closest to its tolerance "
         "([case](../../cases/manchester_A22.toml)).",
-        "CONTACT's shipped results (user guide 5.7; Shackleton and Iwnicki 2008), left wheel r2707, right wheel r2447. At the "
+        "CONTACT's shipped results (user guide 5.7; Shackleton and Iwnicki 2008), left wheel r2707, right wheel "
+        "r2447. At the "
         "largest creepages up to 1.3 % are a matter of definition: CONTACT divides by the mean of forward and "
-        "circumferential speed. The height of the wheelset is another there (its roll is given, here both wheels touch) and "
-        "is held at 0 mm alone (last test).",
+        "circumferential speed. The height of the wheelset differs (its roll is prescribed there, here both wheels "
+        "touch) and is compared at 0 mm only (last test).",
         rows, figures=[(name, "Angle, pressure, creepage and force of both wheels over the shift")],
         cost=[Cost("both wheels at eleven positions, half-space", sum(m.seconds["total"] for m in result.models))],
         tests=["verification.ManchesterBenchmark.LeftWheelAgreesWithContact",
                "verification.ManchesterBenchmark.RightWheelOfOnePatchAgreesWithContact",
                "verification.ManchesterBenchmark.RightWheelOfTwoPatchesCarriesAsContactFinds",
                "verification.ManchesterHeight.IsTheirsLessTheApproach"],
-        after="At 5 mm the right wheel touches at two places, tread and flange root, which CONTACT joins into one patch: there "
-              "the normal force is held, and on the left wheel everything but creepage and friction along and across. The "
-              "positions half way between (0.5, 1.5 mm, ...) are not computed here.")
+        after="At 5 mm the right wheel touches at two places, tread and flange root, which CONTACT joins into one "
+              "patch: there the normal force is compared, and on the left wheel everything except creepage and "
+              "longitudinal and lateral friction. The intermediate positions (0.5, 1.5 mm, ...) are not part of the "
+              "book.")

@@ -46,8 +46,8 @@ def carter(bench):
     orders = [np.log2(plane[f"error_at_{n}"] / plane[f"error_at_{2 * n}"]) for n in (20, 40, 80)]
     return Chapter(
         "carter", "Carter: steady rolling of like cylinders",
-        "A patch a hundred times as wide as long, mu = 0.3 ([case](../../cases/carter_line.toml)): every strip rolls like a "
-        "cylinder. And cylinders in the plane by the line compliance (test), a = 1 mm, R = 500 mm.",
+        "A patch a hundred times as wide as long, mu = 0.3 ([case](../../cases/carter_line.toml)): every strip "
+        "rolls like a cylinder. In addition, plane cylinders by the line compliance (test), a = 1 mm, R = 500 mm.",
         "Carter (1926), strip by strip: a', force and traction in closed form.",
         rows, figures=[(figure, "Tangential traction through the middle; lines: Carter, marks: half-space")],
         cost=[Cost("half-space, six load points", half.seconds["total"], half.unknowns)],
@@ -96,10 +96,10 @@ def bentall_johnson(bench):
                 0.002, by="CONTACT")]
     return Chapter(
         "bentall-johnson", "Bentall and Johnson: rollers of unlike materials",
-        "Aluminium (G = 23 000 MPa, nu = 0.31) on steel (82 000, 0.28), rollers of 50 mm, a = 0.1 mm: cylinders in the "
-        "plane by the line compliance, 200 or 400 elements; pressure and traction act on each other.",
-        "Bentall and Johnson (1967), where everything slips, in closed form; CONTACT's user guide (200 elements, "
-        "first-order difference, three digits; the rows with free rolling take that difference too).",
+        "Aluminium (G = 23 000 MPa, nu = 0.31) on steel (82 000, 0.28), rollers of 50 mm, a = 0.1 mm: plane "
+        "cylinders by the line compliance, 200 or 400 elements; pressure and traction are coupled.",
+        "Bentall and Johnson (1967), in closed form for full slip; CONTACT's user guide (200 elements, "
+        "first-order difference, three digits; the rows with free rolling use that difference too).",
         rows, cost=[Cost("three tests", free["seconds"] + rough["seconds"] + pulled["seconds"])],
         tests=["verification.BentallJohnson.CreepageOfFreeRollingWithHardlyAnyFriction",
                "verification.BentallJohnson.FrictionLowersTheCreepageAndRaisesThePressure",
@@ -167,12 +167,14 @@ def nowell_hills(bench):
     figure.tight_layout()
     return Chapter(
         "nowell-hills", "Nowell and Hills: tractive rolling of unlike cylinders",
-        "Aluminium on steel as before, pulled and braked, from little friction to much: up to three zones of adhesion between "
-        "slip of either direction; pressure and traction act on each other. 200 elements in the plane.",
-        "the problem of Nowell and Hills (1988), whose figures could not be had: solved again by Gauss-Chebyshev quadrature "
-        "of the two singular integral equations (`benchmarks/book/unlike_cylinders.py`, 200 nodes; 100 and 300 change xi by "
-        "1e-4 of it at most), which has no element, no difference and no iteration between normal and tangential problem "
-        "in common with the program. Where all adheres, free rolling has a closed form, derived here: xi R/a = "
+        "Aluminium on steel as before, driven and braked, from low to high friction: up to three adhesion zones "
+        "between slip in either direction; pressure and traction are coupled. 200 elements in the plane.",
+        "the problem of Nowell and Hills (1988), whose figures were not available: solved independently by "
+        "Gauss-Chebyshev quadrature "
+        "of the two singular integral equations (`benchmarks/book/unlike_cylinders.py`, 200 nodes; 100 and 300 "
+        "change xi by "
+        "1e-4 of it at most), which shares no element, no difference and no iteration between normal and tangential "
+        "problem with the program. In full adhesion free rolling has a closed form, derived here: xi R/a = "
         "2 e/sqrt(1 + 4 e^2), 2 pi e = ln((1 + beta)/(1 - beta)).",
         rows, figures=[(bench.save(figure, "nowell_hills"),
                         "Pressure and traction by quadrature, mu = 0.05, adhesion shaded; creepage over force (lines: "
@@ -180,8 +182,9 @@ def nowell_hills(bench):
         cost=[Cost("two tests", found["seconds"] + free["seconds"])],
         tests=["verification.NowellHills.TractiveRollingOfUnlikeCylindersAsByQuadrature",
                "verification.NowellHills.FreeRollingOfUnlikeCylindersThatAdhereEverywhere"],
-        after="At mu = 10 the coupling makes the patch 0.4 % narrower, half an element at either end of 200: the creepage is off "
-              "by that. CONTACT's 3.59e-4 in the chapter before, on 200 elements of first order, is 2.2 % below the closed form.")
+        after="At mu = 10 the coupling narrows the patch by 0.4 %, half of one of the 200 elements at either end, "
+              "which accounts for the error of the creepage. CONTACT's 3.59e-4 in the chapter before, on 200 "
+              "elements of first order, is 2.2 % below the closed form.")
 
 
 def _whole_table(bench):
@@ -244,11 +247,12 @@ def kalker(bench):
     name = bench.save(figure, "kalker")
     return Chapter(
         "kalker", "Kalker's linear theory: small creepage and spin",
-        "A circle of 6 mm under a given pressure, nu = 0.25, friction without bound in effect, 40 elements across "
+        "A circle of 6 mm under a given pressure, nu = 0.25, friction effectively unbounded, 40 elements across "
         "([case](../../cases/verification/kalker.toml)); other ellipses by the test.",
-        "Kalker's table (1967; 1990, table E.3), itself good to about 1 %: C11, C22, C23 as two public codes have them, C33 "
-        "from memory; C23 = -C32 by reciprocity. Piotrowski's tables of non-elliptic patches and Johnson's measurements of the "
-        "force by spin (1958) could not be had.",
+        "Kalker's table (1967; 1990, table E.3), itself accurate to about 1 %: C11, C22, C23 as two public codes "
+        "have them, C33 "
+        "from memory; C23 = -C32 by reciprocity. Piotrowski's tables of non-elliptic patches and Johnson's "
+        "measurements of the force due to spin (1958) were not available.",
         rows, figures=[(name, "Coefficients for nu = 0.25; lines: Kalker's table, marks: half-space at 40 across")],
         cost=[Cost("half-space, three load points", model.seconds["total"], model.unknowns),
               Cost("half-space, 57 ellipses", seconds)],

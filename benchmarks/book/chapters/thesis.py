@@ -105,13 +105,14 @@ def _beside(results):
                      else number(v) for v, e in zip(values, exact)]
             rows.append([f"{letter}: {WORDS[letter]}" if name == "Hertz, exact" else "", name, *cells])
     head = ["case", "by", "a in mm", "b in mm", "p0 in MPa"]
-    patch = Table("Patches beside the thesis's (difference from exact Hertz, which in e and f is not the truth). FASTSIM "
+    patch = Table("Patches beside those of the 2012 study (difference from exact Hertz, which does not hold in e "
+                  "and f). FASTSIM "
                   "works on Hertz's ellipse.", head, rows)
     tractions = [[f"{style.label(m)}", number(m.nearest(0.002)["max_traction_x"], 4)] for m in results["a"].models
                  if m.name != "hertz"]
     tractions += [["CONTACT today, 160 across", number(published.CONTACT_TRACTION_A, 4)]]
     tractions += [[f"*thesis: {name}*", number(v, 4)] for name, v in published.THESIS_TRACTION_A.items()]
-    return [patch, Table("Case a, largest |p_x| at xi = 0.2 % (the thesis has FASTSIM at 0.4 %: 424.2 MPa):",
+    return [patch, Table("Case a, largest |p_x| at xi = 0.2 % (the 2012 study has FASTSIM at 0.4 %: 424.2 MPa):",
                          ["by", "MPa"], tractions)]
 
 
@@ -186,9 +187,10 @@ def thesis_cases(bench):
         "Wheel radius 405 mm, 50 kN, E = 210 000 MPa, nu = 0.3, mu = 0.55, creepage 0 to 0.6 %; half-space at 40 "
         "across, finite elements on cells of a/8, `rollfem compare cases/thesis_*.toml`.",
         "Hertz's closed form in a to d; CONTACT rev 2707: case a on 80 and 160 elements across, extrapolated "
-        "(+-0.0005), case c on 80 and 160, case e on 40 and 80 with the extra slip of the rail's drop, extrapolated; case e "
+        "(+-0.0005), case c on 80 and 160, case e on 40 and 80 with the extra slip of the rail's drop, "
+        "extrapolated; case e "
         "also at 40 with CONTACT's first-order difference in both programs. FEM less half-space, 0.6 % of mu at small "
-        "creepage (next chapter), is inside what is allowed. The thesis (TU Graz 2012) is shown beside, not judged by.",
+        "creepage (next chapter), is within the tolerance. The 2012 study (TU Graz) is shown for comparison only.",
         _normal_rows(results) + _curve_rows(results) + _rows_with_contacts_slip(bench), tables=[*_beside(results), _costs(results)],
         figures=[(_curves(bench, results), "Creep curves of the six cases by all models"),
                  (_paths(bench, results), "Tangential traction along rolling through the middle at 0.2 % creepage")],
@@ -268,11 +270,12 @@ def _stress_tables(rows):
         by = f"{style.label(model)}, case {letter}, {body}"
         tension.append([by] + [f"{number(v, 3)} ({percent(v / h - 1)})" for v, h in zip(values, half[3])])
         mises.append([by, f"{number(most, 4)} ({percent(most / half[4] - 1)})", number(depth, 3)])
-    return [Table("Largest tension at the surface beside the patch, MPa (across rolling, along the surface), x = 0, xi = 0 with "
-                  "hardly any friction (the patch ends at y = 10.9 mm; cells of 0.94 mm; case a, with nearly flat bodies, is the control). A concave wheel is "
-                  "pulled open, a convex rail is spared; a half-space knows neither:",
+    return [Table("Largest tension at the surface beside the patch, MPa (across rolling, along the surface), x = 0, "
+                  "xi = 0 with very low friction (the patch ends at y = 10.9 mm; cells of 0.94 mm; case a, with "
+                  "nearly flat bodies, is the control). A concave wheel is opened, a convex rail is not; a "
+                  "half-space shows neither:",
                   ["by", "y = 12 mm", "14 mm", "16 mm"], tension),
-            Table("The largest von Mises stress of the same runs:", ["by", "MPa", "depth in mm"], mises)]
+            Table("The largest von Mises stress in the same runs:", ["by", "MPa", "depth in mm"], mises)]
 
 
 def _limits_figure(bench, results):
@@ -319,9 +322,10 @@ def half_space_limits(bench):
     return Chapter(
         "half-space-limits", "What half-space theory misses in e and f",
         "The same normal force, grid and friction in both models; the half-space has the extra slip of the rolling "
-        "radius, so that what is left is elasticity of true, curved bodies and their geometry.",
-        "each other: two independent methods, with their error bars; a to d, whose bodies are flat or convex, tell the part that "
-        f"is not curvature (FEM less half-space at xi = 0: {number(min(flat), 2)} to {number(max(flat), 2)} in "
+        "radius, so the remaining difference is due to the elasticity and geometry of the true, curved bodies.",
+        "each other: two independent methods, with their error bars; a to d, whose bodies are flat or convex, show "
+        "the part that is not curvature (FEM less half-space at xi = 0: {number(min(flat), 2)} to "
+        "{number(max(flat), 2)} in "
         "-F_x/F_z, the strain of a loaded wheel's circles, [verification](../verification.md)).",
         tables=tables + _stress_tables(below),
         figures=[(_limits_figure(bench, results), "FEM less half-space along the creep curve in all cases, and the "
@@ -341,7 +345,9 @@ def _words(letter, half, fem):
     shift = fem.points[0]["traction_coefficient"] - half.points[0]["traction_coefficient"]
     most = max((abs(q["traction_coefficient"] - p["traction_coefficient"]), p["longitudinal_creepage"])
                for p, q in zip(half.points, fem.points))
-    return (f"Case {letter}: finite elements have {change('max_pressure')} of pressure and {change('semi_axis_y')} of width "
+    return (f"Case {letter}: finite elements have {change('max_pressure')} of pressure and {change('semi_axis_y')} "
+            "of width "
             f"beside the half-space; at xi = 0 they have {number(fem.points[0]['traction_coefficient'], 3)} where it has "
-            f"{number(half.points[0]['traction_coefficient'], 3)}, {percent(shift / 0.55)} of mu; the largest difference of "
+            f"{number(half.points[0]['traction_coefficient'], 3)}, {percent(shift / 0.55)} of mu; the largest "
+            "difference of "
             f"the creep curve is {number(100 * most[0] / 0.55, 2)} % of mu at xi = {100 * most[1]:g} %.")
