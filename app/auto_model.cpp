@@ -94,7 +94,7 @@ std::string out_of_question(const contact::ModelInfo* model, const Scene& scene)
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
   const bool boxes = !scene.fem.mesh || *scene.fem.mesh == contact::MeshFamily::structured;
   if (model->name == "hybrid" && (meshes || !boxes))
-    return "it meshes bodies only as boxes under their surface";
+    return "it meshes bodies only as boxes below their surface";
   return "";
 }
 
@@ -152,7 +152,7 @@ class Solver {
       const int elements = elements_of_model_error(asked_, size_);
       made.estimates_model_error = elements > 0;
       if (!known)
-        made.no_model_error = "the bodies are known by their distance alone";
+        made.no_model_error = "only the undeformed distance of the bodies is known";
       else if (elements == 0)
         made.largest_model_error = choice::largest_model_error(size_);
       made.solve = [this, elements](int across) {

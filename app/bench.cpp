@@ -90,12 +90,11 @@ class Bench {
       if (request_.quick) break;
     }
     if (!left_out_.empty())
-      print(fmt::format("\nleft out, as {:g} s would not do: {}; --seconds gives them more\n",
+      print(fmt::format("\nskipped, because {:g} s would not suffice: {}; --seconds allows more\n",
                         request_.seconds, fmt::format("{}", fmt::join(left_out_, ", "))));
     print(
-        "\np0 against Hertz's; force: the largest difference from the limit of the half-space on "
-        "ever finer grids,\nin percent of full sliding; seconds of the load points of the case "
-        "together\n");
+        "\np0: error against Hertz; force: largest difference from the converged half-space,\nin "
+        "percent of full sliding; seconds: all load points of the case together\n");
     tell_speed();
   }
 
@@ -207,13 +206,13 @@ class Bench {
   void tell_speed() const {
     if (!speed_) return;
     print(fmt::format(
-        "\nthis machine takes {:.2f} times the seconds that are predicted, by the "
-        "half-space, the least of {} runs{}\n",
-        *speed_, repeats,
-        busy_ ? "; other programs are at work: its own seconds of the processor count" : ""));
+        "\nthis machine takes {:.2f} times the predicted seconds (half-space, fastest of {} "
+        "runs){}\n",
+        *speed_, repeats, busy_ ? "; other programs are running, so CPU time counts" : ""));
     if (request_.quick || !how_.first || keep_in_.empty()) return;
     keep_machine_speed(keep_in_, {*speed_, made_});
-    print(fmt::format("kept in {}; rollfem check predicts by it\n", keep_in_.string()));
+    print(fmt::format("stored in {}; rollfem check uses it for its predictions\n",
+                      keep_in_.string()));
   }
 
   const BenchRequest& request_;
@@ -231,9 +230,8 @@ class Bench {
 
 void bench(const BenchRequest& request, const contact::ModelRegistry& models) {
   if (!(request.seconds > 0.0))
-    throw contact::InputError(
-        fmt::format("--seconds {:g}: allowed: above 0; do: give the seconds that it may take",
-                    request.seconds));
+    throw contact::InputError(fmt::format(
+        "--seconds {:g}: allowed: above 0; do: give the time limit in seconds", request.seconds));
   std::vector<std::string> names;
   for (const contact::ModelInfo& model : models.all())
     if (!model.chooses && model.built && !(request.quick && model.parallel))

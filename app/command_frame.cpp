@@ -107,7 +107,7 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   if (found > 0 && !request_.resume)
     std::cerr << fmt::format(
         "warning: {} holds {} solutions of an earlier, unfinished run; --resume would continue "
-        "from them, but this run starts anew and will replace them\n",
+        "from them, but this run starts over and will replace them\n",
         folder, found);
   else if (found > 0)
     say(fmt::format("resume: {} solutions of an earlier run in {}", found, folder));
@@ -161,8 +161,8 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
 void write_whole(const std::string& directory, const postprocess::RunRecord& record) {
   const SignalsHeld held;
   postprocess::write_results(directory, record);
-  say_when_interrupted("the results are written to " + directory +
-                       ", but not completely; the same command writes them again");
+  say_when_interrupted("the results were written to " + directory +
+                       ", but not completely; repeat the same command");
 }
 
 void warn_of_doubts(const contact::Case& input) {
@@ -173,7 +173,8 @@ void warn_of_doubts(const contact::Case& input) {
 bool report_drawn(const std::string& directory) {
   const std::string problem = postprocess::make_report(directory, script_directory().string());
   if (!problem.empty())
-    std::cerr << "warning: results are written, but the report was not drawn: " << problem << '\n';
+    std::cerr << "warning: the results were written, but the report was not drawn: " << problem
+              << '\n';
   return problem.empty();
 }
 

@@ -88,20 +88,17 @@ void add_report_flags(CLI::App& command, Request& request) {
 }
 
 void add_run(CLI::App& program, Call& call) {
-  CLI::App* run = program.add_subcommand("run", "compute a case with one or more models");
+  CLI::App* run = program.add_subcommand("run", "solve a case with one or more models");
   run->add_option("case", call.run.case_file, "case file (.toml)");
-  run->add_option(
-         "-m,--model", call.run.models,
-         model_help(call.models) +
-             "; several in a row or with the option repeated; without it the models of the "
-             "case file, and auto where that names none")
+  run->add_option("-m,--model", call.run.models,
+                  model_help(call.models) +
+                      "; give several in a row or repeat the option (default: the models of the "
+                      "case file, or auto)")
       ->delimiter(',');
   run->add_option("-o,--output", call.run.directory,
-                  "folder for the results; without it results/<name of the case file>");
-  run->add_flag(
-      "--resume", call.run.resume,
-      "go on with a run that was ended: its finished load points are in FOLDER.unfinished "
-      "beside the results");
+                  "folder for the results (default: results/<name of the case file>)");
+  run->add_flag("--resume", call.run.resume,
+                "continue an interrupted run from the load points kept in FOLDER.unfinished");
   add_report_flags(*run, call.run);
   run->footer("example: rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a\n" +
               model_list(call.models));
@@ -112,24 +109,24 @@ void add_run(CLI::App& program, Call& call) {
 }
 
 void add_compare(CLI::App& program, Call& call) {
-  CLI::App* compare = program.add_subcommand(
-      "compare", "compute cases with several models and lay the results beside each other");
+  CLI::App* compare =
+      program.add_subcommand("compare", "solve cases with several models and compare the results");
   compare->add_option("case", call.compare.case_files, "case files (.toml), one or more");
   compare
       ->add_option("-m,--model", call.compare.models,
                    model_help(call.models) +
-                       "; several in a row or with the option repeated; without it " +
+                       "; give several in a row or repeat the option; default: " +
                        contact::listed(call.models.names(&contact::ModelInfo::in_compare)) +
                        ", whatever models the case files name")
       ->delimiter(',');
   compare->add_option(
       "--reference", call.compare.reference,
-      "the model that the others are compared with; without it " + call.models.reference().name);
+      "the model that the others are compared with; default: " + call.models.reference().name);
   compare->add_option("-o,--output", call.compare.directory,
-                      "folder for the comparison; without it results/compare_<name of the case "
-                      "file>, results/compare for several");
+                      "folder for the comparison (default: results/compare_<name of the case "
+                      "file>, results/compare for several)");
   compare->add_flag("--resume", call.compare.resume,
-                    "keep the cases that an earlier call finished and go on with the others");
+                    "keep the cases that an earlier call finished and solve the others");
   add_report_flags(*compare, call.compare);
   compare->footer("example: rollfem compare cases/thesis_*.toml --reference halfspace\n" +
                   model_list(call.models));
@@ -141,36 +138,34 @@ void add_compare(CLI::App& program, Call& call) {
 
 void add_study(CLI::App& program, Call& call) {
   CLI::App* study = program.add_subcommand(
-      "study", "compute a case on ever finer grids: errors, observed orders, cost");
+      "study", "solve a case on ever finer grids: errors, observed orders, cost");
   study->add_option("case", call.study.case_file, "case file (.toml)");
   study
       ->add_option("-m,--model,--models", call.study.models,
-                   model_help(call.models) + ", or all; without it " + call.models.reference().name)
+                   model_help(call.models) + ", or all; default: " + call.models.reference().name)
       ->delimiter(',');
   study
       ->add_option("--vary", call.study.vary,
-                   "what is refined: " + refinement_help(call.models) +
-                       "; several in a row; without it the first that a model has")
+                   "what to refine: " + refinement_help(call.models) +
+                       "; give several in a row (default: the first that a model offers)")
       ->delimiter(',');
   study->add_flag("--together", call.study.together,
-                  "refine all of --vary at once; without it one at a time");
-  study->add_option(
-      "--levels", call.study.levels,
-      "how many levels, 2 to 8; without it 5 grids (a fourth of the case's elements "
-      "to four times as many), 3 cells (four times the case's to the case's), 3 domains "
-      "(half to twice the case's)");
+                  "refine everything in --vary at once (default: one at a time)");
+  study->add_option("--levels", call.study.levels,
+                    "number of levels, 2 to 8 (default: 5 grids, from a quarter of the case's "
+                    "elements to four times as many; 3 cell sizes, from four times the case's to "
+                    "the case's; 3 domains, from half to twice the case's)");
   study
       ->add_option("--reference", call.study.references,
                    "what errors are measured against: exact (Hertz), finest, extrapolated, or "
-                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722 (of one of "
-                   "several patches left_1_2.max_pressure=1010); without it exact where there is "
-                   "such a value, else extrapolated")
+                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722 (for one of "
+                   "several patches left_1_2.max_pressure=1010); default: exact where an exact "
+                   "value exists, otherwise extrapolated")
       ->delimiter(',');
   study->add_option("-o,--output", call.study.directory,
-                    "folder for the study; without it results/<name of the case file>_study");
+                    "folder for the study (default: results/<name of the case file>_study)");
   study->add_flag("--resume", call.study.resume,
-                  "go on with a study that was ended: its finished levels are in FOLDER.unfinished "
-                  "beside the results");
+                  "continue an interrupted study from the levels kept in FOLDER.unfinished");
   add_report_flags(*study, call.study);
   study->footer("example: rollfem study cases/thesis_a.toml --models all\n" +
                 model_list(call.models));
@@ -182,11 +177,13 @@ void add_study(CLI::App& program, Call& call) {
 
 void add_bench(CLI::App& program, Call& call) {
   CLI::App* bench = program.add_subcommand(
-      "bench", "error and seconds of each model on this machine, on cases whose limits are known");
+      "bench",
+      "measure error and run time of each model on this machine, in cases with known solutions");
   bench->add_option("--seconds", call.bench.seconds,
-                    "what is expected to go beyond is left out; without it 30");
-  bench->add_flag("--quick", call.bench.quick,
-                  "one case on coarse grids in a second; the speed of the machine is not kept");
+                    "time limit; runs expected to exceed it are skipped (default: 30)");
+  bench->add_flag(
+      "--quick", call.bench.quick,
+      "one case on coarse grids, about a second; does not store the speed of the machine");
   bench->footer("example: rollfem bench");
   bench->callback([&call] { app::bench(call.bench, call.models); });
 }
@@ -218,8 +215,8 @@ void add_table(CLI::App& program, Call& call) {
 void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
   command
       .add_option("--set", changes,
-                  "a key of the case file with another value, for instance "
-                  "friction.coefficient=0.3; the option once for each key")
+                  "change a key of the case file, e.g. friction.coefficient=0.3; repeat the option "
+                  "for more keys")
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all();

@@ -32,7 +32,7 @@ void new_case(const std::string& file, const contact::ModelRegistry& models) {
   }
   if (std::filesystem::exists(file))
     throw contact::InputError(
-        fmt::format("new-case: {} is there already; do: name another file", file));
+        fmt::format("new-case: {} already exists; do: name another file", file));
   std::ofstream stream(file);
   stream << contact::case_template(model_words(models));
   stream.close();
@@ -106,16 +106,15 @@ std::string page_text(const std::string& page, const CLI::App& program,
 
 void add_convert_command(CLI::App& program, Call& call) {
   CLI::App* convert = program.add_subcommand(
-      "convert", "turn an input file of CONTACT (modules 1 and 3) into case files");
+      "convert", "convert a CONTACT input file (modules 1 and 3) to case files");
   convert->add_option("file", call.convert.file, "input file (.inp)")->required();
   convert->add_option("-o,--output", call.convert.directory,
-                      "folder for the case files; without it <name of the file>_cases");
-  convert->add_flag(
-      "--partial", call.convert.partial,
-      "leave out cases whose physics has no equivalent; without it they are an error");
+                      "folder for the case files (default: <name of the file>_cases)");
+  convert->add_flag("--partial", call.convert.partial,
+                    "skip cases whose physics has no equivalent (default: an error)");
   convert->footer(
-      "example: rollfem convert cattaneo.inp\n"
-      "What becomes of every digit and sign: docs/coming_from_contact.md");
+      "example: rollfem convert cattaneo.inp\nHow every digit and sign is converted: "
+      "docs/coming_from_contact.md");
   convert->callback([&call] { app::convert(call.convert, call.models); });
 }
 
@@ -124,10 +123,10 @@ void add_geometry_commands(CLI::App& program, Call& call) {
   CLI::App* mesh = program.add_subcommand(
       "mesh", "write the finite-element meshes of a case and print their quality");
   mesh->add_option("case", call.mesh.case_file, "case file (.toml)")->required();
-  mesh->add_option("-o,--output", call.mesh.directory,
-                   "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu (with profiles "
-                   "left_1_1_wheel.msh and so on, for every patch); without it "
-                   "results/<name of the case file>_mesh");
+  mesh->add_option(
+      "-o,--output", call.mesh.directory,
+      "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu, with profiles left_1_1_wheel.msh and "
+      "so on for each patch (default: results/<name of the case file>_mesh)");
   add_set_option(*mesh, call.mesh.changes);
   mesh->footer("example: rollfem mesh cases/thesis_a.toml");
   mesh->callback([&call] { app::mesh(call.mesh, call.models); });
@@ -140,9 +139,9 @@ void add_geometry_commands(CLI::App& program, Call& call) {
       ->required();
   profile->add_flag("--wheel", call.profile.wheel, "the file is the profile of a wheel");
   profile->add_flag("--rail", call.profile.rail, "the file is the profile of a rail");
-  profile->add_option("-o,--output", call.profile.directory,
-                      "folder for the table (.csv) and the figure (.svg); without it "
-                      "results/<name>_profile");
+  profile->add_option(
+      "-o,--output", call.profile.directory,
+      "folder for the table (.csv) and the figure (.svg) (default: results/<name>_profile)");
   profile->footer("example: rollfem profile S1002 -o /tmp/profile");
   profile->callback([&call] { app::profile(call.profile); });
 
@@ -151,10 +150,10 @@ void add_geometry_commands(CLI::App& program, Call& call) {
       "rolling radii, contact angles and equivalent conicity of a wheelset over its lateral shift");
   wheelset->add_option("case", call.wheelset.case_file, "case file (.toml) with profiles")
       ->required();
-  wheelset->add_option("--reach", call.wheelset.reach, "largest shift in mm; without it 10");
+  wheelset->add_option("--reach", call.wheelset.reach, "largest shift in mm (default: 10)");
   wheelset->add_option("-o,--output", call.wheelset.directory,
-                       "folder for the table (.csv) and the figure (.svg); without it "
-                       "results/<name of the case file>_wheelset");
+                       "folder for the table (.csv) and the figure (.svg) (default: results/<name "
+                       "of the case file>_wheelset)");
   add_set_option(*wheelset, call.wheelset.changes);
   wheelset->footer("example: rollfem wheelset cases/manchester_A22.toml");
   wheelset->callback([&call] { app::wheelset(call.wheelset, call.models); });
@@ -165,7 +164,8 @@ void add_geometry_commands(CLI::App& program, Call& call) {
 void add_input_commands(CLI::App& program, Call& call) {
   add_geometry_commands(program, call);
 
-  CLI::App* check = program.add_subcommand("check", "read a case and print what was understood");
+  CLI::App* check =
+      program.add_subcommand("check", "check a case file and print how it was understood");
   check->add_option("case", call.check_file, "case file (.toml)")->required();
   add_set_option(*check, call.check_changes);
   check->footer("example: rollfem check cases/s1002_uic60_left.toml");
@@ -178,8 +178,8 @@ void add_input_commands(CLI::App& program, Call& call) {
 
   add_convert_command(program, call);
 
-  CLI::App* report = program.add_subcommand(
-      "report", "draw figures and report of a result again, or of one that was written without");
+  CLI::App* report =
+      program.add_subcommand("report", "draw or redraw figures and report of a stored result");
   report
       ->add_option("result", call.drawn_directory,
                    "folder of a run, a comparison, a study or a table")
@@ -187,21 +187,20 @@ void add_input_commands(CLI::App& program, Call& call) {
   report->footer("example: rollfem report results/thesis_a");
   report->callback([&call] { draw_report(call.drawn_directory); });
 
-  CLI::App* stored = program.add_subcommand(
-      "cache",
-      "what the model hybrid has stored for other runs on the same bodies, in $ROLLFEM_CACHE, else "
-      "~/.cache/rollfem");
-  stored->add_option("action", call.cache_action, "list (without it) or clear")
+  CLI::App* stored =
+      program.add_subcommand("cache",
+                             "list or clear what the model hybrid stores for later runs on the "
+                             "same bodies, in $ROLLFEM_CACHE or ~/.cache/rollfem");
+  stored->add_option("action", call.cache_action, "list (default) or clear")
       ->check(CLI::IsMember({"list", "clear"}));
-  stored->footer("example: rollfem cache clear\nAn empty ROLLFEM_CACHE switches it off.");
+  stored->footer("example: rollfem cache clear\nAn empty ROLLFEM_CACHE switches the cache off.");
   stored->callback([&call] { app::cache(call.cache_action); });
 
   CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
-  docs->add_option(
-          "page", call.page,
-          "case-file, models, quantities: the table in docs/results.md; schema: the JSON "
-          "schema of case files, by which editors complete and check them; bash, zsh: completion "
-          "of commands; man: the manual page")
+  docs->add_option("page", call.page,
+                   "case-file, models; quantities: the table in docs/results.md; schema: JSON "
+                   "schema of case files, for completion and checks in editors; bash, zsh: shell "
+                   "completion; man: the manual page")
       ->required()
       ->check(CLI::IsMember({"case-file", "models", "quantities", "schema", "bash", "zsh", "man"}));
   docs->footer("example: rollfem docs case-file > docs/case-file.md");

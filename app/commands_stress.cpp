@@ -21,7 +21,7 @@ void add_stress_command(CLI::App& program, Call& call) {
                      "with profiles: SIDE,POSITION,PATCH, e.g. left,1,1; default: the first");
   stress
       ->add_option("--point", request.points,
-                   "load points, from 1, separated by commas; without it the last one")
+                   "load points, counted from 1, separated by commas; default: the last")
       ->delimiter(',')
       ->allow_extra_args(false);
   stress

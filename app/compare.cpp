@@ -262,7 +262,7 @@ void refuse_failures(const postprocess::ComparisonRecord& record) {
         text += fmt::format("{}{}, {}: {}", text.empty() ? "" : "; ", compared.name, missing.model,
                             missing.reason);
   if (!text.empty())
-    throw contact::SolveError("the comparison is written without what failed: " + text);
+    throw contact::SolveError("the comparison was written without the models that failed: " + text);
 }
 
 /// The models of the call, or those that the registry has for `compare` and this build has. The
@@ -306,7 +306,7 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
       if (!how.first) continue;
       write_data(request, record);
       frame.say(fmt::format("compare: {} {}", task.name,
-                            task.done                             ? "was done before"
+                            task.done                             ? "was already done"
                             : record.cases.back().summary.empty() ? "has no result"
                                                                   : "done"));
     }

@@ -112,11 +112,11 @@ std::string expected_choice(const contact::Case& input, const contact::ModelRegi
     return "";
   }
   return fmt::format(
-      "\nwhat the model auto is expected to choose, judged by the size of the contact alone{}\n{}",
-      speed ? fmt::format("; seconds of this machine, {:.2f} times those of the laws "
-                          "(rollfem bench, {})",
+      "\nexpected choice of the model auto, from the size of the contact alone{}\n{}",
+      speed ? fmt::format("; times are for this machine, {:.2f} times those of the reference "
+                          "machine (rollfem bench, {})",
                           speed->times, speed->made.substr(0, 10))
-            : "; seconds of an idle core of 2.5 GHz: rollfem bench finds this machine's",
+            : "; times are for an idle 2.5 GHz core; rollfem bench calibrates them to this machine",
       text);
 }
 

@@ -60,13 +60,13 @@ std::string described(const NamedProfile& profile) {
   line("ends, mm", place_of(features.start) + " and " + place_of(features.end));
   line("length, mm", fmt::format("{:.4f}", features.length));
   if (profile.wheel) {
-    line("furthest from the axle, mm", place_of(features.bottom));
+    line("farthest from the axle, mm", place_of(features.bottom));
     if (features.gauge_face)
       line("flange face at z = 10, mm", fmt::format("y = {:.4f}", *features.gauge_face));
     // (0, 0) is the tape line, and the flange's back 70 mm from it.
     if (const auto tip = meshes::flange_tip(profile.curve); tip && (*tip < -70.0 || *tip > -25.0))
-      line("measured from the flange back?",
-           "then put `shift = [-70, 0]` under [wheel_profile], so that y = 0 is the tape line");
+      line("measured from the flange back:",
+           "if so, put `shift = [-70, 0]` under [wheel_profile], so that y = 0 is the tape line");
   } else {
     line("top, mm", place_of(features.top));
     if (features.gauge_face)
@@ -176,8 +176,8 @@ std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
     for (const meshes::BuiltInProfile& profile : meshes::built_in_profiles())
       names.push_back(profile.name);
     throw contact::InputError(fmt::format(
-        "profile: {} is no profile that is known, and no such file is there; {}allowed: {}, a "
-        "profile file or a case file; do: correct the name",
+        "profile: {} is neither a known profile nor an existing file; {}allowed: {}, a profile "
+        "file or a case file; do: correct the name",
         request.name, contact::did_you_mean(request.name, names), fmt::join(names, ", ")));
   }
   NamedProfile profile;
@@ -199,7 +199,7 @@ fs::path folder_for(const ProfileRequest& request) {
   fs::create_directories(folder, error);
   if (error || !fs::is_directory(folder))
     throw contact::InputError(
-        fmt::format("profile: the folder {} cannot be made: {}; do: name another with -o",
+        fmt::format("profile: the folder {} cannot be created: {}; do: name another with -o",
                     folder.string(), error ? error.message() : "it is a file"));
   return folder;
 }

@@ -89,7 +89,7 @@ std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error)
   std::vector<std::string> allowed;
   std::istringstream list(text.substr(set + 9, end - set - 9));
   for (std::string word; std::getline(list, word, ',');) allowed.push_back(word);
-  return fmt::format("{}: {} is not one of its words; {}allowed: {}", text.substr(0, words), given,
+  return fmt::format("{}: {} is not an allowed word; {}allowed: {}", text.substr(0, words), given,
                      contact::did_you_mean(given, allowed), contact::listed(allowed));
 }
 
@@ -115,10 +115,8 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   }
   call.mesh.argc = argc;
   call.mesh.argv = argv;
-  CLI::App program(
-      "rollfem: steady rolling contact of wheel and rail by finite elements and by "
-      "half-space elements",
-      "rollfem");
+  CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
+                   "rollfem");
   program.set_version_flag("--version", fmt::format("rollfem {} ({})", version(), commit()));
   program.require_subcommand(1);
   add_computing_commands(program, call);
@@ -136,7 +134,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   std::cout.flush();
   if (!std::cout && !reader_is_gone())
     throw contact::InputError(
-        "the standard output cannot be written; do: look whether the disk that it goes to is full");
+        "standard output cannot be written; do: check whether its disk is full");
   return 0;
 }
 
@@ -162,7 +160,7 @@ int run_program(int argc, char** argv, const contact::ModelRegistry& models) {
   } catch (const contact::SolveError& error) {
     failed(1, error.what());
   } catch (const std::bad_alloc&) {
-    failed(1, "out of memory; do: take fewer or larger elements, or more processes");
+    failed(1, "out of memory; do: use fewer or larger elements, or more processes");
   } catch (const std::exception& error) {
     failed(1, fmt::format("internal error: {}", error.what()));
   }

@@ -86,7 +86,7 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
       text += fmt::format("{}model {}: {}", text.empty() ? "" : "; ", model.name, model.shortfall);
   if (!text.empty())
     throw contact::SolveError(
-        fmt::format("{}: the results are written, but {}", record.input.file, text));
+        fmt::format("{}: the results were written, but {}", record.input.file, text));
 }
 
 }  // namespace

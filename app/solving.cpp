@@ -60,7 +60,7 @@ std::string normals_note(const contact::Scene& scene, const contact::ModelResult
   }
   if (std::abs(along_y) <= worth_a_note * result.points.front().normal_force) return {};
   return fmt::format(
-      "the normals of these patches differ by {:.3g} rad: taken separately, they would exert "
+      "the normals of these patches differ by {:.3g} rad: treated separately, they would exert "
       "{:.4g} N more along y than in one plane; do: run with halfspace.surface = \"curved\", which "
       "uses their own normals",
       largest - least, along_y);
@@ -99,9 +99,9 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
   }
   if (scene.place->patches > 1) {
     std::string text =
-        "the contacts of this wheel lie in different planes: they share its load through one "
-        "vertical approach of half-spaces, including their mutual displacement, with friction from "
-        "24 elements across";
+        "the contacts of this wheel lie in different planes: they share its load through a common "
+        "vertical approach of half-spaces, including their mutual displacement; friction for this "
+        "is taken from a solution with 24 elements across";
     if (result.name != "halfspace")
       text += "; this model neglects the mutual displacement of the contacts";
     result.notes.push_back(std::move(text));

@@ -272,7 +272,8 @@ void study(const StudyRequest& request, const contact::ModelRegistry& known) {
     const std::string failures = failures_of(record);
     write_and_tell(request, record);
     if (!failures.empty())
-      throw contact::SolveError("the study is written without what failed: " + failures);
+      throw contact::SolveError("the study was written without the levels that failed: " +
+                                failures);
     frame.forget_kept();
   });
 }

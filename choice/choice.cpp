@@ -46,7 +46,7 @@ std::string not_taken(const Forecast& forecast, double accuracy, double times = 
                        duration(times * forecast.levels[plan->level].seconds));
   if (forecast.model_error > accuracy)
     return fmt::format("{} {} {}", forecast.label,
-                       forecast.model_error_found ? "leaves out" : "should leave out about",
+                       forecast.model_error_found ? "neglects" : "is expected to neglect about",
                        percent(forecast.model_error));
   return fmt::format("{} is not expected to suffice", forecast.label);
 }
@@ -237,14 +237,15 @@ class Choice {
 
   void fail(ModelResult& result) const {
     if (!wanted_.by_default) {
-      result.shortfall = fmt::format("accuracy = {:g} was not reached: {}; do: request less",
-                                     accuracy_, result.choice);
+      result.shortfall =
+          fmt::format("accuracy = {:g} was not reached: {}; do: request less accuracy", accuracy_,
+                      result.choice);
       return;
     }
     result.notes.insert(
         result.notes.begin(),
         fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] aims for within {}, is "
-                    "not reached: {}; do: give accuracy to allow more time, or name a model",
+                    "not reached: {}; do: give `accuracy` to allow more time, or name a model",
                     accuracy_, duration(longest_by_default), result.choice));
   }
 

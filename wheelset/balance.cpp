@@ -39,8 +39,8 @@ auto at_position(const Case& input, int position, const Work& work) {
 std::vector<std::string> notes_of(const Case& input) {
   std::vector<std::string> notes;
   const std::string by_the_balance =
-      "by the half-space at 24 elements across: at these creepages a small force remains in other "
-      "models and on other grids";
+      "found by the half-space with 24 elements across; other models and grids retain a small "
+      "force at these creepages";
   if (input.load.vertical_force)
     notes.emplace_back("the vertical force of each wheel includes friction");
   if (input.wheelset.free_rolling == FreeRolling::torque)

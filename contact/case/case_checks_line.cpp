@@ -34,9 +34,10 @@ struct Refused {
   const char* action;
 };
 
-constexpr const char* no_extent = "is of a contact that ends across, and geometry.shape is line";
-constexpr const char* give_radius = "remove it; geometry.relative_radius is the radius of a line";
-constexpr const char* by_force = "give a force: normal_force, in N on geometry.width";
+constexpr const char* no_extent = "applies to contacts of finite width, but geometry.shape is line";
+constexpr const char* give_radius =
+    "remove it; the radius of a line contact is geometry.relative_radius";
+constexpr const char* by_force = "give normal_force, the force in N on geometry.width";
 constexpr const char* as_point = "remove it, or geometry.shape";
 
 constexpr std::array<Refused, 14> refused{
@@ -47,15 +48,17 @@ constexpr std::array<Refused, 14> refused{
      {"undeformed_distance", "quadratic", no_extent, give_radius},
      {"undeformed_distance", "file", no_extent, give_radius},
      {"given_pressure", "semi_axis_x", no_extent, as_point},
-     {"load", "approach", "of half-planes has no limit, so that no force follows from it",
-      by_force},
-     {"history", "approach", "of half-planes has no limit, so that no force follows from it",
-      by_force},
-     {"rolling", "spin", "turns about a normal, and rollers without ends cannot", as_point},
-     {"history", "spin_shift", "turns about a normal, and rollers without ends cannot", as_point},
+     {"load", "approach",
+      "does not determine the force, because half-planes have no finite approach", by_force},
+     {"history", "approach",
+      "does not determine the force, because half-planes have no finite approach", by_force},
+     {"rolling", "spin", "is a rotation about the normal, which endless rollers do not allow",
+      as_point},
+     {"history", "spin_shift", "is a rotation about the normal, which endless rollers do not allow",
+      as_point},
      {"rolling", "extra_slip_file", no_extent, as_point},
      {"halfspace", "surface", no_extent, as_point},
-     {"halfspace", "model_error", "needs bodies that end across, and geometry.shape is line",
+     {"halfspace", "model_error", "needs bodies of finite width, but geometry.shape is line",
       as_point}}};
 
 void check_radius_of_line(const GivenCase& given) {
@@ -85,7 +88,7 @@ void check_line(const GivenCase& given) {
       if (const GivenValue* value = given.find("geometry", name);
           value && !is_default_width(name, *value))
         fail_at(given, std::string("geometry.") + name, *value,
-                "is of a line contact, and geometry.shape is point", "with shape = \"line\"",
+                "applies to line contact, but geometry.shape is point", "with shape = \"line\"",
                 "write `shape = \"line\"` under [geometry], or remove it");
     return;
   }
@@ -93,7 +96,7 @@ void check_line(const GivenCase& given) {
     const GivenValue* value = given.find(key.section, key.name);
     if (value == nullptr || is_nothing(*value)) continue;
     fail_at(given, std::string(key.section) + "." + key.name, *value, key.why,
-            "line contact of rollers under a force, that roll straight on", key.action);
+            "line contact of rollers under a prescribed force, rolling straight ahead", key.action);
   }
   check_radius_of_line(given);
 }
@@ -104,10 +107,11 @@ void check_grid_of_line(const GivenCase& given, const Case& input) {
   const auto check = [&](const char* name, double across, double expected) {
     const GivenValue* value = given.find("contact_grid", name);
     if (value == nullptr || std::abs(across - expected) <= 1e-9 * width) return;
-    fail_at(given, std::string("contact_grid.") + name, *value,
-            fmt::format("is not one row of elements across, {:g} mm as geometry.width", width),
-            fmt::format("{:g} mm across", expected),
-            fmt::format("write {:g} as its second number", expected));
+    fail_at(
+        given, std::string("contact_grid.") + name, *value,
+        fmt::format("is not a single row of elements as wide as geometry.width, {:g} mm", width),
+        fmt::format("{:g} mm across", expected),
+        fmt::format("write {:g} as its second number", expected));
   };
   const GridOptions& grid = input.contact_grid;
   if (grid.cell_size) check("cell_size", (*grid.cell_size)[1], width);

@@ -177,13 +177,12 @@ void check_friction_limit(const GivenCase& given, const Case& input) {
     const double limit = input.friction_coefficient * *normal;
     if (size < limit * (1.0 - 1e-12)) continue;
     const char* name = forces[k].longitudinal ? "longitudinal_force" : "lateral_force";
-    fail_at(
-        given, std::string("rolling.") + name, *given.find("rolling", name),
-        fmt::format("asks for {:.6g} N at load point {}, but friction carries less than mu F_z = "
-                    "{:.6g} N",
-                    size, k, limit),
-        fmt::format("a tangential force below {:.6g} N in size", limit),
-        "lower the force, or raise the friction coefficient or the normal force");
+    fail_at(given, std::string("rolling.") + name, *given.find("rolling", name),
+            fmt::format("asks for {:.6g} N at load point {}, but friction transmits less than mu "
+                        "F_z = {:.6g} N",
+                        size, k, limit),
+            fmt::format("a tangential force below {:.6g} N in size", limit),
+            "lower the force, or raise the friction coefficient or the normal force");
   }
 }
 

@@ -17,7 +17,7 @@ SectionWithKeys halfspace_section() {
                                       {"curved", SurfaceForm::curved}});
   keys.toggle("model_error")
       .says(
-          "Estimate what the half-space leaves out, per quantity and load point, from the true "
+          "Estimate what the half-space neglects, per quantity and load point, from the true "
           "curvature of wheel and rail (some 0.1 s per load point). Needs radii or profiles.")
       .into(&HalfspaceCase::model_error);
   return keys;

@@ -104,10 +104,11 @@ void check_fineness(const Examined& at) {
   if ((grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across) return;
   throw UnfitGrid(
       place_of(at) +
-      fmt::format("the patch has only {} by {} contact elements of {:.4g} by {:.4g} mm; allowed: "
-                  "at least {} each way; do: choose smaller elements (contact_grid.elements_across "
-                  "or cell_size, with the model fem fem.cell_size), or check load and radii",
-                  along, across, grid.dx, grid.dy, fewest_elements_across));
+      fmt::format(
+          "the patch has only {} by {} contact elements of {:.4g} by {:.4g} mm; allowed: at least "
+          "{} in each direction; do: choose smaller elements (contact_grid.elements_across or "
+          "cell_size, with the model fem fem.cell_size), or check load and radii",
+          along, across, grid.dx, grid.dy, fewest_elements_across));
 }
 
 void check_held(const Examined& at) {

@@ -32,7 +32,8 @@ std::string listed(const std::vector<std::string>& names) {
 ModelRegistry& ModelRegistry::add(ModelInfo model) {
   if (!is_plain(model.name) || !(model.run || model.chooses))
     throw std::logic_error(fmt::format(
-        "model \"{}\" has no run, or a name of other characters than a-z, 0-9 and -", model.name));
+        "model \"{}\" has no run function, or a name with characters other than a-z, 0-9 and -",
+        model.name));
   if (find(model.name) != nullptr)
     throw std::logic_error(fmt::format("two models are named {}", model.name));
   if (model.label.empty()) model.label = model.name;

@@ -79,14 +79,13 @@ void add_model_error(const contact::Scene& scene, const contact::Progress& progr
     why = error.what();
   }
   result.model_error_source =
-      errors ? fmt::format(
-                   "difference to bodies of their true curvature, first order, with {} "
-                   "elements across",
-                   elements_across)
-             : fmt::format(
-                   "not estimated: curved bodies with {} elements across have no result "
-                   "({})",
-                   elements_across, why);
+      errors
+          ? fmt::format(
+                "difference from bodies with their true curvature, to first order, with {} "
+                "elements across",
+                elements_across)
+          : fmt::format("not estimated: no result for curved bodies with {} elements across ({})",
+                        elements_across, why);
   for (std::size_t k = 0; errors && k < result.points.size(); ++k)
     for (const auto& [name, change] : errors->at(k))
       result.points[k].model_error[name] = std::abs(change);

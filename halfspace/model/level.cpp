@@ -40,7 +40,7 @@ int columns_for_steps(const Scene& scene, const AreaOfPatch& area, double dx) {
     longest = std::max(longest, point.step_length);
   const double extent = area.extent().length;
   return contact::count_of(std::ceil(std::min(2.0 * longest, extent) / dx),
-                           "columns for the way of two steps (history.step_length, contact_grid)");
+                           "columns covering two steps (history.step_length, contact_grid)");
 }
 
 /// The grid, with more rows where the bodies would overlap beyond it. Throws

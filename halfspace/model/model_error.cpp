@@ -93,11 +93,11 @@ void estimate_model_error(const Scene& scene, bool with_friction, ModelResult& t
     for (std::size_t k = 0; k < theory.points.size() && k < half.points.size(); ++k)
       add_errors(half.points[k], with_friction, theory.points[k]);
     theory.model_error_source =
-        fmt::format("difference to the half-space with {} elements across, plus half its bar",
+        fmt::format("difference from the half-space with {} elements across, plus half its bar",
                     elements_of_theories);
   } catch (const std::runtime_error& error) {  // InputError, SolveError and what they are made of
     theory.model_error_source =
-        fmt::format("not estimated: the half-space with {} elements across has no result ({})",
+        fmt::format("not estimated: no result of the half-space with {} elements across ({})",
                     elements_of_theories, error.what());
   }
   // Not of the total, which is what the theory costs.

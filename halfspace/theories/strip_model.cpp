@@ -230,8 +230,8 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
       "strip model: error estimates cover the resolution only; no gap outside the contact");
   if (options.virtual_penetration)
     result.notes.push_back(
-        fmt::format("virtual penetration of {:g} of the approach: an ellipse is Hertz's only if "
-                    "that is its own share",
+        fmt::format("virtual penetration of {:g} of the approach: an elliptic patch agrees with "
+                    "Hertz only at its own value of this fraction",
                     *options.virtual_penetration));
   return result;
 }

@@ -222,7 +222,7 @@ class Result:
             raise _core.InputError(f"{folder}: this result was read from {self.folder}; do: copy that folder")
         problem = _core.write(self._core, str(folder), report)
         if problem:
-            raise _core.InputError(f"{folder}: results are written, but the report was not drawn: {problem}")
+            raise _core.InputError(f"{folder}: the results were written, but the report was not drawn: {problem}")
         return folder
 
     plot_creep_curve = plot.creep_curves

@@ -33,7 +33,7 @@ TEST(Accuracy, NotReachedIsAFailureWhoseResultsAreThere) {
   const std::string file = folder.file("case.toml", with_accuracy("1e-5"));
   const Outcome outcome = call(folder, {"run", file, "-o", "out", "--no-report", "-q"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("the results are written, but model halfspace: accuracy = 1e-05"),
+  EXPECT_NE(outcome.err.find("the results were written, but model halfspace: accuracy = 1e-05"),
             std::string::npos)
       << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(folder.work() / "out" / "summary.json"));

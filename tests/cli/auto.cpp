@@ -108,7 +108,7 @@ TEST(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
   // 0.2 % is beyond any half-space.
   EXPECT_NE(study.out.find("\nfor 5 %: half-space, "), std::string::npos) << study.out;
   EXPECT_NE(study.out.find("\nfor 1 %: half-space, "), std::string::npos) << study.out;
-  EXPECT_NE(study.out.find("; half-space leaves out 0."), std::string::npos) << study.out;
+  EXPECT_NE(study.out.find("; half-space neglects 0."), std::string::npos) << study.out;
   const auto json = nlohmann::json::parse(contents(folder.work() / "s" / "study.json"));
   EXPECT_EQ(json["places"][0]["choice"].size(), 3U);
 }
@@ -145,7 +145,7 @@ TEST(Auto, TakesBodiesThatAreNotKnownAsHalfSpaces) {
       "[undeformed_distance]\nquadratic = [0.001, 0.002]\n[rolling]\nproblem = \"frictionless\"\n";
   const nlohmann::json model = model_of(folder, plain);
   EXPECT_NE(model["choice"].get<std::string>().find(
-                "model unknown: the bodies are known by their distance alone"),
+                "model unknown: only the undeformed distance of the bodies is known"),
             std::string::npos)
       << model["choice"];
 }

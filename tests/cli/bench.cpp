@@ -45,7 +45,7 @@ TEST(Bench, QuicklySaysErrorsAndSecondsOfTheModels) {
   const Outcome outcome = call(folder, {"bench", "--quick"}, {"ROLLFEM_CACHE=cache"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   for (const char* text :
-       {"seconds", "\nhertz ", "\nlinear ", "\nstrip ", "times the seconds that"})
+       {"seconds", "\nhertz ", "\nlinear ", "\nstrip ", "times the predicted seconds"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
   // Errors fall with the grid; theories are off by what they leave out.
   const double coarse = std::abs(force_error(outcome.out, "halfspace                 24"));
@@ -61,12 +61,12 @@ TEST(Bench, SpeedOfTheMachineIsWhatCheckPredictsBy) {
   const std::vector<std::string> cache{"ROLLFEM_CACHE=cache"};
   const std::string file = folder.file("case.toml", ball_on_plane);
   const Outcome before = call(folder, {"check", file}, cache);
-  EXPECT_NE(before.out.find("rollfem bench finds this machine's"), std::string::npos);
+  EXPECT_NE(before.out.find("rollfem bench calibrates them"), std::string::npos);
   const Outcome outcome = call(folder, {"bench", "--seconds", "0.1"}, cache);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("kept in cache/bench_"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("stored in cache/bench_"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\nspin: "), std::string::npos) << outcome.out;
   const Outcome after = call(folder, {"check", file}, cache);
-  EXPECT_NE(after.out.find("seconds of this machine, "), std::string::npos) << after.out;
+  EXPECT_NE(after.out.find("times are for this machine, "), std::string::npos) << after.out;
   expect_refused(call(folder, {"bench", "--seconds", "-1"}), "--seconds -1: allowed: above 0");
 }

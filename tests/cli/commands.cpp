@@ -55,7 +55,7 @@ TEST(NewCase, WritesANewFileButNeverOverAnother) {
   const Folder folder;
   EXPECT_EQ(call(folder, {"new-case", "-o", "new.toml"}).status, 0);
   EXPECT_EQ(call(folder, {"check", "new.toml"}).status, 0);
-  expect_refused(call(folder, {"new-case", "-o", "new.toml"}), "is there already");
+  expect_refused(call(folder, {"new-case", "-o", "new.toml"}), "already exists");
   expect_refused(call(folder, {"new-case", "-o", "no/such/folder.toml"}), "cannot be written");
 }
 
@@ -102,7 +102,7 @@ TEST(Call, WrongCallsAreRefused) {
   expect_refused(call(folder, {"docs", "novel"}), "novel");
   expect_refused(call(folder, {"hlep"}), "did you mean help? ");
   expect_refused(call(folder, {"docs", "schem"}),
-                 "schem is not one of its words; did you mean schema? ");
+                 "schem is not an allowed word; did you mean schema? ");
   expect_refused(call(folder, {"study", file, "--vary", "gird"}), "did you mean grid? ");
   expect_refused(call(folder, {"profile", "S1003"}), "did you mean S1002? ");
   expect_refused(call(folder, {"run", file, "--ouput", "x"}),

@@ -128,7 +128,7 @@ TEST(ClosedOutput, IsNoFailure) {
   EXPECT_TRUE(fs::exists(folder.work() / "out" / "summary.json"));
   const Outcome full = shell("\"$0\" check \"$1\" >/dev/full");
   EXPECT_EQ(full.status, 2);
-  EXPECT_NE(full.err.find("the standard output cannot be written"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("standard output cannot be written"), std::string::npos) << full.err;
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(WheelsetBalance, FreeRollingByForceHasNoneOnEachWheel) {
   const wheelset::BalancedCase balanced = wheelset::balance(input);
   for (const auto& [left, wheel] : solved(balanced.scenes))
     EXPECT_NEAR(wheel.torque, 0.0, 5e-3 * friction * load * 460.0) << left;
-  EXPECT_NE(balanced.notes.back().find("half-space at 24 elements"), std::string::npos)
+  EXPECT_NE(balanced.notes.back().find("half-space with 24 elements"), std::string::npos)
       << "whose free rolling it is";
 }
 

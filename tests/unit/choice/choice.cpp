@@ -233,8 +233,8 @@ TEST(Verdict, NamesWhatDoesAndWhatTheOthersCost) {
   EXPECT_EQ(verdict(all, 0.01, false),
             "corrected, 32 across, about 40 s: discretisation 0.71 %, model 0 %");
   EXPECT_EQ(verdict(all, 1e-5, true),
-            "nothing is expected to suffice; plain should leave out about 1.5 %; corrected is not "
-            "expected to suffice; full is not expected to suffice");
+            "nothing is expected to suffice; plain is expected to neglect about 1.5 %; corrected "
+            "is not expected to suffice; full is not expected to suffice");
 }
 
 }  // namespace

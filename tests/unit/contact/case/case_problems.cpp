@@ -255,18 +255,19 @@ TEST(LineContact, NeedsARadiusAlongRollingAndNoneAcross) {
 TEST(LineContact, ContradictionsAreNamed) {
   const std::string radius = "relative_radius = 25.0\n";
   expect_error(plus("[geometry]\nwidth = 10.0\n"),
-               {"geometry.width = 10.0: is of a line contact, and geometry.shape is point"});
+               {"geometry.width = 10.0: applies to line contact, but geometry.shape is point"});
   expect_error(line_case(radius, "[rail]\ntransverse_radius = 300.0\n"),
-               {"rail.transverse_radius = 300.0: is of a contact that ends across"});
+               {"rail.transverse_radius = 300.0: applies to contacts of finite width"});
   expect_error(line_case(radius, "[rolling]\nspin = 1e-4\n"), {"rolling.spin = 1e-4: turns"});
   expect_error(line_case(radius, "[undeformed_distance]\nquadratic = [0.1, 0.1]\n"),
                {"undeformed_distance.quadratic", "geometry.shape is line"});
   expect_error(line_case(radius, "[contact_grid]\ncell_size = [0.1, 0.1]\n"),
-               {"contact_grid.cell_size = [0.1, 0.1]: is not one row of elements across, 1 mm"});
+               {"contact_grid.cell_size = [0.1, 0.1]: is not a single row of elements as wide as "
+                "geometry.width, 1 mm"});
   expect_error(line_case(radius, "[halfspace]\nmodel_error = true\n"), {"halfspace.model_error"});
   std::string pressed = line_case(radius);
   pressed.replace(pressed.find("normal_force = 50e3"), 19, "approach = 0.1");
-  expect_error(pressed, {"load.approach = 0.1: of half-planes has no limit"});
+  expect_error(pressed, {"load.approach = 0.1: does not determine the force"});
 }
 
 TEST(Subsurface, SectionsAreReadInTheOrderOfTheFile) {

@@ -97,7 +97,7 @@ TEST(Validity, RefusesFewerThanFourElementsAcross) {
   };
   EXPECT_EQ(narrow(4), "");
   expect_said(narrow(2), {"load point 2 of 2", "2 by 12 contact elements of 1 by 1 mm",
-                          "at least 4 each way", "choose smaller elements"});
+                          "at least 4 in each direction", "choose smaller elements"});
   ModelResult coarse = result();
   coarse.points.front().fields.traction.n.setZero();
   EXPECT_THROW(check_validity(scene(), coarse), UnfitGrid);
