@@ -1,5 +1,5 @@
-// The command `rollfem bench`: error and seconds of each model on this machine, on cases whose
-// limits are known, and how fast it is beside what the program predicts seconds by.
+// The command `rollfem bench`: error and run time of each model on this machine in cases with known
+// solutions, and the speed of the machine relative to the one that predictions are based on.
 #pragma once
 
 #include "app/command_frame.hpp"

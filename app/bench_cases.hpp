@@ -1,4 +1,4 @@
-// The cases of `rollfem bench`, with what they come to without any error of a grid.
+// The cases of `rollfem bench`, with their solutions free of grid error.
 #pragma once
 
 #include <cstddef>

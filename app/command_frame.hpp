@@ -1,5 +1,5 @@
-// The frame of the commands that compute: which processes take part, MPI while models run, progress
-// and quiet, what is kept for --resume, and what happens to all of that when something fails.
+// The frame of the computing commands: which processes take part, MPI while models run, progress
+// and quiet, what is kept for --resume, and what happens to all of these on failure.
 #pragma once
 
 #include "app/progress_display.hpp"

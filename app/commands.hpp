@@ -1,5 +1,5 @@
-// The commands of the program: options, help, and what is checked of a call before it is handed
-// over.
+// The commands of the program: options, help, and the checks of a call before it is
+// executed.
 #pragma once
 
 #include "app/bench.hpp"

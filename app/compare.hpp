@@ -1,4 +1,4 @@
-// The command `compare`: several models on one or several cases, laid beside each other.
+// The command `compare`: several models on one or several cases, side by side.
 #pragma once
 
 #include "app/command_frame.hpp"

@@ -1,4 +1,4 @@
-// The command `convert`: case files from an input file of CONTACT.
+// The command `convert`: case files from a CONTACT input file.
 #pragma once
 
 #include "contact/solve/models.hpp"

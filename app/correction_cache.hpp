@@ -1,5 +1,5 @@
-// The folder in which corrections of the model hybrid outlive a run, so that the next load,
-// creepage or friction on the same bodies costs no finite elements.
+// The folder in which corrections of the model hybrid are kept after a run, so that another load,
+// creepage or friction on the same bodies needs no finite elements.
 #pragma once
 
 #include "contact/scene/scene.hpp"

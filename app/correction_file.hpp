@@ -1,5 +1,5 @@
-// The smooth parts of wheel and rail (halfspace/elasticity/smooth_map.hpp) as values by name, for
-// files and for other processes.
+// The smooth parts of wheel and rail (halfspace/elasticity/smooth_map.hpp) as
+// named values, for files and for other processes.
 #pragma once
 
 #include "halfspace/elasticity/smooth_map.hpp"

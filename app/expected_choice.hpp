@@ -1,5 +1,5 @@
-// What `auto` would take: for `check` from geometry alone, for `study` from the levels it has
-// solved.
+// The expected choice of `auto`: for `check` from geometry
+// alone, for `study` from the levels solved.
 #pragma once
 
 #include "app/solving.hpp"

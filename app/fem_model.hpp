@@ -1,4 +1,4 @@
-// The model "fem" as the registry has it. Its library is opened when it runs.
+// Registration of the model "fem", whose library is opened when it runs.
 #pragma once
 
 #include "contact/solve/model.hpp"

@@ -1,4 +1,4 @@
-// Files that appear together or not at all, in a folder that others may use, too.
+// Writes several files all or none, into a folder that may hold other files.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// The model "hybrid" as the registry has it. What it needs finite elements for is found by the
-// library that is opened when it runs.
+// Registration of the model "hybrid". Its finite-element part is
+// in a library that is opened when it runs.
 #pragma once
 
 #include "contact/solve/model.hpp"

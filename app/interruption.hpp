@@ -1,4 +1,4 @@
-// What is said when Ctrl-C, SIGTERM or SIGHUP ends the program.
+// Messages when Ctrl-C, SIGTERM or SIGHUP ends the program.
 #pragma once
 
 #include <string>

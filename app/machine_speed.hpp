@@ -1,5 +1,5 @@
-// How fast this machine is beside the one by which the program predicts seconds, as `rollfem bench`
-// has found: a file in the user's cache folder.
+// The speed of this machine relative to the one that run times are predicted for, as measured
+// by `rollfem bench` and stored in the user's cache folder.
 #pragma once
 
 #include <filesystem>

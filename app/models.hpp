@@ -1,4 +1,4 @@
-// The models of the program, and what it tells of them.
+// The models of the program and their descriptions.
 #pragma once
 
 #include "contact/case/case_reader.hpp"

@@ -1,5 +1,5 @@
-// Which process of a parallel run this is, known without MPI: a run that asks for no finite
-// elements must not load it.
+// The rank of this process in a parallel run, found without MPI: a run
+// without finite elements must not load it.
 #pragma once
 
 namespace rollfem::app {

@@ -1,5 +1,5 @@
-// The command `profile`: a wheel or rail profile as a table on the screen, a table in a file and a
-// figure, with its curvature; what a contact will see of it.
+// The command `profile`: a wheel or rail profile as a table on the screen and in a file and
+// as a figure, with its curvature as the contact sees it.
 #pragma once
 
 #include <string>

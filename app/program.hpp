@@ -1,4 +1,4 @@
-// The command-line program for whatever models are registered.
+// The command-line program for any set of registered models.
 #pragma once
 
 #include "contact/solve/models.hpp"

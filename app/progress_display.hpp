@@ -1,6 +1,6 @@
-// Progress of a run on stderr: in a terminal one line that is written over, whose seconds go on
-// while a long phase says nothing; elsewhere one plain line for every finished stage (and for slow
-// load points within it).
+// Progress of a run on stderr: on a terminal one line that is overwritten
+// and whose seconds keep counting during long phases; elsewhere one plain
+// line per finished stage (and per slow load point).
 #pragma once
 
 #include "contact/base/progress.hpp"

@@ -1,4 +1,4 @@
-// Who makes a result, where and when: what every result carries.
+// Provenance of a result: who made it, where and when.
 #pragma once
 
 #include "contact/solve/models.hpp"

@@ -1,5 +1,5 @@
-// The checkpoint of one scene of a case with profiles: the names of its records begin with its
-// patch, so that patches do not take up each other's load points.
+// The checkpoint of one scene of a case with profiles: record names begin with the patch,
+// so that patches do not pick up each other's load points.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

@@ -1,5 +1,5 @@
-// What a case is computed as: itself, or with profiles one scene for each patch in balance; and
-// what of that is drawn and said.
+// The scenes of a case: the case itself or, with profiles, one scene for each
+// patch in balance; and the figures and text about them.
 #pragma once
 
 #include "contact/base/progress.hpp"

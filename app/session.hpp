@@ -1,4 +1,4 @@
-// MPI for as long as parallel models run.
+// MPI, initialised only while parallel models run.
 #pragma once
 
 #include "app/fem_library.hpp"

@@ -1,5 +1,5 @@
-// What shells and `man` are told of the commands: made from the options themselves, so that nothing
-// is said twice.
+// Shell completion and the manual page, generated from the options
+// themselves.
 #pragma once
 
 #include "contact/solve/models.hpp"

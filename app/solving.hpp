@@ -1,4 +1,4 @@
-// The models of a case on all its scenes.
+// Solves the models of a case on all its scenes.
 #pragma once
 
 #include "app/session.hpp"

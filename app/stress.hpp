@@ -1,7 +1,7 @@
 // The command `stress`: stress and displacement below the surface from stored results, without
-// solving again. Of the half-space and every theory with tractions on the contact grid by the exact
-// integrals over its elements, of finite elements by interpolation in the bodies, at the load
-// points that keep them.
+// solving again. For the half-space and every theory with tractions on the contact grid by
+// exact integrals over its elements, for finite elements by interpolation in the stored
+// bodies.
 #pragma once
 
 #include "app/stress_request.hpp"

@@ -1,4 +1,4 @@
-// Which models of a stored result, and which of their load points, `rollfem stress` looks at.
+// Selects the models and load points of a stored result for `rollfem stress`.
 #pragma once
 
 #include "app/stress_request.hpp"

@@ -1,5 +1,5 @@
-// Stress and displacement at requested places of a stored load point: in the half-space from the
-// tractions, in finite elements from the bodies.
+// Stress and displacement at requested places of a stored load point: in the half-space
+// from the tractions, in finite elements from the bodies.
 #pragma once
 
 #include "app/stress_request.hpp"

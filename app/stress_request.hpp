@@ -1,5 +1,5 @@
-// What `rollfem stress` is asked for, and the places on its command line as requests like those of
-// a case file.
+// The request of a `rollfem stress` call; places on its command line
+// become requests like those of a case file.
 #pragma once
 
 #include "contact/case/case.hpp"

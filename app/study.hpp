@@ -1,5 +1,5 @@
-// The command `study`: one case on ever finer grids, cells, degrees or domains; of a case with
-// profiles every patch, whose loads and creepages are found once and held.
+// The command `study`: one case on successively finer grids, cells, degrees or domains; with
+// profiles every patch, at loads and creepages determined once and then fixed.
 #pragma once
 
 #include "app/command_frame.hpp"

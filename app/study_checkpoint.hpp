@@ -1,5 +1,5 @@
-// What a study keeps for a later call: its finished levels, and the finished load points of the
-// level that it is at, each with the seconds that it has taken until then.
+// What a study keeps for a later call: its finished levels and the finished load
+// points of the current level, each with its seconds.
 #pragma once
 
 #include "app/session.hpp"

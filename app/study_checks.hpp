@@ -1,4 +1,4 @@
-// What a study's call asks for: checked before anything is computed, and turned into models and
+// Checks the call of a study before anything is computed, and turns it into models and
 // references.
 #pragma once
 

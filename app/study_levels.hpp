@@ -1,4 +1,4 @@
-// What a refinement study varies: the cases of its levels.
+// The levels of a refinement study as cases.
 #pragma once
 
 #include "contact/solve/models.hpp"

@@ -1,5 +1,5 @@
 // The command `wheelset`: rolling radii, contact angles and equivalent conicity of the rigid
-// wheelset of a case over its lateral shift; nothing is solved.
+// wheelset of a case over its lateral shift; no contact problem is solved.
 #pragma once
 
 #include "contact/solve/models.hpp"

@@ -1,4 +1,4 @@
-// Exceptions as status and text, which is what C knows.
+// Translates exceptions to a status and a text for C.
 #pragma once
 
 #include "contact/base/errors.hpp"

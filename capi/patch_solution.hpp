@@ -1,5 +1,5 @@
-// One patch on one grid, in milliseconds: without the coarser grids that bars are taken from, and
-// with a patch that is looked for on few elements.
+// One patch on one grid, in milliseconds: without the coarser grids needed for
+// error bars, and with the patch located on few elements.
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,5 +1,5 @@
-// A wheel on its rail, prepared once and solved for one state after another: what rollfem.h is made
-// on. mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
+// A wheel on its rail, prepared once and solved for one state after another: the implementation of
+// rollfem.h. mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
 #pragma once
 
 #include "contact/case/case.hpp"

@@ -1,6 +1,6 @@
-// The choice among models: the cheapest whose errors together meet an accuracy, by solving what is
-// expected to do, looking at what it reached, and expecting anew. It says in one sentence what was
-// taken, what was not, and why.
+// The choice among models: finds the cheapest whose total error meets an accuracy, by
+// solving the most promising, measuring the error reached and updating the forecast. States
+// in one sentence what was chosen, what was not, and why.
 #pragma once
 
 #include "contact/base/accuracy.hpp"

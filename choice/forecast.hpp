@@ -1,5 +1,5 @@
-// What is expected of models on ever finer grids, and which of them is the cheapest that does:
-// values in, values out. No model is known here.
+// Forecasts error and cost of models on successively finer grids and picks the cheapest that
+// suffices. Pure functions of values; no model is known here.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What half-space, hybrid and finite elements are expected to miss and to cost, from the size of
-// the contact alone. The constants are measured; how, and how well they hold: docs/choice.md.
+// Expected errors and costs of half-space, hybrid and finite elements from the size of the contact
+// alone. The constants are measured; method and reliability: docs/choice.md.
 #pragma once
 
 #include "choice/forecast.hpp"

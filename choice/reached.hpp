@@ -1,4 +1,4 @@
-// How close a result is to the truth by its own account, where that is asked for.
+// The accuracy a result reached in the requested quantities, by its own error estimates.
 #pragma once
 
 #include "contact/base/accuracy.hpp"

@@ -1,5 +1,5 @@
-// One case of a CONTACT input file, with all that it keeps from the cases before it. Names are
-// those of CONTACT's user guide; units mm, N, MPa, rad, s, except where a member says otherwise.
+// One case of a CONTACT input file, including all that it keeps from earlier cases. Names as in
+// CONTACT's user guide; units mm, N, MPa, rad, s unless a member says otherwise.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Reader of CONTACT's input files (E. A. H. Vollebregt, user guide for CONTACT; module 1, wheel and
-// rail, and module 3, single contacts). Everything is read, also what has no equivalent here.
+// rail, and module 3, single contacts). It reads everything, including what has no equivalent here.
 #pragma once
 
 #include "convert/contact_case.hpp"

@@ -1,5 +1,5 @@
-// From a CONTACT input file to case files: consecutive cases that differ in their load points alone
-// share one.
+// Converts a CONTACT input file to case files: consecutive cases that
+// differ only in their load points share one.
 #pragma once
 
 #include "convert/contact_case.hpp"

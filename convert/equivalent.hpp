@@ -1,5 +1,5 @@
-// What a case of CONTACT comes to in keys of a case file, and what of it has no equivalent. The map
-// of digits and signs is docs/coming_from_contact.md.
+// The equivalent of a CONTACT case in keys of a case file, and the parts that have none. The
+// map of digits and signs is docs/coming_from_contact.md.
 #pragma once
 
 #include "convert/contact_case.hpp"

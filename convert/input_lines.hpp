@@ -1,5 +1,5 @@
-// The lines of CONTACT's input files: numbers at the beginning of a line, words behind them for the
-// reader, comments after %, more lines where one has too few numbers. Only the layout is known
+// The line format of CONTACT's input files: numbers first, then words for the reader, comments
+// after %, continued on further lines where numbers are missing. Only the layout is known
 // here.
 #pragma once
 

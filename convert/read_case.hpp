@@ -1,4 +1,4 @@
-// The parts of a case of CONTACT's input, in the order of the file; for contact_reader.cpp.
+// Readers of the parts of a CONTACT case, in the order of the file; for contact_reader.cpp.
 #pragma once
 
 #include "convert/contact_case.hpp"

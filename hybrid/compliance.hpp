@@ -1,5 +1,5 @@
-// The hybrid's compliance on a contact grid along the common surface: the half-space's, and what
-// wheel and rail add to it.
+// The hybrid's compliance on a contact grid along the common surface: that of the
+// half-space plus the correction for wheel and rail.
 #pragma once
 
 #include "contact/scene/curvature_slip.hpp"

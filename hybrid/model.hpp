@@ -1,5 +1,5 @@
-// The model "hybrid": the half-space on a fine contact grid, and what wheel and rail, curved and
-// finite, add to it by a smooth correction. Between the half-space, which leaves that out, and
+// The model "hybrid": the half-space on a fine contact grid plus a smooth correction for wheel and
+// rail as curved, finite bodies. It lies between the half-space, which lacks that correction, and
 // finite elements, whose contact grid is as coarse as their cells.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Displacement and stress below the surface by the hybrid: the half-space's integrals in
-// coordinates that follow the surface of the body, and the smooth part that it has beyond them.
+// coordinates that follow the surface of the body, plus the smooth correction.
 #pragma once
 
 #include "contact/result/result.hpp"

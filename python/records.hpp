@@ -1,5 +1,5 @@
-// Results as Python dictionaries, and what is said of their quantities. Arrays are those of the
-// result itself: nothing is copied, each keeps the whole result.
+// Results as Python dictionaries with descriptions of their quantities. Arrays are views of the
+// result itself: nothing is copied, and each keeps the whole result alive.
 #pragma once
 
 #include "rollfem/rollfem.hpp"

@@ -1,4 +1,4 @@
-// What a stress is judged by, for arrays of Python.
+// Stress measures for arrays of Python.
 #pragma once
 
 #include <pybind11/numpy.h>

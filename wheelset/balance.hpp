@@ -1,7 +1,7 @@
-// Wheels of true profiles in balance: every patch of a case with its share of the vertical load,
-// friction included, and with the creepages of the wheelset's motion, free rolling solved for. What
-// comes out are scenes that any model can solve; half-space solutions on a coarse grid are what the
-// balance is found with.
+// Balances wheels with true profiles: the share of the vertical load of every patch, friction
+// included, and the creepages of the wheelset's motion, solved for in free rolling. The results
+// are scenes for any model; the balance itself is found with half-space solutions on a coarse
+// grid.
 #pragma once
 
 #include "contact/base/progress.hpp"

@@ -1,5 +1,5 @@
-// Tangential forces of a scene from the half-space on a coarse grid: what loads and rotation are
-// balanced with.
+// Tangential forces of a scene by the half-space on a coarse
+// grid, used to balance loads and rotation.
 #pragma once
 
 #include "contact/scene/scene.hpp"

@@ -1,4 +1,4 @@
-// One position of the wheelset in balance: the loads of its patches and its rotation.
+// Balance of one position of the wheelset: the loads of its patches and its rotation.
 #pragma once
 
 #include "meshes/track/scenes.hpp"

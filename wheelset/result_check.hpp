@@ -1,5 +1,5 @@
-// What the results of one wheel must be to leave the program: patches beside each other, each on a
-// grid that holds its reference, approaches that press, and shares that add up to the load.
+// Checks of the results of one wheel: patches must not overlap, each on a grid that holds its
+// reference point, with positive approaches and shares that add up to the load.
 #pragma once
 
 #include "contact/case/case.hpp"

@@ -1,5 +1,5 @@
-// Roots of several functions of one variable each that are evaluated together: one half-space run
-// gives the forces of all load points.
+// Roots of several functions of one variable each that are evaluated together: one
+// half-space run gives the forces of all load points.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// The accuracy that is asked of a result.
+// The accuracy requested of a result.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// How much memory this machine still has, so that a run that does not fit says so instead of being
-// killed for it.
+// Memory still available on this machine, so that a run that does
+// not fit reports it instead of being killed.
 #pragma once
 
 #include <string>

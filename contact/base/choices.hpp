@@ -1,5 +1,5 @@
-// What a case chooses and what solvers and theories below it are told, so that neither includes the
-// other for an enumerator.
+// Enumerations shared by the case file and by the solvers and theories below
+// it, so that neither needs to include the other.
 #pragma once
 
 namespace rollfem::contact {

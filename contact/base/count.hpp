@@ -1,5 +1,5 @@
-// From a number of elements, steps or points that was computed of lengths to an int, which it need
-// not fit into: lengths are what a user gives.
+// Converts a count of elements, steps or points that was computed from lengths to an int, with
+// an error if it does not fit: lengths come from the user.
 #pragma once
 
 namespace rollfem::contact {

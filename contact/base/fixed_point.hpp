@@ -1,5 +1,5 @@
-// A positive scalar fixed point by the secant method: plain iteration creeps where the slope is
-// near one, and runs away where it is steep.
+// Positive scalar fixed points by the secant method: plain iteration is slow where
+// the slope is near one and diverges where it is steep.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The circle's constant, which C++17 does not have.
+// The constant pi, which C++17 lacks.
 #pragma once
 
 namespace rollfem::contact {

@@ -1,4 +1,4 @@
-// How far circles fall away from their middle, without cancellation.
+// The drop of a circle below its tangent, without cancellation.
 #pragma once
 
 namespace rollfem::contact {

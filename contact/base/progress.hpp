@@ -1,5 +1,5 @@
-// What a running model tells the outside: the stage, the load point, the iteration.
-// The models only send; the program decides whether and how to show it.
+// Progress events of a running model: stage, load point, iteration. Models only send
+// them; the program decides whether and how to show them.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What a compliance gives back.
+// The output of a compliance.
 #pragma once
 
 #include "contact/base/grid.hpp"

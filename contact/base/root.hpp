@@ -1,4 +1,4 @@
-// Roots of a function of one variable that are known to lie between two arguments.
+// Bracketed roots of functions of one variable.
 #pragma once
 
 #include <functional>

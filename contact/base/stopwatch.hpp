@@ -1,4 +1,4 @@
-// Wall-clock seconds since something began: the cost that every result carries.
+// Wall-clock seconds since a start: the cost stored with every result.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Delimited text: its lines, their fields and the numbers in them, the same in every locale.
+// Delimited text: lines, fields and numbers, independent of the locale.
 #pragma once
 
 #include <cstddef>

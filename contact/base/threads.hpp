@@ -1,5 +1,5 @@
-// Two halves of a computation at once, where the machine and the user allow it. Nothing is summed
-// across threads: results are the same to the last bit with one thread and with two.
+// Runs two halves of a computation in parallel where machine and user allow it. Nothing is summed
+// across threads: results are bitwise the same with one thread and with two.
 #pragma once
 
 #include <future>

@@ -1,4 +1,4 @@
-// What a case file must satisfy beyond the bounds of each key, and how its errors are worded.
+// Checks of a case file beyond the bounds of each key, and the wording of its errors.
 #pragma once
 
 #include "contact/case/case_keys.hpp"

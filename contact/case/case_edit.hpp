@@ -1,5 +1,5 @@
-// A case file with single keys changed, as `--set friction.coefficient=0.3` asks for: the text is
-// edited, so that what is stored beside the results is the case that was solved.
+// Changes single keys of a case file, as in `--set friction.coefficient=0.3`. The text itself is
+// edited, so that the case stored with the results is the one that was solved.
 #pragma once
 
 #include "contact/case/model_words.hpp"

@@ -1,6 +1,6 @@
-// The keys of the case file: each with section, kind, unit, symbol, bounds, default and a sentence,
-// declared once in contact/case/keys_*.cpp. Reading, checks of bounds, `check`, `new-case` and
-// docs/case-file.md are all derived from that.
+// The keys of the case file: section, kind, unit, symbol, bounds, default and a sentence, declared
+// once in contact/case/keys_*.cpp. Reading, bounds checks, `check`, `new-case` and
+// docs/case-file.md are all derived from these declarations.
 #pragma once
 
 #include "contact/case/case.hpp"

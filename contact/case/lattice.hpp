@@ -1,5 +1,5 @@
-// Fields given by a file of values on a regular lattice of points: reading, and interpolation by
-// cubics between the four nearest points of each direction (exact for polynomials of degree 3).
+// Fields read from a file of values on a regular lattice of points and interpolated by cubics
+// through the four nearest points in each direction (exact for polynomials of degree 3).
 #pragma once
 
 #include "contact/base/grid.hpp"

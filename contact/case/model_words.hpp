@@ -1,4 +1,4 @@
-// The names of models in a case file. Which there are is known to who reads it, not to this folder.
+// The names of models allowed in a case file, supplied by the caller.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Values that are allowed and unlikely to be meant: lengths in m, loads in kN, creepages in per
-// cent, spins in rad/m. A case with them is solved as it stands, and the user is told.
+// Warnings about values that are allowed but probably unintended: lengths in m, loads in kN,
+// creepages in percent, spins in rad/m. The case is solved as it stands.
 #pragma once
 
 #include "contact/case/case.hpp"

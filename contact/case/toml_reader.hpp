@@ -1,4 +1,4 @@
-// From TOML to the keys and values of a case file; private to contact/case.
+// Turns TOML into keys and values of a case file; private to contact/case.
 #pragma once
 
 #include "contact/case/case_checks.hpp"

@@ -1,5 +1,5 @@
-// Whether a text is TOML by its grammar; private to contact/case. toml++ 3.3 is given only what is:
-// of other texts some make it abort, and some take it to undefined behaviour.
+// Checks that a text is grammatical TOML; private to contact/case. Only such text is passed to
+// toml++ 3.3, which aborts or has undefined behaviour on some malformed input.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Values of keys from TOML, each checked against the declaration of its key; private to
+// Values of keys from TOML, checked against the declarations of the keys; private to
 // contact/case.
 #pragma once
 

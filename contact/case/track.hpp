@@ -1,6 +1,6 @@
-// How wheels with true profiles stand on a track: profiles, gauge, inclination, wheelset, motion.
-// Values in, no behaviour; scenes are made of them by meshes/. Track frame: x along the track, y to
-// the right, z down.
+// Wheels with true profiles on a track: profiles, gauge, inclination, wheelset, motion. Plain
+// values; meshes/ turns them into scenes. Track frame: x along the track, y to the right, z
+// down.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What is said of the error of every value that leaves the program: its bar, that it is exact, or
-// why it has none. What a bar is: docs/bars.md.
+// The error statement of every value that leaves the program: its bar, that it is exact, or
+// why it has none. Error bars are explained in docs/bars.md.
 #pragma once
 
 #include "contact/result/quantities.hpp"

@@ -1,5 +1,5 @@
-// How far the fields of a load point are from the conditions of contact: seen from what is reported
-// alone, whatever the iteration that found it says of itself.
+// Violation of the contact conditions by the fields of a load point, computed from the reported
+// fields alone and independent of the iteration that found them.
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,5 +1,5 @@
-// What follows from a solution without solving again: elastic energy, frictional power.
-// Signs as everywhere: tractions and forces on the wheel, slip of the wheel relative to the rail.
+// Quantities derived from a solution without solving again: elastic energy, frictional power. Signs
+// as everywhere: tractions and forces on the wheel, slip of the wheel relative to the rail.
 #pragma once
 
 #include "contact/result/result.hpp"

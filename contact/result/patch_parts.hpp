@@ -1,4 +1,4 @@
-// The regions of a contact that do not touch each other: where each is and what it carries.
+// Separate regions of a contact: the position of each and the force it carries.
 #pragma once
 
 #include "contact/base/grid.hpp"

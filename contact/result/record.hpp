@@ -1,6 +1,6 @@
-// Results as a string of bytes and back, bit for bit, for checkpoints. One description serves both
-// directions, so that they cannot drift apart. The bytes are those of this machine and this version
-// of the program: no format for exchange (that is results.h5).
+// Serialises results to bytes and back, bit for bit, for checkpoints. One description
+// serves both directions, so they cannot drift apart. The bytes are specific to this
+// machine and program version; the exchange format is results.h5.
 #pragma once
 
 #include "contact/base/response.hpp"

@@ -1,5 +1,5 @@
-// When to stop halving cells: the error of what is asked to be accurate, estimated from the
-// sequence of levels.
+// Decides when to stop halving cells: estimates the error of the
+// requested quantities from the sequence of levels.
 #pragma once
 
 #include "contact/base/accuracy.hpp"

@@ -1,5 +1,5 @@
-// Scalars that a stress state is judged by: hydrostatic, von Mises, Tresca, principal and
-// orthogonal shear stress. For any model and either body. Tension is positive; units MPa.
+// Scalar measures of a stress state: hydrostatic, von Mises, Tresca, principal and orthogonal shear
+// stress. For any model and either body. Tension is positive; units MPa.
 #pragma once
 
 #include <array>

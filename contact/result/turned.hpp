@@ -1,4 +1,4 @@
-// Displacement and stress in axes of their own: from x, y, z to three unit vectors and back.
+// Rotates displacement and stress from x, y, z to three unit vectors and back.
 #pragma once
 
 #include "contact/result/stress_measures.hpp"

@@ -1,5 +1,5 @@
-// The gate that every result passes before it leaves a model (ModelRegistry::run): what must hold
-// at every load point whatever model found it, and what a reader is warned of.
+// The checks that every result passes before it leaves a model (ModelRegistry::run): conditions
+// that hold at every load point in any model, and warnings for the reader.
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,6 +1,6 @@
-// Wheel or rail of a curved contact in coordinates that follow the common surface: there a body is
-// a half-space but for its curvature. Places below the surface, and the directions of tractions
-// there.
+// Wheel or rail of a curved contact in coordinates that follow the common
+// surface, in which the body is a half-space up to its curvature: positions
+// below the surface and directions of tractions there.
 #pragma once
 
 #include "contact/scene/geometry.hpp"

@@ -1,4 +1,4 @@
-// Slip that comes with the wheel's streamlines being circles.
+// Slip due to the curvature of the wheel's streamlines.
 #pragma once
 
 #include "contact/base/grid.hpp"

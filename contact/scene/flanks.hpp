@@ -1,4 +1,4 @@
-// Why no grid holds a patch that comes to where the circles of wheel and rail end.
+// The error for a patch that reaches the end of the circles of wheel and rail.
 #pragma once
 
 #include "contact/scene/geometry.hpp"

@@ -1,6 +1,6 @@
-// A friction law: the largest tangential traction that an element bears under its pressure at its
-// slip, and how that changes with both. One class is one law; whoever solves for tractions asks it
-// and knows no more of it.
+// A friction law: the largest tangential traction of an element as a function of pressure
+// and slip, with both derivatives. Each law is a class; the solvers know only this
+// interface.
 #pragma once
 
 #include "contact/base/grid.hpp"

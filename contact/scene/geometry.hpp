@@ -1,6 +1,6 @@
-// The geometry of a contact, whatever solves it: undeformed distance, rigid slip, and the shape of
-// the surface on which the contact grid lies. One place for radii, true profiles, a quadratic form
-// and values from files; conventions: docs/theory.md.
+// The geometry of a contact, independent of the solver: undeformed distance, rigid slip, and the
+// shape of the surface on which the contact grid lies. Covers radii, true profiles, quadratic
+// forms and values from files; conventions: docs/theory.md.
 #pragma once
 
 #include "contact/base/material.hpp"

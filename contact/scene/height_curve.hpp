@@ -1,6 +1,6 @@
-// A smooth curve z(y) through knots with slopes: the section of a rail or wheel in some frame, or
-// the wheel's radius along its axle. Corners of curvature stay sharp, because every piece is its
-// own cubic.
+// A smooth curve z(y) through knots with given slopes: the section of a rail or
+// wheel in some frame, or the wheel's radius along its axle. Jumps of curvature
+// stay sharp, because every piece is its own cubic.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
-// What is to be solved: the geometry of one contact, its materials, and its load points. A case is
-// the document; a scene is what it asks for, with nothing left to be looked up. Models take scenes
-// and never change them.
+// The problem to be solved: the geometry of one contact, its materials and its load
+// points. A case is the document; a scene is the problem resolved from it, with
+// nothing left to look up. Models never change scenes.
 #pragma once
 
 #include "contact/base/accuracy.hpp"

@@ -1,4 +1,4 @@
-// What `check` says of the contact beyond the keys: relative curvatures and combined constants.
+// What `check` prints beyond the keys: relative curvatures and combined constants.
 #pragma once
 
 #include "contact/case/case.hpp"

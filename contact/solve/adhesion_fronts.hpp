@@ -1,8 +1,8 @@
-// Where adhesion ends in a row of elements, Newton's method moves the border back by one element a
-// step when it has put it too far upstream: with the tractions of the slipping elements at their
-// bounds only the first of them has the wrong direction of slip. A few rows that were put wrong in
-// the first steps then cost as many steps as they have elements to go. This looks at the adhesion
-// areas of successive steps and takes such a border further at once.
+// Accelerates Newton's method at the ends of adhesion zones. Where it has put the border of a row
+// too far upstream, it moves it back by one element a step, because with slipping tractions at
+// their bounds only the first element has the wrong direction of slip. A few such rows then cost as
+// many steps as they have elements to go. This class watches the adhesion areas of successive steps
+// and moves such borders further at once.
 #pragma once
 
 #include "contact/base/grid.hpp"

@@ -1,6 +1,6 @@
-// Elasticity as the contact solvers see it: linear maps from tractions on the contact grid to
-// displacement differences (wheel minus rail) on the same grid. What stands behind the map,
-// half-space or finite elements, is not known here.
+// Elasticity as the contact solvers see it: linear maps from tractions on the
+// contact grid to displacement differences (wheel minus rail) on the same
+// grid, from half-spaces or finite elements alike.
 #pragma once
 
 #include "contact/base/choices.hpp"

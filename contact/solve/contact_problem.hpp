@@ -1,7 +1,7 @@
-// The whole contact problem on one grid: normal contact, friction, the sharing of the load between
-// pressure and friction where the surface or the load is tilted, and the defect correction where
-// the elasticity is more than its solvable stand-in (unlike materials, finite elements). One load
-// after another is solved on operators that are made once.
+// The complete contact problem on one grid: normal contact, friction, the sharing of the load
+// between pressure and friction where surface or load are tilted, and defect correction where the
+// elasticity goes beyond its solvable stand-in (unlike materials, finite elements). Successive
+// loads reuse the same operators.
 #pragma once
 
 #include "contact/scene/scene.hpp"

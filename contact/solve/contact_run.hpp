@@ -1,6 +1,6 @@
 // The driver of every model that solves the contact problem: one resolution of a scene, all its
-// load points, on whatever elasticity. Load points and histories, prescribed forces, the leading
-// edge, the sharing of the load with friction, progress and checkpoints are here and nowhere else.
+// load points, on any elasticity. Load points and histories, prescribed forces, the leading edge,
+// the sharing of the load with friction, progress and checkpoints are implemented here only.
 #pragma once
 
 #include "contact/base/progress.hpp"

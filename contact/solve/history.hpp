@@ -1,6 +1,6 @@
-// What a step of a shift or of transient rolling inherits from the steps before: the displacement
-// difference of the material points that are now in the patch. With it every step is a tangential
-// problem of its own, T = A_tt, whose slip is measured in mm (Kalker 1990, section 4.1).
+// What a step of a shift or of transient rolling inherits from earlier steps: the displacement
+// difference of the material points now in the patch. Each step is then a tangential problem of its
+// own, T = A_tt, with slip measured in mm (Kalker 1990, section 4.1).
 #pragma once
 
 #include "contact/solve/compliance.hpp"

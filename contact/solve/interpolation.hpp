@@ -1,4 +1,4 @@
-// Fields carried from one contact grid to another: first guesses from a coarser level.
+// Interpolates fields from one contact grid to another: first guesses from a coarser level.
 #pragma once
 
 #include "contact/base/grid.hpp"

@@ -1,5 +1,5 @@
-// What Newton's method for friction knows of the contact elements at an iterate, and an approximate
-// inverse of its Jacobian that does not weaken as the grid is refined.
+// The linearised friction problem at a Newton iterate, and an approximate inverse of its
+// Jacobian that remains effective as the grid is refined.
 #pragma once
 
 #include "contact/base/grid.hpp"

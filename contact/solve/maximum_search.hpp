@@ -1,5 +1,5 @@
-// The largest value of a smooth function of the place, from a good start: by looking around in
-// smaller and smaller steps. Many places are evaluated at a time.
+// The largest value of a smooth function of position near a good start, by a pattern search
+// with shrinking steps. Many positions are evaluated at a time.
 #pragma once
 
 #include <array>

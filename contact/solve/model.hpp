@@ -1,5 +1,5 @@
-// What all models are to the program, from Hertz to finite elements: a function of one signature
-// with a name, what it can take, and what else must be known to run it.
+// The common interface of all models, from Hertz to finite elements: a function of one signature
+// with a name, its capabilities and whatever else is needed to run it.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

@@ -1,5 +1,5 @@
-// The registry of models: what commands, checks, help, documents, comparisons and studies know of
-// them. A model is registered by one ModelRegistry::add.
+// The registry of models, which commands, checks, help, documents, comparisons and studies
+// read. A model is registered by one call of ModelRegistry::add.
 #pragma once
 
 #include "contact/solve/model.hpp"

@@ -1,6 +1,6 @@
-// How the surfaces move at a load point: the rigid slip of steady rolling, or of one step of a
-// shift or of transient rolling with what it inherits from the steps before; and how that reads in
-// results.
+// Motion of the surfaces at a load point: the rigid slip of steady rolling, or
+// of a step of a shift or of transient rolling including what it inherits from
+// earlier steps; and its description in results.
 #pragma once
 
 #include "contact/result/result.hpp"

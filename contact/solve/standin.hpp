@@ -1,6 +1,6 @@
-// One contact problem on the solvable stand-in of an elasticity: pressure, then tractions, and in
-// turn where both carry the load. What the stand-in misses is put in as a defect
-// (defect_correction.hpp).
+// Solves one contact problem on the stand-in of an elasticity: pressure, then
+// tractions, alternating where both carry the load. The difference between elasticity
+// and stand-in enters as a defect (defect_correction.hpp).
 #pragma once
 
 #include "contact/scene/scene.hpp"

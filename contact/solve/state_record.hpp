@@ -1,4 +1,4 @@
-// The state from which the next load point begins, for checkpoints.
+// The state from which the next load point starts, for checkpoints.
 #pragma once
 
 #include "contact/result/record.hpp"

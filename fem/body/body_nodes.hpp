@@ -1,5 +1,5 @@
-// The nodes of a body as points of hexahedra for output: found once, then displacement and stress
-// of every load point cost one gathering each.
+// The nodes of a body as points of hexahedra for output: found once, so that displacement
+// and stress of every load point only need to be gathered.
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,4 +1,4 @@
-// Any points of a finite-element body: the cell in which each lies, and nodal fields there.
+// Arbitrary points of a finite-element body: the cell that contains each, and nodal fields there.
 #pragma once
 
 #include "fem/body/body.hpp"

@@ -1,5 +1,5 @@
-// Coarse meshes of bodies: made through gmsh, read from a user's file and checked, and turned into
-// a triangulation. Internal to fem/.
+// Coarse meshes of bodies: generated with gmsh or read from a user's file, checked,
+// and turned into a triangulation. Internal to fem/.
 #pragma once
 
 #include "fem/body/body.hpp"

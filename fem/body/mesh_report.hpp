@@ -1,4 +1,4 @@
-// The meshes of a case for writing and judging, without solving. Free of deal.II, as model.hpp is.
+// The meshes of a case with their quality, without solving. Free of deal.II, like model.hpp.
 #pragma once
 
 #include "contact/result/result.hpp"

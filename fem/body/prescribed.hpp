@@ -1,4 +1,4 @@
-// A displacement prescribed on the far boundary, by a solver whose own conditions are homogeneous.
+// A displacement prescribed on the far boundary, for a solver whose own conditions are homogeneous.
 #pragma once
 
 #include "fem/solver/linear_solver.hpp"

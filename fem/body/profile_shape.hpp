@@ -1,6 +1,6 @@
-// The chart of a body with a true profile: what SurfaceShape says of circles, for the section of a
-// PatchGeometry. A wheel's section is turned about its axle, which may be tilted in the plane
-// x = 0; of a yawed axle the trace of its contact is taken (the yaw itself, below 25 mrad, is in
+// The chart of a body with a true profile, the counterpart of SurfaceShape for the section of a
+// PatchGeometry. A wheel's section is turned about its axle, which may be tilted in the plane x =
+// 0; for a yawed axle the trace of its contact is used (the yaw itself, below 25 mrad, is in
 // undeformed distance and slip). Internal to fem/.
 #pragma once
 

@@ -1,8 +1,8 @@
-// What wheel and rail have below their surface beyond half-spaces, found by finite elements as
-// smooth_parts.hpp finds it on the surface: body less flattened twin at the same points of Gauss of
-// the same cells. Those of body and twin lie apart in coordinates that follow the surface (they are
-// laid along z, which is not the normal of a steep surface); what the half-space changes in
-// between, exactly, is taken off.
+// The difference between wheel or rail and half-spaces below the surface, found by finite elements
+// as smooth_parts.hpp finds it on the surface: body minus flattened twin at the same Gauss points
+// of the same cells. Those points lie apart in coordinates that follow the surface (cells are laid
+// along z, which is not the normal of a steep surface); the exact change of the half-space in
+// between is subtracted.
 #pragma once
 
 #include "contact/scene/below_surface.hpp"

@@ -1,6 +1,6 @@
-// What a flat body adds to a half-space in the frame of the common surface, without a mesh: it is a
-// half-space itself, but loaded and looked at along the local tangents and normals of a surface
-// that is curved where the other body is.
+// The correction of a flat body in the frame of the common surface, without a mesh: the
+// body is a half-space itself, but loaded and evaluated along the local tangents and
+// normals of a surface that is curved where the other body is.
 #pragma once
 
 #include "contact/scene/scene.hpp"

@@ -1,6 +1,6 @@
-// The flattened twin of a body: the same mesh with the contact surface rolled out into a plane. Its
-// exact compliance is the half-space's, so that what finite elements get wrong on the twin is what
-// they get wrong on the body, but for the curvature.
+// The flattened twin of a body: the same mesh with the contact surface unrolled into a
+// plane. Its exact compliance is the half-space's, so that the error of finite elements
+// on the twin is that on the body, up to the curvature.
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"

@@ -1,6 +1,6 @@
-// What wheel and rail add to their half-spaces, found by finite elements: each body less its
-// flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over the
-// patch. What the elements get wrong cancels but for the curvature, so that coarse cells do.
+// The corrections of wheel and rail to their half-spaces, found by finite elements: each body minus
+// its flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over
+// the patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice.
 #pragma once
 
 #include "contact/base/progress.hpp"

@@ -1,4 +1,4 @@
-// The far boundary of a case: which one, and what it leaves out of the approach.
+// The choice of the far boundary of a case, and the error of the approach due to it.
 #pragma once
 
 #include "contact/scene/scene.hpp"

@@ -1,6 +1,6 @@
-// What a segment of wheel or rail lacks of the large body it is cut from: its far boundary, held by
-// the solver, moves as that of a half-space under the force on the patch as a point load. Linear in
-// the force: three elastic fields, solved for once and together. Derivation: docs/theory.md, "Far
+// The far boundary of a segment of wheel or rail, which replaces the body it is cut from: it is
+// moved like that of a half-space under the force on the patch as a point load. Linear in the
+// force: three elastic fields, solved once and together. Derivation: docs/theory.md, "Far
 // boundary".
 #pragma once
 

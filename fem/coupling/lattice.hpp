@@ -1,7 +1,7 @@
-// Finite elements on a regular lattice of cells as deep as a half-space, under tractions that are
-// constant on every contact element: what they lack of the elastic half-space's mean displacement
-// of the elements. A lattice answers a wave of tractions with a wave (Bloch), so that one column of
-// cells, its sides joined with the wave's phase, has all of it: no mesh, no fit.
+// Finite elements on a regular lattice of cells as deep as a half-space, under tractions constant
+// on every contact element: the error of their mean displacement of the elements against the
+// elastic half-space. A lattice answers a wave of tractions with a wave (Bloch), so one column of
+// cells, its sides joined with the wave's phase, gives all of it: no mesh, no fit.
 #pragma once
 
 #include "contact/base/material.hpp"

@@ -1,5 +1,5 @@
-// Tractions anywhere on the contact surface from those of the contact elements, with an edge of the
-// patch below the element size.
+// Tractions anywhere on the contact surface, interpolated from the contact elements, with
+// the edge of the patch resolved below the element size.
 #pragma once
 
 #include "contact/base/grid.hpp"

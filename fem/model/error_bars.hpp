@@ -1,6 +1,6 @@
-// Error bars of finite elements. What their contact grid leaves uncertain it leaves uncertain of
-// half-spaces, which are cheap to have on finer grids; what the cells add shows in how finite
-// elements and half-spaces move apart from level to level.
+// Error bars of finite elements. The error of their contact grid is that of half-spaces on the same
+// grid, which are cheap to solve on finer ones; the error of the cells shows in how the difference
+// between finite elements and half-spaces changes from level to level.
 #pragma once
 
 #include "contact/result/result.hpp"

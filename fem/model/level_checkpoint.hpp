@@ -1,6 +1,6 @@
-// What a level of the finite-element model keeps for a later run: the frictionless solution, and
-// every load point with the state from which the next one starts, so that numbers come out the
-// same to the last bit.
+// What a level of the finite-element model stores for a later run: the
+// frictionless solution, and every load point with the state from which the next
+// one starts, so that numbers are bitwise the same.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

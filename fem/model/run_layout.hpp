@@ -1,5 +1,5 @@
-// What one level of the model fem is laid out on, before anything is meshed: where the patch will
-// be, contact grid, options of the bodies, memory.
+// The layout of one level of the model fem before anything is meshed: expected
+// patch, contact grid, options of the bodies, memory.
 #pragma once
 
 #include "contact/base/grid.hpp"

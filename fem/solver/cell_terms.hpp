@@ -1,6 +1,6 @@
-// What the stiffness of a cell has besides Hooke's law point by point: dilatation projected where
-// the material is nearly incompressible, inertia where it flows through the mesh. Shared by the
-// assembly, the matrix-free operator and everything that computes stresses.
+// Terms of a cell's stiffness beyond pointwise Hooke's law: projected dilatation of nearly
+// incompressible materials, inertia of material flowing through the mesh. Shared by the assembly,
+// the matrix-free operator and everything that computes stresses.
 #pragma once
 
 #include "fem/solver/linear_solver.hpp"

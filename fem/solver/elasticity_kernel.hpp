@@ -1,8 +1,8 @@
-// The product of element stiffness matrices of linear elasticity with a vector, never forming them:
-// sum factorisation on tensor-product hexahedra, several cells at a time in the lanes of SIMD
-// registers. deal.II's own kernels are as wide as the library was compiled, which in Debian is one
-// lane; this one picks AVX-512, AVX2 or plain code when the program runs. It knows nothing of
-// deal.II.
+// The product of element stiffness matrices of linear elasticity with a vector, without forming
+// them: sum factorisation on tensor-product hexahedra, several cells at a time in the lanes of
+// SIMD registers. deal.II's own kernels are as wide as the library was compiled for, which in
+// Debian is one lane; this one picks AVX-512, AVX2 or plain code at run time. It does not depend
+// on deal.II.
 #pragma once
 
 #include <cstddef>

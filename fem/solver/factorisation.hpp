@@ -1,6 +1,6 @@
-// Sparse Cholesky factorisation (CHOLMOD, supernodal, nested dissection) of the assembled
-// stiffness: the quickest solver up to some 400 000 unknowns when one geometry serves many
-// right-hand sides.
+// Sparse Cholesky factorisation (CHOLMOD, supernodal, nested dissection) of
+// the assembled stiffness: the fastest solver up to some 400 000 unknowns
+// when one geometry serves many right-hand sides.
 #pragma once
 
 #include "fem/solver/linear_solver.hpp"

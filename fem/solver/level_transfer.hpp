@@ -1,5 +1,5 @@
-// Between two levels of multigrid: displacements from coarse cells to the fine ones in them, forces
-// the other way.
+// Transfer between two multigrid levels: displacements from coarse cells to
+// the fine ones in them, forces the other way.
 #pragma once
 
 #include "fem/solver/linear_solver.hpp"

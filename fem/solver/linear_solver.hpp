@@ -1,5 +1,5 @@
-// Linear elasticity K u = b on one body, solved many times with the same K. What the solvers need
-// is described here once; factorisation.hpp and multigrid.hpp make them.
+// Linear elasticity K u = b on one body, solved many times with the same K. The interface of the
+// solvers; factorisation.hpp and multigrid.hpp implement it.
 #pragma once
 
 #include "contact/scene/scene.hpp"

@@ -1,5 +1,5 @@
-// How much memory a level of the finite-element model will need and how much there is, so that a
-// run that does not fit says so instead of being killed.
+// Memory that a level of the finite-element model needs, and the memory available, so that a
+// run that does not fit reports it instead of being killed.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// A body that is its own mirror image in the plane x = 0, as segments of rails and wheels are:
-// every displacement is the sum of an even and an odd one, and either is a problem on the half at
-// x > 0 by itself. Two factors of half the size take half the work and four fifths of the memory.
+// Bodies symmetric about the plane x = 0, as segments of rails and wheels are: every displacement
+// is the sum of an even and an odd one, each a separate problem on the half at x > 0. Two factors
+// of half the size take half the work and four fifths of the memory.
 #pragma once
 
 #include "fem/solver/elasticity_assembly.hpp"

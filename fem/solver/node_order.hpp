@@ -1,5 +1,5 @@
-// The order in which the unknowns of a stiffness are eliminated: nested dissection of the nodes,
-// whose graph has a ninth of the entries that the matrix has.
+// The elimination order of the unknowns of a stiffness: nested dissection of the nodes,
+// whose graph has a ninth of the entries of the matrix.
 #pragma once
 
 #include <cstddef>

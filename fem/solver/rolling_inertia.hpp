@@ -1,5 +1,5 @@
-// Inertia of steady rolling: how the material of wheel and rail flows through the contact's frame,
-// and what spinning alone does to the wheel. Derivation: docs/theory.md, "Inertia".
+// Inertia of steady rolling: the flow of material of wheel and rail through the contact's frame,
+// and the effect of spinning on the wheel. Derivation: docs/theory.md, "Inertia".
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"

@@ -1,5 +1,5 @@
-// Which linear solver a level of a case takes, by size, number of solves, memory and processes, and
-// making it for both bodies.
+// Chooses the linear solver of a level by size, number of solves, memory
+// and processes, and creates it for both bodies.
 #pragma once
 
 #include "fem/body/body.hpp"

@@ -1,4 +1,4 @@
-// The stresses that a case asks for in finite elements: at its [[subsurface.*]] points, the largest
+// The stresses that a case requests of finite elements: at its [[subsurface.*]] points, the largest
 // ones of each body, and those of all nodes where the load point keeps them.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Stress at the contact surface of a finite-element body: there the tractions are known, and only
-// the strain within the surface need come from the elements.
+// Stress at the contact surface of a finite-element body: the tractions are known there, so only
+// the strain within the surface has to come from the elements.
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"

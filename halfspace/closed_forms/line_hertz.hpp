@@ -1,4 +1,4 @@
-// Hertz's line contact in closed form (Johnson 1985, section 4.2c): rollers without ends across.
+// Hertz's line contact of endless rollers in closed form (Johnson 1985, section 4.2c).
 #pragma once
 
 namespace rollfem::halfspace {

@@ -1,5 +1,5 @@
-// Gradients and means of values at the elements of a grid, taken at the corners that four of them
-// share, and the transposes of both: with them operators of first order are symmetric on the grid.
+// Gradients and means of element values, taken at the corners shared by four elements, and the
+// transposes of both: first-order operators built from them are symmetric on the grid.
 #pragma once
 
 #include "contact/base/grid.hpp"

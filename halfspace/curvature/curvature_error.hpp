@@ -1,5 +1,5 @@
-// What a half-space leaves out, by solving the contact once more on bodies as curved as they are
-// (curved_level.hpp), and across on their common surface.
+// The model error of the half-space, estimated by solving the contact once more on bodies with
+// their true curvature (curved_level.hpp), across rolling on their common surface.
 #pragma once
 
 #include "contact/base/progress.hpp"

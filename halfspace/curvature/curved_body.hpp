@@ -1,6 +1,6 @@
-// What a body that curves gently does otherwise than a half-space, to the first order of its height
-// over the tangent plane. The field of the half-space leaves tractions on the true surface; one
-// more half-space solution takes them off (docs/theory.md, "Bodies that curve gently").
+// The difference between a gently curved body and a half-space, to first order in its height over
+// the tangent plane. The half-space field leaves tractions on the true surface; one more half-space
+// solution removes them (docs/theory.md, "Bodies that curve gently").
 #pragma once
 
 #include "contact/base/grid.hpp"

@@ -1,5 +1,5 @@
-// The half-space's compliance with the first-order correction of both bodies (curved_body.hpp):
-// what bodies that curve gently do to each other, without a mesh.
+// The half-space's compliance with the first-order curvature correction of
+// both bodies (curved_body.hpp), without a mesh.
 #pragma once
 
 #include "contact/scene/scene.hpp"

@@ -1,5 +1,5 @@
-// The contact problem on bodies that curve gently: the one driver on CurvedCompliance, by defect
-// correction on the half-space.
+// The contact problem on gently curved bodies: the common driver on
+// CurvedCompliance, by defect correction on the half-space.
 #pragma once
 
 #include "contact/base/progress.hpp"

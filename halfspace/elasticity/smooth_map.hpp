@@ -1,6 +1,6 @@
-// The smooth part by which a curved, finite body differs from its half-space, between polynomials
-// over the patch: tractions enter by their moments, displacement leaves as a polynomial. So it is
-// the same on every contact grid, and costs next to nothing there.
+// The smooth part of the difference between a curved, finite body and its half-space, as a map
+// between polynomials over the patch: tractions enter by their moments, displacement is a
+// polynomial. It is the same on every contact grid and costs next to nothing.
 #pragma once
 
 #include "contact/base/grid.hpp"

@@ -1,6 +1,6 @@
-// What loads beside a contact displace under it: the other contacts of its wheel, as point loads on
-// the half-space that the surface of both is rolled out to (Boussinesq, Cerruti; Johnson 1985, 3.2
-// and 3.6).
+// Displacements under a contact due to loads beside it: the other contacts of its
+// wheel, as point loads on the half-space to which the surface of both is unrolled
+// (Boussinesq, Cerruti; Johnson 1985, 3.2 and 3.6).
 #pragma once
 
 #include "contact/base/material.hpp"

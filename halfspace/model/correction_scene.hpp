@@ -1,6 +1,6 @@
-// What the smooth parts of wheel and rail (elasticity/smooth_map.hpp) are found for: the bodies of
-// a scene under a round load. Scenes that differ in load by little, in creepages, friction and
-// grids have the same one, and so the same smooth parts.
+// The scene for which the smooth parts of wheel and rail (elasticity/smooth_map.hpp) are computed:
+// the bodies of a scene under a rounded load. Scenes that differ little in load, or only in
+// creepages, friction and grids, share it and hence the smooth parts.
 #pragma once
 
 #include "contact/scene/scene.hpp"

@@ -1,4 +1,4 @@
-// Whether a solved grid holds all of a contact: whether wheel and rail would overlap beyond it, or
+// Checks that a solved grid holds all of a contact: wheel and rail must not overlap beyond it, nor
 // press on each other up to where another contact of the wheel begins.
 #pragma once
 

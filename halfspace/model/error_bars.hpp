@@ -1,6 +1,6 @@
 // Error bars of the model halfspace: how far each number of a load point may be from that of an
-// infinitely fine grid. They come from the changes between grids of h, 2h and 4h and from what the
-// solution shows where a number is made; how often they hold: docs/accuracy.md, "Error bars".
+// infinitely fine grid, from the changes between grids of h, 2h and 4h and from the solution where
+// the number is formed. Their reliability: docs/accuracy.md, "Error bars".
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,5 +1,5 @@
-// Where and how large the patch of a case will be, before any grid or mesh is laid: of radii from
-// Hertz, of true profiles from coarse half-space solutions of a few milliseconds.
+// Estimates position and size of the patch of a case before any grid or mesh exists: from Hertz for
+// radii, from coarse half-space solutions of a few milliseconds for true profiles.
 #pragma once
 
 #include "contact/scene/scene.hpp"

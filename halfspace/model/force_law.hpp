@@ -1,5 +1,5 @@
-// What a contact of a wheel carries at an approach, without friction: how the contacts of a wheel
-// share its load is found with it.
+// The force carried by one contact of a wheel at a given approach, without friction;
+// used to share the load among the contacts of a wheel.
 #pragma once
 
 #include "contact/scene/scene.hpp"

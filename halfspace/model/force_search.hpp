@@ -1,5 +1,5 @@
-// Where the search for the creepage or shift of a prescribed force begins: Kalker's linear theory
-// and Mindlin's tangential stiffness on the patch that was found.
+// Start of the search for the creepage or shift of a prescribed force: Kalker's linear theory
+// and Mindlin's tangential stiffness on the computed patch.
 #pragma once
 
 #include "contact/result/patch_size.hpp"

@@ -1,5 +1,5 @@
-// How several separate contacts of one wheel share its load: the wheel sinks vertically by one way,
-// of which every contact feels the part along its own normal, less what the others displace there.
+// Shares the load of a wheel among its separate contacts: the wheel sinks vertically, each contact
+// approaches by the component along its own normal less the displacement due to the others.
 #pragma once
 
 #include "contact/scene/scene.hpp"

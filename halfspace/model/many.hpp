@@ -1,6 +1,6 @@
-// Steady rolling of very many Hertzian contacts: forces of a list of creepages on a list of
-// ellipses, as tables for vehicle dynamics want them. Everything is scaled, so that one number
-// stands for contacts of any size, load and stiffness; nothing is written.
+// Steady rolling of very many Hertzian contacts: forces for a list of creepages on a list of
+// ellipses, as needed for tables of vehicle dynamics. Everything is scaled, so that one value
+// covers contacts of any size, load and stiffness; nothing is written.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// How far a theory is from the half-space that it stands for.
+// The error of a theory relative to the half-space it approximates.
 #pragma once
 
 #include "contact/result/result.hpp"

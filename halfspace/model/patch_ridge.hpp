@@ -1,5 +1,5 @@
-// The line across a patch on which wheel and rail are nearest: at x = 0 but for yaw. What the strip
-// model and the search for the extent of a patch look at.
+// The line across a patch along which wheel and rail are closest: x = 0 unless there is yaw. Used
+// by the strip model and by the search for the extent of a patch.
 #pragma once
 
 #include "contact/scene/patch_geometry.hpp"

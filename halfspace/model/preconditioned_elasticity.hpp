@@ -1,5 +1,5 @@
-// The elasticity of bodies that are nearly half-spaces: any compliance, with the half-space on the
-// same grid as its stand-in, and what other contacts of the wheel displace.
+// The elasticity of bodies close to half-spaces: any compliance, with the half-space on the same
+// grid as its stand-in, and the displacement due to other contacts of the wheel.
 #pragma once
 
 #include "contact/solve/contact_run.hpp"

@@ -1,4 +1,4 @@
-// The models of this folder: names, abilities and options, said where they are registered.
+// The models of this folder with their names, capabilities and options.
 #pragma once
 
 #include "contact/solve/models.hpp"

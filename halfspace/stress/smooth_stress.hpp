@@ -1,6 +1,6 @@
-// The smooth part by which displacement and stress below the surface of a curved, finite body
-// differ from those of its half-space, as elasticity/smooth_map.hpp has it on the surface: moments
-// of the tractions in, polynomials in x, y and depth out.
+// The smooth part of the difference in displacement and stress below the surface between a curved,
+// finite body and its half-space, the counterpart of elasticity/smooth_map.hpp below the surface:
+// moments of the tractions in, polynomials in x, y and depth out.
 #pragma once
 
 #include "halfspace/elasticity/smooth_map.hpp"

@@ -1,4 +1,4 @@
-// The points that a case asks for, [[subsurface.point]], line, plane and surface, in half-spaces.
+// Stresses of half-spaces at the [[subsurface.*]] points of a case.
 #pragma once
 
 #include "contact/result/result.hpp"

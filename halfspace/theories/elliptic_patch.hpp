@@ -1,5 +1,5 @@
-// What the theories of an elliptic patch share: Hertz's patch from the case, the normal part of the
-// result record on the case's contact grid, and the loop over load points.
+// Common parts of the theories of an elliptic patch: Hertz's patch from the case, the normal part
+// of the result record on the case's contact grid, and the loop over load points.
 #pragma once
 
 #include "contact/scene/geometry.hpp"

@@ -1,5 +1,5 @@
-// What the theories of an elliptic patch do with true profiles: they take the ellipse that has the
-// area and the ratio of extents of the half-space patch, about its centre of pressure.
+// Theories of an elliptic patch on true profiles: they use the ellipse with the area and ratio of
+// extents of the half-space patch, about its centre of pressure.
 #pragma once
 
 #include "contact/solve/model.hpp"

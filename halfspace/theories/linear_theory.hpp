@@ -1,6 +1,6 @@
-// Kalker's linear theory of rolling contact: creepage coefficients for every aspect ratio and
-// Poisson's ratio, the forces that follow, and the model "linear". No slip, no friction bound: what
-// every creep curve tends to at small creepage.
+// Kalker's linear theory of rolling contact: creepage coefficients for every aspect ratio
+// and Poisson's ratio, the resulting forces, and the model "linear". No slip, no friction
+// bound: the limit of every creep curve at small creepage.
 #pragma once
 
 #include "contact/solve/model.hpp"

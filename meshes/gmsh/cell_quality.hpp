@@ -1,4 +1,4 @@
-// How good a hexahedron is.
+// Quality measures of a hexahedron.
 #pragma once
 
 #include <array>

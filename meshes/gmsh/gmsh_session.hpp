@@ -1,4 +1,4 @@
-// gmsh's library for as long as an object lives. Internal to meshes/.
+// Owns the gmsh library for the lifetime of an object. Internal to meshes/.
 #pragma once
 
 #include <array>

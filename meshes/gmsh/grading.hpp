@@ -1,4 +1,4 @@
-// Steps of a graded mesh line.
+// Step sizes of a graded mesh line.
 #pragma once
 
 #include <vector>

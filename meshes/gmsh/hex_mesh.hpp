@@ -1,5 +1,5 @@
-// A coarse mesh of hexahedra with its named surfaces, as it goes to and comes from gmsh files and
-// into the finite-element bodies.
+// A coarse mesh of hexahedra with named surfaces: exchanged with gmsh
+// files and passed to the finite-element bodies.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The bytes of a .msh file and the place reached in them: numbers as text or binary, never beyond
-// the end. Internal to meshes/.
+// The bytes of a .msh file and the reading position: numbers as text or
+// binary, never beyond the end. Internal to meshes/.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What the elements of a .msh file make of its nodes: hexahedra, and quadrilaterals by group.
-// Internal to meshes/.
+// Builds hexahedra, and quadrilaterals by group, from the
+// elements of a .msh file. Internal to meshes/.
 #pragma once
 
 #include "meshes/gmsh/hex_mesh.hpp"

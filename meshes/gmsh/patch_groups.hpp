@@ -1,4 +1,4 @@
-// Which minima of the gap are one contact, and where its reference point and plane are.
+// Groups minima of the gap into contacts, each with its reference point and plane.
 #pragma once
 
 #include "meshes/track/load_estimate.hpp"

@@ -1,5 +1,5 @@
-// Coarse meshes of wheel and rail segments made through gmsh: the cross-section in quadrilaterals,
-// then revolved about the axle or extruded along the track.
+// Coarse meshes of wheel and rail segments generated with gmsh: the cross-section in
+// quadrilaterals, then revolved about the axle or extruded along the track.
 #pragma once
 
 #include "meshes/gmsh/hex_mesh.hpp"

@@ -1,6 +1,6 @@
-// The true section of a rail or a wheel rim in the frame of a patch: the profile, and what is below
-// it, for finite-element bodies. Rails get the head's underside, web and foot of 60E1 (EN 13674-1:
-// height 172 mm, web 16.5 mm, foot 150 mm) by straight lines, wheels a rim with an inner side.
+// The true section of a rail or a wheel rim in the frame of a patch, for finite-element bodies: the
+// profile and what lies below it. Rails get the underside of the head, web and foot of 60E1 (EN
+// 13674-1: height 172, web 16.5, foot 150 mm) as straight lines, wheels a rim with an inner side.
 #pragma once
 
 #include "contact/scene/patch_geometry.hpp"

@@ -1,5 +1,5 @@
-// Standard profiles from their analytic definition: wheel S1002 (EN 13715, UIC 510-2), rail 60E1
-// (EN 13674-1) and what the Manchester contact benchmark uses.
+// Standard profiles from their analytic definitions: wheel S1002 (EN 13715, UIC 510-2), rail 60E1
+// (EN 13674-1) and the profiles of the Manchester contact benchmark.
 #pragma once
 
 #include "meshes/profiles/profile_curve.hpp"

@@ -1,5 +1,5 @@
-// Points near a profile moved across it until its curvature changes little and at few places: wheel
-// and rail profiles are arcs and slow transitions between joints.
+// Moves points near a profile across it until its curvature changes little and at few places: wheel
+// and rail profiles consist of arcs and slow transitions between joints.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Profiles by tangent arcs and by polynomials, as a case gives them.
+// Profiles from tangent arcs and from polynomials, as given in a case.
 #pragma once
 
 #include "contact/case/track.hpp"

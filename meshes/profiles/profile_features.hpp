@@ -1,4 +1,4 @@
-// What is worth knowing of a profile: ends, length, extreme places, radii, joints of its curvature.
+// Features of a profile: ends, length, extreme points, radii, joints of its curvature.
 #pragma once
 
 #include "meshes/profiles/profile_curve.hpp"

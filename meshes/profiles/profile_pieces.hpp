@@ -1,5 +1,5 @@
-// Profiles put together from exact pieces (arcs, lines, polynomials): knots by arc length, so dense
-// that the cubics between them stand for the formula.
+// Builds profiles from exact pieces (arcs, lines, polynomials), with knots by arc length so
+// dense that the cubics between them represent the formula.
 #pragma once
 
 #include "meshes/profiles/profile_curve.hpp"

@@ -1,4 +1,4 @@
-// Points of a profile as a file lists them: reading of the formats, mending as told, checking.
+// Points of a profile from a file: reading the formats, repairs as the case requests, checks.
 #pragma once
 
 #include "contact/case/track.hpp"

@@ -1,5 +1,5 @@
-// The profile that a case asks for: built in, by arcs, by a polynomial, or from a file, checked and
-// mended only as told.
+// The profile named by a case: built in, from arcs, polynomials or a file,
+// checked, and repaired only as the case requests.
 #pragma once
 
 #include "contact/case/case.hpp"

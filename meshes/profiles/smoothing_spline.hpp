@@ -1,7 +1,7 @@
-// A curve through or near points of a profile: a first smoothing by a cubic smoothing spline in the
-// chord length, for y and z alike (C. H. Reinsch, Numer. Math. 10, 1967; P. J. Green, B. W.
-// Silverman, Nonparametric Regression, 1994, ch. 2), then one that knows that profiles are made of
-// arcs and slow transitions (curvature_smoothing.hpp), and a natural cubic spline through the
+// A curve through or near points of a profile: first a cubic smoothing spline in the chord
+// length, for y and z alike (C. H. Reinsch, Numer. Math. 10, 1967; P. J. Green, B. W.
+// Silverman, Nonparametric Regression, 1994, ch. 2), then a smoothing that assumes arcs and
+// slow transitions (curvature_smoothing.hpp), and a natural cubic spline through the
 // result.
 #pragma once
 

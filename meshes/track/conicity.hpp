@@ -1,5 +1,5 @@
-// Equivalent conicity of a wheelset: that of the cones which would run sideways as it does, from
-// the difference of its rolling radii over the lateral shift.
+// Equivalent conicity of a wheelset from the difference of its rolling radii over the lateral
+// shift: the angle of the cones that would have the same lateral motion.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Where the wheels of a placed wheelset touch their rails: height and roll of the wheelset, points
-// of first contact, near misses, and which of them are one patch under the load (docs/track.md).
+// Finds where the wheels of a placed wheelset touch their rails: its height and roll, points of
+// first contact, near misses, and which of them form one patch under load (docs/track.md).
 #pragma once
 
 #include "contact/case/case.hpp"

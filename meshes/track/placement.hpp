@@ -1,5 +1,5 @@
-// Where rails and wheels stand on the track. Everything is done in the *side frame* of one wheel: x
-// along the track, Y from the middle of the track outward to the field side, z down, so that
+// Positions of rails and wheels on the track. Everything is done in the *side frame* of one wheel:
+// x along the track, Y from the middle of the track outward to the field side, z down, so that
 // profile y and Y point the same way on both sides and the left side is the mirror image of the
 // right one. Track frame: y_track = Y on the right, -Y on the left.
 #pragma once

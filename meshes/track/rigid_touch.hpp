@@ -1,5 +1,5 @@
-// Where the rigid wheels of a wheelset touch their rails as it moves sideways, without a load: the
-// rolling radii and contact angles from which conicity follows (conicity.hpp).
+// Contact points of the rigid, unloaded wheels of a wheelset as it moves sideways: the rolling
+// radii and contact angles that conicity is computed from (conicity.hpp).
 #pragma once
 
 #include "contact/case/case.hpp"

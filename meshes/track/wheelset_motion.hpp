@@ -1,6 +1,6 @@
-// From the motion of the wheelset to the slip of wheel over rail, and from the forces of the
-// patches to the wheelset. Motion is over the forward speed V of the middle of the axle: V = 1.
-// Frames and signs: docs/track.md.
+// Slip of wheel over rail from the motion of the wheelset, and the forces on the
+// wheelset from those of the patches. Motion is relative to the forward speed V of the
+// middle of the axle: V = 1. Frames and signs: docs/track.md.
 #pragma once
 
 #include "contact/case/case.hpp"

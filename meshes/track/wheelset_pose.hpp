@@ -1,4 +1,4 @@
-// Height and roll of a wheelset on its rails, and the refusal of wheels that have left them.
+// Height and roll of a wheelset on its rails; rejects wheels that have left their rails.
 #pragma once
 
 #include "contact/case/case.hpp"

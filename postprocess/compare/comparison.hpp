@@ -1,6 +1,6 @@
-// Results of several models laid beside each other: every number with its error bar and its
-// difference to a reference model, over one or several cases. Made from the summaries of result
-// folders, so that an earlier result takes part as one computed now does.
+// Results of several models side by side: every number with its error bar and its difference
+// from a reference model, over one or several cases. Built from the summaries of result
+// folders, so that stored results take part like new ones.
 #pragma once
 
 #include "contact/result/quantities.hpp"

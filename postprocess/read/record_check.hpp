@@ -1,4 +1,4 @@
-// What every writer relies on: sizes that fit the grid, names that can be paths, and no NaN.
+// Checks that every writer relies on: sizes that fit the grid, names usable as paths, no NaN.
 #pragma once
 
 #include "postprocess/write/output.hpp"

@@ -1,5 +1,5 @@
-// Reads results.h5 back: what results_hdf5.cpp wrote, as the record it was written from. For
-// commands that go on from stored results (rollfem stress). Layout: docs/results.md.
+// Reads results.h5 back into the record it was written from, for commands that continue from
+// stored results (rollfem stress). Layout: docs/results.md.
 #pragma once
 
 #include "contact/result/result.hpp"

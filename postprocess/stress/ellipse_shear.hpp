@@ -1,6 +1,6 @@
-// The shakedown limit of an elliptic contact, between those of the circle and of the line
-// (postprocess/stress/shakedown.hpp): the largest shear on planes parallel to the surface below
-// Hertz's ellipse that slides.
+// The shakedown limit of an elliptic contact, between those of circle and
+// line (postprocess/stress/shakedown.hpp): the largest shear on planes
+// parallel to the surface below a sliding Hertz ellipse.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What `rollfem stress` writes: stresses at the places asked for, the largest ones, and the points
-// of the shakedown map, as tables for spreadsheets, for scripts and for the screen.
+// The output of `rollfem stress`: stresses at the requested places, the largest stresses, and the
+// points of the shakedown map, as tables for spreadsheets, scripts and the screen.
 #pragma once
 
 #include "contact/result/result.hpp"

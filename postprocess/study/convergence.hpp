@@ -1,7 +1,7 @@
-// What a sequence of values on ever finer levels tells: the observed order of convergence, the
-// limit after Richardson and how far both can be trusted. P. J. Roache, Verification and Validation
-// in Computational Science and Engineering (1998); L. Eca, M. Hoekstra, J. Comput. Phys. 262
-// (2014), for sequences without an order.
+// Convergence of a sequence of values on successively finer levels: the observed order,
+// Richardson's limit and the reliability of both. P. J. Roache, Verification and Validation in
+// Computational Science and Engineering (1998); L. Eca, M. Hoekstra, J. Comput. Phys. 262 (2014),
+// for sequences without an order.
 #pragma once
 
 #include <optional>

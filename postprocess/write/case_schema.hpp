@@ -1,4 +1,4 @@
-// The keys of a case file as a JSON schema (draft 7), by which editors complete and check TOML.
+// The keys of a case file as a JSON schema (draft 7), for completion and checks of TOML in editors.
 #pragma once
 
 #include "contact/case/model_words.hpp"

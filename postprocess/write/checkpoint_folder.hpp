@@ -1,5 +1,5 @@
-// Finished load points on disk, beside the results that are not there yet: DIR.unfinished. Every
-// record appears whole or not at all; the folder goes when the results are written.
+// Finished load points on disk, in DIR.unfinished beside the future results. Every record appears
+// whole or not at all; the folder is removed when the results are written.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

@@ -1,5 +1,5 @@
-// Tables for spreadsheets: the creep curve and the path plots of all models in one file each, the
-// unit of a column in its header.
+// Tables for spreadsheets: creep curves and path plots of all models, one
+// file each, with units in the column headers.
 #pragma once
 
 #include "postprocess/write/output.hpp"

@@ -1,5 +1,5 @@
-// One process at a time makes a result: it owns the folder from before the first model runs until
-// all is written.
+// Ensures that only one process at a time produces a result: it owns the folder from
+// before the first model runs until everything is written.
 #pragma once
 
 #include <filesystem>

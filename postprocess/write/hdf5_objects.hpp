@@ -1,5 +1,5 @@
-// The few HDF5 calls that writing and reading results.h5 need, with handles that close themselves
-// and errors as exceptions.
+// The few HDF5 calls needed to write and read results.h5, with handles
+// that close themselves and errors as exceptions.
 #pragma once
 
 #include <hdf5.h>

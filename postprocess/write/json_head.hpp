@@ -1,4 +1,4 @@
-// What begins compare.json and study.json alike: which kind of file it is and who made it.
+// The common head of compare.json and study.json: the kind of file and its provenance.
 #pragma once
 
 #include "contact/result/quantities.hpp"

@@ -1,5 +1,5 @@
-// Texts, numbers and matrices by name in one HDF5 file with a checksum (seal.hpp): what the program
-// stores for itself, and everybody can look into.
+// Named strings, numbers and matrices in one HDF5 file with a checksum (seal.hpp): data that
+// the program stores for itself and that anyone can read.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// The fields of a load point and the numbers of its place with their units, meanings and signs,
-// declared once for all files. Its scalars: contact/result/quantities.hpp.
+// The fields of a load point and the numbers of its place with units, meanings and signs, declared
+// once for all files. Its scalars: contact/result/quantities.hpp.
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,5 +1,5 @@
-// A result folder that appears whole or not at all: files are made in a folder beside it, flushed
-// to the disk and moved in together. An earlier result stays intact until that moment.
+// A result folder that appears whole or not at all: files are written to a folder beside it,
+// flushed to disk and moved in together. An earlier result stays intact until then.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Wheel and rail in results.h5: nodes and cells once a model, displacement and stress of the nodes
-// at every load point that keeps them. Layout: docs/results.md.
+// Wheel and rail in results.h5: nodes and cells once per model, displacement and stress of the
+// nodes at every load point that keeps them. Layout: docs/results.md.
 #pragma once
 
 #include "contact/result/result.hpp"

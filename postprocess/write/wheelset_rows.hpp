@@ -1,4 +1,4 @@
-// A row of positions of a wheelset: what the patches of a wheel come to at each of them.
+// A row of positions of a wheelset: the totals of each wheel's patches at each position.
 #pragma once
 
 #include "postprocess/write/output.hpp"
