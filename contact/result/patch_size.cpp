@@ -95,19 +95,27 @@ Edge edge_beyond(const Line& inward) {
   return {edge_of_solution(root), unsure_share * beside + std::abs(*outer - root)};
 }
 
-Chord chord_of(const Line& pressure) {
+/// Lists that serve one line after another.
+struct Lists {
+  Line line, squares, backwards, last, minus_first;
+};
+
+Chord chord_of(Lists& lists) {
+  const Line& pressure = lists.line;
   Chord chord;
   const int n = static_cast<int>(pressure.size());
   for (int begin = 0; begin < n; ++begin) {
     if (!(pressure[static_cast<std::size_t>(begin)] > 0.0)) continue;
     int end = begin;
-    Line squares;
+    Line& squares = lists.squares;
+    squares.clear();
     for (; end < n && pressure[static_cast<std::size_t>(end)] > 0.0; ++end)
       squares.push_back(pressure[static_cast<std::size_t>(end)] *
                         pressure[static_cast<std::size_t>(end)]);
     Edge first = edge_beyond(squares);
     first.at = begin - first.at;
-    Edge last = edge_beyond({squares.rbegin(), squares.rend()});
+    lists.backwards.assign(squares.rbegin(), squares.rend());
+    Edge last = edge_beyond(lists.backwards);
     last.at += end - 1;
     if (!chord.any) chord.first = first;
     chord.last = last;
@@ -139,15 +147,21 @@ struct Extent {
   double unsure = 0.0;   ///< in elements, of last - first
 };
 
-Extent extent_of(const std::vector<Line>& lines) {
+/// Of `count` lines of `length` elements; `value(line, element)`.
+template <class Value>
+Extent extent_of(int count, int length, Lists& lists, Value&& value) {
   constexpr double nowhere = -std::numeric_limits<double>::infinity();
-  Line last;
-  Line minus_first;
+  Line& last = lists.last;
+  Line& minus_first = lists.minus_first;
+  last.clear();
+  minus_first.clear();
   Extent extent;
   bool any = false;
   Edge outermost_first{nowhere, 0.0}, outermost_last{nowhere, 0.0};
-  for (const Line& line : lines) {
-    const Chord chord = chord_of(line);
+  for (int line = 0; line < count; ++line) {
+    lists.line.clear();
+    for (int k = 0; k < length; ++k) lists.line.push_back(value(line, k));
+    const Chord chord = chord_of(lists);
     last.push_back(chord.any ? chord.last.at : nowhere);
     minus_first.push_back(chord.any ? -chord.first.at : nowhere);
     extent.covered += chord.covered;
@@ -167,16 +181,14 @@ Extent extent_of(const std::vector<Line>& lines) {
 }  // namespace
 
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
-  std::vector<Line> rows(static_cast<std::size_t>(grid.ny));
-  std::vector<Line> columns(static_cast<std::size_t>(grid.nx));
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const double p = pressure[grid.index(i, j)];
-      rows[static_cast<std::size_t>(j)].push_back(p);
-      columns[static_cast<std::size_t>(i)].push_back(p);
-    }
-  const Extent along_x = extent_of(rows);
-  const Extent along_y = extent_of(columns);
+  Lists lists;
+  for (Line* list :
+       {&lists.line, &lists.squares, &lists.backwards, &lists.last, &lists.minus_first})
+    list->reserve(static_cast<std::size_t>(std::max(grid.nx, grid.ny)));
+  const Extent along_x =
+      extent_of(grid.ny, grid.nx, lists, [&](int j, int i) { return pressure[grid.index(i, j)]; });
+  const Extent along_y =
+      extent_of(grid.nx, grid.ny, lists, [&](int i, int j) { return pressure[grid.index(i, j)]; });
   PatchSize size;
   size.length = (along_x.last - along_x.first) * grid.dx;
   size.width = (along_y.last - along_y.first) * grid.dy;

@@ -6,6 +6,33 @@
 
 namespace rollfem::contact {
 
+namespace {
+
+/// The interval from knot k to k + 1 that holds a place between the first and the last: looked for
+/// about where it is if knots are evenly spaced, as those of profiles nearly are.
+std::size_t interval_of(const std::vector<double>& knots, double y) {
+  const std::size_t last = knots.size() - 2;
+  const double place =
+      (y - knots.front()) / (knots.back() - knots.front()) * static_cast<double>(last + 1);
+  // Of a place that is not a number, 0.
+  const std::size_t guess = place > 0.0 ? std::min(last, static_cast<std::size_t>(place)) : 0;
+  std::size_t lower = guess, upper = guess + 1;
+  for (std::size_t step = 1; lower > 0 && knots[lower] > y; step *= 2) {
+    upper = lower;
+    lower -= std::min(lower, step);
+  }
+  for (std::size_t step = 1; upper <= last && knots[upper] <= y; step *= 2) {
+    lower = upper;
+    upper = std::min(last + 1, upper + step);
+  }
+  const auto begin = knots.begin();
+  const auto above = std::upper_bound(begin + static_cast<std::ptrdiff_t>(lower) + 1,
+                                      begin + static_cast<std::ptrdiff_t>(upper), y);
+  return static_cast<std::size_t>(above - begin) - 1;
+}
+
+}  // namespace
+
 HeightCurve::HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope)
     : y_(std::move(y)), z_(std::move(z)), slope_(std::move(slope)) {
   if (y_.size() < 2 || z_.size() != y_.size() || slope_.size() != y_.size())
@@ -20,8 +47,7 @@ CurveValue HeightCurve::at(double y) const {
   } else if (y > y_.back()) {
     return {z_.back() + slope_.back() * (y - y_.back()), slope_.back(), 0};
   }
-  const auto above = std::upper_bound(y_.begin() + 1, y_.end() - 1, y);
-  const auto k = static_cast<std::size_t>(above - y_.begin()) - 1;
+  const std::size_t k = interval_of(y_, y);
   const double h = y_[k + 1] - y_[k];
   const double t = (y - y_[k]) / h;
   // Newton's form of the cubic: chord, then what the slopes at both ends say beyond it.

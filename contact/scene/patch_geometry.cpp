@@ -67,6 +67,8 @@ Height height_of(const HeightCurve& wheel_radius, const Axle& axle, double x, do
 HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_lower,
                     double y_upper) {
   std::vector<std::array<double, 3>> down, up;  // y, z, slope
+  constexpr std::size_t usual_knots = 2048;
+  for (auto* knots : {&down, &up}) knots->reserve(usual_knots);
   const auto walk = [&](double end, std::vector<std::array<double, 3>>& knots) {
     const double direction = end > 0.0 ? 1.0 : -1.0;
     double y = 0.0, z = 0.0;
@@ -83,6 +85,7 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
   walk(y_lower, down);
   walk(y_upper, up);
   std::vector<double> y, z, slope;
+  for (auto* list : {&y, &z, &slope}) list->reserve(down.size() + up.size());
   const auto add = [&](const std::array<double, 3>& knot) {
     y.push_back(knot[0]);
     z.push_back(knot[1]);

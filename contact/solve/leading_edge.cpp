@@ -46,8 +46,15 @@ std::optional<double> edge_of(const Field& bound, Eigen::Index leading, int elem
   return std::clamp(ahead_of_centre - 0.5, -farthest, farthest);
 }
 
-std::vector<Run> runs_of_row(const ContactGrid& grid, const Field& bound, int j) {
-  std::vector<Run> runs;
+/// Those of one row among the runs of a grid.
+struct Runs {
+  const Run* first = nullptr;
+  const Run* last = nullptr;
+  const Run* begin() const { return first; }
+  const Run* end() const { return last; }
+};
+
+void add_runs_of_row(const ContactGrid& grid, const Field& bound, int j, std::vector<Run>& runs) {
   int first = -1;
   for (int i = 0; i + 1 < grid.nx; ++i) {
     const Eigen::Index k = grid.index(i, j);
@@ -63,11 +70,10 @@ std::vector<Run> runs_of_row(const ContactGrid& grid, const Field& bound, int j)
         elements < fewest ? std::nullopt : edge_of(bound, k, elements);
     runs.push_back({first, i, edge.value_or(0.0), edge.has_value()});
   }
-  return runs;
 }
 
 /// The run's neighbour in the next row: overlaps it, the leading edges nearest to each other.
-double edge_beside(const std::vector<Run>& row, const Run& run) {
+double edge_beside(const Runs& row, const Run& run) {
   double edge = run.beyond_border;
   int nearest = -1;
   for (const Run& other : row) {
@@ -111,16 +117,25 @@ double leading_weight(double beyond_border) {
 
 Field upwind_weights(const ContactGrid& grid, const Field& pressure) {
   Field weights = Field::Constant(grid.size(), usual_weight);
-  std::vector<std::vector<Run>> rows;
-  for (int j = 0; j < grid.ny; ++j) rows.push_back(runs_of_row(grid, pressure, j));
-  const std::vector<Run> none;
+  std::vector<Run> runs;
+  std::vector<std::size_t> ends{0};
+  runs.reserve(2 * static_cast<std::size_t>(grid.ny));
+  ends.reserve(static_cast<std::size_t>(grid.ny) + 1);
+  for (int j = 0; j < grid.ny; ++j) {
+    add_runs_of_row(grid, pressure, j, runs);
+    ends.push_back(runs.size());
+  }
+  const auto row_of = [&](int j) {
+    if (j < 0 || j >= grid.ny) return Runs{};
+    const auto row = static_cast<std::size_t>(j);
+    return Runs{runs.data() + ends[row], runs.data() + ends[row + 1]};
+  };
   const double smoothing = smoothing_across_rows(grid);
   for (int j = 0; j < grid.ny; ++j) {
-    const auto row = static_cast<std::size_t>(j);
-    for (const Run& run : rows[row]) {
+    for (const Run& run : row_of(j)) {
       if (!run.has_edge) continue;
-      const double below = edge_beside(j > 0 ? rows[row - 1] : none, run);
-      const double above = edge_beside(j + 1 < grid.ny ? rows[row + 1] : none, run);
+      const double below = edge_beside(row_of(j - 1), run);
+      const double above = edge_beside(row_of(j + 1), run);
       const double edge = run.beyond_border + smoothing * (below - 2.0 * run.beyond_border + above);
       weights[grid.index(run.last, j)] = leading_weight(edge);
     }

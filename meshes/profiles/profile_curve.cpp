@@ -131,6 +131,17 @@ ProfileCurve ProfileCurve::mirrored() const {
   return ProfileCurve(std::move(result));
 }
 
+double parameter_near(const ProfileCurve& curve, double y, double z) {
+  const ProfileKnots& knots = curve.knots();
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < knots.y.size(); ++k) {
+    const double square = (knots.y[k] - y) * (knots.y[k] - y) + (knots.z[k] - z) * (knots.z[k] - z);
+    if (square < least) least = square, nearest = k;
+  }
+  return knots.parameter[nearest];
+}
+
 contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, double steepest) {
   const double middle = std::clamp(parameter, curve.first(), curve.last());
   if (!usable(curve.at(middle), steepest))
@@ -138,6 +149,7 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, 
   const auto& knots = curve.knots().parameter;
   // Knots of the usable part, found outwards from the place asked for.
   std::vector<double> places{middle};
+  places.reserve(knots.size() + 3);
   for (auto k = std::upper_bound(knots.begin(), knots.end(), middle); k != knots.end(); ++k) {
     if (!usable(curve.at(*k), steepest)) {
       places.push_back(steep_place(curve, places.back(), *k, steepest));
@@ -157,6 +169,7 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, 
   std::reverse(places.begin(), places.end());
 
   std::vector<double> y, z, slope;
+  for (auto* list : {&y, &z, &slope}) list->reserve(2 * places.size());
   const auto add = [&](const ProfilePoint& point) {
     // Two places may be one to rounding, where the profile gets too steep just at a knot.
     if (!y.empty() && !(point.y > y.back() + 1e-12 * (1.0 + std::abs(point.y)))) return;
@@ -164,14 +177,16 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, 
     z.push_back(point.z);
     slope.push_back(point.tangent_z / point.tangent_y);
   };
+  ProfilePoint before;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const ProfilePoint here = curve.at(places[k]);
     if (k > 0) {
-      const int parts = subdivisions(curve.at(places[k - 1]), here);
+      const int parts = subdivisions(before, here);
       for (int part = 1; part < parts; ++part)
         add(curve.at(places[k - 1] + (places[k] - places[k - 1]) * part / parts));
     }
     add(here);
+    before = here;
   }
   return {std::move(y), std::move(z), std::move(slope)};
 }

@@ -51,6 +51,9 @@ class ProfileCurve {
   std::vector<double> highest_y_, lowest_y_;  ///< mm, of the knots up to each
 };
 
+/// Parameter of the knot nearest to a place.
+double parameter_near(const ProfileCurve& curve, double y, double z);
+
 /// Height z over y of the part of the curve about `parameter` that is single valued and not steeper
 /// than `steepest` (dz/dy). Throws std::invalid_argument when it is steeper at `parameter` itself.
 contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter,

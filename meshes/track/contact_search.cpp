@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace rollfem::meshes {
@@ -56,6 +55,7 @@ struct PatchAxes {
 contact::HeightCurve changed(const contact::HeightCurve& curve, double sign_y, double factor,
                              double added) {
   std::vector<double> y, z, slope;
+  for (auto* list : {&y, &z, &slope}) list->reserve(curve.knots().size());
   for (const double knot : curve.knots()) {
     const contact::CurveValue at = curve.at(knot);
     y.push_back(sign_y * knot);
@@ -65,18 +65,6 @@ contact::HeightCurve changed(const contact::HeightCurve& curve, double sign_y, d
   if (sign_y < 0.0)
     for (auto* list : {&y, &z, &slope}) std::reverse(list->begin(), list->end());
   return {std::move(y), std::move(z), std::move(slope)};
-}
-
-/// Parameter of the knot nearest to a place.
-double parameter_near(const ProfileCurve& curve, double y, double z) {
-  const ProfileKnots& knots = curve.knots();
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < knots.y.size(); ++k) {
-    const double distance = std::hypot(knots.y[k] - y, knots.z[k] - z);
-    if (distance < least) least = distance, nearest = k;
-  }
-  return knots.parameter[nearest];
 }
 
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
@@ -89,10 +77,16 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   contact::HeightCurve heights =
       changed(height_over_y(rail, parameter_near(rail, 0.0, 0.0)), sign_y, -1.0, 0.0);
   const ProfileCurve& wheel = scene.profiles.wheel;
-  contact::HeightCurve radius = changed(
-      height_over_y(
-          wheel, parameter_near(wheel, touch.profile_y, touch.radius - input.wheel.rolling_radius)),
-      sign_y, 1.0, input.wheel.rolling_radius);
+  const double height = touch.radius - input.wheel.rolling_radius;
+  // Its part about the running circle is one list of knots wherever the wheel touches there.
+  constexpr double same_place = 1e-3;  // mm
+  const contact::HeightCurve& tread = scene.wheel_tread;
+  const bool on_tread = tread.contains(touch.profile_y) &&
+                        std::abs(tread.at(touch.profile_y).value - height) < same_place;
+  contact::HeightCurve radius =
+      on_tread ? changed(tread, sign_y, 1.0, input.wheel.rolling_radius)
+               : changed(height_over_y(wheel, parameter_near(wheel, touch.profile_y, height)),
+                         sign_y, 1.0, input.wheel.rolling_radius);
   // Mirrored for the right side: y changes its sign, and the direction is turned about so that it
   // points to larger y again (and its axial coordinate with it, as in `changed`).
   const Vector3& p = axle_of_side.point;
@@ -114,9 +108,9 @@ class WheelSearch {
         scene_(scene),
         position_(position),
         left_(left),
-        pose_(touching_pose(input, scene, pose, position, left)),
+        pose_(pose),
+        gap_(touching_gap(input, scene, pose_, position, left)),
         axle_(place_axle(pose_, input.wheelset, input.wheel.rolling_radius, left)),
-        gap_(make_gap(input, scene, pose_, position, left)),
         modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
 
   std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
@@ -158,9 +152,11 @@ class WheelSearch {
       });
     };
     for (const PatchGroup& hump : separate_groups(gap_)) {
-      if (hump.stretch.deepest.gap < sinking || of_reserve(hump.stretch.deepest)) continue;
+      const GapMinimum& lowest = hump.stretch.deepest;
+      if (lowest.gap < sinking || of_reserve(lowest)) continue;
+      if (lowest.gap * std::cos(lowest.angle()) > farthest) continue;
       WheelRailContact contact = describe(hump, sinking, false, false, 0.0);
-      if (contact.place.separation <= farthest) found.push_back(std::move(contact));
+      found.push_back(std::move(contact));
     }
   }
 
@@ -269,8 +265,8 @@ class WheelSearch {
   int position_;
   bool left_;
   WheelsetPose pose_;
+  VerticalGap gap_;  ///< sets the height of the pose
   Axle axle_;
-  VerticalGap gap_;
   double modulus_;
 };
 

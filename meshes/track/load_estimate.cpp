@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace rollfem::meshes {
@@ -57,37 +58,37 @@ class RowDeflection {
 
 /// Rows of elements across a stretch at a sinking.
 struct Rows {
-  std::vector<double> place;     ///< mm along the common surface
-  std::vector<double> width;     ///< mm along it
-  std::vector<double> half;      ///< mm, half length of the patch; 0 where nothing overlaps
-  std::vector<double> approach;  ///< mm, of the bodies along the local normal
-  double vertical = 0.0;         ///< integral of pi/2 half^2 over y, mm^3
+  static constexpr std::size_t cells = 120;
+  std::array<double, cells> place{};     ///< mm along the common surface
+  std::array<double, cells> width{};     ///< mm along it
+  std::array<double, cells> half{};      ///< mm, half length of the patch; 0: nothing overlaps
+  std::array<double, cells> approach{};  ///< mm, of the bodies along the local normal
+  double vertical = 0.0;                 ///< integral of pi/2 half^2 over y, mm^3
 };
 
 /// `way`: vertical, of the deepest place of the stretch, mm. Every row takes its own normal.
 Rows rows_of(const VerticalGap& gap, const Stretch& stretch, double way) {
-  constexpr int cells = 120;
   const double overlap = overlap_fraction * way;
   const double least = stretch.deepest.gap;
   // All humps of the stretch that are below the limit count, valleys between them or not, so that
   // nothing jumps where they meet.
   const auto [lower, upper] =
       gap.span_below(least + overlap, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
-  const double dy = (upper - lower) / cells;
+  const double dy = (upper - lower) / static_cast<double>(Rows::cells);
   Rows rows;
   double place = 0.0;
-  for (int k = 0; k < cells; ++k) {
-    const double y = lower + (k + 0.5) * dy;
+  for (std::size_t k = 0; k < Rows::cells; ++k) {
+    const double y = lower + (static_cast<double>(k) + 0.5) * dy;
     const contact::CurveValue here = gap.at(y);
     const double slope = gap.rail().at(y).slope - 0.5 * here.slope;
     const double stretched = std::sqrt(1.0 + slope * slope);
     const double depth = std::max(0.0, overlap - (here.value - least));
     const double half_square = 2.0 * stretch.rolling_radius * depth;
-    rows.place.push_back(place + 0.5 * dy * stretched);
+    rows.place[k] = place + 0.5 * dy * stretched;
     place += dy * stretched;
-    rows.width.push_back(dy * stretched);
-    rows.half.push_back(std::sqrt(half_square));
-    rows.approach.push_back((way - (here.value - least)) / stretched);
+    rows.width[k] = dy * stretched;
+    rows.half[k] = std::sqrt(half_square);
+    rows.approach[k] = (way - (here.value - least)) / stretched;
     rows.vertical += 0.5 * pi * half_square * dy;
   }
   return rows;
@@ -117,6 +118,31 @@ double approach_per_deflection(const Rows& rows) {
   return deflection > 0.0 ? approach / deflection : 0.0;
 }
 
+/// The sinking by the secant method between logarithms of approach and force, which a power law
+/// of both makes straight; nothing where that does not converge.
+template <class Carried>
+std::optional<double> power_law_root(const Carried& carried, double least, double vertical,
+                                     double tolerance) {
+  constexpr int most_steps = 20;
+  double approach = 0.05, exponent = 1.5;  // mm; Hertz's
+  double last_logarithm = 0.0, last_force = 0.0;
+  for (int step = 0; step < most_steps; ++step) {
+    const double force = carried(least + approach);
+    if (!(force > 0.0)) return {};
+    const double logarithm = std::log(approach);
+    if (step > 0 && logarithm != last_logarithm)
+      exponent = std::log(force / last_force) / (logarithm - last_logarithm);
+    if (!(exponent > 0.3 && exponent < 6.0)) return {};
+    last_logarithm = logarithm;
+    last_force = force;
+    const double next = approach * std::pow(vertical / force, 1.0 / exponent);
+    if (!std::isfinite(next)) return {};
+    if (std::abs(next - approach) <= tolerance) return least + next;
+    approach = next;
+  }
+  return {};
+}
+
 }  // namespace
 
 double approach_of(const Stretch& stretch, double sinking) {
@@ -142,13 +168,16 @@ double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stre
              estimate_force(gap, stretch, approach_of(stretch, sinking), modulus);
     return sum;
   };
+  constexpr double tolerance = 1e-12;  // mm
+  if (const auto found = power_law_root(carried, least, vertical, tolerance)) return *found;
   double lower = 0.0, upper = 0.01;
   const auto excess = [&](double approach) { return carried(least + approach) - vertical; };
   for (int step = 0; step < 30 && excess(upper) < 0.0; ++step) {
     lower = upper;
     upper *= 2.0;
   }
-  return least + contact::bracketed_root(excess, lower, upper, 1e-12, "estimate of the sinking");
+  return least +
+         contact::bracketed_root(excess, lower, upper, tolerance, "estimate of the sinking");
 }
 
 }  // namespace rollfem::meshes

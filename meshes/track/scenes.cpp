@@ -55,15 +55,11 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
 /// 0.3 % of the load of those on the surface. From twice that on they are all their own.
 constexpr double spread_on_plane = 0.03;
 
-/// How far the surface of a half-space follows that of the bodies: from the plane to the surface as
-/// the spread of the normals grows, so that forces change steadily from one to the other. Stresses
-/// below the surface are those of a plane half-space.
+/// Stresses below the surface are those of a plane half-space.
 double follows_surface(const PlacedScene& placed) {
   const contact::Scene& scene = placed.scene;
   if (!scene.geometry.has_surfaces() || scene.given_pressure || scene.asks_for_stress()) return 0.0;
-  const double part =
-      std::clamp(placed.contact.spread_of_normals / spread_on_plane - 1.0, 0.0, 1.0);
-  return part * part * (3.0 - 2.0 * part);
+  return meshes::follows_surface(placed.contact.spread_of_normals);
 }
 
 PlacedScene make_scene(const Case& input, WheelRailContact contact) {
@@ -86,6 +82,13 @@ PlacedScene make_scene(const Case& input, WheelRailContact contact) {
 
 SearchScene search_scene_of(const Case& input) {
   return make_search_scene(input, {profile_of_case(input, true), profile_of_case(input, false)});
+}
+
+/// From the plane to the surface as the spread of the normals grows, so that forces change steadily
+/// from one to the other.
+double follows_surface(double spread_of_normals) {
+  const double part = std::clamp(spread_of_normals / spread_on_plane - 1.0, 0.0, 1.0);
+  return part * part * (3.0 - 2.0 * part);
 }
 
 std::vector<double> rotation_changes(const Case& input) {

@@ -31,6 +31,10 @@ std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchSce
 /// The same with the profiles that the case names.
 std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchOptions& options = {});
 
+/// How far the surface of a half-space follows that of the bodies (contact::Scene) where the
+/// normals of a contact differ by this standard deviation, rad.
+double follows_surface(double spread_of_normals);
+
 /// Relative changes of the rotation that the case gives, one for each load point; 0 where it gives
 /// none.
 std::vector<double> rotation_changes(const contact::Case& input);

@@ -100,6 +100,8 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
   // From the running circle both ways, as far as the outline goes on as a height over y.
   const auto start = static_cast<std::ptrdiff_t>(wheel.start);
   std::vector<Seen> inner, outer;
+  inner.reserve(wheel.start);
+  outer.reserve(wheel.points.size() - wheel.start);
   const auto walk = [&](std::ptrdiff_t first, int step, std::vector<Seen>& part) {
     for (std::ptrdiff_t k = first; k >= 0 && k < static_cast<std::ptrdiff_t>(wheel.points.size());
          k += step) {
@@ -112,7 +114,9 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
   };
   walk(start, 1, outer);
   walk(start - 1, -1, inner);
-  std::vector<Seen> all(inner.rbegin(), inner.rend());
+  std::vector<Seen> all;
+  all.reserve(inner.size() + outer.size());
+  all.assign(inner.rbegin(), inner.rend());
   for (const Seen& point : outer)
     if (all.empty() || point.place[1] > all.back().place[1] + 1e-6) all.push_back(point);
   if (all.size() < 2)
@@ -121,6 +125,7 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
         "that faces away from the axle; do: check rotation, shift and mirror under "
         "[wheel_profile]");
   std::vector<double> y, z, slope, x, profile_y;
+  for (auto* list : {&y, &z, &slope, &x, &profile_y}) list->reserve(all.size());
   for (const Seen& point : all) {
     y.push_back(point.place[1]);
     z.push_back(point.place[2]);
@@ -137,8 +142,10 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
     }
     return result;
   };
-  x_ = contact::HeightCurve(y, x, chords(x));
-  profile_y_ = contact::HeightCurve(y, profile_y, chords(profile_y));
+  std::vector<double> along = chords(x);
+  x_ = contact::HeightCurve(y, std::move(x), std::move(along));
+  std::vector<double> across = chords(profile_y);
+  profile_y_ = contact::HeightCurve(y, std::move(profile_y), std::move(across));
   curve_ = contact::HeightCurve(std::move(y), std::move(z), std::move(slope));
 }
 

@@ -42,8 +42,10 @@ VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const 
         "the track, the head of the rail from {:.1f} to {:.1f} mm",
         outline.first(), outline.last(), rail_.first(), rail_.last()));
   std::vector<double> knots;
+  knots.reserve(outline.knots().size() + rail_.knots().size());
   std::merge(outline.knots().begin(), outline.knots().end(), rail_.knots().begin(),
              rail_.knots().end(), std::back_inserter(knots));
+  places_.reserve(knots.size() + 2);
   places_.push_back(first_);
   for (const double y : knots)
     if (y > first_ && y < last_) places_.push_back(y);
@@ -52,13 +54,20 @@ VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const 
   places_.erase(
       std::unique(places_.begin(), places_.end(), [](double a, double b) { return b - a < 1e-9; }),
       places_.end());
+  values_.reserve(places_.size());
   for (const double y : places_) values_.push_back(at(y));
+}
+
+void VerticalGap::lower_wheel(double way) {
+  lowered_ += way;
+  for (CurveValue& value : values_) value.value -= way;
 }
 
 CurveValue VerticalGap::at(double y) const {
   const CurveValue rail = rail_.at(y);
   const CurveValue wheel = wheel_.curve().at(y);
-  return {rail.value - wheel.value, rail.slope - wheel.slope, rail.second - wheel.second};
+  return {rail.value - wheel.value - lowered_, rail.slope - wheel.slope,
+          rail.second - wheel.second};
 }
 
 std::vector<GapMinimum> VerticalGap::minima() const {

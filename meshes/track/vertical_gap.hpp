@@ -29,6 +29,9 @@ class VerticalGap {
   VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
               const contact::HeightCurve& rail);
 
+  /// Takes the wheel down by `way` mm. What wheel() says of heights stays that before.
+  void lower_wheel(double way);
+
   /// Rail z less wheel z, with derivatives by y; positive where the wheel is above the rail.
   contact::CurveValue at(double y) const;
   double first() const { return first_; }  ///< mm, y from which both are known
@@ -57,6 +60,7 @@ class VerticalGap {
   contact::HeightCurve rail_;
   double first_ = 0.0;
   double last_ = 0.0;
+  double lowered_ = 0.0;
   std::vector<double> places_;               ///< knots of both, mm
   std::vector<contact::CurveValue> values_;  ///< gap there
 };

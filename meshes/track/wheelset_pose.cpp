@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace rollfem::meshes {
@@ -117,11 +118,18 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
 
 WheelsetPose touching_pose(const Case& input, const SearchScene& scene, WheelsetPose pose,
                            int position, bool left) {
+  touching_gap(input, scene, pose, position, left);
+  return pose;
+}
+
+VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,
+                         int position, bool left) {
   pose.height = 0.0;
-  const VerticalGap gap = make_gap(input, scene, pose, position, left);
+  VerticalGap gap = make_gap(input, scene, pose, position, left);
   check_support(input, scene, gap, position, left);
   pose.height = gap.smallest();
-  return pose;
+  gap.lower_wheel(pose.height);
+  return gap;
 }
 
 SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
@@ -130,6 +138,11 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   scene.rail = place_rail(profiles.rail, scene.rail_place);
   scene.rail_head = rail_heights(scene.rail);
   scene.wheel = wheel_points(profiles.wheel);
+  try {
+    scene.wheel_tread = height_over_y(profiles.wheel, parameter_near(profiles.wheel, 0.0, 0.0));
+  } catch (const std::invalid_argument&) {
+    scene.wheel_tread = {};
+  }
   scene.profiles = std::move(profiles);
   return scene;
 }

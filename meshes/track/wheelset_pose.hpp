@@ -16,6 +16,8 @@ struct SearchScene {
   RailPlace rail_place;
   ProfileCurve rail;               ///< placed, side frame
   contact::HeightCurve rail_head;  ///< the same as a height over y
+  /// The wheel's profile about its running circle as a height over y; empty where it is too steep.
+  contact::HeightCurve wheel_tread;
 };
 
 /// Throws contact::InputError when the rail's profile does not fit the track.
@@ -30,6 +32,10 @@ WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int
 /// the tip of its flange, contact::InputError when it stands on the end of a profile.
 WheelsetPose touching_pose(const contact::Case& input, const SearchScene& scene, WheelsetPose pose,
                            int position, bool left);
+
+/// The same; returns the gap under the lowered wheel and sets the height of `pose`.
+VerticalGap touching_gap(const contact::Case& input, const SearchScene& scene, WheelsetPose& pose,
+                         int position, bool left);
 
 /// The gap under a wheel at a pose. Throws contact::SolveError when it is not above its rail.
 VerticalGap make_gap(const contact::Case& input, const SearchScene& scene, const WheelsetPose& pose,
