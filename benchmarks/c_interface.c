@@ -1,21 +1,22 @@
-/* What a call of rollfem_solve costs and how far it is off: S1002 on 60E1, both wheels at shifts of
-   -4 to 10 mm, against 48 elements across. Milliseconds are of CPU, the best of five calls;
-   allocations are those of a call after the first. Call: benchmark_c_interface [ELEMENTS_ACROSS] */
+/* What a call of rollfem_solve costs and how far it is off against 48 elements across, for three sets of states of
+   S1002 on 60E1: both wheels at shifts of -4 to 10 mm; the S-curve of examples/wheelset_in_c; random positions,
+   motions and loads. Milliseconds are of CPU, the least of five calls; allocations are those of a call after the first.
+   Call: benchmark_c_interface [ELEMENTS_ACROSS [all]]; `all` prints every state. */
 #define _GNU_SOURCE
 #include <math.h>
 #include <rollfem/rollfem.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
-enum { FINE = 48, REPEATS = 5 };
+enum { FINE = 48, REPEATS = 5, MOST_STATES = 200 };
 
-static long allocations, bytes;
+static long allocations;
 
 extern void* __libc_malloc(size_t size);
 void* malloc(size_t size) {
   ++allocations;
-  bytes += (long)size;
   return __libc_malloc(size);
 }
 
@@ -25,12 +26,15 @@ static double cpu_seconds(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static rollfem_pair* make(int side, int across) {
+static int across = 12, tells_all = 0;
+static rollfem_pair *quick[2], *fine[2];
+
+static rollfem_pair* make(int side, int elements) {
   char message[512];
   rollfem_definition definition;
   rollfem_defaults(&definition, ROLLFEM_MM_N);
   definition.side = side == 0 ? ROLLFEM_LEFT : ROLLFEM_RIGHT;
-  definition.elements_across = across;
+  definition.elements_across = elements;
   rollfem_pair* pair = rollfem_create(&definition, message, sizeof message);
   if (pair == NULL) {
     fprintf(stderr, "%s\n", message);
@@ -39,61 +43,154 @@ static rollfem_pair* make(int side, int across) {
   return pair;
 }
 
+/* Largest differences, and what every call took. */
+typedef struct {
+  int states;
+  double force, moment, pressure, area;
+  int sharp; /* states with p0 off by more than 1 % */
+  double ms[MOST_STATES], allocations[MOST_STATES];
+} tally;
+
 static double larger(double a, double b) {
   return fabs(b) > a ? fabs(b) : a;
 }
 
-int main(int count, char** words) {
-  const int across = count > 1 ? atoi(words[1]) : 12;
-  double force = 0.0, pressure = 0.0, ordinary = 0.0, area = 0.0, sum = 0.0, slowest = 0.0;
-  int states = 0;
-  printf("%8s %5s %8s %9s %9s %8s %8s %7s\n", "shift mm", "side", "patches", "Fx/mu N %",
-         "Fy/mu N %", "p0 %", "area %", "ms");
-  rollfem_pair *quick[2] = {make(0, across), make(1, across)},
-               *fine[2] = {make(0, FINE), make(1, FINE)};
+static int by_size(const void* a, const void* b) {
+  const double difference = *(const double*)a - *(const double*)b;
+  return difference > 0.0 ? 1 : difference < 0.0 ? -1 : 0;
+}
+
+/* Compares one state; 0 when there is no solution. */
+static int take(int side, const rollfem_state* state, tally* sum, rollfem_result* result) {
+  char message[512];
+  rollfem_result exact;
+  double least = 1e9;
+  long most = 0;
+  for (int k = 0; k < REPEATS; ++k) {
+    const double begin = cpu_seconds();
+    allocations = 0;
+    if (rollfem_solve(quick[side], state, result, message, sizeof message) != ROLLFEM_OK) {
+      if (tells_all) printf("%s\n", message);
+      return 0;
+    }
+    most = allocations;
+    least = fmin(least, 1e3 * (cpu_seconds() - begin));
+  }
+  if (rollfem_solve(fine[side], state, &exact, message, sizeof message) != ROLLFEM_OK) return 0;
+  double normal = 0.0;
+  for (int k = 0; k < exact.patches; ++k) normal += exact.patch[k].normal_force;
+  const rollfem_patch *a = &result->patch[0], *b = &exact.patch[0];
+  const double bound = 0.3 * normal, radius = 0.25 * (b->length + b->width);
+  const double fx = 100.0 * (result->force[0] - exact.force[0]) / bound,
+               fy = 100.0 * (result->force[1] - exact.force[1]) / bound,
+               mz = 100.0 * (a->spin_moment - b->spin_moment) / (bound * radius),
+               p0 = 100.0 * (a->max_pressure / b->max_pressure - 1.0),
+               area = 100.0 * (a->area / b->area - 1.0);
+  if (tells_all)
+    printf("%8.3f %5s %8d %9.2f %9.2f %9.2f %8.2f %8.2f %7.2f %6ld\n", state->lateral_shift,
+           side == 0 ? "left" : "right", exact.patches, fx, fy, mz, p0, area, least, most);
+  sum->force = larger(larger(sum->force, fx), fy);
+  sum->moment = larger(sum->moment, mz);
+  sum->pressure = larger(sum->pressure, p0);
+  sum->area = larger(sum->area, area);
+  sum->sharp += fabs(p0) > 1.0;
+  sum->ms[sum->states] = least;
+  sum->allocations[sum->states++] = (double)most;
+  return 1;
+}
+
+static void tell(const char* what, tally* sum) {
+  const int n = sum->states;
+  double all = 0.0;
+  int slow = 0;
+  for (int k = 0; k < n; ++k) {
+    all += sum->ms[k];
+    slow += sum->ms[k] > 5.0;
+  }
+  qsort(sum->ms, (size_t)n, sizeof(double), by_size);
+  qsort(sum->allocations, (size_t)n, sizeof(double), by_size);
+  printf("%s: %d states, %d elements across\n", what, n, across);
+  printf("  off by at most: forces %.2f %% of mu N, spin moment %.2f %% of mu N times the mean half axis, ", sum->force,
+         sum->moment);
+  printf("p0 %.1f %% (%d states by more than 1 %%), area %.1f %%\n", sum->pressure, sum->sharp, sum->area);
+  printf("  ms of CPU: mean %.2f, median %.2f, largest %.2f, %d above 5; allocations: median %.0f, largest %.0f\n",
+         all / n, sum->ms[n / 2], sum->ms[n - 1], slow, sum->allocations[n / 2], sum->allocations[n - 1]);
+}
+
+static void shifts(void) {
+  tally sum = {0};
   for (double y = -4.0; y <= 10.0; y += 0.5)
     for (int side = 0; side < 2; ++side) {
       const rollfem_state state = {y,    0.0008 * y, -0.000025 * y * fabs(y),           20e3,
                                    30.0, 0.0,        20e3 / 460.0 * (1.0 + 0.0003 * y), 50e3};
-      char message[512];
-      rollfem_result exact, result;
-      double least = 1e9;
-      if (rollfem_solve(fine[side], &state, &exact, message, sizeof message) != ROLLFEM_OK) {
-        printf("%8.1f %5s %s\n", y, side == 0 ? "left" : "right", message);
-        continue;
-      }
-      for (int k = 0; k < REPEATS; ++k) {
-        const double begin = cpu_seconds();
-        allocations = bytes = 0;
-        if (rollfem_solve(quick[side], &state, &result, message, sizeof message) != ROLLFEM_OK) {
-          fprintf(stderr, "%s\n", message);
-          return 1;
-        }
-        const double took = 1e3 * (cpu_seconds() - begin);
-        if (took < least) least = took;
-      }
-      double normal = 0.0;
-      for (int k = 0; k < exact.patches; ++k) normal += exact.patch[k].normal_force;
-      const double fx = 100.0 * (result.force[0] - exact.force[0]) / (0.3 * normal);
-      const double fy = 100.0 * (result.force[1] - exact.force[1]) / (0.3 * normal);
-      const double p0 = 100.0 * (result.patch[0].max_pressure / exact.patch[0].max_pressure - 1.0);
-      const double of_area = 100.0 * (result.patch[0].area / exact.patch[0].area - 1.0);
-      printf("%8.1f %5s %8d %9.2f %9.2f %8.2f %8.2f %7.2f\n", y, side == 0 ? "left" : "right",
-             exact.patches, fx, fy, p0, of_area, least);
-      force = larger(larger(force, fx), fy);
-      pressure = larger(pressure, p0);
-      if (fabs(y) > 1.0) ordinary = larger(ordinary, p0);
-      area = larger(area, of_area);
-      sum += least;
-      slowest = larger(slowest, least);
-      ++states;
+      rollfem_result result;
+      take(side, &state, &sum, &result);
     }
-  printf(
-      "%d states, %d elements across: forces within %.2f %% of mu N, p0 %.2f %% (%.2f %% beyond 1 "
-      "mm), area %.2f %%\n",
-      states, across, force, pressure, ordinary, area);
-  printf("%.2f ms a call, %.2f the slowest; %ld allocations, %.1f MB in the last\n", sum / states,
-         slowest, allocations, 1e-6 * (double)bytes);
+  tell("shifts of -4 to 10 mm", &sum);
+}
+
+/* As the example rolls, radius 1500 m, one step in two compared. */
+static void s_curve(void) {
+  tally sum = {0};
+  const double speed = 20e3, radius = 460.0, ds = 500.0;
+  double shift = 0.0, yaw = 0.0, turn = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    rollfem_result result[2];
+    for (int side = 0; side < 2; ++side) {
+      const rollfem_state state = {shift, yaw, 0.0, speed, speed * yaw, speed * turn, speed / radius, 50e3};
+      char message[512];
+      const int known = k % 2 == 0
+                            ? take(side, &state, &sum, &result[side])
+                            : rollfem_solve(quick[side], &state, &result[side], message, sizeof message) == ROLLFEM_OK;
+      if (!known) {
+        fprintf(stderr, "no solution in the S-curve at step %d\n", k);
+        exit(1);
+      }
+    }
+    const rollfem_patch *left = &result[0].patch[0], *right = &result[1].patch[0];
+    turn = (left->rolling_radius - right->rolling_radius) / (radius * (right->position[1] - left->position[1]));
+    yaw += ds * (turn - sin(2.0 * 3.14159265358979 * k * ds / 100e3) / 1500e3);
+    shift += ds * yaw;
+  }
+  tell("S-curve of 1500 m", &sum);
+}
+
+static double between(double lower, double upper) {
+  static unsigned long long state = 20261123u;
+  state = state * 6364136223846793005ull + 1442695040888963407ull;
+  return lower + (upper - lower) * (double)(state >> 11) / 9007199254740992.0;
+}
+
+static void random_states(void) {
+  tally sum = {0};
+  for (int k = 0; k < 100; ++k) {
+    const rollfem_state state = {between(-6.0, 6.0),
+                                 between(-0.004, 0.004),
+                                 between(-0.001, 0.001),
+                                 20e3,
+                                 between(-60.0, 60.0),
+                                 between(-0.1, 0.1),
+                                 20e3 / 460.0 * (1.0 + between(-0.005, 0.005)),
+                                 between(20e3, 120e3)};
+    rollfem_result result;
+    take(k % 2, &state, &sum, &result);
+  }
+  tell("random, shifts to 6 mm, loads of 20 to 120 kN, creepages to 0.5 %", &sum);
+}
+
+int main(int count, char** words) {
+  if (count > 1) across = atoi(words[1]);
+  tells_all = count > 2 && strcmp(words[2], "all") == 0;
+  for (int side = 0; side < 2; ++side) {
+    quick[side] = make(side, across);
+    fine[side] = make(side, FINE);
+  }
+  if (tells_all)
+    printf("%8s %5s %8s %9s %9s %9s %8s %8s %7s %6s\n", "shift mm", "side", "patches", "Fx %", "Fy %", "Mz %", "p0 %",
+           "area %", "ms", "malloc");
+  shifts();
+  s_curve();
+  random_states();
   for (int side = 0; side < 2; ++side) {
     rollfem_destroy(quick[side]);
     rollfem_destroy(fine[side]);

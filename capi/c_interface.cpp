@@ -12,6 +12,7 @@
 #include <string>
 
 using rollfem::capi::guarded;
+using rollfem::capi::PatchForces;
 using rollfem::capi::SolvedPatch;
 using rollfem::capi::SolvedWheel;
 using rollfem::capi::WheelRailPair;
@@ -90,32 +91,32 @@ WheelState state_of(const rollfem_state& state, const Units& units) {
 
 rollfem_patch patch_of(const SolvedPatch& patch, const Units& units) {
   const double length = units.length, force = units.force, area = length * length;
-  const contact::PointResult& point = patch.point;
+  const PatchForces& of = patch.forces;
   rollfem_patch found{};
   for (int d = 0; d < 3; ++d) {
-    found.position[d] = patch.contact.origin[d] / length;
+    found.position[d] = patch.origin[d] / length;
     found.force[d] = patch.force[d] / force;
   }
-  found.contact_angle = patch.contact.place.contact_angle;
-  found.rolling_radius = patch.contact.place.rolling_radius / length;
-  found.longitudinal_creepage = point.creepage.longitudinal;
-  found.lateral_creepage = point.creepage.lateral;
-  found.spin = point.creepage.spin * length;
-  found.normal_force = point.normal_force / force;
-  found.longitudinal_force = point.longitudinal_force / force;
-  found.lateral_force = point.lateral_force / force;
-  found.spin_moment = point.spin_moment / (force * length);
-  found.length = point.contact_length / length;
-  found.width = point.contact_width / length;
-  found.area = point.contact_area / area;
-  found.max_pressure = point.max_pressure / units.stress();
-  found.adhesion_area = point.adhesion_area / area;
+  found.contact_angle = patch.contact_angle;
+  found.rolling_radius = patch.rolling_radius / length;
+  found.longitudinal_creepage = of.creepage.longitudinal;
+  found.lateral_creepage = of.creepage.lateral;
+  found.spin = of.creepage.spin * length;
+  found.normal_force = of.normal_force / force;
+  found.longitudinal_force = of.longitudinal_force / force;
+  found.lateral_force = of.lateral_force / force;
+  found.spin_moment = of.spin_moment / (force * length);
+  found.length = of.length / length;
+  found.width = of.width / length;
+  found.area = of.area / area;
+  found.max_pressure = of.max_pressure / units.stress();
+  found.adhesion_area = of.adhesion_area / area;
   return found;
 }
 
 void fill(const SolvedWheel& wheel, const Units& units, rollfem_result& result) {
-  // More than can be told of are still in the sums.
-  result.patches = static_cast<int>(std::min<size_t>(wheel.patches.size(), ROLLFEM_MOST_PATCHES));
+  static_assert(SolvedWheel::most_patches == ROLLFEM_MOST_PATCHES);
+  result.patches = static_cast<int>(wheel.count);
   for (int k = 0; k < result.patches; ++k) result.patch[k] = patch_of(wheel.patches[k], units);
   for (int d = 0; d < 3; ++d) {
     result.force[d] = wheel.force[d] / units.force;

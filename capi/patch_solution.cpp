@@ -27,18 +27,6 @@ constexpr int elements_of_search = 20;
 /// search is off.
 constexpr int margin = 4;
 
-/// No row without pressure lies between others.
-bool is_one_region(const ContactGrid& grid, const contact::Field& pressure) {
-  int changes = 0;
-  bool inside = false;
-  for (int j = 0; j < grid.ny; ++j) {
-    const bool loaded = pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0;
-    if (loaded != inside) ++changes;
-    inside = loaded;
-  }
-  return changes == 2;
-}
-
 /// Extents of the patch without friction, by few elements; nothing where the overlap does not hold
 /// it, or holds several.
 std::optional<PatchSize> find_patch(const Scene& scene, const meshes::WheelRailContact& contact) {
@@ -95,6 +83,17 @@ contact::LevelResult solve_as_the_model(const Scene& scene, int across) {
 }
 
 }  // namespace
+
+bool is_one_region(const ContactGrid& grid, const contact::Field& pressure) {
+  int changes = 0;
+  bool inside = false;
+  for (int j = 0; j < grid.ny; ++j) {
+    const bool loaded = pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0;
+    if (loaded != inside) ++changes;
+    inside = loaded;
+  }
+  return changes == 2;
+}
 
 contact::PointResult solve_patch(const Scene& scene, const meshes::WheelRailContact& contact,
                                  int across) {

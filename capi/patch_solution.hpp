@@ -8,6 +8,9 @@
 
 namespace rollfem::capi {
 
+/// No row without pressure lies between others.
+bool is_one_region(const contact::ContactGrid& grid, const contact::Field& pressure);
+
 /// The first load point of a scene on a grid of `across` elements over the patch each way. Throws
 /// contact::SolveError and contact::InputError as the model halfspace does.
 contact::PointResult solve_patch(const contact::Scene& scene,

@@ -46,7 +46,7 @@ void check(const WheelState& state, double rolling_radius) {
   within("rotation_speed times rolling_radius over forward_speed, less 1,",
          state.rotation_speed * rolling_radius / speed - 1.0, 1.0);
 }
-Case case_of(Case input, const WheelState& state) {
+void set(const WheelState& state, Case& input) {
   contact::Wheelset& wheelset = input.wheelset;
   wheelset.lateral_shift.assign(1, state.lateral_shift);
   wheelset.yaw.assign(1, state.yaw);
@@ -57,7 +57,6 @@ Case case_of(Case input, const WheelState& state) {
   wheelset.rotation_change.assign(
       1, state.rotation_speed * input.wheel.rolling_radius / state.forward_speed - 1.0);
   input.load.vertical_force = state.vertical_force;
-  return input;
 }
 
 /// The contact of a scene that the balance has given its load.
@@ -70,51 +69,149 @@ const meshes::WheelRailContact& contact_of(const contact::Scene& scene,
   return found->contact;
 }
 
-void add(const contact::PointResult& point, const meshes::WheelRailContact& contact,
-         SolvedWheel& wheel) {
-  SolvedPatch patch{contact, point};
+PatchForces forces_of(const contact::PointResult& point) {
+  PatchForces found;
+  found.creepage = point.creepage;
+  found.normal_force = point.normal_force;
+  found.longitudinal_force = point.longitudinal_force;
+  found.lateral_force = point.lateral_force;
+  found.spin_moment = point.spin_moment;
+  found.length = point.contact_length;
+  found.width = point.contact_width;
+  found.area = point.contact_area;
+  found.adhesion_area = point.adhesion_area;
+  found.max_pressure = point.max_pressure;
+  return found;
+}
+
+SolvedPatch patch_of(const PatchForces& forces, const meshes::WheelRailContact& contact) {
+  SolvedPatch patch{
+      forces, contact.origin, contact.place.contact_angle, contact.place.rolling_radius, {}};
+  for (int d = 0; d < 3; ++d)
+    patch.force[d] = forces.longitudinal_force * contact.along[d] +
+                     forces.lateral_force * contact.across[d] +
+                     forces.normal_force * contact.normal[d];
+  return patch;
+}
+
+void add_to_sums(const SolvedPatch& patch, const meshes::WheelRailContact& contact,
+                 SolvedWheel& wheel) {
   const Vector3 arm{contact.origin[0] - contact.axle.point[0],
                     contact.origin[1] - contact.axle.point[1],
                     contact.origin[2] - contact.axle.point[2]};
-  for (int d = 0; d < 3; ++d)
-    patch.force[d] = point.longitudinal_force * contact.along[d] +
-                     point.lateral_force * contact.across[d] +
-                     point.normal_force * contact.normal[d];
   const Vector3 moment = cross(arm, patch.force);
   for (int d = 0; d < 3; ++d) {
     wheel.force[d] += patch.force[d];
-    wheel.moment[d] += moment[d] + point.spin_moment * contact.normal[d];
+    wheel.moment[d] += moment[d] + patch.forces.spin_moment * contact.normal[d];
   }
   wheel.height = contact.pose.height;
-  wheel.patches.push_back(std::move(patch));
+}
+
+meshes::SearchOptions search_options() {
+  meshes::SearchOptions options;
+  options.with_reserve = true;
+  return options;
 }
 
 }  // namespace
 
+/// The workspace of a call, given back at its end.
+class WheelRailPair::Borrowed {
+ public:
+  explicit Borrowed(const WheelRailPair& pair) : pair_(pair) {
+    {
+      const std::lock_guard<std::mutex> lock(pair_.mutex_);
+      if (!pair_.idle_.empty()) {
+        workspace_ = std::move(pair_.idle_.back());
+        pair_.idle_.pop_back();
+      }
+    }
+    if (workspace_) return;
+    const int across = pair_.input_.contact_grid.elements_across;
+    workspace_.reset(new Workspace{pair_.input_, {}});
+    if (pair_.tables_) workspace_->patch.emplace(*pair_.tables_, across);
+  }
+  ~Borrowed() {
+    const std::lock_guard<std::mutex> lock(pair_.mutex_);
+    pair_.idle_.push_back(std::move(workspace_));
+  }
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+
+  Workspace& operator*() const { return *workspace_; }
+
+ private:
+  const WheelRailPair& pair_;
+  std::unique_ptr<Workspace> workspace_;
+};
+
 WheelRailPair::WheelRailPair(Case input)
-    : input_(std::move(input)), search_(meshes::search_scene_of(input_)) {}
+    : input_(std::move(input)),
+      search_(meshes::search_scene_of(input_)),
+      material_(contact::combine(input_.wheel.material, input_.rail.material)) {
+  const int across = input_.contact_grid.elements_across;
+  if (!material_.couples() && across <= QuickPatch::most_across)
+    tables_ =
+        std::make_unique<InfluenceTables>(across + 2 * QuickPatch::margin, material_.uncoupled());
+}
 
 SolvedWheel WheelRailPair::solve(const WheelState& state) const {
   check(state, input_.wheel.rolling_radius);
-  const Case input = case_of(input_, state);
-  meshes::SearchOptions options;
-  options.with_reserve = true;
-  const std::vector<meshes::PlacedScene> placed = meshes::make_scenes(input, search_, options);
+  const Borrowed workspace(*this);
+  set(state, (*workspace).input);
   SolvedWheel wheel;
-  if (placed.size() == 1) {
-    add(solve_patch(placed.front().scene, placed.front().contact,
-                    input.contact_grid.elements_across),
-        placed.front().contact, wheel);
-    return wheel;
-  }
-  for (const contact::Scene& scene : wheelset::balanced_position(input, placed)) {
-    const meshes::WheelRailContact& contact = contact_of(scene, placed);
-    add(solve_patch(scene, contact, input.contact_grid.elements_across), contact, wheel);
-  }
-  std::stable_sort(wheel.patches.begin(), wheel.patches.end(), [](const auto& a, const auto& b) {
-    return a.point.normal_force > b.point.normal_force;
-  });
+  if (!(*workspace).patch || !solve_quickly(*workspace, wheel))
+    solve_with_care((*workspace).input, wheel);
   return wheel;
+}
+
+/// A single patch; false where there are several, or this one is none for QuickPatch.
+bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) const {
+  const Case& input = workspace.input;
+  meshes::WheelRailContact* only = nullptr;
+  std::vector<meshes::WheelRailContact> contacts =
+      meshes::find_contacts(input, search_, 1, search_options());
+  for (meshes::WheelRailContact& contact : contacts) {
+    if (!(contact.place.patch > 0 || contact.reserve)) continue;
+    if (only != nullptr) return false;
+    only = &contact;
+  }
+  if (only == nullptr) return false;
+  const contact::Creepage creepage =
+      meshes::creepage_of(*only, meshes::motion_of(input, input.wheelset.rotation_change.front()));
+  contact::Geometry geometry;
+  geometry.surface = contact::ContactSurface::of(
+      std::make_shared<const contact::PatchGeometry>(std::move(only->geometry)));
+  geometry.surface.follows = meshes::follows_surface(only->spread_of_normals);
+  const std::optional<PatchForces> forces = workspace.patch->solve(
+      {*only, geometry, creepage, meshes::upwards(only->place), *input.load.vertical_force,
+       input.friction_coefficient, geometry.surface.follows});
+  if (!forces) return false;
+  wheel.count = 1;
+  wheel.patches[0] = patch_of(*forces, *only);
+  add_to_sums(wheel.patches[0], *only, wheel);
+  return true;
+}
+
+void WheelRailPair::solve_with_care(const Case& input, SolvedWheel& wheel) const {
+  const std::vector<meshes::PlacedScene> placed =
+      meshes::make_scenes(input, search_, search_options());
+  std::vector<SolvedPatch> patches;
+  const auto add = [&](const contact::Scene& scene, const meshes::WheelRailContact& contact) {
+    patches.push_back(patch_of(
+        forces_of(solve_patch(scene, contact, input.contact_grid.elements_across)), contact));
+    add_to_sums(patches.back(), contact, wheel);
+  };
+  if (placed.size() == 1)
+    add(placed.front().scene, placed.front().contact);
+  else
+    for (const contact::Scene& scene : wheelset::balanced_position(input, placed))
+      add(scene, contact_of(scene, placed));
+  std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
+    return a.forces.normal_force > b.forces.normal_force;
+  });
+  wheel.count = std::min(patches.size(), SolvedWheel::most_patches);
+  std::copy_n(patches.begin(), wheel.count, wheel.patches.begin());
 }
 
 }  // namespace rollfem::capi

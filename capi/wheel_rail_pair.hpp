@@ -2,11 +2,14 @@
 // rollfem.h. mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
 #pragma once
 
+#include "capi/quick_patch.hpp"
 #include "contact/case/case.hpp"
-#include "contact/result/result.hpp"
 #include "meshes/track/scenes.hpp"
 
 #include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace rollfem::capi {
@@ -24,13 +27,17 @@ struct WheelState {
 };
 
 struct SolvedPatch {
-  meshes::WheelRailContact contact;
-  contact::PointResult point;
-  std::array<double, 3> force{};  ///< on the wheel, track frame
+  PatchForces forces;
+  std::array<double, 3> origin{};  ///< contact point, track frame, mm
+  double contact_angle = 0.0;      ///< rad
+  double rolling_radius = 0.0;     ///< mm
+  std::array<double, 3> force{};   ///< on the wheel, track frame, N
 };
 
 struct SolvedWheel {
-  std::vector<SolvedPatch> patches;  ///< the most loaded first
+  static constexpr std::size_t most_patches = 4;
+  std::size_t count = 0;
+  std::array<SolvedPatch, most_patches> patches;  ///< the most loaded first; others are in the sums
   std::array<double, 3> force{};
   std::array<double, 3> moment{};  ///< about the middle of the axle
   double height = 0.0;             ///< where the wheel touches unloaded
@@ -43,12 +50,27 @@ class WheelRailPair {
   explicit WheelRailPair(contact::Case input);
 
   /// Throws contact::InputError for values that are not allowed, contact::SolveError where there is
-  /// no solution. Changes nothing.
+  /// no solution. Results do not depend on earlier calls; threads may call at once.
   SolvedWheel solve(const WheelState& state) const;
 
  private:
+  /// What a call works in: kept for the next one, of whatever thread.
+  struct Workspace {
+    contact::Case input;
+    std::optional<QuickPatch> patch;
+  };
+  class Borrowed;
+
+  bool solve_quickly(Workspace& workspace, SolvedWheel& wheel) const;
+  void solve_with_care(const contact::Case& input, SolvedWheel& wheel) const;
+
   contact::Case input_;
   meshes::SearchScene search_;
+  contact::CombinedMaterial material_;
+  /// Null where bodies are unlike or the grid is too fine for it.
+  std::unique_ptr<InfluenceTables> tables_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<Workspace>> idle_;
 };
 
 }  // namespace rollfem::capi

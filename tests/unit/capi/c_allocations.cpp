@@ -1,0 +1,62 @@
+// How often rollfem_solve takes memory after its first call. The heap of this program counts.
+#include <gtest/gtest.h>
+
+#include "rollfem/rollfem.h"
+#include "support/recorded.hpp"
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+constexpr bool counts = false;  // the heap is theirs, or another
+#else
+constexpr bool counts = true;
+#endif
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__GLIBC__)
+extern "C" {
+void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier): glibc's own
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+}
+#endif
+
+namespace {
+
+long most_of(rollfem_side side) {
+  char message[512];
+  rollfem_definition definition;
+  rollfem_defaults(&definition, ROLLFEM_MM_N);
+  definition.side = side;
+  rollfem_pair* pair = rollfem_create(&definition, message, sizeof message);
+  EXPECT_NE(pair, nullptr) << message;
+  long most = 0;
+  // From the tread to the flange, each in one region.
+  for (const double shift : {0.0, 1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 8.0}) {
+    const double roll = -2.5e-5 * shift * shift;
+    const rollfem_state state = {shift, 8e-4 * shift, roll, 20e3, 30.0, 0.0, 43.5, 50e3};
+    rollfem_result result;
+    const long before = allocations;
+    EXPECT_EQ(rollfem_solve(pair, &state, &result, message, sizeof message), ROLLFEM_OK) << message;
+    if (shift > 0.0) most = std::max(most, allocations - before);
+  }
+  rollfem_destroy(pair);
+  return most;
+}
+
+TEST(CAllocations, OfACallAfterTheFirst) {
+  if (!counts) GTEST_SKIP() << "this heap cannot be counted";
+  const long most = std::max(most_of(ROLLFEM_LEFT), most_of(ROLLFEM_RIGHT));
+  rollfem::testing::record("allocations", static_cast<double>(most));
+  EXPECT_LE(most, 150);
+}
+
+}  // namespace
