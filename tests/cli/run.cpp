@@ -47,6 +47,28 @@ TEST(Run, LeavesResultsAndSaysWhere) {
   EXPECT_NE(outcome.out.find(text), std::string::npos) << text << outcome.out;
 }
 
+TEST(Run, SaysWhichProblemIsSolved) {
+  const std::string grid = "[contact_grid]\nelements_across = 10\n";
+  struct Row {
+    const char *problem, *stage, *note;
+  };
+  for (const Row& row :
+       {Row{"[rolling]\nproblem = \"frictionless\"\n", "frictionless", "; normal problem alone"},
+        Row{"[rolling]\nproblem = \"shift\"\n[history]\n"
+            "longitudinal_shift = [0.001, 0.001]\n",
+            "shift              2/2 res", "; shift without rolling"}}) {
+    const Folder folder;
+    const std::string file = folder.file("quick.toml", small_case + row.problem + grid);
+    const Outcome outcome = call(folder, {"run", file, "--model", "halfspace", "--no-report"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find(row.stage), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find(row.note), std::string::npos) << outcome.out;
+    for (const char* word : {" xi ", "rolling "})
+      EXPECT_EQ(outcome.err.find(word), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out.find("upwind"), std::string::npos) << outcome.out;
+  }
+}
+
 TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
   const Folder folder;
   const std::string file = folder.file("quick.toml", quick);

@@ -29,3 +29,12 @@ TEST(ProgressDisplay, GuessesNothing) {
   for (const std::string& text : {line(1, false, 20.0), line(5, true, 20.0), line(2, true, 0.5)})
     EXPECT_EQ(text.find("left"), std::string::npos) << text;
 }
+
+TEST(ProgressDisplay, NamesACreepageOnlyWhereThereIsOne) {
+  EXPECT_NE(line(2, true, 1.0).find(" 2/5"), std::string::npos);
+  EXPECT_EQ(line(2, true, 1.0).find("xi"), std::string::npos);
+  ProgressEvent rolling;
+  rolling.point = rolling.points = 1;
+  rolling.creepage = 0.001;
+  EXPECT_NE(progress_line(rolling, 1.0).find(" xi 0.001"), std::string::npos);
+}
