@@ -84,7 +84,9 @@ template <class Request>
 void add_report_flags(CLI::App& command, Request& request) {
   add_set_option(command, request.changes);
   command.add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
-  command.add_flag("!--no-report", request.report, "write results only, no figures and no report");
+  command.add_flag_callback(
+      "--no-report", [&request] { request.report = false; },
+      "write results only, no figures and no report");
 }
 
 void add_run(CLI::App& program, Call& call) {

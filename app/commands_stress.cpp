@@ -55,7 +55,8 @@ void add_stress_command(CLI::App& program, Call& call) {
                      "folder for stress.csv, stress.json and figures; default: the name of the "
                      "result folder with _stress");
   stress->add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
-  stress->add_flag("!--no-figures", request.figures, "write the tables only");
+  stress->add_flag_callback(
+      "--no-figures", [&request] { request.figures = false; }, "write the tables only");
   stress->footer(
       "example: rollfem stress results/thesis_a --yield-strength 520 --line 0,0,0:0,0,-12:61\n"
       "x along rolling, y lateral, z into the wheel: z > 0 in the wheel, z < 0 in the rail.");

@@ -1,4 +1,4 @@
-"""Cases: what a case file says, as values in Python."""
+"""Cases: the contents of a case file as values in Python."""
 import copy
 import json
 import math
@@ -32,7 +32,7 @@ def _value(value, where):
         return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007F")
     if isinstance(value, (list, tuple, range)):
         return "[" + ", ".join(_value(each, where) for each in value) + "]"
-    raise InputError(f"{where}: {value!r} is no value of a case; allowed: numbers, strings, true or false, and lists "
+    raise InputError(f"{where}: {value!r} is not a value of a case; allowed: numbers, strings, true or false, and lists "
                      "of these; do: leave the key out where its default is meant")
 
 
@@ -41,7 +41,7 @@ def _tables(table, path):
     later = []
     for name, value in table.items():
         if not isinstance(name, str):
-            raise InputError(f"{'.'.join(path)}: {name!r} is no key; allowed: strings")
+            raise InputError(f"{'.'.join(path)}: {name!r} is not a key; allowed: strings")
         here = [*path, name]
         if isinstance(value, dict):
             later += ["", f"[{'.'.join(map(_key, here))}]", *_tables(value, here)]
@@ -54,7 +54,7 @@ def _tables(table, path):
 
 
 def _plain(value):
-    """A copy without anything of numpy, which cannot be compared as a whole."""
+    """A copy with plain Python values instead of numpy's, whose arrays cannot be compared as a whole."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
     if isinstance(value, (list, tuple, range)):
@@ -65,12 +65,12 @@ def _plain(value):
 
 
 def _merge(into, other):
-    """`other` into a dict of sections: sections key by key, all else as it is."""
+    """Merges `other` into a dict of sections: sections key by key, everything else as it is."""
     for name, value in other.items():
         if isinstance(value, dict):
             kept = into.setdefault(name, {})
             if not isinstance(kept, dict):
-                raise InputError(f"{name} is no section")
+                raise InputError(f"{name} is not a section")
             _merge(kept, value)
         else:
             into[name] = _plain(value)
@@ -141,7 +141,7 @@ class Case:
 
     def with_(self, changes=None, /, **keys):
         """Another case with these keys: with_(friction__coefficient=0.3), with_(spin=1e-4), with_({"load.normal_force":
-        60e3}), with_(rolling={"spin": 0.0}). A key set to None is taken away."""
+        60e3}), with_(rolling={"spin": 0.0}). A key set to None is removed."""
         asked = nested({**(changes or {}), **keys})
         data = self.data
         _drop(data, asked)
@@ -152,7 +152,7 @@ class Case:
         return made
 
     def __getitem__(self, name):
-        """case["friction.coefficient"], or a section as a dict. KeyError for what the case does not say."""
+        """case["friction.coefficient"], or a section as a dict. KeyError for keys the case does not set."""
         found = self._data
         for part in name.split("."):
             found = found[part]
@@ -180,7 +180,7 @@ class Case:
 
     @property
     def models(self):
-        """Names of the models that it asks for."""
+        """Names of the models that the case requests."""
         return list(self.core.models)
 
     @property
@@ -213,7 +213,7 @@ class Case:
 
 
 def _drop(data, asked):
-    """Takes keys that are None out of both."""
+    """Removes keys that are None from both."""
     for name in list(asked):
         if asked[name] is None:
             del asked[name]

@@ -1,4 +1,4 @@
-"""Figures of results; each returns matplotlib's axes, made here unless they are given."""
+"""Figures of results; each returns matplotlib axes, created here unless given."""
 import numpy as np
 
 STATE_COLOURS = {"adhesion": "#56B4E9", "slip": "#E69F00"}
@@ -35,7 +35,7 @@ def creep_curve(model, x="longitudinal_creepage", y="traction_coefficient", ax=N
 
 
 def creep_curves(result, x="longitudinal_creepage", y="traction_coefficient", ax=None, **style):
-    """The same of every model, and patch, that has more than one load point; of all where none has."""
+    """The same for every model and patch with more than one load point; for all if none has."""
     ax = _axes(ax)
     several = [model for model in result if len(model) > 1] or list(result)
     for model in several:
@@ -99,7 +99,7 @@ def surface(sweep, quantity="traction_coefficient", ax=None, **style):
     values = sweep.values(quantity)
     names = list(sweep.axes)
     if values.ndim > 2:
-        raise ValueError(f"a sweep over {values.ndim} keys has no one figure; do: plot slices of sweep.values({quantity!r})")
+        raise ValueError(f"a sweep over {values.ndim} keys does not fit one figure; do: plot slices of sweep.values({quantity!r})")
     first = np.asarray(sweep.axes[names[0]])
     if values.ndim == 1:
         ax.plot(first, values, **{"marker": "o", "markersize": 4, **style})

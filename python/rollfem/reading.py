@@ -1,4 +1,4 @@
-"""Stored results, in the types of solved ones."""
+"""Reads stored results into the same types as solved ones."""
 import importlib
 import os
 import sys
@@ -46,7 +46,7 @@ def _model(model):
 
 def read(folder):
     """A folder that `rollfem run` or `Result.write` has written, or its results.h5, as a rollfem.Result. Raises
-    rollfem.InputError when it is no whole result."""
+    rollfem.InputError when it is not a complete result."""
     reader = _reader()
     try:
         stored = reader.read_result(os.fspath(folder))
@@ -57,8 +57,8 @@ def read(folder):
 
 
 class StoredCase(Case):
-    """The case of a stored result. It is read as a case again when it is asked for more than title and text: files that
-    it names may have gone, and that is no reason not to show a result."""
+    """The case of a stored result. It is parsed only when more than title and text is needed: files that it names may
+    be gone, which must not keep a result from being shown."""
 
     def __init__(self, stored):
         self._stored, self._file = stored, stored.case_file

@@ -11,7 +11,7 @@ from . import _core, plot
 
 @dataclass(frozen=True)
 class Quantity:
-    """What a scalar of a load point is."""
+    """Description of a scalar of a load point."""
 
     title: str  #: for headings: "largest pressure"
     symbol: str  #: "F_x", "xi"; empty where there is none
@@ -27,7 +27,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Field:
-    """What an array over the contact grid is."""
+    """Description of an array over the contact grid."""
 
     unit: str
     description: str
@@ -44,14 +44,14 @@ class Point:
     point.max_pressure is a number, None where the model does not give it; point.pressure an array [ny, nx], None where
     the model has none. Bars are absolute, in the unit of the quantity:
 
-    error_estimate: {quantity: what grid and solver leave uncertain};
+    error_estimate: {quantity: uncertainty left by grid and solver};
     no_bar: {quantity: why it has none};
-    model_error: {quantity: what the model leaves out, however fine its grid};
-    richardson: {quantity: its value extrapolated to elements of size 0};
+    model_error: {quantity: what the model neglects, on any grid};
+    richardson: {quantity: value extrapolated to elements of size 0};
     subsurface: for every [[subsurface.*]] a dict of kind, body, points [n, 3] (mm), displacement [n, 3] (mm), stress
     [n, 6] (MPa: xx, yy, zz, xy, yz, xz);
     stress_maxima: dicts of body, measure, value (MPa), place (mm);
-    bodies: {"wheel": ..., "rail": ...} with points, cells, displacement and stress, of finite elements alone.
+    bodies: {"wheel": ..., "rail": ...} with points, cells, displacement and stress, for finite elements only.
     """
 
     def __init__(self, record, x, y):
@@ -82,14 +82,14 @@ class Point:
 
 
 class ModelResult:
-    """What one model found on one patch: its load points on its contact grid.
+    """Results of one model on one patch: its load points on its contact grid.
 
     Every quantity is an array over the load points: model.traction_coefficient; nan where the model does not give it.
     x, y: centres of the contact elements, mm; dx, dy: their size, mm.
-    name, label: of the model; key: the same with wheel, position and patch, where there are true profiles; place: a dict
+    name, label: of the model; key: name with wheel, position and patch for true profiles; place: a dict
     of these, with y_track (mm), contact_angle (rad), ..., or None.
-    seconds: {stage: s}; unknowns, contact_elements: numbers; notes: what a reader must know; choice: why `auto` took it;
-    shortfall: what was asked for and not reached; model_error_source: what model errors were taken from.
+    seconds: {stage: s}; unknowns, contact_elements: numbers; notes: what a reader must know; choice: why `auto` chose it;
+    shortfall: what was requested and not reached; model_error_source: how model errors were estimated.
     """
 
     def __init__(self, record):
@@ -152,7 +152,7 @@ class ModelResult:
 
 
 class Result:
-    """A case and what its models found: result["halfspace"], or result.models in the order of the run, with true
+    """A case and the results of its models: result["halfspace"], or result.models in the order of the run, with true
     profiles one for each patch of each wheel and position.
 
     case: the rollfem.Case. provenance: {version, commit, ...}, of results that were read.
@@ -165,12 +165,12 @@ class Result:
 
     @classmethod
     def of(cls, case, core):
-        """From what the library has solved."""
+        """From results of the library."""
         return cls(case, [ModelResult(record) for record in _core.models_of(core)], core)
 
     @property
     def title(self):
-        """That of the case."""
+        """The title of the case."""
         return self.case.title
 
     def __getitem__(self, key):
@@ -240,7 +240,7 @@ def count(things, word):
 
 def _array(points, name):
     if name not in QUANTITIES:
-        raise KeyError(f"{name}: no quantity; allowed: {', '.join(QUANTITIES)}")
+        raise KeyError(f"{name}: not a quantity; allowed: {', '.join(QUANTITIES)}")
     values = [point.scalars.get(name) for point in points]
     return np.array([np.nan if value is None else value for value in values])
 
@@ -256,7 +256,7 @@ def frame_of(columns):
 
 
 def _document():
-    """Quantities and fields as attributes that say what they are."""
+    """Makes quantities and fields documented attributes."""
     for name, quantity in QUANTITIES.items():
         symbol = f", {quantity.symbol}" if quantity.symbol else ""
         text = f"{quantity.title}{symbol} [{quantity.unit}]: {quantity.meaning}"

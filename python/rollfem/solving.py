@@ -11,11 +11,11 @@ class AccuracyWarning(UserWarning):
 
 
 class DoubtWarning(UserWarning):
-    """A value is allowed and looks like a slip of units."""
+    """A value is allowed but probably in the wrong unit."""
 
 
 def names_of(model, models):
-    """What `model` and `models` of a call ask for; an empty list: what the case asks for."""
+    """The models that `model` and `models` of a call request; empty: those of the case."""
     if model is not None and models is not None:
         raise _core.InputError("model and models are both given; do: give one of them")
     given = model if models is None else models
@@ -27,8 +27,8 @@ def solve(case=None, /, *, model=None, models=None, progress=None, **sections):
 
     case: a case file, a dict of sections, or a rollfem.Case; sections may also be keywords (load={...}), which replace
     single keys of the case. model, models: a name, or several; otherwise those of the case, or `auto`. progress: called
-    with a rollfem.Progress at every iteration; what it raises ends the solution and is raised here. Other threads of
-    Python run meanwhile; Ctrl-C ends it with KeyboardInterrupt.
+    with a rollfem.Progress at every iteration; an exception raised by it ends the solution. Other Python threads run
+    meanwhile; Ctrl-C ends it with KeyboardInterrupt.
 
     Raises rollfem.InputError for a case or call that is wrong, rollfem.SolveError where no solution was reached.
     """

@@ -1,4 +1,4 @@
-"""What stresses are judged by."""
+"""Scalar measures of stress."""
 from . import _core
 
 
@@ -10,6 +10,6 @@ def stress_measures(stress):
     von_mises, tresca: equivalent uniaxial stresses, the latter the difference of the outer principal stresses;
     orthogonal_shear: sqrt(xz^2 + yz^2), on the plane parallel to the surface;
     principal [..., 3]: principal stresses, the largest first.
-    ValueError where the last axis is not of six.
+    ValueError if the last axis does not have length six.
     """
     return _core.stress_measures(stress)

@@ -1,4 +1,4 @@
-"""One case at every combination of some values."""
+"""Solves one case at every combination of given values."""
 import itertools
 
 import numpy as np
@@ -45,7 +45,7 @@ class Sweep:
     def values(self, name, model=None):
         """A quantity over the grid."""
         if name not in QUANTITIES:
-            raise KeyError(f"{name}: no quantity; allowed: {', '.join(QUANTITIES)}")
+            raise KeyError(f"{name}: not a quantity; allowed: {', '.join(QUANTITIES)}")
         return self._map(model, lambda point: point.scalars.get(name))
 
     def bars(self, name, model=None):
@@ -102,7 +102,7 @@ class Sweep:
 
 
 def _solve_into(sweep, case, indices, how, skip):
-    """Solves the load points of a case; where that fails and may be skipped, each by itself."""
+    """Solves the load points of a case; if that fails and failures may be skipped, each separately."""
     try:
         result = solve(case, **how)
     except SolveError as error:
@@ -126,7 +126,7 @@ def sweep(case, axes=None, /, *, model=None, models=None, progress=None, skip_fa
 
     sweep(case, longitudinal_creepage=[...], spin=[...]), sweep(case, {"friction.coefficient": [0.3, 0.5]}),
     sweep(case, friction__coefficient=[0.3, 0.5]). Creepages are load points of one solution, which costs least; all other
-    keys take a solution for each combination. skip_failures: combinations without a solution are nan, and told in
+    keys take a solution for each combination. skip_failures: combinations without a solution are nan and listed in
     `failures`; otherwise the first raises rollfem.SolveError.
     """
     case = case if isinstance(case, Case) else Case(case)
