@@ -219,6 +219,7 @@ void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
       .add_option("--set", changes,
                   "change a key of the case file, e.g. friction.coefficient=0.3; repeat the option "
                   "for more keys")
+      ->type_name("KEY=VALUE")
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all();

@@ -56,7 +56,7 @@ TEST(Run, SaysWhichProblemIsSolved) {
        {Row{"[rolling]\nproblem = \"frictionless\"\n", "frictionless", "; normal problem alone"},
         Row{"[rolling]\nproblem = \"shift\"\n[history]\n"
             "longitudinal_shift = [0.001, 0.001]\n",
-            "shift              2/2 res", "; shift without rolling"}}) {
+            "shift              2/2 ", "; shift without rolling"}}) {
     const Folder folder;
     const std::string file = folder.file("quick.toml", small_case + row.problem + grid);
     const Outcome outcome = call(folder, {"run", file, "--model", "halfspace", "--no-report"});
