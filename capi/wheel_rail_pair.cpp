@@ -107,6 +107,9 @@ void add_to_sums(const SolvedPatch& patch, const meshes::WheelRailContact& conta
   wheel.height = contact.pose.height;
 }
 
+/// mm beyond the overlap of the bodies: more than a grid on the patch needs.
+constexpr double around_overlap = 15.0;
+
 meshes::SearchOptions search_options() {
   meshes::SearchOptions options;
   options.with_reserve = true;
@@ -169,8 +172,10 @@ SolvedWheel WheelRailPair::solve(const WheelState& state) const {
 bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) const {
   const Case& input = workspace.input;
   meshes::WheelRailContact* only = nullptr;
+  meshes::SearchOptions options = search_options();
+  options.around_overlap = around_overlap;
   std::vector<meshes::WheelRailContact> contacts =
-      meshes::find_contacts(input, search_, 1, search_options());
+      meshes::find_contacts(input, search_, 1, options);
   for (meshes::WheelRailContact& contact : contacts) {
     if (!(contact.place.patch > 0 || contact.reserve)) continue;
     if (only != nullptr) return false;

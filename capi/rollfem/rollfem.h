@@ -91,8 +91,9 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units);
 /* NULL when it is refused; `message` (may be NULL) then has the reason, cut to `size`. Profiles are read here. */
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size);
 
-/* Solves for one state. A pair is not changed: threads may solve with the same one at once. When the status is
-   not ROLLFEM_OK the result is zero and `message` (may be NULL) has the reason. */
+/* Solves for one state; earlier calls do not change the result. Threads may solve with the same pair at once: it keeps the
+   memory that each works in for later calls. When the status is not ROLLFEM_OK the result is zero and `message` (may be
+   NULL) has the reason. */
 rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* state, rollfem_result* result,
                              char* message, size_t size);
 

@@ -122,6 +122,21 @@ ProfileCurve ProfileCurve::moved(double angle, double y, double z) const {
   return ProfileCurve(std::move(result));
 }
 
+ProfileCurve ProfileCurve::part(double from, double to) const {
+  const std::vector<double>& all = knots_.parameter;
+  auto begin = std::upper_bound(all.begin(), all.end() - 1, from);
+  auto end = std::lower_bound(begin, all.end(), to);
+  if (begin != all.begin()) --begin;
+  if (end != all.end()) ++end;
+  if (end - begin < 2) begin = end - 2;
+  const auto cut = [&](const std::vector<double>& list) {
+    return std::vector<double>(list.begin() + (begin - all.begin()),
+                               list.begin() + (end - all.begin()));
+  };
+  return ProfileCurve(
+      {cut(knots_.parameter), cut(knots_.y), cut(knots_.z), cut(knots_.dy), cut(knots_.dz)});
+}
+
 ProfileCurve ProfileCurve::mirrored() const {
   ProfileKnots result = knots_;
   for (auto* list : {&result.parameter, &result.y, &result.z, &result.dy, &result.dz})

@@ -43,6 +43,8 @@ class ProfileCurve {
 
   /// Turned about (0, 0) by the angle (rad, from y to z) and then shifted by (y, z).
   ProfileCurve moved(double angle, double y, double z) const;
+  /// The knots with parameters between these, and one beyond each end.
+  ProfileCurve part(double from, double to) const;
   /// Mirrored at y = 0; parameters still rise from small to large y.
   ProfileCurve mirrored() const;
 

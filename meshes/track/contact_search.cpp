@@ -52,30 +52,48 @@ struct PatchAxes {
   double along_normal(double y, double z) const { return -sine * (y - y0) - cosine * (z - z0); }
 };
 
-contact::HeightCurve changed(const contact::HeightCurve& curve, double sign_y, double factor,
-                             double added) {
+/// How a curve is taken into another frame, and from where to where of its own y.
+struct Change {
+  double sign_y = 1.0;
+  double factor = 1.0;
+  double added = 0.0;
+  double first = -contact::infinity;
+  double last = contact::infinity;
+};
+
+contact::HeightCurve changed(const contact::HeightCurve& curve, const Change& change) {
+  const std::vector<double>& knots = curve.knots();
+  auto begin = std::lower_bound(knots.begin(), knots.end(), change.first);
+  auto end = std::upper_bound(begin, knots.end(), change.last);
+  // One beyond each end.
+  if (begin != knots.begin()) --begin;
+  if (end != knots.end()) ++end;
   std::vector<double> y, z, slope;
-  for (auto* list : {&y, &z, &slope}) list->reserve(curve.knots().size());
-  for (const double knot : curve.knots()) {
-    const contact::CurveValue at = curve.at(knot);
-    y.push_back(sign_y * knot);
-    z.push_back(factor * at.value + added);
-    slope.push_back(sign_y * factor * at.slope);
+  for (auto* list : {&y, &z, &slope}) list->reserve(static_cast<std::size_t>(end - begin));
+  for (; begin != end; ++begin) {
+    const contact::CurveValue at = curve.at(*begin);
+    y.push_back(change.sign_y * *begin);
+    z.push_back(change.factor * at.value + change.added);
+    slope.push_back(change.sign_y * change.factor * at.slope);
   }
-  if (sign_y < 0.0)
+  if (change.sign_y < 0.0)
     for (auto* list : {&y, &z, &slope}) std::reverse(list->begin(), list->end());
   return {std::move(y), std::move(z), std::move(slope)};
 }
 
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
                                      const PatchAxes& axes, const Axle& axle_of_side, bool left,
-                                     const OutlinePoint& touch, double sink) {
-  const ProfileCurve rail =
-      scene.rail.moved(0.0, -axes.y0, -axes.z0).moved(std::atan2(axes.sine, axes.cosine), 0.0, 0.0);
+                                     const OutlinePoint& touch, double sink, double reach) {
+  const double at_touch = parameter_near(scene.rail, axes.y0, axes.z0);
+  // Shifted to the touching point, then turned.
+  const double cosine = axes.cosine, sine = axes.sine;
+  const ProfileCurve rail = scene.rail.part(at_touch - reach, at_touch + reach)
+                                .moved(std::atan2(sine, cosine), sine * axes.z0 - cosine * axes.y0,
+                                       -sine * axes.y0 - cosine * axes.z0);
   // z of the patch points up, that of the profile down.
   const double sign_y = left ? 1.0 : -1.0;
   contact::HeightCurve heights =
-      changed(height_over_y(rail, parameter_near(rail, 0.0, 0.0)), sign_y, -1.0, 0.0);
+      changed(height_over_y(rail, parameter_near(rail, 0.0, 0.0)), {sign_y, -1.0, 0.0});
   const ProfileCurve& wheel = scene.profiles.wheel;
   const double height = touch.radius - input.wheel.rolling_radius;
   // Its part about the running circle is one list of knots wherever the wheel touches there.
@@ -83,10 +101,12 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   const contact::HeightCurve& tread = scene.wheel_tread;
   const bool on_tread = tread.contains(touch.profile_y) &&
                         std::abs(tread.at(touch.profile_y).value - height) < same_place;
+  const Change to_radius{sign_y, 1.0, input.wheel.rolling_radius, touch.profile_y - reach,
+                         touch.profile_y + reach};
   contact::HeightCurve radius =
-      on_tread ? changed(tread, sign_y, 1.0, input.wheel.rolling_radius)
+      on_tread ? changed(tread, to_radius)
                : changed(height_over_y(wheel, parameter_near(wheel, touch.profile_y, height)),
-                         sign_y, 1.0, input.wheel.rolling_radius);
+                         to_radius);
   // Mirrored for the right side: y changes its sign, and the direction is turned about so that it
   // points to larger y again (and its axial coordinate with it, as in `changed`).
   const Vector3& p = axle_of_side.point;
@@ -97,7 +117,8 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   const double d_across = axes.cosine * d[1] - axes.sine * d[2];
   const double d_normal = -axes.sine * d[1] - axes.cosine * d[2];
   axle.direction = {sign_y * d[0], d_across, sign_y * d_normal};
-  return {std::move(heights), std::move(radius), axle, -section_reach, section_reach};
+  const double section = std::min(section_reach, reach);
+  return {std::move(heights), std::move(radius), axle, -section, section};
 }
 
 class WheelSearch {
@@ -124,12 +145,12 @@ class WheelSearch {
     int loaded = 0;
     for (std::size_t k = 0; k < groups.size(); ++k) {
       WheelRailContact contact =
-          describe(groups[k], sinking, k > 0, k + 1 < groups.size(), options.reference_offset);
+          describe(groups[k], sinking, k > 0, k + 1 < groups.size(), options);
       contact.reserve = !(contact.normal_force > 0.0);
       if (!contact.reserve) ++loaded;
       found.push_back(std::move(contact));
     }
-    add_near_misses(groups, sinking, options.near_miss, found);
+    add_near_misses(groups, sinking, options, found);
     share_vertical_force(found);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return a.normal_force != b.normal_force ? a.normal_force > b.normal_force
@@ -144,18 +165,20 @@ class WheelSearch {
 
  private:
   /// Humps that do not touch, of contacts or beyond them; those of a reserve are listed already.
-  void add_near_misses(const std::vector<PatchGroup>& groups, double sinking, double farthest,
-                       std::vector<WheelRailContact>& found) const {
+  void add_near_misses(const std::vector<PatchGroup>& groups, double sinking,
+                       const SearchOptions& options, std::vector<WheelRailContact>& found) const {
     const auto of_reserve = [&](const GapMinimum& minimum) {
       return std::any_of(groups.begin(), groups.end(), [&](const PatchGroup& group) {
         return group.stretch.deepest.gap >= sinking && group.stretch.deepest.y == minimum.y;
       });
     };
+    SearchOptions plain = options;
+    plain.reference_offset = 0.0;
     for (const PatchGroup& hump : separate_groups(gap_)) {
       const GapMinimum& lowest = hump.stretch.deepest;
       if (lowest.gap < sinking || of_reserve(lowest)) continue;
-      if (lowest.gap * std::cos(lowest.angle()) > farthest) continue;
-      WheelRailContact contact = describe(hump, sinking, false, false, 0.0);
+      if (lowest.gap * std::cos(lowest.angle()) > options.near_miss) continue;
+      WheelRailContact contact = describe(hump, sinking, false, false, plain);
       found.push_back(std::move(contact));
     }
   }
@@ -171,10 +194,10 @@ class WheelSearch {
   }
 
   WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
-                            bool neighbour_outside, double offset) const {
+                            bool neighbour_outside, const SearchOptions& options) const {
     const GapMinimum& first = group.stretch.deepest;
     auto [y, slope, spread] = reference_of(gap_, group.stretch, sinking);
-    if (offset != 0.0) {
+    if (const double offset = options.reference_offset; offset != 0.0) {
       y += offset;
       slope = gap_.rail().at(y).slope - 0.5 * gap_.at(y).slope;
     }
@@ -202,7 +225,9 @@ class WheelSearch {
       if (minimum.gap < sinking || minimum.y == first.y)
         contact.touching.push_back(
             {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
-    contact.geometry = make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap);
+    contact.geometry =
+        make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap,
+                      std::max(-contact.reach[0], contact.reach[1]) + options.around_overlap);
     contact.geometry.set_limits(contact.limits);
     return contact;
   }

@@ -6,6 +6,7 @@
 #include "meshes/track/wheelset_pose.hpp"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -51,6 +52,9 @@ struct SearchOptions {
   /// mm, to the field: takes another point of the overlap for the reference, with the tangent of
   /// the common surface there, of which true normals make nothing.
   double reference_offset = 0.0;
+  /// mm: takes wheel and rail into the frame of a contact only this far beyond where the bodies
+  /// overlap; infinite: as far as they are heights there.
+  double around_overlap = std::numeric_limits<double>::infinity();
   bool with_reserve = false;  ///< scenes of contacts that the load may reach as well (make_scenes)
 };
 

@@ -58,6 +58,27 @@ TEST_P(SphereOnCylinder, TouchesOnTheLineBetweenTheCentres) {
   }
 }
 
+TEST_P(SphereOnCylinder, AroundTheOverlapTheProfilesAreTheSame) {
+  const auto [shift, yaw, roll] = GetParam();
+  contact::Case input = light_case(shift, yaw);
+  input.wheelset.roll = {roll};
+  const auto scene =
+      meshes::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
+  meshes::SearchOptions around;
+  around.around_overlap = 12.0;
+  for (const bool left : {true, false}) {
+    const auto pose = find_pose(input, scene, 1);
+    const auto whole = find_contacts(input, scene, pose, 1, left),
+               part = find_contacts(input, scene, pose, 1, left, around);
+    ASSERT_EQ(part.size(), 1u);
+    EXPECT_LT(part[0].geometry.rail().last() - part[0].geometry.rail().first(), 30.0);
+    for (const double y : {-11.0, -3.0, 0.0, 5.0, 11.0}) {
+      EXPECT_TRUE(part[0].geometry.known(y));
+      EXPECT_EQ(part[0].geometry.distance(4.0, y), whole[0].geometry.distance(4.0, y));
+    }
+  }
+}
+
 TEST_P(SphereOnCylinder, DistanceInThePatchFrameIsThatOfSphereAndCylinder) {
   const auto [shift, yaw, roll] = GetParam();
   contact::Case input = light_case(shift, yaw);
