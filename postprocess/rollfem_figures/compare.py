@@ -1,4 +1,4 @@
-"""compare.html: several models on one or several cases, laid beside each other."""
+"""compare.html: several models on one or several cases, side by side."""
 import os
 from html import escape
 from types import SimpleNamespace
@@ -31,7 +31,7 @@ def _places(case):
 
 
 def _standing(case, model, quantity, place=None):
-    """How a model stands in a quantity at a place; of all places together (None) the worst, with the
+    """The standing of a model in a quantity at a place; for all places together (None) the worst, with the
     counts of all."""
     found = [s for s in case["standings"] if s["model"] == model and s["quantity"] == quantity
              and place in (None, s.get("patch", ""))]
@@ -173,7 +173,7 @@ def _case_section(comparison, case, directory):
 
 
 def _elasticity(cases):
-    """What is not error where finite elements and half-space differ."""
+    """Explains differences between finite elements and half-space that are not errors."""
     if not {"fem", "halfspace"} <= set(_models(cases)):
         return ""
     return (" Differences between FEM and half-space beyond the bars are not numerical errors alone: a half-space "
@@ -182,7 +182,7 @@ def _elasticity(cases):
 
 
 def _reference_words(comparison):
-    """To which model differences are, and to which where that one has no number."""
+    """The model that differences refer to, and its substitute where that one has no value."""
     wished = comparison["reference"] or "halfspace"
     ways = list(dict.fromkeys([wished, *(m for m in ("halfspace", "fem") if m in comparison["models"])]))
     first, *others = [escape(looks.label(_model(name))) for name in ways]

@@ -9,8 +9,8 @@ from .whole import whole
 
 
 class Figure:
-    """`columns`: panels in a row of the file, and of the page too where `in_rows`. `seen`: what the
-    figure shows, in words, for who cannot see it."""
+    """`columns`: panels in a row of the file, and of the page too where `in_rows`. `seen`: the
+    alternative text, what the figure shows in words."""
 
     def __init__(self, columns=3, heading="", in_rows=False):
         self.panels, self.columns, self.heading, self.in_rows = [], columns, heading, in_rows

@@ -1,4 +1,4 @@
-"""What tells the load points apart: along which coordinate a creep curve runs, and in words."""
+"""What distinguishes load points: the coordinate of a creep curve, and its wording."""
 
 
 def creepage_axis(points):

@@ -54,7 +54,7 @@ white-space:normal}tbody th{position:static}.plot{max-width:100%}}
 
 
 def heading(title, program, run):
-    """What the page is about, as HTML, and which call of which program has made it."""
+    """The heading of the page as HTML, with the program and the call that made it."""
     made = f"rollfem {program['version']} ({program['commit']}), {run['started']}, {run['host']}"
     if run["processes"] > 1:
         made += f", {run['processes']} processes"

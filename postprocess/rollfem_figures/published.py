@@ -1,4 +1,4 @@
-"""What others have published or computed for a case (published.json), to stand beside our values."""
+"""Published values for a case (published.json), shown beside our own."""
 import json
 import math
 import os
@@ -56,7 +56,7 @@ def patches(result):
 
 
 def says(result):
-    """What the thesis says of the case in words; empty if nothing."""
+    """Remarks of the 2012 study on the case; empty if there are none."""
     return _case(result).get("says", "")
 
 

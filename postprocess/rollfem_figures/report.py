@@ -1,4 +1,4 @@
-"""report.html: what was asked for, the patch, forces, tractions and stresses of every model."""
+"""report.html: the problem, the patch, forces, tractions and stresses of every model."""
 import os
 import re
 from html import escape
@@ -21,7 +21,7 @@ BARS = ("±: uncertainty left by grid and solver, estimated by the model, in the
 
 
 def asked(result):
-    """What was asked for, from the case."""
+    """The problem, from the case."""
     case = result.case
     if "vertical_force" in case:
         load = f"{tables.plain(case['vertical_force'])} N vertically on each wheel"
@@ -138,7 +138,7 @@ def _details(result):
 
 
 def lower(html):
-    """The HTML with every heading one level below."""
+    """The HTML with every heading one level lower."""
     for level in (3, 2):
         html = html.replace(f"<h{level}>", f"<h{level + 1}>").replace(f"</h{level}>", f"</h{level + 1}>")
     return html
@@ -176,7 +176,7 @@ def patches(result, figures, name="patch"):
 
 
 def touching(result, figures):
-    """Where wheel and rail touch, with profiles; else nothing."""
+    """The section on where wheel and rail touch, for profiles; otherwise empty."""
     if not (result.models and result.models[0].place):
         return ""
     row = wheelset.table_of_run(result)
@@ -201,7 +201,7 @@ def report_html(result, figures):
         "ParaView), figures/.")
 
 
-# What a verdict, made for a terminal, looks like on a page.
+# Replacements that turn a verdict for the terminal into HTML.
 LOOKS = [(r"\bmu\b", "μ"), (r"\bp0\b", "p<sub>0</sub>"), (r"([Fp])_([xyz])", r"\1<sub>\2</sub>"), ("-F<", "−F<")]
 
 

@@ -1,4 +1,4 @@
-"""What figures show, in words: the alternative of a picture for who hears the page read."""
+"""Figures in words: alternative texts for readers who hear the page."""
 import numpy as np
 
 

@@ -7,7 +7,7 @@ def friction_models(result):
 
 
 def reference_for_patch(result):
-    """The wished one, else Hertz where there is one: it is exact for what it describes."""
+    """The requested one, otherwise Hertz if present: it is exact for what it describes."""
     return _first_of(result.models, (result.reference, "hertz", "halfspace"))
 
 

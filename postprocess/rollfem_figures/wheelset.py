@@ -46,7 +46,7 @@ def _conicity(figure, table):
 
 
 def _conicity_seen(table):
-    """What is seen of the conicity, at the amplitude nearest to 3 mm that has one."""
+    """The conicity in words, at the amplitude nearest to 3 mm that has one."""
     known = numpy.flatnonzero(numpy.isfinite(table["conicity_wave"]))
     if not known.size:
         return "The wheelset does not oscillate."

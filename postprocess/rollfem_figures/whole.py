@@ -1,11 +1,11 @@
-"""Files that stand whole or not at all."""
+"""Writes files completely or not at all."""
 import contextlib
 import os
 
 
 @contextlib.contextmanager
 def whole(path):
-    """The name to write a file under, which then stands at `path` whole or not at all."""
+    """A temporary name to write to; the file then appears at `path` complete or not at all."""
     part = f"{path}.part-{os.getpid()}"
     try:
         yield part
