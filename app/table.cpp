@@ -41,7 +41,7 @@ std::string text_of_wheels(const CreepTable& table) {
                         wheel.semi_axis_x, wheel.semi_axis_y, wheel.normal_force,
                         wheel.max_pressure, wheel.contacts);
     if (wheel.jump_after != 0.0)
-      text += "         contact jumps: nothing is interpolated up to the next shift\n";
+      text += "         contact jumps here: no interpolation up to the next shift\n";
   }
   return text;
 }
@@ -66,8 +66,8 @@ std::string summary_of(const CreepTable& table, double seconds) {
                       100.0 * force, 100.0 * moment);
   if (error.points > 0)
     text += fmt::format(
-        "interpolation at {} points at random (seed {}): forces off by up to {:.2g} % in 95 of "
-        "100, {:.2g} % at most; moment {:.2g} %, {:.2g} %\n",
+        "interpolation at {} random points (seed {}):  forces off by up to {:.2g} % in 95 of 100, "
+        "{:.2g} % at most; moment {:.2g} %, {:.2g} %\n",
         error.points, error.seed, 100.0 * error.force_95, 100.0 * error.force_max,
         100.0 * error.moment_95, 100.0 * error.moment_max);
   return text;

@@ -76,7 +76,7 @@ std::vector<double> axis_of(const contact::Case& input, std::size_t axis) {
                      : postprocess::creepages_to(asked.largest[axis], points[axis]);
   check_increasing(input, names[axis], list);
   if (list.back() <= 0.0 || (axis < 2 && (list.front() != 0.0 || list.size() < 2)))
-    refuse(input, names[axis], "holds too little",
+    refuse(input, names[axis], "has no positive value, or does not begin with 0",
            "allowed: 0 and larger values; do: begin with 0.0");
   return axis < 2 && !shifts ? list : both_signs(list);
 }
@@ -137,11 +137,11 @@ postprocess::CreepTable empty_table(const contact::Case& input) {
   const contact::CombinedMaterial material =
       contact::combine(input.wheel.material, input.rail.material);
   if (material.couples())
-    throw contact::InputError(fmt::format(
-        "{}: wheel and rail are of unlike materials: their pressure depends on creepage, and no "
-        "table holds that; allowed: like materials; do: give both one Young's modulus and "
-        "Poisson's ratio, or take rollfem run",
-        input.file));
+    throw contact::InputError(
+        fmt::format("{}: wheel and rail are of unlike materials: their pressure depends on "
+                    "creepage, which a table cannot hold; allowed: like materials; do: give both "
+                    "the same Young's modulus and Poisson's ratio, or use rollfem run",
+                    input.file));
   postprocess::CreepTable table;
   table.title = input.title;
   table.case_file = input.file;

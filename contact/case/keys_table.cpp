@@ -23,7 +23,7 @@ SectionWithKeys table_section() {
       .symbol("a/b")
       .between(0.02, 50.0)
       .otherwise("that of Hertz's ellipse of the case")
-      .says("Ratios of the ellipse's axes, a along rolling, each larger than the one before.")
+      .says("Axis ratios a/b of the ellipse, a along rolling, in increasing order.")
       .into(&TableOptions::axis_ratio);
   keys.reals("lateral_shift")
       .unit("mm")
@@ -49,25 +49,25 @@ SectionWithKeys table_section() {
       .into(&TableOptions::points);
   keys.triple("largest")
       .between(0.01, 1000.0)
-      .says("Largest xi', eta' and phi' of the grid; beyond it sliding is taken to be full.")
+      .says("Largest xi', eta' and phi' of the grid; beyond it full sliding is assumed.")
       .into(&TableOptions::largest);
   add_list(keys, "longitudinal_values", "xi'",
-           "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, in place of "
+           "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, instead of "
            "the first of points and largest; over lateral shifts the negative ones follow.",
            &TableOptions::longitudinal);
   add_list(keys, "lateral_values", "eta'",
-           "Scaled lateral creepages eta' = eta G a b C22 / (3 mu F_n) from 0 on, in place of the "
+           "Scaled lateral creepages eta' = eta G a b C22 / (3 mu F_n) from 0 on, instead of the "
            "second.",
            &TableOptions::lateral);
   add_list(keys, "spin_values", "phi'",
            "Scaled spins phi' = phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n) that are not "
-           "negative, in place of the third; the negative ones follow.",
+           "negative, instead of the third; the negative ones follow.",
            &TableOptions::spin);
   keys.whole("check_points")
       .between(0, 1e6)
       .says(
-          "Points at random between those of the grid, at which the error of interpolation is "
-          "found.")
+          "Number of random points between those of the grid at which the interpolation error is "
+          "evaluated.")
       .into(&TableOptions::check_points);
   return keys;
 }

@@ -21,7 +21,7 @@ bool increasing(const std::vector<double>& values) {
 }
 
 void refuse_shape(const std::string& what) {
-  throw contact::InputError("table: " + what + "; do: read a file that rollfem table has written");
+  throw contact::InputError("table: " + what + "; do: use a file written by rollfem table");
 }
 
 /// The weights along the axes of creepage of forces that pass 0 smoothly and of those that do not.
@@ -204,9 +204,9 @@ void CreepTableReader::check_wheels() const {
 void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
   if (table_.over_shifts() == wanted_shifts) return;
   throw contact::InputError(
-      wanted_shifts ? "table: a lateral shift is asked for, and this table is over ratios of axes; "
+      wanted_shifts ? "table: a lateral shift was given, but this table is over ratios of axes; "
                       "do: give the semi-axes, or make a table with [table] lateral_shift"
-                    : "table: an ellipse is asked for, and this table is over lateral shifts; do: "
+                    : "table: an ellipse was given, but this table is over lateral shifts; do: "
                       "give lateral_shift, or make a table with [table] axis_ratio");
 }
 
@@ -216,15 +216,15 @@ double CreepTableReader::coordinate_of(double place) const {
     if (!(place >= low - shift_let_pass && place <= high + shift_let_pass))
       throw contact::InputError(
           fmt::format("table: lateral shift {:g} mm: allowed: {:g} to {:g}; do: make a table with "
-                      "[table] lateral_shift that holds it",
+                      "[table] lateral_shift that covers it",
                       place, low, high));
     return std::clamp(place, low, high);
   }
   if (!(place >= low * (1.0 - ratio_let_pass) && place <= high * (1.0 + ratio_let_pass)))
-    throw contact::InputError(fmt::format(
-        "table: a/b = {:g}: allowed: {:g} to {:g}; do: make a table with [table] axis_ratio that "
-        "holds it",
-        place, low, high));
+    throw contact::InputError(
+        fmt::format("table: a/b = {:g}: allowed: {:g} to {:g}; do: make a table with [table] "
+                    "axis_ratio that covers it",
+                    place, low, high));
   return std::log(std::clamp(place, low, high));
 }
 
@@ -272,8 +272,8 @@ TableForces CreepTableReader::forces_of(const Nodes& nodes, const Scaled& creepa
   for (std::size_t q = 0; q < 3; ++q) {
     if (!std::isfinite(creepage[q]))
       throw contact::InputError(
-          "table: a creepage is not finite; allowed: numbers; do: look where "
-          "it comes from");
+          "table: a creepage is not finite; allowed: finite numbers; do: check where it comes "
+          "from");
     const double end = table_.creepage[q].back();
     if (std::abs(creepage[q]) * shrunk > end) shrunk = end / std::abs(creepage[q]);
   }
@@ -317,7 +317,7 @@ TableForces CreepTableReader::physical(double semi_axis_x, double semi_axis_y, d
   if (!positive(semi_axis_x) || !positive(semi_axis_y) || !positive(shear_modulus) ||
       !positive(friction_bound))
     throw contact::InputError(
-        "table: semi-axes, shear modulus and mu F_n: allowed: positive numbers; do: look where "
+        "table: semi-axes, shear modulus and mu F_n: allowed: positive numbers; do: check where "
         "they come from");
   const Nodes nodes = locate(semi_axis_x / semi_axis_y).near;
   const double c2 = semi_axis_x * semi_axis_y, c = std::sqrt(c2);
@@ -344,7 +344,7 @@ TableForces CreepTableReader::of_wheel(double lateral_shift, double friction_bou
   refuse_other_kind(true);
   if (!positive(friction_bound))
     throw contact::InputError(
-        "table: mu F_n: allowed: a positive number; do: look where it comes from");
+        "table: mu F_n: allowed: a positive number; do: check where it comes from");
   const Place here = locate(lateral_shift);
   const auto side = [&](const Nodes& nodes) {
     const TableWheel wheel = wheel_of(nodes);

@@ -23,8 +23,8 @@ const char* const table_conventions =
     "coefficients, a along rolling. Forces act on the wheel, F_x and F_y over mu F_n, M_z over mu "
     "F_n sqrt(a b). ";
 const char* const ratio_conventions =
-    "Arrays [axis_ratio, longitudinal, lateral, spin]. Of -xi': F_x turns round. Of -eta' and "
-    "-phi': F_y and M_z turn round.";
+    "Arrays [axis_ratio, longitudinal, lateral, spin]. At -xi' F_x changes sign; at -eta' and "
+    "-phi' F_y and M_z change sign.";
 const char* const shift_conventions =
     "Arrays [lateral_shift, longitudinal, lateral, spin]. Creepages and forces are those of the "
     "main contact, the most loaded one, in its frame; other contacts of the wheel move as one "
@@ -48,7 +48,7 @@ void write_column(hid_t group, const char* name, const std::vector<hsize_t>& sha
 }
 
 void write_axes(hid_t file, const CreepTable& table) {
-  const Handle group = create_group(file, "axes", "What the arrays run over");
+  const Handle group = create_group(file, "axes", "The axes of the arrays");
   const auto write = [&](const char* name, const std::vector<double>& values, const char* says) {
     describe(write_dataset(group, name, {values.size()}, values.data()), "1", says, "");
   };
@@ -84,8 +84,8 @@ void write_wheels(hid_t file, const CreepTable& table) {
 void write_interpolation(hid_t file, const CreepTable& table) {
   const InterpolationError& error = table.interpolation;
   const Handle group = create_group(file, "interpolation",
-                                    "Errors of interpolation at points at random between those of "
-                                    "the grid: forces over mu F_n, the moment over mu F_n c");
+                                    "Errors of interpolation at random points between those of the "
+                                    "grid:  forces over mu F_n, the moment over mu F_n c");
   write_attribute(group, "points", static_cast<long>(error.points));
   write_attribute(group, "seed", static_cast<long>(error.seed));
   for (const auto& [name, member] : interpolation_errors)
@@ -125,7 +125,7 @@ void write_values(hid_t file, const CreepTable& table) {
 
 [[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
   throw contact::InputError(
-      fmt::format("{}: {}; do: name a table.h5 that rollfem table has written", path, why));
+      fmt::format("{}: {}; do: name a table.h5 written by rollfem table", path, why));
 }
 
 std::vector<double> numbers_of(hid_t parent, const char* name) {
@@ -186,7 +186,7 @@ void read_interpolation(hid_t file, CreepTable& table) {
   if (!has_member(group, "checked")) return;
   const Numbers found = read_dataset(group, "checked");
   if (found.shape.size() != 2 || found.shape[1] != 10)
-    throw std::runtime_error("its checked points have another shape");
+    throw std::runtime_error("its checked points have the wrong shape");
   for (std::size_t k = 0; k < found.values.size(); k += 10) {
     const double* r = &found.values[k];
     table.checked.push_back({r[0], {r[1], r[2], r[3]}, {r[4], r[5], r[6]}, {r[7], r[8], r[9]}});

@@ -20,7 +20,7 @@ class Table:
 
     axes: {"axis_ratio" or "lateral_shift", "longitudinal", "lateral", "spin": values}; longitudinal_force,
     lateral_force (over mu F_n), spin_moment (over mu F_n sqrt(a b)), force_bar, moment_bar: arrays over these four
-    axes. interpolation: what was found at points at random between those of the grid. Over lateral shifts also
+    axes. interpolation: errors at random points between those of the grid. Over lateral shifts also
     force_along_normal (over mu F_n) and wheels, {name: array over the shifts}: contact_angle, rolling_radius,
     normal_force, ... (docs/tables.md); else None. Raises rollfem.InputError for a file that is no table, and for a
     ratio or a shift outside of it.

@@ -23,7 +23,7 @@ TEST(Table, IsWrittenWithItsErrorsAndAReport) {
   const Outcome outcome =
       call(folder, {"table", folder.file("case.toml", table_case(quick)), "-o", "out"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* text : {"60 points", "4 values of xi'", "interpolation at 10 points at random"})
+  for (const char* text : {"60 points", "4 values of xi'", "interpolation at 10 random points"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
   const fs::path out = folder.work() / "out";
   for (const char* name :
