@@ -224,8 +224,8 @@ def _said(found):
         rows += [[f"interpolation, {what}", percent(error["force_" + key]), percent(error["moment_" + key])]
                  for key, what in (("rms", "root mean square"), ("95", "95 of 100 points"), ("max", "largest"))]
     return table(["error", "forces [% of μF<sub>n</sub>]", "moment [% of μF<sub>n</sub>c]"], rows) + (
-        f"<p class=hint>Interpolation: {error['points']} points at random between those of the grid (seed {error['seed']}), "
-        "solved for by themselves.</p>" if error["points"] else "<p class=hint>Interpolation was not looked at.</p>")
+        f"<p class=hint>Interpolation: {error['points']} random points between those of the grid (seed {error['seed']}), each "
+        "solved separately.</p>" if error["points"] else "<p class=hint>Interpolation was not checked.</p>")
 
 
 def _of_what(found):
@@ -247,7 +247,7 @@ def build(directory):
             "the ratios of the ellipse's axes." if found.first == "axis_ratio" else "shifts of the wheelset."), lambda: ratios(found)),
         ("table_shifts.svg", "One creepage alone over the shift; gaps where contact jumps.", lambda: shifts(found)),
         ("table_wheels.svg", "Where the wheel touches, without friction.", lambda: wheels(found)),
-        ("table_errors.svg", "Share of points at random at which interpolation is off by no more.", lambda: errors(found))],
+        ("table_errors.svg", "Share of random points whose interpolation error is no larger.", lambda: errors(found))],
         folder_of(directory))
     about = found.about
     head = (f"<h1>{escape(about['title'])}</h1><p class=meta>{escape(about['program'])}, {escape(about['started'])}<br>"
