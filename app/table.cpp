@@ -51,7 +51,7 @@ std::string summary_of(const CreepTable& table, double seconds) {
   std::string text = fmt::format(
       "{}\n\n{} points in {:.3g} s: forces over mu F_n, moment over mu F_n sqrt(a b)\n  {}\n",
       table.title, table.size(), seconds,
-      table.over_shifts() ? range_of("mm   ", table.lateral_shift) + " of lateral shift"
+      table.over_shifts() ? range_of("lateral shift", table.lateral_shift) + " mm"
                           : range_of("a/b", table.axis_ratio));
   if (table.over_shifts()) text += text_of_wheels(table);
   const char* const names[] = {"xi'", "eta'", "phi'"};

@@ -154,6 +154,47 @@ TEST(WheelTable, OfCircularProfilesIsTheTableOfTheEllipse) {
   }
 }
 
+/// The largest difference of forces, scaled; `turned`: of the mirror image.
+double difference(const CreepTable& a, const CreepTable& b, bool turned) {
+  double largest = 0.0;
+  const auto& [xi, eta, phi] = a.creepage;
+  const double sign = turned ? -1.0 : 1.0;
+  for (std::size_t i = 0; i < xi.size(); ++i)
+    for (std::size_t j = 0; j < eta.size(); ++j)
+      for (std::size_t k = 0; k < phi.size(); ++k) {
+        const Scaled& f = a.forces[a.place(0, i, j, k)];
+        const Scaled& g = turned ? b.forces[b.place(0, i, eta.size() - 1 - j, phi.size() - 1 - k)]
+                                 : b.forces[b.place(0, i, j, k)];
+        largest = std::max({largest, std::abs(f[0] - g[0]), std::abs(f[1] - sign * g[1]),
+                            std::abs(f[2] - sign * g[2])});
+      }
+  return largest;
+}
+
+TEST(WheelTable, OfTheOtherWheelIsTheMirrorImage) {
+  contact::Case input = rim_case();
+  input.table.lateral_shift = {1.0};
+  input.table.check_points = 0;
+  contact::Case right = input;
+  right.wheelset.side = contact::WheelSide::right;
+  right.table.lateral_shift = {-1.0};
+  const CreepTable a = filled(input), b = filled(right);
+  EXPECT_NEAR(a.wheels[0].contact_angle, b.wheels[0].contact_angle, 1e-9);
+  EXPECT_GT(difference(a, b, false), 0.1);
+  EXPECT_LT(difference(a, b, true), 2e-4);  // the mirrored grid has its corner elsewhere
+}
+
+TEST(WheelTable, WithoutSlipOfItsSurfaceHoldsForAnyFriction) {
+  contact::Case input = rim_case();
+  input.table.lateral_shift = {1.0};
+  input.table.check_points = 0;
+  contact::Case slippery = input;
+  slippery.friction_coefficient = 0.1;
+  EXPECT_GT(difference(filled(input), filled(slippery), false), 1e-3);
+  input.rolling.extra_slip = slippery.rolling.extra_slip = contact::ExtraSlip::none;
+  EXPECT_LT(difference(filled(input), filled(slippery), false), 1e-6);
+}
+
 TEST(WheelTable, KnowsWhereAnotherContactComes) {
   // At -13.9 mm tread and root are two contacts, 0.01 mm further one.
   const contact::Case input =
