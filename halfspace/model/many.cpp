@@ -14,7 +14,6 @@
 #include <cmath>
 #include <future>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -219,30 +218,24 @@ std::vector<Chain> chains_of(std::size_t shapes, const std::vector<CreepPoint>& 
   return chains;
 }
 
-/// What the threads share.
-struct Shared {
-  std::atomic<std::size_t> next{0};  ///< chain
-  std::mutex telling;
-};
-
 /// Takes one chain after another until there is none. Grids are kept while the shape is the same.
 class Worker {
  public:
   Worker(const std::vector<EllipseShape>& shapes, const std::vector<CreepPoint>& points,
-         const ManyOptions& options, const std::vector<Chain>& chains, Shared& shared,
-         std::vector<ManyForces>& results)
+         const ManyOptions& options, const std::vector<Chain>& chains,
+         std::atomic<std::size_t>& next, std::vector<ManyForces>& results)
       : shapes_(shapes),
         points_(points),
         options_(options),
         chains_(chains),
-        shared_(shared),
+        next_(next),
         results_(results) {}
 
   void operator()() const {
     try {
       work();
     } catch (...) {
-      shared_.next = chains_.size();  // nobody begins another
+      next_ = chains_.size();  // nobody begins another
       throw;
     }
   }
@@ -252,21 +245,12 @@ class Worker {
     const contact::SingleThread single;
     std::unique_ptr<EllipseLevels> levels;
     std::size_t shape = shapes_.size();
-    for (std::size_t c = shared_.next++; c < chains_.size(); c = shared_.next++) {
+    for (std::size_t c = next_++; c < chains_.size(); c = next_++) {
       if (chains_[c].shape != shape || !levels)
         levels = std::make_unique<EllipseLevels>(shapes_[shape = chains_[c].shape]);
       levels->forget();
       for (const std::size_t k : chains_[c].points) solve(*levels, k);
-      tell(chains_[c].points);
     }
-  }
-
-  void tell(const std::vector<std::size_t>& points) const {
-    if (!options_.finished) return;
-    std::vector<ManyForces> found;
-    for (const std::size_t k : points) found.push_back(results_[k]);
-    const std::lock_guard<std::mutex> one_at_a_time(shared_.telling);
-    options_.finished(points, found);
   }
 
   void solve(EllipseLevels& levels, std::size_t k) const {
@@ -285,7 +269,7 @@ class Worker {
   const std::vector<CreepPoint>& points_;
   const ManyOptions& options_;
   const std::vector<Chain>& chains_;
-  Shared& shared_;
+  std::atomic<std::size_t>& next_;  // chain; the threads share it
   std::vector<ManyForces>& results_;
 };
 
@@ -297,8 +281,8 @@ std::vector<ManyForces> solve_many(const std::vector<EllipseShape>& shapes,
   check(shapes, points, options);
   const std::vector<Chain> chains = chains_of(shapes.size(), points);
   std::vector<ManyForces> results(points.size());
-  Shared shared;
-  const Worker worker(shapes, points, options, chains, shared, results);
+  std::atomic<std::size_t> next{0};
+  const Worker worker(shapes, points, options, chains, next, results);
   const int wanted = options.threads > 0 ? options.threads : contact::threads();
   const std::size_t others =
       std::min(static_cast<std::size_t>(wanted), std::max<std::size_t>(chains.size(), 1)) - 1;

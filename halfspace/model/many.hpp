@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -48,11 +47,6 @@ struct ManyOptions {
   double largest_correction = 0.003;
   int most_across = 80;  ///< where that ends: 20, 40, 80 or 160
   int threads = 0;       ///< 0: contact::threads()
-  /// Told of every chain that is finished, by one thread at a time: the places of its points in the
-  /// list and their forces. Chains are longest_chain points of one shape that follow each other.
-  /// What it throws ends the work and comes out of solve_many.
-  std::function<void(const std::vector<std::size_t>&, const std::vector<ManyForces>&)> finished =
-      {};
 };
 
 /// Forces of all points, in their order. Points of a shape are solved in the order of the list,

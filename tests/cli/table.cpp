@@ -120,7 +120,8 @@ TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
                     "table.lateral_shift=[0.0,1.0,2.0]", "--set", "table.points=[2,2,3]", "--set",
                     "table.check_points=10", "--set", "contact_grid.elements_across=12"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* text : {"81 points", "3 values of lateral shift 0 to 2 mm", "radius mm", "interpolation at 10"})
+  for (const char* text :
+       {"81 points", "3 values of lateral shift 0 to 2 mm", "radius mm", "interpolation at 10"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
   const fs::path out = folder.work() / "out";
   for (const char* name : {"table.h5", "table.csv", "shifts.csv", "interpolation.csv", "table.html",
