@@ -1,22 +1,14 @@
 #include "fem/solver/elasticity_kernel.hpp"
 
+#include "fem/solver/simd_nodes.hpp"
+
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
-// Vectors of 64 bytes never cross the boundary of a function that is not inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
-#define ROLLFEM_INLINE inline __attribute__((always_inline))
-
 namespace rollfem::fem {
 
 namespace {
-
-template <typename Number>
-struct Simd {
-  typedef Number type __attribute__((vector_size(64)));
-};
 
 /// One-dimensional matrices at the Gauss points.
 template <int n>
@@ -44,34 +36,65 @@ constexpr Shape<3> make_shape<3>() {
   return {{{a, b, c}, {0, 1, 0}, {c, b, a}}, {{-3 * d, 4 * d, -d}, {-d, 0, d}, {d, -4 * d, 3 * d}}};
 }
 
-/// Gauss weights of the unit interval.
-template <int n>
-constexpr double gauss_weight(int point) {
-  if constexpr (n == 2) return 0.5;
-  return point == 1 ? 4.0 / 9.0 : 5.0 / 18.0;
+/// Weights of the Gauss points of the unit cube.
+template <int n, typename Number>
+constexpr std::array<Number, n * n * n> gauss_weights() {
+  constexpr auto one = [](int point) { return n == 2 ? 0.5 : point == 1 ? 4.0 / 9.0 : 5.0 / 18.0; };
+  std::array<Number, n * n * n> weights{};
+  for (int q = 0; q < n * n * n; ++q)
+    weights[q] = static_cast<Number>(one(q % n) * one(q / n % n) * one(q / (n * n)));
+  return weights;
 }
 
-/// out (+)= M in along one direction of an n^3 array; `transpose` takes M^T.
-template <int n, int direction, bool transpose, bool add, typename V, typename Number>
+/// M or its transpose times x; of three nodes by even and odd parts, since both matrices stay the
+/// same, or change their sign, when points and nodes are counted from the other end.
+template <int n, bool transpose, typename V, typename Number>
+ROLLFEM_INLINE void multiply(const double (&m)[n][n], bool odd, const V (&x)[n], V (&out)[n]) {
+  const auto entry = [&](int i, int j) {
+    return static_cast<Number>(transpose ? m[j][i] : m[i][j]);
+  };
+  if constexpr (n == 3) {
+    const V sum = x[0] + x[2], difference = x[0] - x[2];
+    const Number half_sum = (entry(0, 0) + entry(0, 2)) / 2;
+    const Number half_difference = (entry(0, 0) - entry(0, 2)) / 2;
+    const V uneven = half_difference * difference;
+    V even = half_sum * sum;
+    if (entry(0, 1) != 0) even += entry(0, 1) * x[1];
+    out[0] = even + uneven;
+    out[2] = odd ? uneven - even : even - uneven;
+    if (odd)
+      out[1] = entry(1, 0) * difference;
+    else
+      out[1] = transpose ? entry(1, 0) * sum + entry(1, 1) * x[1] : x[1];
+  } else {
+#pragma GCC unroll 4
+    for (int i = 0; i < n; ++i) {
+      out[i] = entry(i, 0) * x[0];
+#pragma GCC unroll 4
+      for (int j = 1; j < n; ++j) out[i] += entry(i, j) * x[j];
+    }
+  }
+}
+
+/// out (+)= M in along one direction of an n^3 array; `transpose` takes M^T. `odd`: the matrix of
+/// derivatives, else that of values.
+template <int n, int direction, bool transpose, bool odd, bool add, typename V, typename Number>
 ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) {
   constexpr int stride = direction == 0 ? 1 : direction == 1 ? n : n * n;
   for (int line = 0; line < n * n; ++line) {
     const int start = direction == 0   ? line * n
                       : direction == 1 ? (line / n) * n * n + line % n
                                        : line;
-    V x[n];
+    V x[n], product[n];
 #pragma GCC unroll 4
     for (int i = 0; i < n; ++i) x[i] = in[start + i * stride];
+    multiply<n, transpose, V, Number>(matrix, odd, x, product);
 #pragma GCC unroll 4
     for (int i = 0; i < n; ++i) {
-      V sum = static_cast<Number>(transpose ? matrix[0][i] : matrix[i][0]) * x[0];
-#pragma GCC unroll 4
-      for (int j = 1; j < n; ++j)
-        sum += static_cast<Number>(transpose ? matrix[j][i] : matrix[i][j]) * x[j];
       if (add)
-        out[start + i * stride] += sum;
+        out[start + i * stride] += product[i];
       else
-        out[start + i * stride] = sum;
+        out[start + i * stride] = product[i];
     }
   }
 }
@@ -187,16 +210,16 @@ template <int n, typename V, typename Number>
 ROLLFEM_INLINE void apply_law_of_parallelepiped(const V* geometry,
                                                 const LameConstants<Number>& material,
                                                 V (&gradient)[3][3][n * n * n]) {
+  constexpr auto weights = gauss_weights<n, Number>();
   for (int q = 0; q < n * n * n; ++q) {
     V g[3][3];
     gather_point<n * n * n>(gradient, q, g);
-    apply_stress(geometry, material, static_cast<const V*>(nullptr), g);
-    const auto w = static_cast<Number>(gauss_weight<n>(q % n) * gauss_weight<n>(q / n % n) *
-                                       gauss_weight<n>(q / (n * n)));
+    const LameConstants<Number> weighted{weights[q] * material.lambda, weights[q] * material.mu};
+    apply_stress(geometry, weighted, static_cast<const V*>(nullptr), g);
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c)
 #pragma GCC unroll 3
-      for (int e = 0; e < 3; ++e) gradient[c][e][q] = w * g[c][e];
+      for (int e = 0; e < 3; ++e) gradient[c][e][q] = g[c][e];
   }
 }
 
@@ -210,12 +233,12 @@ ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Nu
   V work[nodes];
   for (int c = 0; c < 3; ++c) {
     V* v = u + c * nodes;
-    contract<n, 0, false, false, V, Number>(shape.value, v, work);
-    contract<n, 1, false, false, V, Number>(shape.value, work, v);
-    contract<n, 2, false, false, V, Number>(shape.value, v, work);
-    contract<n, 0, false, false, V, Number>(shape.gradient, work, gradient[c][0]);
-    contract<n, 1, false, false, V, Number>(shape.gradient, work, gradient[c][1]);
-    contract<n, 2, false, false, V, Number>(shape.gradient, work, gradient[c][2]);
+    contract<n, 0, false, false, false, V, Number>(shape.value, v, work);
+    contract<n, 1, false, false, false, V, Number>(shape.value, work, v);
+    contract<n, 2, false, false, false, V, Number>(shape.value, v, work);
+    contract<n, 0, false, true, false, V, Number>(shape.gradient, work, gradient[c][0]);
+    contract<n, 1, false, true, false, V, Number>(shape.gradient, work, gradient[c][1]);
+    contract<n, 2, false, true, false, V, Number>(shape.gradient, work, gradient[c][2]);
   }
   // Decided once a batch, so that bodies at rest pay nothing for what others need.
   if (cell.parallelepipeds)
@@ -230,12 +253,12 @@ ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Nu
     apply_law<n, true, true>(cell, material, gradient);
   for (int c = 0; c < 3; ++c) {
     V* v = u + c * nodes;
-    contract<n, 0, true, false, V, Number>(shape.gradient, gradient[c][0], work);
-    contract<n, 1, true, true, V, Number>(shape.gradient, gradient[c][1], work);
-    contract<n, 2, true, true, V, Number>(shape.gradient, gradient[c][2], work);
-    contract<n, 2, true, false, V, Number>(shape.value, work, v);
-    contract<n, 1, true, false, V, Number>(shape.value, v, work);
-    contract<n, 0, true, false, V, Number>(shape.value, work, v);
+    contract<n, 0, true, true, false, V, Number>(shape.gradient, gradient[c][0], work);
+    contract<n, 1, true, true, true, V, Number>(shape.gradient, gradient[c][1], work);
+    contract<n, 2, true, true, true, V, Number>(shape.gradient, gradient[c][2], work);
+    contract<n, 2, true, false, false, V, Number>(shape.value, work, v);
+    contract<n, 1, true, false, false, V, Number>(shape.value, v, work);
+    contract<n, 0, true, false, false, V, Number>(shape.value, work, v);
   }
 }
 
@@ -254,16 +277,14 @@ template <int n, typename Number>
 ROLLFEM_INLINE void add_product(const CellBatches<Number>& cells,
                                 const LameConstants<Number>& material, const Number* x, Number* y) {
   using V = typename Simd<Number>::type;
-  constexpr int width = lanes<Number>, dofs = 3 * n * n * n;
-  V u[dofs];
+  constexpr int nodes = n * n * n;
+  V u[3 * nodes];
   for (std::size_t batch = 0; batch < cells.count; ++batch) {
-    const unsigned int* index = cells.indices + batch * dofs * width;
-    for (int i = 0; i < dofs; ++i)
-      for (int lane = 0; lane < width; ++lane) u[i][lane] = x[index[i * width + lane]];
+    const unsigned int* const offsets = cells.nodes + batch * nodes * lanes<Number>;
+    if (batch + 1 < cells.count) fetch_nodes(offsets + nodes * lanes<Number>, nodes, x, y);
+    gather_nodes<nodes>(offsets, x, u);
     cell_product<n, V, Number>(data_of<n, V>(cells, batch), material, u);
-    // Lanes share nodes: one after the other.
-    for (int i = 0; i < dofs; ++i)
-      for (int lane = 0; lane < width; ++lane) y[index[i * width + lane]] += u[i][lane];
+    scatter_nodes<nodes>(u, offsets, y);
   }
 }
 

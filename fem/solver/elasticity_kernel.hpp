@@ -13,13 +13,22 @@ namespace rollfem::fem {
 template <typename Number>
 constexpr int lanes = 64 / static_cast<int>(sizeof(Number));
 
+/// Entries of a node in the local vectors: the three components and one that does not count, so
+/// that a node is read and written at once.
+constexpr int entries_per_node = 4;
+template <typename Number>
+struct NodeEntries {
+  typedef Number type __attribute__((vector_size(entries_per_node * sizeof(Number)), may_alias));
+};
+
 /// Cells in batches of lanes<Number>, in structure-of-arrays form. Lanes without a cell have zero
 /// geometry and index 0. Arrays begin at multiples of 64 bytes.
 template <typename Number>
 struct CellBatches {
   std::size_t count = 0;
-  /// [batch][component][node][lane]: entry of the local vector; nodes lexicographic, x quickest.
-  const unsigned int* indices = nullptr;
+  /// [batch][node][lane]: where in the local vectors the entries of a node begin; nodes
+  /// lexicographic, x quickest.
+  const unsigned int* nodes = nullptr;
   /// [batch][quadrature point][e][d][lane]: sqrt(weight det J) * d xi_e / d x_d at the Gauss points
   /// of degree + 1 points a direction, so that products of two of them carry the whole integral.
   const Number* geometry = nullptr;
@@ -43,7 +52,8 @@ struct LameConstants {
 
 template <typename Number>
 struct ElasticityKernel {
-  /// y += sum over cells of K_cell x; x and y are local vectors.
+  /// y += sum over cells of K_cell x; x and y are local vectors, beginning at multiples of 64
+  /// bytes.
   void (*add_product)(const CellBatches<Number>& cells, const LameConstants<Number>& material,
                       const Number* x, Number* y);
   /// The element matrices of one batch, [row][column][lane], rows and columns numbered

@@ -1,11 +1,14 @@
 #include "fem/solver/elasticity_operator.hpp"
 
 #include "fem/solver/cell_terms.hpp"
+#include "fem/solver/node_entries.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace rollfem::fem {
@@ -14,8 +17,8 @@ namespace {
 
 /// Reorders data of the chosen cells from [cell][item] into [batch][item][lane]; absent lanes hold
 /// zero.
-template <typename Number, typename Out, typename In>
-dealii::AlignedVector<Out> pack(const std::vector<In>& data, std::size_t items,
+template <typename Number, typename Out, typename Data>
+dealii::AlignedVector<Out> pack(const Data& data, std::size_t items,
                                 const std::vector<std::size_t>& chosen) {
   constexpr std::size_t width = lanes<Number>;
   if (data.empty()) return {};
@@ -28,10 +31,42 @@ dealii::AlignedVector<Out> pack(const std::vector<In>& data, std::size_t items,
   return packed;
 }
 
+/// The same of all cells, in the memory that the data have.
+template <typename Number>
+dealii::AlignedVector<double> pack_in_place(dealii::AlignedVector<double>& data, std::size_t items,
+                                            std::size_t cells) {
+  constexpr std::size_t width = lanes<Number>;
+  if (data.empty()) return {};
+  data.resize((cells + width - 1) / width * width * items, 0.0);
+  std::vector<double> batch(width * items);
+  for (double* first = data.begin(); first != data.end(); first += batch.size()) {
+    std::copy_n(first, batch.size(), batch.begin());
+    for (std::size_t item = 0; item < items; ++item)
+      for (std::size_t lane = 0; lane < width; ++lane)
+        first[item * width + lane] = batch[lane * items + item];
+  }
+  return std::move(data);
+}
+
+std::size_t nodes_of_cell(const LocalCells& cells) {
+  return cells.count == 0 ? 0 : cells.nodes.size() / cells.count;
+}
+
+std::size_t functions_of_dilatation(const LocalCells& cells) {
+  return static_cast<std::size_t>(DilatationSpace::size_of_degree(cells.degree));
+}
+
+/// Every cell.
+std::vector<std::size_t> all_of(const LocalCells& cells) {
+  std::vector<std::size_t> all(cells.count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 /// Mean of sqrt(det J) d xi / d x over the points of every cell, and which cells have it
 /// everywhere, up to a part of it.
 struct StraightCells {
-  std::vector<double> matrix;  ///< [cell][e][d]
+  dealii::AlignedVector<double> matrix;  ///< [cell][e][d]
   std::vector<std::size_t> straight, bent;
 
   StraightCells(const LocalCells& cells, double tolerance) {
@@ -70,94 +105,82 @@ struct StraightCells {
   }
 };
 
-/// u at constrained local dofs from their masters.
-template <typename Number>
-void expand(const LocalDofs& dofs, dealii::LinearAlgebra::distributed::Vector<Number>& u) {
-  for (const auto& row : dofs.constrained) {
-    double value = 0;
-    for (unsigned int k = row.first_term; k < row.end_of_terms; ++k)
-      value += dofs.terms[k].weight * u.local_element(dofs.terms[k].master);
-    u.local_element(row.row) = static_cast<Number>(value);
-  }
-}
-
-/// The transpose of expand() for the first `rows` of the constrained dofs.
-template <typename Number>
-void contract(const LocalDofs& dofs, std::size_t rows,
-              dealii::LinearAlgebra::distributed::Vector<Number>& b) {
-  for (std::size_t i = 0; i < rows; ++i) {
-    const auto& row = dofs.constrained[i];
-    const auto value = std::exchange(b.local_element(row.row), Number(0));
-    for (unsigned int k = row.first_term; k < row.end_of_terms; ++k)
-      b.local_element(dofs.terms[k].master) += static_cast<Number>(dofs.terms[k].weight * value);
-  }
-}
-
-/// The unconstrained dofs that each dof of a cell stands for.
-class CellConstraints {
- public:
-  explicit CellConstraints(const LocalDofs& dofs) : dofs_(dofs) {
-    const std::size_t local =
-        dofs.with_ghosts->locally_owned_size() + dofs.with_ghosts->n_ghost_indices();
-    position_.assign(local, -1);
-    for (std::size_t i = 0; i < dofs.constrained.size(); ++i)
-      position_[dofs.constrained[i].row] = static_cast<int>(i);
-  }
-  /// Calls f(master, weight) for one local dof.
-  template <typename F>
-  void for_each_master(unsigned int dof, const F& f) const {
-    if (position_[dof] < 0) {
-      f(dof, 1.0);
-      return;
-    }
-    const ConstrainedRow& row = dofs_.constrained[position_[dof]];
-    for (unsigned int k = row.first_term; k < row.end_of_terms; ++k)
-      f(dofs_.terms[k].master, dofs_.terms[k].weight);
-  }
-
- private:
-  const LocalDofs& dofs_;
-  std::vector<int> position_;
-};
+void nothing(unsigned int, unsigned int) {}
 
 }  // namespace
 
+/// All but the groups of cells.
+template <typename Number>
+ElasticityOperator<Number>::ElasticityOperator(const LocalCells* cells)
+    : dofs_(cells->dofs),
+      kernel_(elasticity_kernel<Number>(cells->degree)),
+      cell_nodes_((cells->degree + 1) * (cells->degree + 1) * (cells->degree + 1)),
+      source_(entries_per_node * cells->dofs->nodes()),
+      result_(source_.size()) {
+  if (dofs_->owned_only->n_mpi_processes() > 1) exchange_.reinit(dofs_->with_ghosts);
+  material_.lambda = static_cast<Number>(lame_lambda(cells->material));
+  material_.mu = static_cast<Number>(lame_mu(cells->material));
+}
+
 template <typename Number>
 ElasticityOperator<Number>::ElasticityOperator(const LocalCells& cells, double straightened)
-    : dofs_(cells.dofs),
-      kernel_(elasticity_kernel<Number>(cells.degree)),
-      cell_dofs_(3 * (cells.degree + 1) * (cells.degree + 1) * (cells.degree + 1)),
-      source_(cells.dofs->with_ghosts),
-      result_(cells.dofs->with_ghosts) {
-  material_.lambda = static_cast<Number>(lame_lambda(cells.material));
-  material_.mu = static_cast<Number>(lame_mu(cells.material));
+    : ElasticityOperator(&cells) {
   const StraightCells shapes(cells, straightened);
   groups_.push_back(make_group(cells, shapes.straight, shapes.matrix));
   groups_.push_back(make_group(cells, shapes.bent, {}));
 }
 
 template <typename Number>
+ElasticityOperator<Number>::ElasticityOperator(LocalCells&& cells) : ElasticityOperator(&cells) {
+  groups_.push_back(make_group(std::move(cells)));
+}
+
+template <typename Number>
 typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_group(
     const LocalCells& cells, const std::vector<std::size_t>& chosen,
-    const std::vector<double>& one_matrix) {
-  const std::size_t items = cells.count == 0 ? 0 : cells.indices.size() / cells.count;
-  const std::size_t points = items / 3;
-  const auto functions = static_cast<std::size_t>(DilatationSpace::size_of_degree(cells.degree));
+    const dealii::AlignedVector<double>& one_matrix) {
+  const std::size_t points = nodes_of_cell(cells);
   Group group;
-  group.cells = chosen.size();
-  group.indices = pack<Number, unsigned int>(cells.indices, items, chosen);
+  group.nodes = pack<Number, unsigned int>(cells.nodes, points, chosen);
   group.batches.parallelepipeds = !one_matrix.empty();
   group.geometry = group.batches.parallelepipeds
                        ? pack<Number, Number>(one_matrix, 9, chosen)
                        : pack<Number, Number>(cells.geometry, 9 * points, chosen);
   group.flow = pack<Number, Number>(cells.flow, 3 * points, chosen);
-  group.dilatation = pack<Number, Number>(cells.dilatation, functions * points, chosen);
-  group.batches.count = (group.cells + lanes<Number> - 1) / lanes<Number>;
-  group.batches.indices = group.indices.data();
+  group.dilatation =
+      pack<Number, Number>(cells.dilatation, functions_of_dilatation(cells) * points, chosen);
+  refer(group, chosen.size());
+  return group;
+}
+
+template <typename Number>
+typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_group(
+    LocalCells&& cells) {
+  if constexpr (std::is_same_v<Number, double>) {
+    const std::size_t points = nodes_of_cell(cells);
+    Group group;
+    group.nodes = pack<Number, unsigned int>(cells.nodes, points, all_of(cells));
+    group.geometry = pack_in_place<Number>(cells.geometry, 9 * points, cells.count);
+    group.flow = pack_in_place<Number>(cells.flow, 3 * points, cells.count);
+    group.dilatation = pack_in_place<Number>(cells.dilatation,
+                                             functions_of_dilatation(cells) * points, cells.count);
+    refer(group, cells.count);
+    return group;
+  } else {
+    return make_group(cells, all_of(cells), {});
+  }
+}
+
+/// From local nodes to where the kernel finds them, and where it finds the rest.
+template <typename Number>
+void ElasticityOperator<Number>::refer(Group& group, std::size_t cells) {
+  for (unsigned int& node : group.nodes) node *= entries_per_node;
+  group.cells = cells;
+  group.batches.count = (cells + lanes<Number> - 1) / lanes<Number>;
+  group.batches.nodes = group.nodes.data();
   group.batches.geometry = group.geometry.data();
   group.batches.flow = group.flow.empty() ? nullptr : group.flow.data();
   group.batches.dilatation = group.dilatation.empty() ? nullptr : group.dilatation.data();
-  return group;
 }
 
 template <typename Number>
@@ -167,31 +190,54 @@ typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::make
 
 /// source_ = C x with its ghosts.
 template <typename Number>
-void ElasticityOperator<Number>::load(const VectorType& x) const {
-  std::copy(x.begin(), x.end(), source_.begin());
-  source_.update_ghost_values();
-  expand(*dofs_, source_);
+void ElasticityOperator<Number>::load(const VectorType& x, const Work& before) const {
+  for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
+    before(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
+    spread(x.begin() + 3 * first, end - first, source_.data() + entries_per_node * first);
+  });
+  if (exchange_.size() > 0) {
+    exchange_.zero_out_ghost_values();
+    std::copy(x.begin(), x.end(), exchange_.begin());
+    exchange_.update_ghost_values();
+    spread(exchange_.begin(), dofs_->nodes(), source_.data());
+  }
+  expand(*dofs_, source_.data());
 }
 
-/// y = owned part of C^T result_, the first `rows` constrained dofs being this process's to move.
+/// What the others have for the owned part of result_ is added to it.
 template <typename Number>
-void ElasticityOperator<Number>::unload(VectorType& y, std::size_t rows) const {
-  contract(*dofs_, rows, result_);
-  result_.compress(dealii::VectorOperation::add);
-  std::copy(result_.begin(), result_.end(), y.begin());
+void ElasticityOperator<Number>::add_of_ghosts() const {
+  if (exchange_.size() == 0) return;
+  exchange_.zero_out_ghost_values();
+  collect(result_.data(), dofs_->nodes(), exchange_.begin());
+  exchange_.compress(dealii::VectorOperation::add);
+  spread(exchange_.begin(), dofs_->owned_nodes(), result_.data());
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x, const Work& before,
+                                       const Work& after) const {
+  load(x, before);
+  result_.fill(Number(0));
+  for (const Group& group : groups_)
+    kernel_.add_product(group.batches, material_, source_.data(), result_.data());
+  contract(*dofs_, dofs_->hanging.size(), dofs_->fixed.size(), result_.data());
+  for (std::size_t i = 0; i < dofs_->owned_hanging; ++i) {
+    const auto node = dofs_->hanging[i].node;
+    move<Number, 3>(x.begin() + 3 * node, result_.data() + entries_per_node * node);
+  }
+  for (std::size_t i = 0; i < dofs_->owned_fixed; ++i)
+    result_[entry(dofs_->fixed[i])] = x.local_element(dofs_->fixed[i]);
+  add_of_ghosts();
+  for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
+    collect(result_.data() + entries_per_node * first, end - first, product.begin() + 3 * first);
+    after(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
+  });
 }
 
 template <typename Number>
 void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x) const {
-  load(x);
-  result_ = Number(0);
-  for (const Group& group : groups_)
-    kernel_.add_product(group.batches, material_, source_.begin(), result_.begin());
-  unload(product, dofs_->constrained.size());
-  for (std::size_t i = 0; i < dofs_->owned_constrained; ++i) {
-    const auto row = dofs_->constrained[i].row;
-    product.local_element(row) = x.local_element(row);
-  }
+  vmult(product, x, nothing, nothing);
 }
 
 /// Calls f(masters, matrix) for every cell: the unconstrained dofs its dofs stand for, and
@@ -201,27 +247,31 @@ template <typename F>
 void ElasticityOperator<Number>::for_each_cell(const F& f) const {
   const CellConstraints constraints(*dofs_);
   constexpr std::size_t width = lanes<Number>;
-  dealii::AlignedVector<Number> matrices(width * cell_dofs_ * cell_dofs_);
+  const int cell_dofs = 3 * cell_nodes_;
+  dealii::AlignedVector<Number> matrices(width * cell_dofs * cell_dofs);
   std::vector<CellMaster> masters;
   for (const Group& group : groups_)
     for (std::size_t cell = 0; cell < group.cells; ++cell) {
       const std::size_t batch = cell / width, lane = cell % width;
       if (lane == 0) kernel_.element_matrices(group.batches, material_, batch, matrices.data());
-      const unsigned int* index = group.indices.data() + batch * cell_dofs_ * width + lane;
+      const unsigned int* offset = group.nodes.data() + batch * cell_nodes_ * width + lane;
       masters.clear();
-      for (int i = 0; i < cell_dofs_; ++i)
-        constraints.for_each_master(index[i * width], [&](unsigned int master, double weight) {
-          masters.push_back({master, i, weight});
-        });
+      for (int i = 0; i < cell_dofs; ++i) {
+        const unsigned int node = offset[i % cell_nodes_ * width] / entries_per_node;
+        constraints.for_each_master(3 * node + static_cast<unsigned int>(i / cell_nodes_),
+                                    [&](unsigned int master, double weight) {
+                                      masters.push_back({master, i, weight});
+                                    });
+      }
       f(masters,
-        [&](int i, int j) -> double { return matrices[(i * cell_dofs_ + j) * width + lane]; });
+        [&](int i, int j) -> double { return matrices[(i * cell_dofs + j) * width + lane]; });
     }
 }
 
 template <typename Number>
 typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::inverse_diagonal()
     const {
-  result_ = Number(0);
+  result_.fill(Number(0));
   for_each_cell([&](std::vector<CellMaster>& masters, const auto& matrix) {
     std::sort(masters.begin(), masters.end(),
               [](const auto& a, const auto& b) { return a.master < b.master; });
@@ -231,14 +281,14 @@ typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::inve
       double sum = 0;
       for (auto a = first; a != last; ++a)
         for (auto b = first; b != last; ++b) sum += a->weight * b->weight * matrix(a->dof, b->dof);
-      result_.local_element(first->master) += static_cast<Number>(sum);
+      result_[entry(first->master)] += static_cast<Number>(sum);
       first = last;
     }
   });
   VectorType diagonal = make_vector();
-  unload(diagonal, 0);
-  for (std::size_t i = 0; i < dofs_->owned_constrained; ++i)
-    diagonal.local_element(dofs_->constrained[i].row) = 1;
+  add_of_ghosts();
+  collect(result_.data(), dofs_->owned_nodes(), diagonal.begin());
+  for (const unsigned int row : dofs_->owned_constrained()) diagonal.local_element(row) = 1;
   for (auto& value : diagonal) value = 1 / value;
   return diagonal;
 }
@@ -258,10 +308,8 @@ std::vector<MatrixEntry> ElasticityOperator<Number>::assemble() const {
           rows[a.master].push_back(
               {global(a.master), global(b.master), a.weight * b.weight * matrix(a.dof, b.dof)});
   });
-  for (std::size_t i = 0; i < dofs_->owned_constrained; ++i) {
-    const auto row = dofs_->constrained[i].row;
+  for (const unsigned int row : dofs_->owned_constrained())
     rows[row].push_back({global(row), global(row), 1.0});
-  }
   std::vector<MatrixEntry> entries;
   for (auto& row : rows) {
     std::stable_sort(row.begin(), row.end(),
@@ -278,29 +326,33 @@ std::vector<MatrixEntry> ElasticityOperator<Number>::assemble() const {
 
 template <typename Number>
 void ElasticityOperator<Number>::condense(VectorType& b) const {
-  result_ = Number(0);
-  std::copy(b.begin(), b.end(), result_.begin());
+  result_.fill(Number(0));
+  spread(b.begin(), dofs_->owned_nodes(), result_.data());
   // b is complete at its owner: ghosts hold nothing, only owned rows are to be moved.
-  unload(b, dofs_->owned_constrained);
+  contract(*dofs_, dofs_->owned_hanging, dofs_->owned_fixed, result_.data());
+  add_of_ghosts();
+  collect(result_.data(), dofs_->owned_nodes(), b.begin());
 }
 
 template <typename Number>
 void ElasticityOperator<Number>::distribute(VectorType& u) const {
-  load(u);
-  std::copy(source_.begin(), source_.end(), u.begin());
+  load(u, nothing);
+  collect(source_.data(), dofs_->owned_nodes(), u.begin());
 }
 
 template <typename Number>
 double ElasticityOperator<Number>::memory_bytes() const {
-  const auto rows = static_cast<double>(dofs_->constrained.size() * sizeof(ConstrainedRow) +
-                                        dofs_->terms.size() * sizeof(ConstraintTerm));
+  const auto rows = static_cast<double>(dofs_->hanging.size() * sizeof(HangingNode) +
+                                        dofs_->terms.size() * sizeof(HangingTerm) +
+                                        dofs_->fixed.size() * sizeof(unsigned int));
   double packed = 0;
   for (const Group& group : groups_)
     packed += static_cast<double>(
-        group.indices.memory_consumption() + group.geometry.memory_consumption() +
+        group.nodes.memory_consumption() + group.geometry.memory_consumption() +
         group.flow.memory_consumption() + group.dilatation.memory_consumption());
   return packed + rows +
-         static_cast<double>(source_.memory_consumption() + result_.memory_consumption());
+         static_cast<double>(source_.memory_consumption() + result_.memory_consumption() +
+                             exchange_.memory_consumption());
 }
 
 template class ElasticityOperator<float>;

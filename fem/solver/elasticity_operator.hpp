@@ -4,41 +4,20 @@
 
 #include "fem/solver/elasticity_kernel.hpp"
 #include "fem/solver/linear_solver.hpp"
+#include "fem/solver/local_dofs.hpp"
 
 #include <deal.II/base/aligned_vector.h>
-#include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace rollfem::fem {
-
-/// A dof that constraints fix: u_row = sum of weight * u_master over its terms, none for a boundary
-/// condition. Numbers are local ones. A sixth of the dofs of a graded body are such: the terms of
-/// all lie one after the other, since they are read in every product.
-struct ConstrainedRow {
-  unsigned int row;
-  unsigned int first_term, end_of_terms;  ///< in LocalDofs::terms
-};
-struct ConstraintTerm {
-  unsigned int master;
-  double weight;
-};
-
-/// The unknowns of this process: owned ones first, then the ghosts that its cells and the
-/// constraints on them refer to.
-struct LocalDofs {
-  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> with_ghosts;
-  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> owned_only;
-  std::vector<ConstrainedRow> constrained;  ///< ascending rows, so the owned ones come first
-  std::vector<ConstraintTerm> terms;
-  std::size_t owned_constrained = 0;
-};
 
 /// Position in deal.II's numbering of a cell of (component, node), nodes lexicographic, x quickest.
 /// Throws contact::InputError for elements other than FE_Q(1)^3 and FE_Q(2)^3.
@@ -49,10 +28,10 @@ struct LocalCells {
   int degree = 0;
   std::size_t count = 0;
   std::shared_ptr<const LocalDofs> dofs;
-  std::vector<unsigned int> indices;  ///< [cell][component][node], nodes lexicographic
-  std::vector<double> geometry;       ///< [cell][point][e][d], as in CellBatches
-  std::vector<double> flow;           ///< [cell][point][e], empty without inertia
-  std::vector<double> dilatation;     ///< [cell][point][function], empty: not projected
+  std::vector<unsigned int> nodes;           ///< [cell][node], local numbers, lexicographic
+  dealii::AlignedVector<double> geometry;    ///< [cell][point][e][d], as in CellBatches
+  dealii::AlignedVector<double> flow;        ///< [cell][point][e], empty without inertia
+  dealii::AlignedVector<double> dilatation;  ///< [cell][point][function], empty: not projected
   contact::Material material;
 };
 
@@ -77,10 +56,16 @@ class ElasticityOperator {
   /// relative to itself, are taken for parallelepipeds: a fortieth of the memory of the geometry
   /// and more speed, for operators that precondition.
   explicit ElasticityOperator(const LocalCells& cells, double straightened = 0.0);
+  /// Takes the geometry over: in double precision it is never there twice.
+  explicit ElasticityOperator(LocalCells&& cells);
 
   VectorType make_vector() const;
   /// K x, collective.
   void vmult(VectorType& product, const VectorType& x) const;
+  /// The same with work on one part of the owned unknowns [begin, end) after the other: `before`
+  /// may still change x there, `after` finds the product there and may change both.
+  using Work = std::function<void(unsigned int begin, unsigned int end)>;
+  void vmult(VectorType& product, const VectorType& x, const Work& before, const Work& after) const;
   /// The inverse diagonal of the constrained matrix, 1 at constrained dofs.
   VectorType inverse_diagonal() const;
   /// What this process adds to the constrained matrix; entries of one place occur once.
@@ -100,23 +85,27 @@ class ElasticityOperator {
   /// Cells that one call of the kernel takes.
   struct Group {
     std::size_t cells = 0;
-    dealii::AlignedVector<unsigned int> indices;
+    dealii::AlignedVector<unsigned int> nodes;
     dealii::AlignedVector<Number> geometry, flow, dilatation;
     CellBatches<Number> batches;
   };
+  explicit ElasticityOperator(const LocalCells* cells);
   static Group make_group(const LocalCells& cells, const std::vector<std::size_t>& chosen,
-                          const std::vector<double>& one_matrix);
+                          const dealii::AlignedVector<double>& one_matrix);
+  static Group make_group(LocalCells&& cells);
+  static void refer(Group& group, std::size_t cells);
   template <typename F>
   void for_each_cell(const F& f) const;
-  void load(const VectorType& x) const;
-  void unload(VectorType& y, std::size_t rows) const;
+  void load(const VectorType& x, const Work& before) const;
+  void add_of_ghosts() const;
 
   std::shared_ptr<const LocalDofs> dofs_;
   ElasticityKernel<Number> kernel_;
   LameConstants<Number> material_;
-  int cell_dofs_;
+  int cell_nodes_;
   std::vector<Group> groups_;
-  mutable VectorType source_, result_;  ///< with ghosts
+  mutable dealii::AlignedVector<Number> source_, result_;  ///< as the kernel takes them
+  mutable VectorType exchange_;                            ///< with ghosts, of several processes
 };
 
 extern template class ElasticityOperator<float>;

@@ -90,6 +90,17 @@ class Children {
   std::array<std::array<float, m>, n> to_coarse_;
 };
 
+/// A dof that constraints give: the sum of weight * that of the master over its terms, none for a
+/// boundary condition.
+struct ConstrainedRow {
+  unsigned int row;
+  unsigned int first_term, end_of_terms;
+};
+struct ConstraintTerm {
+  unsigned int master;
+  double weight;
+};
+
 /// Of one process, coarse cell by coarse cell.
 template <int degree>
 class CellTransfer : public LevelTransfer {

@@ -43,6 +43,12 @@ struct SmoothedMatrix : dealii::Subscriptor {
   explicit SmoothedMatrix(const LocalCells& cells)
       : stiffness(cells, straightened), rows(stiffness.make_vector().size()) {}
   void vmult(FloatVector& product, const FloatVector& x) const { stiffness.vmult(product, x); }
+  /// As deal.II makes the vector updates of its iterations within the product.
+  void vmult(FloatVector& product, const FloatVector& x,
+             const ElasticityOperator<float>::Work& before,
+             const ElasticityOperator<float>::Work& after) const {
+    stiffness.vmult(product, x, before, after);
+  }
   FloatVector::size_type m() const { return rows; }
   /// Named in deal.II for a diagonal that is not given; it is.
   float el(FloatVector::size_type, FloatVector::size_type) const {
@@ -184,7 +190,7 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
   }
   discretised.clear();
   meshes.clear();
-  stiffness_ = std::make_unique<ElasticityOperator<double>>(cells);
+  stiffness_ = std::make_unique<ElasticityOperator<double>>(std::move(cells));
   cells = {};
   hand_back_memory();
 }
