@@ -15,7 +15,7 @@ namespace rollfem::app {
 
 namespace {
 
-constexpr std::size_t most_points = 20'000'000;
+constexpr std::size_t most_table_points = 20'000'000;
 
 [[noreturn]] void refuse(const contact::Case& input, const std::string& key,
                          const std::string& wrong, const std::string& advice) {
@@ -160,9 +160,9 @@ postprocess::CreepTable empty_table(const contact::Case& input) {
     table.axis_ratio = ratios_of(input);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) table.creepage[axis] = axis_of(input, axis);
-  if (table.size() > most_points)
+  if (table.size() > most_table_points)
     refuse(input, "points", fmt::format("makes {} points", table.size()),
-           fmt::format("allowed: {}; do: take fewer", most_points));
+           fmt::format("allowed: {}; do: take fewer", most_table_points));
   for (const double ratio : table.axis_ratio)
     table.scale.push_back(scale_of_ratio(ratio, table.poisson_ratio));
   return table;
