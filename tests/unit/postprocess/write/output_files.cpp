@@ -159,7 +159,7 @@ TEST(WriteResults, RefusesNumbersThatAreNotFiniteAndNamesThem) {
 
   run = synthetic_run();
   run.models[2].points[5].bodies[1].displacement.pop_back();
-  EXPECT_NE(refusal(run).find("fem/points[5]/rail has not 12 values"), std::string::npos);
+  EXPECT_NE(refusal(run).find("fem/points[5]/rail does not have 12 values"), std::string::npos);
 
   run = synthetic_run();
   run.models[2].bodies[0].points[1][0] = nan;
