@@ -68,6 +68,17 @@ VectorXd JacobianInverse::times(const VectorXd& p) const {
   return result;
 }
 
+VectorXd JacobianInverse::times_adhesion(const VectorXd& p) const {
+  VectorXd result = adhering(p);
+  const Index count = elements_.count();
+  for (Index e = 0; e < count; ++e) {
+    if (at_.adheres[static_cast<std::size_t>(e)]) continue;
+    result[e] = p[e];
+    result[count + e] = p[count + e];
+  }
+  return result;
+}
+
 /// The circulant where elements adhere, the part along the slip where they slip.
 VectorXd JacobianInverse::adhering(const VectorXd& p) const {
   const Index count = elements_.count();

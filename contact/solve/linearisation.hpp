@@ -52,6 +52,8 @@ class JacobianInverse {
                   double drag, const Linearisation& at);
 
   Eigen::VectorXd times(const Eigen::VectorXd& p) const;
+  /// The same with the identity in all directions where elements slip.
+  Eigen::VectorXd times_adhesion(const Eigen::VectorXd& p) const;
 
  private:
   Eigen::VectorXd adhering(const Eigen::VectorXd& p) const;

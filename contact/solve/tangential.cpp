@@ -259,6 +259,27 @@ class Newton {
     return std::max({wanted, 0.1 * options_.tolerance / residual, 1e-10});
   }
 
+  /// J dp = -F. Where the bodies all but slide, the part across the slip may bring the
+  /// preconditioned iteration to a standstill, which the identity in its place does not: slower,
+  /// but it arrives.
+  GmresResult newton_direction(const Point& point, const Linearisation& at, double tolerance) {
+    const JacobianInverse inverse(compliance_, elements_, r_, r_ * drag_, at);
+    const auto solved = [&](const LinearMap& preconditioner) {
+      GmresResult result =
+          gmres([&](const VectorXd& p) { return jacobian_times(at, p); }, preconditioner,
+                -point.value, {tolerance, options_.max_krylov_iterations, krylov_restart});
+      krylov_iterations_ += result.iterations;
+      return result;
+    };
+    constexpr double standstill = 0.5;
+    if (!stood_still_) {
+      GmresResult result = solved([&](const VectorXd& p) { return inverse.times(p); });
+      if (result.residual <= standstill) return result;
+      stood_still_ = true;
+    }
+    return solved([&](const VectorXd& p) { return inverse.times_adhesion(p); });
+  }
+
   /// One damped Newton step. False when no step along the Newton direction reduces |F|.
   bool advance(Point& point, double residual, double previous) {
     Linearisation at = linearised(point);
@@ -268,12 +289,7 @@ class Newton {
   }
 
   bool step_along(Point& point, const Linearisation& at, double residual, double previous) {
-    const JacobianInverse inverse(compliance_, elements_, r_, r_ * drag_, at);
-    const GmresResult newton =
-        gmres([&](const VectorXd& p) { return jacobian_times(at, p); },
-              [&](const VectorXd& p) { return inverse.times(p); }, -point.value,
-              {forcing(residual, previous), options_.max_krylov_iterations, krylov_restart});
-    krylov_iterations_ += newton.iterations;
+    const GmresResult newton = newton_direction(point, at, forcing(residual, previous));
     const VectorXd slip_change = compliance_times(newton.solution);
     double length = 1.0;
     constexpr int most_halvings = 20;
@@ -320,6 +336,7 @@ class Newton {
   VectorXd rigid_slip_;
   int newton_steps_ = 0;
   int krylov_iterations_ = 0;
+  bool stood_still_ = false;  ///< the full preconditioner has once
 };
 
 }  // namespace
