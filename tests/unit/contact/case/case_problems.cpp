@@ -258,7 +258,8 @@ TEST(LineContact, ContradictionsAreNamed) {
                {"geometry.width = 10.0: applies to line contact, but geometry.shape is point"});
   expect_error(line_case(radius, "[rail]\ntransverse_radius = 300.0\n"),
                {"rail.transverse_radius = 300.0: applies to contacts of finite width"});
-  expect_error(line_case(radius, "[rolling]\nspin = 1e-4\n"), {"rolling.spin = 1e-4: is a rotation"});
+  expect_error(line_case(radius, "[rolling]\nspin = 1e-4\n"),
+               {"rolling.spin = 1e-4: is a rotation"});
   expect_error(line_case(radius, "[undeformed_distance]\nquadratic = [0.1, 0.1]\n"),
                {"undeformed_distance.quadratic", "geometry.shape is line"});
   expect_error(line_case(radius, "[contact_grid]\ncell_size = [0.1, 0.1]\n"),
