@@ -163,9 +163,26 @@ SolvedWheel WheelRailPair::solve(const WheelState& state) const {
   const Borrowed workspace(*this);
   set(state, (*workspace).input);
   SolvedWheel wheel;
-  if (!(*workspace).patch || !solve_quickly(*workspace, wheel))
+  if ((*workspace).patch && solve_quickly(*workspace, wheel)) return wheel;
+  try {
     solve_with_care((*workspace).input, wheel);
+  } catch (const contact::SolveError&) {
+    if (!solve_curved((*workspace).input, wheel)) throw;
+  }
   return wheel;
+}
+
+/// A patch that reaches where another contact of the wheel begins is one conformal contact with it,
+/// which no plane holds.
+bool WheelRailPair::solve_curved(Case input, SolvedWheel& wheel) const {
+  input.halfspace.surface = contact::SurfaceForm::curved;
+  wheel = {};
+  try {
+    solve_with_care(input, wheel);
+  } catch (const contact::SolveError&) {
+    return false;
+  }
+  return true;
 }
 
 /// A single patch; false where there are several, or this one is none for QuickPatch.

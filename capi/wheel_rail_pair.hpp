@@ -63,6 +63,7 @@ class WheelRailPair {
 
   bool solve_quickly(Workspace& workspace, SolvedWheel& wheel) const;
   void solve_with_care(const contact::Case& input, SolvedWheel& wheel) const;
+  bool solve_curved(contact::Case input, SolvedWheel& wheel) const;
 
   contact::Case input_;
   meshes::SearchScene search_;

@@ -80,10 +80,8 @@ TEST(CInterface, CrownedRailUnderACylindricalWheelIsHertz) {
   EXPECT_NEAR(result.moment[1] / (300.0 * result.force[0]), 1.0, 2e-3);
 }
 
-/// The model halfspace on 32 elements across.
-double largest_difference(double shift, double yaw) {
-  rollfem_definition definition = defaults(ROLLFEM_RIGHT);
-  const rollfem_result quick = solve(make(definition), state_at(shift, yaw));
+/// What state_at solves, for the model halfspace on 32 elements across.
+rollfem::contact::Case fine_case(double shift, double yaw) {
   rollfem::contact::Case input = rollfem::contact::parse_case(R"(
     [load]
     vertical_force = 50e3
@@ -108,6 +106,11 @@ double largest_difference(double shift, double yaw) {
                                                               "case");
   input.wheelset.lateral_shift = {shift};
   input.wheelset.yaw = {yaw};
+  return input;
+}
+
+/// Of the forces from those of a patch by itself, over mu F_n.
+double difference(const rollfem_result& quick, const rollfem::contact::Case& input) {
   const auto scenes = rollfem::wheelset::balance(input).scenes;
   EXPECT_EQ(scenes.size(), 1u);
   const auto fine = rollfem::halfspace::run_halfspace(scenes.front(), {}).points.front();
@@ -117,10 +120,23 @@ double largest_difference(double shift, double yaw) {
          (0.3 * fine.normal_force);
 }
 
+double largest_difference(double shift, double yaw) {
+  return difference(solve(make(defaults(ROLLFEM_RIGHT)), state_at(shift, yaw)),
+                    fine_case(shift, yaw));
+}
+
 TEST(CInterface, ForcesAreWithinOnePercentOfTheModelHalfspace) {
   EXPECT_LT(largest_difference(-2.0, -0.001), 0.01);
   EXPECT_LT(largest_difference(3.0, 0.002), 0.01);
   EXPECT_LT(largest_difference(6.0, 0.0), 0.01);
+}
+
+TEST(CInterface, ContactsThatMeetAreOneOnACurvedSurface) {
+  rollfem::contact::Case input = fine_case(6.6, 0.005);
+  input.halfspace.surface = rollfem::contact::SurfaceForm::curved;
+  const rollfem_result quick = solve(make(defaults(ROLLFEM_RIGHT)), state_at(6.6, 0.005));
+  EXPECT_NEAR(quick.force[2], -50e3, 5.0);
+  EXPECT_LT(difference(quick, input), 0.02);
 }
 
 TEST(CInterface, LeftMirrorsRight) {
