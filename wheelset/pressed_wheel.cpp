@@ -1,5 +1,6 @@
 #include "wheelset/pressed_wheel.hpp"
 
+#include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
 #include "wheelset/position.hpp"
 

@@ -3,6 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "fem/solver/elasticity_assembly.hpp"
 
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_cg.h>

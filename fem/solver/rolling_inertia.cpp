@@ -6,6 +6,7 @@
 #include "fem/coupling/compliance.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <cmath>
 

@@ -5,6 +5,7 @@
 #include "contact/base/threads.hpp"
 #include "contact/solve/interpolation.hpp"
 #include "contact/solve/leading_edge.hpp"
+#include "contact/solve/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
 #include <fmt/format.h>
