@@ -76,7 +76,7 @@ void check_case(const std::string& file, const std::vector<std::string>& changes
   if (!input.has_profiles()) warn_of_hertz(input);
   if (input.has_profiles())
     std::cout << "\nwhere wheel and rail touch\n"
-              << contacts_text(input, meshes::search_scene_of(input));
+              << contacts_text(input, track::search_scene_of(input));
   std::cout << expected_choice(input, models);
 }
 

@@ -5,11 +5,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
-#include "meshes/track/scenes.hpp"
 
 #include <fmt/format.h>
 
 #include "choice/laws.hpp"
+#include "track/motion/scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -25,7 +25,7 @@ using contact::Scene;
 std::vector<Scene> first_scenes(const contact::Case& input) {
   if (!input.has_profiles()) return {Scene(input)};
   std::vector<Scene> scenes;
-  for (meshes::PlacedScene& placed : meshes::make_scenes(input))
+  for (track::PlacedScene& placed : track::make_scenes(input))
     if (placed.scene.place->position == 1) scenes.push_back(std::move(placed.scene));
   return scenes;
 }

@@ -6,14 +6,14 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/nearest_name.hpp"
 #include "contact/case/case_reader.hpp"
-#include "meshes/profiles/built_in_profiles.hpp"
-#include "meshes/profiles/profile_features.hpp"
-#include "meshes/profiles/profiles.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/result_folder.hpp"
 
 #include <fmt/format.h>
 
+#include "profiles/built_in_profiles.hpp"
+#include "profiles/profile_features.hpp"
+#include "profiles/profiles.hpp"
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -25,15 +25,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using meshes::ProfileCurve;
-using meshes::ProfilePoint;
+using profiles::ProfileCurve;
+using profiles::ProfilePoint;
 
 struct NamedProfile {
   std::string file;   ///< of the table and the figure, without ending
   std::string title;  ///< "wheel S1002"
   bool wheel = false;
   ProfileCurve curve;
-  meshes::ProfileReport report;
+  profiles::ProfileReport report;
 };
 
 constexpr double degrees = 180.0 / 3.14159265358979323846;
@@ -52,7 +52,8 @@ std::string place_of(const ProfilePoint& place) {
 }
 
 std::string described(const NamedProfile& profile) {
-  const meshes::ProfileFeatures features = meshes::profile_features(profile.curve, profile.wheel);
+  const profiles::ProfileFeatures features =
+      profiles::profile_features(profile.curve, profile.wheel);
   std::string text = fmt::format("{} ({})\n", profile.title, profile.report.kind);
   const auto line = [&](const std::string& what, const std::string& value) {
     text += fmt::format("  {:<36}{}\n", what, value);
@@ -64,7 +65,7 @@ std::string described(const NamedProfile& profile) {
     if (features.gauge_face)
       line("flange face at z = 10, mm", fmt::format("y = {:.4f}", *features.gauge_face));
     // (0, 0) is the tape line, and the flange's back 70 mm from it.
-    if (const auto tip = meshes::flange_tip(profile.curve); tip && (*tip < -70.0 || *tip > -25.0))
+    if (const auto tip = profiles::flange_tip(profile.curve); tip && (*tip < -70.0 || *tip > -25.0))
       line("measured from the flange back:",
            "if so, put `shift = [-70, 0]` under [wheel_profile], so that y = 0 is the tape line");
   } else {
@@ -80,7 +81,7 @@ std::string described(const NamedProfile& profile) {
     if (std::abs(place.curvature) > 1e-6)
       line(what, fmt::format("{:.3f} at {}", 1.0 / std::abs(place.curvature), place_of(place)));
   if (profile.report.smoothing) {
-    const meshes::SmoothingReport& smoothing = *profile.report.smoothing;
+    const profiles::SmoothingReport& smoothing = *profile.report.smoothing;
     line("points", fmt::format("{}", profile.report.points));
     line("scatter of the points, mm", fmt::format("{:.2g}", smoothing.scatter));
     line("distance from the points, mm",
@@ -89,7 +90,7 @@ std::string described(const NamedProfile& profile) {
   constexpr std::size_t most_joints = 20;
   if (!features.joints.empty()) text += "  joints, where the radius jumps, mm:\n";
   for (std::size_t k = 0; k < std::min(most_joints, features.joints.size()); ++k) {
-    const meshes::ProfileJoint& joint = features.joints[k];
+    const profiles::ProfileJoint& joint = features.joints[k];
     text += fmt::format("    {:<34}{} -> {}\n", place_of(joint.place),
                         radius_of(joint.curvature_before), radius_of(joint.place.curvature));
   }
@@ -119,7 +120,7 @@ std::string table(const NamedProfile& profile) {
     text += fmt::format("{:.6f},{:.9f},{:.9f},{:.6f},{:.8g}\n", parameter, place.y, place.z,
                         angle_of(place), curvature);
   };
-  const auto joints = meshes::profile_features(curve, profile.wheel).joints;
+  const auto joints = profiles::profile_features(curve, profile.wheel).joints;
   const double length = curve.last() - curve.first();
   const int steps = contact::count_of(std::ceil(length / 0.1), "points along a profile");
   auto joint = joints.begin();
@@ -140,7 +141,7 @@ bool is_wheel(const ProfileRequest& request) {
     throw contact::InputError(
         "profile: --wheel and --rail contradict each other; do: give one of them");
   if (request.wheel || request.rail) return request.wheel;
-  if (const auto* built_in = meshes::find_built_in_profile(request.name)) return built_in->wheel;
+  if (const auto* built_in = profiles::find_built_in_profile(request.name)) return built_in->wheel;
   const std::string ending = fs::path(request.name).extension().string();
   if (ending == ".prw" || ending == ".whl") return true;
   if (ending == ".prr" || ending == ".ban") return false;
@@ -161,7 +162,7 @@ std::vector<NamedProfile> of_case(const ProfileRequest& request) {
     profile.file = wheel ? "wheel" : "rail";
     const std::string& name = (wheel ? input.wheel.profile : input.rail.profile).name;
     profile.title = profile.file + (name.empty() ? "" : " " + name);
-    profile.curve = meshes::profile_of_case(input, wheel, &profile.report);
+    profile.curve = profiles::profile_of_case(input, wheel, &profile.report);
     profiles.push_back(std::move(profile));
   }
   return profiles;
@@ -170,10 +171,10 @@ std::vector<NamedProfile> of_case(const ProfileRequest& request) {
 std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
   if (fs::path(request.name).extension() == ".toml") return of_case(request);
   std::error_code error;
-  if (meshes::find_built_in_profile(request.name) == nullptr &&
+  if (profiles::find_built_in_profile(request.name) == nullptr &&
       !fs::is_regular_file(request.name, error)) {
     std::vector<std::string> names;
-    for (const meshes::BuiltInProfile& profile : meshes::built_in_profiles())
+    for (const profiles::BuiltInProfile& profile : profiles::built_in_profiles())
       names.push_back(profile.name);
     throw contact::InputError(fmt::format(
         "profile: {} is neither a known profile nor an existing file; {}allowed: {}, a profile "
@@ -186,7 +187,7 @@ std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
   profile.title = fmt::format("{} {}", profile.wheel ? "wheel" : "rail", request.name);
   contact::ProfileSource source;
   source.name = request.name;
-  profile.curve = meshes::make_profile(source, profile.wheel, "profile", &profile.report);
+  profile.curve = profiles::make_profile(source, profile.wheel, "profile", &profile.report);
   return {std::move(profile)};
 }
 
@@ -221,7 +222,7 @@ void draw_and_tell(const fs::path& file, bool pair) {
 /// Of a case with both profiles: the two placed on each other, and where they touch.
 void tell_pair(const contact::Case& input, const fs::path& folder) {
   if (!input.has_profiles()) return;
-  const meshes::SearchScene search = meshes::search_scene_of(input);
+  const track::SearchScene search = track::search_scene_of(input);
   std::cout << "where wheel and rail touch\n" << contacts_text(input, search);
   for (const auto& [name, table] : pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");

@@ -4,9 +4,9 @@
 
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
-#include "meshes/track/scenes.hpp"
 #include "postprocess/write/output.hpp"
 
+#include "track/motion/scenes.hpp"
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +25,9 @@ Scenes scenes_of(const contact::Case& input, const contact::Progress& progress);
 /// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
 /// of the table without ending, and its text. One for each wheel that the case asks for.
 std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input,
-                                                             const meshes::SearchScene& search);
+                                                             const track::SearchScene& search);
 
 /// Where the wheels of a case with profiles touch their rails, as a table; nothing is solved.
-std::string contacts_text(const contact::Case& input, const meshes::SearchScene& search);
+std::string contacts_text(const contact::Case& input, const track::SearchScene& search);
 
 }  // namespace rollfem::app

@@ -6,11 +6,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
-#include "meshes/track/scenes.hpp"
-#include "wheelset/result_check.hpp"
 
 #include <fmt/format.h>
 
+#include "track/balance/result_check.hpp"
+#include "track/motion/scenes.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +40,7 @@ std::string parts_note(const contact::ContactPlace& place, const contact::ModelR
       parts.size());
   for (std::size_t k = 0; k < parts.size(); ++k)
     text += fmt::format("{}y_track {:.3f} mm (y {:.3f}) {:.4g} by {:.4g} mm, F_n {:.5g} N",
-                        k > 0 ? "; " : "", meshes::track_y(place, parts[k].y), parts[k].y,
+                        k > 0 ? "; " : "", track::track_y(place, parts[k].y), parts[k].y,
                         parts[k].length, parts[k].width, parts[k].normal_force);
   return text;
 }
@@ -69,7 +69,7 @@ std::string normals_note(const contact::Scene& scene, const contact::ModelResult
 /// With the bar that follows from those of the two forces; one that is given or exact has none, nor
 /// has the share that the wheelset's balance has found.
 void add_vertical_force(const contact::ContactPlace& place, contact::PointResult& point) {
-  point.vertical_force = meshes::vertical_force(point.normal_force, point.lateral_force, place);
+  point.vertical_force = track::vertical_force(point.normal_force, point.lateral_force, place);
   const auto bar = [&](const char* name) {
     const auto found = point.error_estimate.find(name);
     return found == point.error_estimate.end() ? 0.0 : found->second;
@@ -80,8 +80,8 @@ void add_vertical_force(const contact::ContactPlace& place, contact::PointResult
                point.error_estimate.count("lateral_force") >
            0)
     point.error_estimate["vertical_force"] =
-        std::abs(meshes::vertical_force(bar("normal_force"), 0.0, place)) +
-        std::abs(meshes::vertical_force(0.0, bar("lateral_force"), place));
+        std::abs(track::vertical_force(bar("normal_force"), 0.0, place)) +
+        std::abs(track::vertical_force(0.0, bar("lateral_force"), place));
   else
     point.no_bar["vertical_force"] = point.no_bar["lateral_force"];
 }
@@ -176,7 +176,7 @@ Solved solve(const contact::Case& input, const Solving& how) {
         miss(error, false);
       }
     }
-  wheelset::check_results(input, solved.results);
+  track::check_results(input, solved.results);
   solved.pairs = std::move(scenes.pairs);
   return solved;
 }

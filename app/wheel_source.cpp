@@ -1,11 +1,11 @@
 #include "app/table_grid.hpp"
 #include "app/table_source.hpp"
 #include "contact/base/errors.hpp"
-#include "meshes/track/scenes.hpp"
-#include "wheelset/pressed_wheel.hpp"
 
 #include <fmt/format.h>
 
+#include "track/balance/pressed_wheel.hpp"
+#include "track/motion/scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,9 +16,9 @@ namespace {
 
 using postprocess::Scaled;
 using postprocess::TableWheel;
-using wheelset::PressedWheel;
+using track::PressedWheel;
 
-TableWheel wheel_of(const wheelset::PressedState& state) {
+TableWheel wheel_of(const track::PressedState& state) {
   TableWheel wheel;
   wheel.semi_axis_x = state.semi_axis_x;
   wheel.semi_axis_y = state.semi_axis_y;
@@ -70,7 +70,7 @@ struct Units {
 class WheelSource : public TableSource {
  public:
   explicit WheelSource(const contact::Case& input)
-      : input_(input), search_(meshes::search_scene_of(input)) {}
+      : input_(input), search_(track::search_scene_of(input)) {}
 
   void prepare(postprocess::CreepTable& table, const contact::Progress& progress) override {
     shear_modulus_ = table.shear_modulus;
@@ -128,7 +128,7 @@ class WheelSource : public TableSource {
                        scaled[2] * units.creepage[2]});
     std::vector<TablePoint> found;
     const double force = units.bound, moment = units.bound * units.length;
-    for (const wheelset::FrictionForce& one : wheel.forces(asked))
+    for (const track::FrictionForce& one : wheel.forces(asked))
       found.push_back({{one.longitudinal / force, one.lateral / force, one.spin_moment / moment},
                        one.normal / force,
                        {one.force_bar / force, one.moment_bar / moment},
@@ -137,7 +137,7 @@ class WheelSource : public TableSource {
   }
 
   const contact::Case& input_;
-  meshes::SearchScene search_;
+  track::SearchScene search_;
   double shear_modulus_ = 0.0;  // MPa, combined
   std::vector<PressedWheel> wheels_;
   std::vector<Units> units_;

@@ -5,13 +5,13 @@
 #include "app/places.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
-#include "meshes/track/rigid_touch.hpp"
-#include "meshes/track/scenes.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
 
+#include "track/motion/rigid_touch.hpp"
+#include "track/motion/scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace rollfem::app {
 
 namespace fs = std::filesystem;
 
-using meshes::WheelsetRow;
+using track::WheelsetRow;
 
 namespace {
 
@@ -50,7 +50,7 @@ std::string table_of(const std::vector<WheelsetRow>& rows) {
 }
 
 postprocess::RigidWheelset rigid_of(const WheelsetRow& row) {
-  const meshes::WheelsetTouch& touch = row.touch;
+  const track::WheelsetTouch& touch = row.touch;
   return {touch.lateral_shift,
           touch.roll,
           touch.left.rolling_radius,
@@ -92,16 +92,16 @@ void add_rigid_wheelset(postprocess::RunRecord& record) {
   const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double reach = std::abs(*std::max_element(shifts.begin(), shifts.end(), nearer));
   if (reach < 2.0 * shift_step) return;
-  const meshes::SearchScene search = meshes::search_scene_of(input);
+  const track::SearchScene search = track::search_scene_of(input);
   std::vector<WheelsetRow> rows;
   try {
-    rows = meshes::wheelset_rows(input, search, std::ceil(reach / shift_step) * shift_step,
-                                 shift_step);
+    rows =
+        track::wheelset_rows(input, search, std::ceil(reach / shift_step) * shift_step, shift_step);
   } catch (const std::runtime_error&) {
     return;  // profiles of which one wheel alone stands on its rail
   }
   for (const double shift : shifts) {
-    const auto row = meshes::wheelset_row(input, search, rows, shift);
+    const auto row = track::wheelset_row(input, search, rows, shift);
     record.wheelset.push_back(row ? std::optional(rigid_of(*row)) : std::nullopt);
   }
   record.rigid_row = rigid_row(rows);
@@ -112,7 +112,7 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
       contact::read_case(request.case_file, model_words(models), request.changes);
   check(request, input);
   const std::vector<WheelsetRow> rows =
-      meshes::wheelset_rows(input, meshes::search_scene_of(input), request.reach, shift_step);
+      track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);
   const fs::path folder =
       request.directory.empty()
           ? fs::path("results") / (fs::path(request.case_file).stem().string() + "_wheelset")
@@ -124,7 +124,7 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
   std::cout << fmt::format(
       "{}\nrigid wheelset, contacts {:g} mm apart, rolling radius {:g} mm; the other side is the "
       "mirror image\n\n{}",
-      input.title, meshes::contact_distance(input.track), input.wheel.rolling_radius,
+      input.title, track::contact_distance(input.track), input.wheel.rolling_radius,
       table_of(rows));
   if (last + 0.5 * shift_step < request.reach)
     std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail, or its profile ends\n",

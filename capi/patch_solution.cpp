@@ -29,7 +29,7 @@ constexpr int margin = 4;
 
 /// Extents of the patch without friction, by few elements; nothing where the overlap does not hold
 /// it, or holds several.
-std::optional<PatchSize> find_patch(const Scene& scene, const meshes::WheelRailContact& contact) {
+std::optional<PatchSize> find_patch(const Scene& scene, const track::WheelRailContact& contact) {
   const contact::NormalLoad load = contact::largest_load(scene);
   double half = std::sqrt(2.0 * contact.place.rolling_radius * contact.approach);
   std::array<double, 2> y = contact.reach;
@@ -95,7 +95,7 @@ bool is_one_region(const ContactGrid& grid, const contact::Field& pressure) {
   return changes == 2;
 }
 
-contact::PointResult solve_patch(const Scene& scene, const meshes::WheelRailContact& contact,
+contact::PointResult solve_patch(const Scene& scene, const track::WheelRailContact& contact,
                                  int across) {
   std::optional<contact::LevelResult> level;
   // Several regions, or one that conforms, are looked for with more care.

@@ -4,7 +4,8 @@
 
 #include "contact/result/result.hpp"
 #include "contact/scene/scene.hpp"
-#include "meshes/track/contact_search.hpp"
+
+#include "track/search/contact_search.hpp"
 
 namespace rollfem::capi {
 
@@ -14,6 +15,6 @@ bool is_one_region(const contact::ContactGrid& grid, const contact::Field& press
 /// The first load point of a scene on a grid of `across` elements over the patch each way. Throws
 /// contact::SolveError and contact::InputError as the model halfspace does.
 contact::PointResult solve_patch(const contact::Scene& scene,
-                                 const meshes::WheelRailContact& contact, int across);
+                                 const track::WheelRailContact& contact, int across);
 
 }  // namespace rollfem::capi

@@ -7,8 +7,8 @@
 #include "capi/traction_solver.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
-#include "meshes/track/contact_search.hpp"
 
+#include "track/search/contact_search.hpp"
 #include <array>
 #include <optional>
 #include <vector>
@@ -27,7 +27,7 @@ struct PatchForces {
 
 /// A contact that carries the vertical load of its wheel alone.
 struct QuickProblem {
-  const meshes::WheelRailContact& contact;  ///< its geometry is that of `geometry`
+  const track::WheelRailContact& contact;  ///< its geometry is that of `geometry`
   const contact::Geometry& geometry;
   contact::Creepage creepage;
   std::array<double, 2> direction{0.0, 1.0};  ///< of the load, y and z of the patch frame

@@ -2,10 +2,10 @@
 
 #include "capi/patch_solution.hpp"
 #include "contact/base/errors.hpp"
-#include "wheelset/position.hpp"
 
 #include <fmt/format.h>
 
+#include "track/balance/position.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -60,8 +60,8 @@ void set(const WheelState& state, Case& input) {
 }
 
 /// The contact of a scene that the balance has given its load.
-const meshes::WheelRailContact& contact_of(const contact::Scene& scene,
-                                           const std::vector<meshes::PlacedScene>& placed) {
+const track::WheelRailContact& contact_of(const contact::Scene& scene,
+                                          const std::vector<track::PlacedScene>& placed) {
   const auto found = std::find_if(placed.begin(), placed.end(), [&](const auto& one) {
     return one.contact.place.y_track == scene.place->y_track;
   });
@@ -84,7 +84,7 @@ PatchForces forces_of(const contact::PointResult& point) {
   return found;
 }
 
-SolvedPatch patch_of(const PatchForces& forces, const meshes::WheelRailContact& contact) {
+SolvedPatch patch_of(const PatchForces& forces, const track::WheelRailContact& contact) {
   SolvedPatch patch{
       forces, contact.origin, contact.place.contact_angle, contact.place.rolling_radius, {}};
   for (int d = 0; d < 3; ++d)
@@ -94,7 +94,7 @@ SolvedPatch patch_of(const PatchForces& forces, const meshes::WheelRailContact& 
   return patch;
 }
 
-void add_to_sums(const SolvedPatch& patch, const meshes::WheelRailContact& contact,
+void add_to_sums(const SolvedPatch& patch, const track::WheelRailContact& contact,
                  SolvedWheel& wheel) {
   const Vector3 arm{contact.origin[0] - contact.axle.point[0],
                     contact.origin[1] - contact.axle.point[1],
@@ -110,8 +110,8 @@ void add_to_sums(const SolvedPatch& patch, const meshes::WheelRailContact& conta
 /// mm beyond the overlap of the bodies: more than a grid on the patch needs.
 constexpr double around_overlap = 15.0;
 
-meshes::SearchOptions search_options() {
-  meshes::SearchOptions options;
+track::SearchOptions search_options() {
+  track::SearchOptions options;
   options.with_reserve = true;
   return options;
 }
@@ -150,7 +150,7 @@ class WheelRailPair::Borrowed {
 
 WheelRailPair::WheelRailPair(Case input)
     : input_(std::move(input)),
-      search_(meshes::search_scene_of(input_)),
+      search_(track::search_scene_of(input_)),
       material_(contact::combine(input_.wheel.material, input_.rail.material)) {
   const int across = input_.contact_grid.elements_across;
   if (!material_.couples() && across <= QuickPatch::most_across)
@@ -188,25 +188,24 @@ bool WheelRailPair::solve_curved(Case input, SolvedWheel& wheel) const {
 /// A single patch; false where there are several, or this one is none for QuickPatch.
 bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) const {
   const Case& input = workspace.input;
-  meshes::WheelRailContact* only = nullptr;
-  meshes::SearchOptions options = search_options();
+  track::WheelRailContact* only = nullptr;
+  track::SearchOptions options = search_options();
   options.around_overlap = around_overlap;
-  std::vector<meshes::WheelRailContact> contacts =
-      meshes::find_contacts(input, search_, 1, options);
-  for (meshes::WheelRailContact& contact : contacts) {
+  std::vector<track::WheelRailContact> contacts = track::find_contacts(input, search_, 1, options);
+  for (track::WheelRailContact& contact : contacts) {
     if (!(contact.place.patch > 0 || contact.reserve)) continue;
     if (only != nullptr) return false;
     only = &contact;
   }
   if (only == nullptr) return false;
   const contact::Creepage creepage =
-      meshes::creepage_of(*only, meshes::motion_of(input, input.wheelset.rotation_change.front()));
+      track::creepage_of(*only, track::motion_of(input, input.wheelset.rotation_change.front()));
   contact::Geometry geometry;
   geometry.surface = contact::ContactSurface::of(
       std::make_shared<const contact::PatchGeometry>(std::move(only->geometry)));
-  geometry.surface.follows = meshes::follows_surface(only->spread_of_normals);
+  geometry.surface.follows = track::follows_surface(only->spread_of_normals);
   const std::optional<PatchForces> forces = workspace.patch->solve(
-      {*only, geometry, creepage, meshes::upwards(only->place), *input.load.vertical_force,
+      {*only, geometry, creepage, track::upwards(only->place), *input.load.vertical_force,
        input.friction_coefficient, geometry.surface.follows});
   if (!forces) return false;
   wheel.count = 1;
@@ -216,10 +215,10 @@ bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) cons
 }
 
 void WheelRailPair::solve_with_care(const Case& input, SolvedWheel& wheel) const {
-  const std::vector<meshes::PlacedScene> placed =
-      meshes::make_scenes(input, search_, search_options());
+  const std::vector<track::PlacedScene> placed =
+      track::make_scenes(input, search_, search_options());
   std::vector<SolvedPatch> patches;
-  const auto add = [&](const contact::Scene& scene, const meshes::WheelRailContact& contact) {
+  const auto add = [&](const contact::Scene& scene, const track::WheelRailContact& contact) {
     patches.push_back(patch_of(
         forces_of(solve_patch(scene, contact, input.contact_grid.elements_across)), contact));
     add_to_sums(patches.back(), contact, wheel);
@@ -227,7 +226,7 @@ void WheelRailPair::solve_with_care(const Case& input, SolvedWheel& wheel) const
   if (placed.size() == 1)
     add(placed.front().scene, placed.front().contact);
   else
-    for (const contact::Scene& scene : wheelset::balanced_position(input, placed))
+    for (const contact::Scene& scene : track::balanced_position(input, placed))
       add(scene, contact_of(scene, placed));
   std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
     return a.forces.normal_force > b.forces.normal_force;

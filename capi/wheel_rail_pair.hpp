@@ -4,8 +4,8 @@
 
 #include "capi/quick_patch.hpp"
 #include "contact/case/case.hpp"
-#include "meshes/track/scenes.hpp"
 
+#include "track/motion/scenes.hpp"
 #include <array>
 #include <memory>
 #include <mutex>
@@ -66,7 +66,7 @@ class WheelRailPair {
   bool solve_curved(contact::Case input, SolvedWheel& wheel) const;
 
   contact::Case input_;
-  meshes::SearchScene search_;
+  track::SearchScene search_;
   contact::CombinedMaterial material_;
   /// Null where bodies are unlike or the grid is too fine for it.
   std::unique_ptr<InfluenceTables> tables_;

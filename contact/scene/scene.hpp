@@ -53,7 +53,7 @@ struct SceneBody {
 
 struct Scene {
   Scene() = default;
-  /// Of a case with radii or a given geometry; with true profiles meshes/track places the patches.
+  /// Of a case with radii or a given geometry; with true profiles track/motion places the patches.
   Scene(const Case& input);  // NOLINT(google-explicit-constructor): the source of every scene
 
   std::string file;  ///< case file, for messages

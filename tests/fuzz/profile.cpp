@@ -1,10 +1,10 @@
 // A profile: the first line is the name of the file, with `wheel` or `rail` before it and keys that
 // mend behind it; the rest is the file. Read, mended, checked, made a curve.
 #include "contact/base/errors.hpp"
-#include "meshes/profiles/profile_features.hpp"
-#include "meshes/profiles/profiles.hpp"
 
 #include "fuzz/target.hpp"
+#include "profiles/profile_features.hpp"
+#include "profiles/profiles.hpp"
 #include <algorithm>
 #include <sstream>
 
@@ -46,10 +46,10 @@ std::string outcome_of(const std::string& input) {
     source.name = "profile.txt";
   try {
     const bool wheel = body != "rail";
-    const meshes::ProfileCurve curve =
-        meshes::profile_of_text(input.substr(std::min(end + 1, input.size())), source, wheel);
-    static_cast<void>(meshes::profile_features(curve, wheel));
-    static_cast<void>(meshes::flange_tip(curve));
+    const profiles::ProfileCurve curve =
+        profiles::profile_of_text(input.substr(std::min(end + 1, input.size())), source, wheel);
+    static_cast<void>(profiles::profile_features(curve, wheel));
+    static_cast<void>(profiles::flange_tip(curve));
   } catch (const contact::InputError& error) {
     return error.what();
   }

@@ -1,6 +1,6 @@
 // Contact search where it is hard: two points at the flange, the conformal gauge corner, worn
 // treads; and wheels that have left the rail, profiles that end too early.
-#include "meshes/track/contact_search.hpp"
+#include "track/search/contact_search.hpp"
 
 #include "contact/base/errors.hpp"
 
@@ -12,11 +12,11 @@
 namespace {
 
 using namespace rollfem;
-using meshes::WheelRailContact;
+using track::WheelRailContact;
 
-meshes::ProfileCurve cut(const meshes::ProfileCurve& curve, double first, double last) {
+profiles::ProfileCurve cut(const profiles::ProfileCurve& curve, double first, double last) {
   const auto& all = curve.knots();
-  meshes::ProfileKnots part;
+  profiles::ProfileKnots part;
   for (std::size_t k = 0; k < all.y.size(); ++k)
     if (all.y[k] >= first && all.y[k] <= last) {
       part.parameter.push_back(all.parameter[k]);
@@ -25,12 +25,12 @@ meshes::ProfileCurve cut(const meshes::ProfileCurve& curve, double first, double
       part.dy.push_back(all.dy[k]);
       part.dz.push_back(all.dz[k]);
     }
-  return meshes::ProfileCurve(part);
+  return profiles::ProfileCurve(part);
 }
 
 /// S1002 with a hollow of 1 mm depth in the tread and a flange 0.5 mm thinner: a formula.
-meshes::ProfileCurve worn_wheel() {
-  meshes::ProfileKnots knots = meshes::find_built_in_profile("S1002")->make().knots();
+profiles::ProfileCurve worn_wheel() {
+  profiles::ProfileKnots knots = profiles::find_built_in_profile("S1002")->make().knots();
   for (std::size_t k = 0; k < knots.y.size(); ++k) {
     const double t = (knots.y[k] - 2.0) / 14.0;
     const double hollow = std::exp(-t * t);
@@ -38,17 +38,17 @@ meshes::ProfileCurve worn_wheel() {
     knots.z[k] -= hollow;
     knots.dz[k] -= slope * knots.dy[k];
   }
-  return meshes::ProfileCurve(knots);
+  return profiles::ProfileCurve(knots);
 }
 
 /// The wheel of every contact that touches first stands on the rail, neither above nor in it.
-void expect_touching(const contact::Case& input, const meshes::SearchScene& scene, bool left) {
+void expect_touching(const contact::Case& input, const track::SearchScene& scene, bool left) {
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
   const auto axle = place_axle(found.at(0).pose, input.wheelset, input.wheel.rolling_radius, left);
   // On points 0.02 mm and 0.0005 rad apart the least distance is found to about 2e-5 mm.
-  EXPECT_NEAR(meshes::VerticalGap(scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head)
-                  .smallest(),
-              0.0, 1e-8);
+  EXPECT_NEAR(
+      track::VerticalGap(scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head).smallest(),
+      0.0, 1e-8);
   const double brute =
       rollfem::testing::brute_force_distance(scene, input.wheel.rolling_radius, axle);
   EXPECT_GT(brute, -1e-7) << "shift " << input.wheelset.lateral_shift[0];
@@ -58,7 +58,7 @@ void expect_touching(const contact::Case& input, const meshes::SearchScene& scen
 TEST(FlangeContact, OutlineOfAYawedWheelIsTheWheelItself) {
   for (const double shift : {-10.0, -7.0, -6.0, 3.0}) {
     const contact::Case input = rollfem::testing::manchester_case(shift, shift * 2.4e-3);
-    const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+    const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
     expect_touching(input, scene, true);
   }
 }
@@ -69,7 +69,7 @@ TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
   double last = 0.0, largest = 0.0;
   for (double shift = -5.0; shift >= -10.0; shift -= 0.25) {
     const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);
-    const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+    const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
     const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
     ASSERT_GE(found.size(), 1u) << shift;
     const double angle = found[0].place.contact_angle;
@@ -85,10 +85,10 @@ TEST(FlangeContact, PatchesWithDifferentNormalsStayApart) {
   // Tread and flange root touch together near 5 mm; their normals differ by 0.16 rad, and they are
   // 9 mm apart: one contact, unless less is taken for different.
   contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto pose = find_pose(input, scene, 1);
   EXPECT_EQ(find_contacts(input, scene, pose, 1, true).at(0).place.patches, 1);
-  meshes::SearchOptions options;
+  track::SearchOptions options;
   options.merge_angle = 0.1;
   const auto found = find_contacts(input, scene, pose, 1, true, options);
   ASSERT_GE(found.size(), 2u);
@@ -110,7 +110,7 @@ TEST(GaugeCorner, ConformalContactIsOnePatchOverManyAngles) {
   // Rail radius 13 under the wheel's 13 to 15: at 6 mm the patch is wide for its load.
   contact::Case input = rollfem::testing::manchester_case(-6.0, -0.0144);
   input.load.vertical_force = 50e3;
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   ASSERT_EQ(found[0].place.patches, 1);
   const auto& geometry = found[0].geometry;
@@ -129,17 +129,17 @@ TEST(WornWheel, TouchesAtTheRimsOfItsHollow) {
   for (const double shift : {-3.0, 0.0, 2.0, 4.0}) {
     const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);
     const auto scene =
-        meshes::make_search_scene(input, {worn_wheel(), rollfem::testing::manchester_pair().rail});
+        track::make_search_scene(input, {worn_wheel(), rollfem::testing::manchester_pair().rail});
     expect_touching(input, scene, true);
     expect_touching(input, scene, false);
   }
 }
 
 template <class Error>
-void expect_refused(const contact::Case& input, const meshes::ProfilePair& pair, bool left,
+void expect_refused(const contact::Case& input, const track::ProfilePair& pair, bool left,
                     const std::vector<std::string>& parts) {
   try {
-    const auto scene = meshes::make_search_scene(input, pair);
+    const auto scene = track::make_search_scene(input, pair);
     find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
     FAIL() << "accepted";
   } catch (const Error& error) {
@@ -195,7 +195,7 @@ TEST(Refusal, ProfileThatEndsWithinThePatch) {
 TEST(Refusal, BothWheelsMustFindTheirRails) {
   contact::Case input = rollfem::testing::manchester_case(90.0, 0.0);
   try {
-    const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+    const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
     find_contacts(input, scene, 1);
     FAIL() << "accepted";
   } catch (const std::exception& error) {

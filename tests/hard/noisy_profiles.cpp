@@ -1,13 +1,13 @@
 // Contact of measured profiles: S1002 on 60E1 with noise of 0.01 mm across both, smoothed with that
 // scatter, against the same contact of the true profiles.
 #include "halfspace/model/model.hpp"
-#include "meshes/profiles/built_in_profiles.hpp"
-#include "meshes/profiles/profiles.hpp"
-#include "meshes/track/scenes.hpp"
 
 #include <gtest/gtest.h>
 
+#include "profiles/built_in_profiles.hpp"
+#include "profiles/profiles.hpp"
 #include "support/temporary_folder.hpp"
+#include "track/motion/scenes.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,13 +36,13 @@ class NoisyProfiles : public ::testing::Test {
   /// A file of points of a built-in profile at equal distances, moved across it by noise.
   void measure(const std::string& name, const std::string& file, double spacing, Noise noise,
                std::mt19937& generator) const {
-    const meshes::ProfileCurve curve = meshes::find_built_in_profile(name)->make();
+    const profiles::ProfileCurve curve = profiles::find_built_in_profile(name)->make();
     std::normal_distribution<double> normal(0.0, scatter);
     std::uniform_real_distribution<double> uniform(-scatter, scatter);
     std::ofstream out(folder_.path(file));
     out.precision(12);
     for (double p = curve.first(); p <= curve.last(); p += spacing) {
-      const meshes::ProfilePoint place = curve.at(p);
+      const profiles::ProfilePoint place = curve.at(p);
       const double off = noise == Noise::normal ? normal(generator) : uniform(generator);
       out << place.y - off * place.tangent_z << ' ' << place.z + off * place.tangent_y << '\n';
     }
@@ -66,7 +66,7 @@ class NoisyProfiles : public ::testing::Test {
     input.rolling.problem = contact::Problem::frictionless;
     input.contact_grid.elements_across = 32;
     std::vector<Contact> result;
-    for (const meshes::PlacedScene& scene : meshes::make_scenes(input)) {
+    for (const track::PlacedScene& scene : track::make_scenes(input)) {
       EXPECT_EQ(scene.scene.place->patches, 1);  // noise must not tear the patch
       const auto run = halfspace::run_halfspace(scene.scene, {});
       const auto& point = run.points.front();

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Checks that includes between modules, and between the rooms of contact, run one way.
+"""Checks that includes between modules, and between the rooms of a module, run one way.
 
 contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds; choice
-knows results, and is given what solves; convert knows cases and closed forms; meshes knows cases and
-scenes, no solver; wheelset balances loads and rotation over the patches that meshes finds and knows
-halfspace too; postprocess knows results, never solvers; app knows all; interface, which others build on, hands app on, and
-python stands on interface; capi, the C interface, knows what wheelset knows, and tables; deal.II is seen in fem only.
-Inside contact: base <- case <- scene <- result <- solve. Call: includes.py SOURCE_DIR
+knows results, and is given what solves; convert knows cases and closed forms; profiles and meshes know cases and
+scenes, no solver; track places profiles, finds their contacts and balances loads and rotation over them, for which it
+knows halfspace; postprocess knows results, never solvers; app knows all; interface, which others build on, hands app on, and
+python stands on interface; capi, the C interface, knows what track knows, and tables; deal.II is seen in fem only.
+Inside contact: base <- case <- scene <- result <- solve; the order of the other modules' rooms: ROOMS.
+Call: includes.py SOURCE_DIR
 """
 
 import pathlib
@@ -23,19 +24,24 @@ ALLOWED = {
     "contact/result": {"contact": {"base", "case", "scene"}},
     "contact/solve": {"contact": {"base", "scene", "result"}},
     "halfspace": {"contact": ANY},
+    "profiles": {"contact": {"base", "case", "scene"}},
     "meshes": {"contact": {"base", "case", "scene"}},
     "postprocess": {"contact": {"base", "case", "scene", "result"}},
-    "wheelset": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
+    "track": {"contact": ANY, "halfspace": ANY, "profiles": ANY},
     "fem": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
     "hybrid": {"contact": ANY, "halfspace": ANY},
     "choice": {"contact": {"base", "result"}},
     "convert": {"contact": {"base", "case", "scene"}, "halfspace": {"closed_forms"}},
     "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "choice": ANY, "convert": ANY, "meshes": ANY,
-            "wheelset": ANY, "postprocess": ANY,
+            "profiles": ANY, "track": ANY, "postprocess": ANY,
             "fem": {"model", "body"}},
     "interface": {"contact": ANY, "postprocess": ANY, "app": ANY},
     "python": {"contact": ANY, "postprocess": ANY},
-    "capi": {"contact": ANY, "halfspace": ANY, "meshes": ANY, "wheelset": ANY, "postprocess": {"table"}},
+    "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "postprocess": {"table"}},
+}
+# Rooms of a module, each of which may include those before it.
+ROOMS = {
+    "track": ["placement", "search", "motion", "balance"],
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")
@@ -60,7 +66,10 @@ def judge(path, bracket, name):
     if allowed is None:
         return f"no rule for {module}/{room}"
     if other == module and f"{module}/{room}" not in ALLOWED:
-        return None
+        order = ROOMS.get(module)
+        if order is None or other_room in order[:order.index(room) if room in order else 0]:
+            return None
+        return f"{module}/{room} must not know {module}/{other_room}"
     if other not in allowed:
         return f"{module} must not know {other}"
     rooms = allowed[other]
@@ -95,7 +104,9 @@ def self_test():
     assert verdict("contact/solve/a.cpp", '"contact/case/case.hpp')
     assert verdict("halfspace/model/a.cpp", '"fem/body/body.hpp')
     assert verdict("postprocess/write/a.cpp", '"contact/solve/normal.hpp')
-    assert verdict("meshes/track/a.cpp", '"contact/solve/tangential.hpp')
+    assert verdict("profiles/a.cpp", '"contact/solve/tangential.hpp')
+    assert verdict("track/search/a.cpp", '"track/motion/scenes.hpp')
+    assert verdict("halfspace/model/a.cpp", '"track/motion/scenes.hpp')
     assert verdict("app/a.cpp", '"fem/solver/multigrid.hpp')
     assert verdict("app/a.cpp", "<deal.II/base/mpi.h")
     assert verdict("fem/body/a.cpp", '"body.hpp')
@@ -103,6 +114,7 @@ def self_test():
     assert not verdict("halfspace/model/a.cpp", '"contact/solve/normal.hpp')
     assert not verdict("app/a.cpp", '"fem/model/model.hpp')
     assert not verdict("contact/solve/a.cpp", '"contact/scene/geometry.hpp')
+    assert not verdict("track/balance/a.cpp", '"track/motion/scenes.hpp')
 
 
 def main():

@@ -1,5 +1,5 @@
 // A case with the geometry of one patch put in by hand, as tests of single patches want it: what
-// the program makes of true profiles on a track comes as a contact::Scene from meshes/track.
+// the program makes of true profiles on a track comes as a contact::Scene from track/motion.
 #pragma once
 
 #include "contact/scene/scene.hpp"

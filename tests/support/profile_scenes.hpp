@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-#include "meshes/track/scenes.hpp"
 
+#include "track/motion/scenes.hpp"
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -28,8 +28,7 @@ inline std::vector<contact::Scene> left_wheel_scenes(double lateral_shift,
   input.rolling.creepages.clear();
   for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
   std::vector<contact::Scene> scenes;
-  for (const meshes::PlacedScene& placed : meshes::make_scenes(input))
-    scenes.push_back(placed.scene);
+  for (const track::PlacedScene& placed : track::make_scenes(input)) scenes.push_back(placed.scene);
   return scenes;
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
-#include "meshes/profiles/built_in_profiles.hpp"
-#include "meshes/profiles/profiles.hpp"
 
+#include "profiles/built_in_profiles.hpp"
+#include "profiles/profiles.hpp"
 #include "support/temporary_folder.hpp"
 #include <algorithm>
 #include <array>
@@ -20,10 +20,10 @@ namespace rollfem::testing {
 using Points = std::vector<std::array<double, 2>>;
 
 inline Points points_of(const std::string& name, double spacing = 0.5) {
-  const meshes::ProfileCurve curve = meshes::find_built_in_profile(name)->make();
+  const profiles::ProfileCurve curve = profiles::find_built_in_profile(name)->make();
   Points points;
   for (double p = curve.first(); p <= curve.last(); p += spacing) {
-    const meshes::ProfilePoint place = curve.at(p);
+    const profiles::ProfilePoint place = curve.at(p);
     points.push_back({place.y, place.z});
   }
   return points;
@@ -37,13 +37,13 @@ inline std::string columns(const Points& points, const std::string& separator = 
   return text.str();
 }
 
-inline meshes::ProfileCurve read(const std::string& text, bool wheel,
-                                 contact::ProfileSource source = {},
-                                 const std::string& name = "profile.txt") {
+inline profiles::ProfileCurve read(const std::string& text, bool wheel,
+                                   contact::ProfileSource source = {},
+                                   const std::string& name = "profile.txt") {
   const TemporaryFolder folder;
   folder.file(name, text);
   source.name = name;
-  return meshes::make_profile(source, wheel, folder.path("case.toml"));
+  return profiles::make_profile(source, wheel, folder.path("case.toml"));
 }
 
 inline std::string refusal(const std::string& text, bool wheel,
@@ -53,9 +53,9 @@ inline std::string refusal(const std::string& text, bool wheel,
 }
 
 /// Largest distance in z between a curve and a built-in profile where that is not steep.
-inline double off(const meshes::ProfileCurve& curve, const std::string& name) {
-  const meshes::ProfileCurve truth = meshes::find_built_in_profile(name)->make();
-  const bool wheel = meshes::find_built_in_profile(name)->wheel;
+inline double off(const profiles::ProfileCurve& curve, const std::string& name) {
+  const profiles::ProfileCurve truth = profiles::find_built_in_profile(name)->make();
+  const bool wheel = profiles::find_built_in_profile(name)->wheel;
   double worst = 0.0;
   for (double y = wheel ? -35.0 : -30.0; y <= (wheel ? 55.0 : 30.0); y += 0.7)
     worst = std::max(

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-#include "meshes/profiles/built_in_profiles.hpp"
-#include "meshes/track/contact_search.hpp"
 
+#include "profiles/built_in_profiles.hpp"
+#include "track/search/contact_search.hpp"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -15,10 +15,10 @@
 namespace rollfem::testing {
 
 /// z(y) with its slope at every step, exact between knots up to the fourth power of the step.
-inline meshes::ProfileCurve profile_of(const std::function<double(double)>& z,
-                                       const std::function<double(double)>& slope, double first,
-                                       double last, double step = 0.25) {
-  meshes::ProfileKnots knots;
+inline profiles::ProfileCurve profile_of(const std::function<double(double)>& z,
+                                         const std::function<double(double)>& slope, double first,
+                                         double last, double step = 0.25) {
+  profiles::ProfileKnots knots;
   const int count = static_cast<int>(std::round((last - first) / step));
   for (int k = 0; k <= count; ++k) {
     const double y = first + (last - first) * k / count;
@@ -28,12 +28,12 @@ inline meshes::ProfileCurve profile_of(const std::function<double(double)>& z,
     knots.dy.push_back(1.0);
     knots.dz.push_back(slope(y));
   }
-  return meshes::ProfileCurve(knots);
+  return profiles::ProfileCurve(knots);
 }
 
 /// Head of radius `rail_radius` under a sphere-shaped wheel, whose surface is the same about any
 /// axle through its centre: contact lies on the line between the centres.
-inline meshes::ProfilePair sphere_on_cylinder(double radius, double rail_radius) {
+inline track::ProfilePair sphere_on_cylinder(double radius, double rail_radius) {
   const auto circle = [](double r) { return [r](double y) { return std::sqrt(r * r - y * y); }; };
   const auto wheel = circle(radius), rail = circle(rail_radius);
   return {profile_of([=](double y) { return wheel(y) - radius; },
@@ -43,9 +43,9 @@ inline meshes::ProfilePair sphere_on_cylinder(double radius, double rail_radius)
 }
 
 /// S1002 on the Manchester benchmark's rail, inclined 1:40.
-inline meshes::ProfilePair manchester_pair() {
-  return {meshes::find_built_in_profile("S1002")->make(),
-          meshes::find_built_in_profile("UIC60-manchester")->make()};
+inline track::ProfilePair manchester_pair() {
+  return {profiles::find_built_in_profile("S1002")->make(),
+          profiles::find_built_in_profile("UIC60-manchester")->make()};
 }
 
 inline contact::Case manchester_case(double shift, double yaw) {
@@ -65,9 +65,9 @@ inline contact::Case manchester_case(double shift, double yaw) {
 
 /// Smallest height of the wheel's surface above the rail, mm: points of the surface of revolution
 /// about the axle, to 0.02 mm across and as finely along as matters. No outline, no tangents.
-inline double brute_force_distance(const meshes::SearchScene& scene, double rolling_radius,
+inline double brute_force_distance(const track::SearchScene& scene, double rolling_radius,
                                    const contact::Axle& axle) {
-  const meshes::ProfileCurve& wheel = scene.profiles.wheel;
+  const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   const auto& d = axle.direction;
   // Any two directions across the axle serve.
   const double length = std::hypot(d[1], d[2]);
@@ -76,7 +76,7 @@ inline double brute_force_distance(const meshes::SearchScene& scene, double roll
                                d[0] * down[1] - d[1] * down[0]};
   double least = std::numeric_limits<double>::infinity();
   for (double t = wheel.first(); t < wheel.last(); t += 0.02) {
-    const meshes::ProfilePoint at = wheel.at(t);
+    const profiles::ProfilePoint at = wheel.at(t);
     const auto height = [&](double angle) {
       contact::Vector3 place{};
       for (int i = 0; i < 3; ++i)

@@ -5,9 +5,6 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/load_sharing.hpp"
 #include "halfspace/model/model.hpp"
-#include "meshes/track/wheelset_motion.hpp"
-#include "wheelset/balance.hpp"
-#include "wheelset/position.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +12,9 @@
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_wheels.hpp"
+#include "track/balance/balance.hpp"
+#include "track/balance/position.hpp"
+#include "track/motion/wheelset_motion.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,7 +83,7 @@ OnTrack on_track(std::vector<contact::Scene> scenes) {
     const double angle = scene.place->contact_angle;
     sum.force[0] += point.longitudinal_force;
     sum.force[1] += point.normal_force * std::sin(angle) - point.lateral_force * std::cos(angle);
-    sum.force[2] += meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
+    sum.force[2] += track::vertical_force(point.normal_force, point.lateral_force, *scene.place);
   }
   return sum;
 }
@@ -91,7 +91,7 @@ OnTrack on_track(std::vector<contact::Scene> scenes) {
 OnTrack shallow_root(double shift, contact::SurfaceForm surface = contact::SurfaceForm::automatic) {
   contact::Case input = rollfem::testing::shallow_root(shift);
   input.halfspace.surface = surface;
-  return on_track(wheelset::balance(input).scenes);
+  return on_track(track::balance(input).scenes);
 }
 
 }  // namespace
@@ -113,15 +113,15 @@ TEST(ContactsOfOtherPlanes, FeelEachOtherAsPointLoads) {
 TEST(ContactsOfOtherPlanes, AreTheJointSolutionInNearlyOnePlane) {
   // The rims of a hollow tread as one contact, and as two that displace each other.
   contact::Case input = rollfem::testing::hollow_tread(-0.2);
-  meshes::SearchOptions apart;
+  track::SearchOptions apart;
   apart.merge_angle = 0.0;
-  const auto two = meshes::make_scenes(input, apart);
+  const auto two = track::make_scenes(input, apart);
   ASSERT_EQ(two.size(), 2U);
-  const OnTrack two_grids = on_track(wheelset::balanced_position(input, two));
+  const OnTrack two_grids = on_track(track::balanced_position(input, two));
   EXPECT_EQ(two_grids.contacts, 2U);
   EXPECT_NEAR(two_grids.force[2], 80e3, 1e-6 * 80e3);
   input.halfspace.surface = contact::SurfaceForm::curved;
-  const auto joint = meshes::make_scenes(input);
+  const auto joint = track::make_scenes(input);
   ASSERT_EQ(joint.size(), 1U);
   const OnTrack one_grid = on_track({joint[0].scene});
   EXPECT_LT(two_grids.difference(one_grid), 1e-3 * 80e3);

@@ -4,10 +4,10 @@
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
 #include "hybrid/model.hpp"
-#include "meshes/track/scenes.hpp"
 
 #include <gtest/gtest.h>
 
+#include "track/motion/scenes.hpp"
 #include <cmath>
 #include <string>
 #include <vector>
@@ -107,7 +107,7 @@ TEST(HybridDriver, PatchesOfProfilesInBalance) {
   for (const char* name : {"s1002_uic60_left", "s1002_uic60_right"}) {
     contact::Case input = case_of(name);
     input.rolling.creepages.resize(1);
-    for (const meshes::PlacedScene& placed : meshes::make_scenes(input))
+    for (const track::PlacedScene& placed : track::make_scenes(input))
       expect_half_space(placed.scene);
   }
 }

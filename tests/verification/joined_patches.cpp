@@ -3,8 +3,6 @@
 #include "contact/result/patch_parts.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
-#include "wheelset/balance.hpp"
-#include "wheelset/result_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +10,8 @@
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_wheels.hpp"
+#include "track/balance/balance.hpp"
+#include "track/balance/result_check.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,7 +87,7 @@ contact::Case at_the_root(double shift) {
 
 Wheel solved(const contact::Case& input) {
   Wheel wheel;
-  for (contact::Scene scene : wheelset::balance(input).scenes) {
+  for (contact::Scene scene : track::balance(input).scenes) {
     scene.contact_grid.elements_across = 20;
     const contact::ModelResult result = halfspace::run_halfspace(scene, {});
     const contact::PointResult& point = result.points.front();
@@ -189,7 +189,7 @@ TEST(JoinedPatches, ForcesAreContinuousAsPatchesJoinAndPart) {
 TEST(JoinedPatches, ReferenceMovesSteadilyWhereAnotherPatchBecomesTheDeepest) {
   std::vector<double> angle, place, root_deepest;
   for (int k = 0; k <= 40; ++k) {
-    const meshes::PlacedScene placed = meshes::make_scenes(at_the_root(-5.4 + 0.01 * k)).at(0);
+    const track::PlacedScene placed = track::make_scenes(at_the_root(-5.4 + 0.01 * k)).at(0);
     angle.push_back(placed.contact.place.contact_angle);
     place.push_back(placed.contact.place.y_track);
     const auto& humps = placed.contact.touching;
@@ -211,19 +211,19 @@ TEST(JoinedPatches, OfOtherPlanesShareTheLoadOfTheWheel) {
   input.load.vertical_force = 60e3;
   std::vector<contact::ModelResult> results;
   double vertical = 0.0;
-  for (contact::Scene scene : wheelset::balance(input).scenes) {
+  for (contact::Scene scene : track::balance(input).scenes) {
     contact::ModelResult result = halfspace::run_halfspace(scene, {});
     result.place = scene.place;
     for (contact::PointResult& point : result.points)
       point.vertical_force =
-          meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
+          track::vertical_force(point.normal_force, point.lateral_force, *scene.place);
     vertical += *result.points[0].vertical_force;
     results.push_back(std::move(result));
   }
   ASSERT_EQ(results.size(), 2U);
   EXPECT_GT(std::abs(results[0].place->contact_angle - results[1].place->contact_angle), 1.0);
   EXPECT_NEAR(vertical, 60e3, 1e-6 * 60e3);
-  EXPECT_NO_THROW(wheelset::check_results(input, results));
+  EXPECT_NO_THROW(track::check_results(input, results));
 }
 
 TEST(JoinedPatches, ReferenceDoesNotChangeForcesWhereNormalsAreTrue) {
@@ -232,9 +232,9 @@ TEST(JoinedPatches, ReferenceDoesNotChangeForcesWhereNormalsAreTrue) {
   contact::Case input = rollfem::testing::hollow_tread(-0.6);
   input.halfspace.surface = contact::SurfaceForm::curved;
   const auto on_track = [&](double offset) {
-    meshes::SearchOptions options;
+    track::SearchOptions options;
     options.reference_offset = offset;
-    contact::Scene scene = meshes::make_scenes(input, options).at(0).scene;
+    contact::Scene scene = track::make_scenes(input, options).at(0).scene;
     scene.contact_grid.cell_size = {0.25, 0.2};
     const auto point = halfspace::run_halfspace(scene, {}).points.at(0);
     const double angle = scene.place->contact_angle;
@@ -242,7 +242,7 @@ TEST(JoinedPatches, ReferenceDoesNotChangeForcesWhereNormalsAreTrue) {
     return std::array<double, 4>{
         point.longitudinal_force,
         point.lateral_force * std::cos(angle) - point.normal_force * std::sin(angle),
-        meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place),
+        track::vertical_force(point.normal_force, point.lateral_force, *scene.place),
         point.max_pressure};
   };
   const auto middle = on_track(0.0);

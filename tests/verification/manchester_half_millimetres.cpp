@@ -2,11 +2,11 @@
 // shipped results: the left wheel's of open version r2707, the right one's of r2447
 // (github.com/eve70a/CONTACT, examples/mbench_a22_left.ref_out and mbench_a22_right.ref_out).
 #include "halfspace/model/model.hpp"
-#include "wheelset/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/manchester.hpp"
+#include "track/balance/balance.hpp"
 #include <cmath>
 #include <vector>
 
@@ -112,7 +112,7 @@ void expect_row(const Row& row, const Bounds& bounds, contact::Scene scene) {
 void expect_rows(contact::WheelSide side, const std::vector<Row>& rows) {
   std::vector<double> shifts;
   for (const Row& row : rows) shifts.push_back(row.shift);
-  const auto balanced = wheelset::balance(rollfem::testing::manchester_wheelset(side, shifts));
+  const auto balanced = track::balance(rollfem::testing::manchester_wheelset(side, shifts));
   ASSERT_EQ(balanced.scenes.size(), rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k)
     expect_row(rows[k], bounds_at(side, rows[k].shift), balanced.scenes[k]);

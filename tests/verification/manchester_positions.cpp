@@ -3,11 +3,10 @@
 // flange backs 1360, rails 1:40, 10 kN, wheelset shifted to the right and yawed
 // (shared/reference/manchester_left.csv, some of its rows); and for 100 kN on a radius of 450 with
 // 2 mm shift (wheelrail_left_creep.csv, wheelrail_left_patch.csv).
-#include "meshes/track/wheelset_motion.hpp"
-
 #include <gtest/gtest.h>
 
 #include "support/wheel_rail_cases.hpp"
+#include "track/motion/wheelset_motion.hpp"
 #include <cmath>
 
 namespace {
@@ -35,7 +34,7 @@ class Manchester : public ::testing::TestWithParam<Row> {};
 TEST_P(Manchester, ContactIsWhereContactFindsIt) {
   const Row& row = GetParam();
   const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   const auto& place = found.at(0).place;
   EXPECT_EQ(place.patches, 1);
@@ -51,7 +50,7 @@ TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
   contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
   input.load = {};
   input.load.approach = row.approach;
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   EXPECT_NEAR(found.at(0).place.y_track, row.y_track, 0.007);
   // Theirs is the mean angle of the patch, with four digits, not the tangent at its mean place.
@@ -61,9 +60,9 @@ TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
 TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
   const Row& row = GetParam();
   const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
-  const auto creepage = meshes::creepage_of(found.at(0), meshes::motion_of(input, 0.0));
+  const auto creepage = track::creepage_of(found.at(0), track::motion_of(input, 0.0));
   // Their rotation is that of free rolling, up to 2.5 % from ours where the flange runs.
   EXPECT_NEAR(creepage.lateral, row.eta, 0.025 * row.eta + 1e-9);
   EXPECT_NEAR(creepage.spin, row.spin, 0.02 * std::abs(row.spin) + 5e-7);
@@ -74,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, Manchester, ::testing::ValuesIn(rows));
 TEST(ManchesterHeight, IsTheirsLessTheApproach) {
   // Height of the wheelset while the right wheel, which yields a little more, stands on its tread.
   const contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   EXPECT_NEAR(found.at(0).place.height, 0.1981 - 1.596e-2, 1e-4);
 }
@@ -90,7 +89,7 @@ contact::Case shifted_wheel() {
 
 TEST(LeftWheelAt100kN, ContactIsWhereContactFindsIt) {
   const contact::Case input = shifted_wheel();
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   ASSERT_EQ(found.at(0).place.patches, 1);
   EXPECT_NEAR(found[0].place.y_track, -755.6210, 0.06);
@@ -111,10 +110,10 @@ TEST(LeftWheelAt100kN, CreepagesFollowTheRotation) {
   contact::Case input = shifted_wheel();
   input.load = {};
   input.load.approach = 9.331e-2;
-  const auto scene = meshes::make_search_scene(input, rollfem::testing::manchester_pair());
+  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
   for (const auto& row : table) {
-    const auto creepage = meshes::creepage_of(found.at(0), meshes::motion_of(input, row[0]));
+    const auto creepage = track::creepage_of(found.at(0), track::motion_of(input, row[0]));
     EXPECT_NEAR(creepage.longitudinal, -row[1], 1e-5);
     EXPECT_NEAR(creepage.lateral, 0.0, 1e-12);
     EXPECT_NEAR(creepage.spin, row[2], 0.005 * std::abs(row[2]));

@@ -3,12 +3,12 @@
 // load; and where there is no balance, that is said.
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
-#include "meshes/track/scenes.hpp"
-#include "wheelset/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/worn_wheels.hpp"
+#include "track/balance/balance.hpp"
+#include "track/motion/scenes.hpp"
 #include <cmath>
 #include <map>
 #include <string>
@@ -54,7 +54,7 @@ std::map<bool, Solved> solved(const std::vector<contact::Scene>& scenes) {
     const auto result = halfspace::run_halfspace(scene, {});
     const auto& point = result.points.front();
     Solved& wheel = wheels[scene.place->left];
-    wheel.vertical += meshes::vertical_force(point.normal_force, point.lateral_force, *scene.place);
+    wheel.vertical += track::vertical_force(point.normal_force, point.lateral_force, *scene.place);
     wheel.torque += point.longitudinal_force * scene.place->rolling_radius;
     ++wheel.patches;
   }
@@ -67,7 +67,7 @@ TEST(WheelsetBalance, VerticalForcesAddUpToTheLoadAlsoOnTheFlange) {
   // At 8 mm the right wheel stands on its flange at 54 degrees and slides: 27 % of its normal force
   // more than the load. Every model finds its normal force with its own friction.
   for (const double shift : {3.0, 8.0}) {
-    const auto wheels = solved(wheelset::balance(scene_at(shift, 0.0024 * shift)).scenes);
+    const auto wheels = solved(track::balance(scene_at(shift, 0.0024 * shift)).scenes);
     ASSERT_EQ(wheels.size(), 2U);
     for (const auto& [left, wheel] : wheels)
       EXPECT_NEAR(wheel.vertical, load, 1e-6 * load) << shift << ' ' << left;
@@ -76,7 +76,7 @@ TEST(WheelsetBalance, VerticalForcesAddUpToTheLoadAlsoOnTheFlange) {
 
 TEST(WheelsetBalance, TwoContactsOfOneWheelShareItsLoad) {
   // Tread and flange, whose planes have nothing in common.
-  const auto balanced = wheelset::balance(rollfem::testing::steep_flange(-4.29));
+  const auto balanced = track::balance(rollfem::testing::steep_flange(-4.29));
   const auto wheels = solved(balanced.scenes);
   EXPECT_EQ(wheels.at(true).patches, 2);
   EXPECT_NEAR(wheels.at(true).vertical, load, 1e-6 * load);
@@ -93,7 +93,7 @@ TEST(WheelsetBalance, TwoContactsOfOneWheelShareItsLoad) {
 TEST(WheelsetBalance, FreeRollingHasNoTorqueOfTheWheelset) {
   Case input = scene_at(3.0, 0.004);
   input.wheelset.free_rolling = FreeRolling::torque;
-  const auto wheels = solved(wheelset::balance(input).scenes);
+  const auto wheels = solved(track::balance(input).scenes);
   const double scale = friction * load * 460.0;
   // Each wheel alone has one: the radii differ.
   EXPECT_GT(std::abs(wheels.at(true).torque), 0.05 * scale);
@@ -105,7 +105,7 @@ TEST(WheelsetBalance, FreeRollingHasNoTorqueOfTheWheelset) {
 TEST(WheelsetBalance, FreeRollingByForceHasNoneOnEachWheel) {
   Case input = scene_at(3.0, 0.004);
   input.wheelset.free_rolling = FreeRolling::force;
-  const wheelset::BalancedCase balanced = wheelset::balance(input);
+  const track::BalancedCase balanced = track::balance(input);
   for (const auto& [left, wheel] : solved(balanced.scenes))
     EXPECT_NEAR(wheel.torque, 0.0, 5e-3 * friction * load * 460.0) << left;
   EXPECT_NE(balanced.notes.back().find("half-space with 24 elements"), std::string::npos)
@@ -116,7 +116,7 @@ TEST(WheelsetBalance, CreepagesThatAreGivenStand) {
   Case input = scene_at(2.0, 0.003);
   input.rolling.creepages = {{0.001, 0.0, 0.0}, {0.002, 0.0, 0.0}};
   input.rolling.given.longitudinal = true;
-  for (const contact::Scene& scene : wheelset::balance(input).scenes) {
+  for (const contact::Scene& scene : track::balance(input).scenes) {
     EXPECT_EQ(scene.points[0].creepage.longitudinal, 0.001);
     EXPECT_EQ(scene.points[1].creepage.longitudinal, 0.002);
     // Yaw turns the wheels against their way: eta = yaw / cos(angle).
@@ -136,7 +136,7 @@ TEST(WheelsetBalance, FrictionOnTheFlangeSettlesWhereAnElementComesIntoContact) 
     input.wheel.material = input.rail.material = {209920.0, 0.28};
     input.wheelset.side = WheelSide::left;
     input.wheelset.roll = {0.0};
-    const auto wheels = solved(wheelset::balance(input).scenes);
+    const auto wheels = solved(track::balance(input).scenes);
     ASSERT_EQ(wheels.size(), 1U);
     EXPECT_NEAR(wheels.at(true).vertical, heavy, 1e-6 * heavy);
   }
@@ -148,12 +148,12 @@ TEST(WheelsetBalance, FrictionThatCarriesTheWheelUpIsSaid) {
   input.wheelset.side = WheelSide::right;
   input.friction_coefficient = 2.0;
   // The other way round friction holds the wheel down, and there is a balance.
-  const auto balanced = wheelset::balance(input);
+  const auto balanced = track::balance(input);
   ASSERT_EQ(balanced.scenes.size(), 1U);
   EXPECT_LT(halfspace::run_halfspace(balanced.scenes.front(), {}).points[0].normal_force, load);
   input.wheelset.yaw = {-0.02};
   try {
-    solved(wheelset::balance(input).scenes);
+    solved(track::balance(input).scenes);
     FAIL() << "a wheel that friction carries upwards was balanced";
   } catch (const contact::SolveError& error) {
     EXPECT_NE(std::string(error.what()).find("Nadal"), std::string::npos) << error.what();

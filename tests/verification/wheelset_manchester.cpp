@@ -2,11 +2,11 @@
 // yawed, rolling without torque. Against CONTACT's shipped results for the left wheel (CONTACT user
 // guide, section 5.7, open version r2707): place, normal force, pressure and creepages.
 #include "halfspace/model/model.hpp"
-#include "wheelset/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/manchester.hpp"
+#include "track/balance/balance.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -88,7 +88,7 @@ const std::vector<RightRow> right_rows{
 /// Of free rolling at another shift (mm).
 double longitudinal_creepage_at(double shift) {
   const Case input = manchester_wheelset(WheelSide::left, {shift});
-  return rollfem::wheelset::balance(input).scenes.at(0).points.at(0).creepage.longitudinal;
+  return rollfem::track::balance(input).scenes.at(0).points.at(0).creepage.longitudinal;
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ TEST(ManchesterBenchmark, RowsOfContactAddUpVertically) {
 
 TEST(ManchesterBenchmark, RightWheelOfTwoPatchesCarriesAsContactFinds) {
   // CONTACT joins tread and flange root of the right wheel at 5 mm: 9619 N along their normal.
-  const auto balanced = rollfem::wheelset::balance(manchester_wheelset(WheelSide::right, {5.0}));
+  const auto balanced = rollfem::track::balance(manchester_wheelset(WheelSide::right, {5.0}));
   ASSERT_EQ(balanced.scenes.size(), 1U);
   rollfem::contact::Scene scene = balanced.scenes[0];
   scene.contact_grid.cell_size = {0.2, 0.2};
@@ -117,7 +117,7 @@ TEST(ManchesterBenchmark, RightWheelOfTwoPatchesCarriesAsContactFinds) {
 
 TEST(ManchesterBenchmark, LeftWheelAgreesWithContact) {
   const auto balanced =
-      rollfem::wheelset::balance(manchester_wheelset(WheelSide::left, shifts_of(rows)));
+      rollfem::track::balance(manchester_wheelset(WheelSide::left, shifts_of(rows)));
   ASSERT_EQ(balanced.scenes.size(), rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     SCOPED_TRACE(::testing::Message() << "shift " << rows[k].shift);
@@ -157,7 +157,7 @@ TEST(ManchesterBenchmark, RightWheelOfOnePatchAgreesWithContact) {
   // From 7 mm on it stands on its flange, 1.06 to 0.80 rad steep, on a patch of three or four
   // elements across.
   const auto balanced =
-      rollfem::wheelset::balance(manchester_wheelset(WheelSide::right, shifts_of(right_rows)));
+      rollfem::track::balance(manchester_wheelset(WheelSide::right, shifts_of(right_rows)));
   ASSERT_EQ(balanced.scenes.size(), right_rows.size());
   for (std::size_t k = 0; k < right_rows.size(); ++k) {
     const RightRow& row = right_rows[k];
@@ -223,7 +223,7 @@ rollfem::contact::Scene as_contact_lays_it(rollfem::contact::Scene scene, const 
 
 TEST(ManchesterBenchmark, TractionsAreContactsWhereDifferencesElementsAndReferenceAre) {
   const auto balanced =
-      rollfem::wheelset::balance(manchester_wheelset(WheelSide::left, shifts_of(friction_rows)));
+      rollfem::track::balance(manchester_wheelset(WheelSide::left, shifts_of(friction_rows)));
   ASSERT_EQ(balanced.scenes.size(), friction_rows.size());
   for (std::size_t k = 0; k < friction_rows.size(); ++k) {
     const FrictionRow& row = friction_rows[k];

@@ -5,13 +5,13 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
-#include "meshes/track/scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/records_in_memory.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"
+#include "track/motion/scenes.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +64,7 @@ TEST(WheelTable, PointsAreSingleSolutions) {
     input.rolling.creepages = {{table.creepage[0][i] * unit / table.scale[r][0],
                                 table.creepage[1][j] * unit / table.scale[r][1],
                                 table.creepage[2][k] * unit / (c * table.scale[r][2])}};
-    const auto scenes = meshes::make_scenes(input);
+    const auto scenes = track::make_scenes(input);
     ASSERT_EQ(scenes.size(), 1U);
     const auto point = halfspace::run_halfspace(scenes[0].scene, {}).points.front();
     EXPECT_NEAR(table.forces[n][0], point.longitudinal_force / bound, 1e-10) << n;

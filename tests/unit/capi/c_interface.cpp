@@ -2,12 +2,12 @@
 // sides, threads, refusals.
 #include "contact/case/case_reader.hpp"
 #include "halfspace/model/model.hpp"
-#include "wheelset/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include "rollfem/rollfem.h"
 #include "support/temporary_folder.hpp"
+#include "track/balance/balance.hpp"
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -111,7 +111,7 @@ rollfem::contact::Case fine_case(double shift, double yaw) {
 
 /// Of the forces from those of a patch by itself, over mu F_n.
 double difference(const rollfem_result& quick, const rollfem::contact::Case& input) {
-  const auto scenes = rollfem::wheelset::balance(input).scenes;
+  const auto scenes = rollfem::track::balance(input).scenes;
   EXPECT_EQ(scenes.size(), 1u);
   const auto fine = rollfem::halfspace::run_halfspace(scenes.front(), {}).points.front();
   EXPECT_NEAR(quick.patch[0].max_pressure / fine.max_pressure, 1.0, 0.01);

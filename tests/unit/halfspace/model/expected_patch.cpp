@@ -4,7 +4,6 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "meshes/track/scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_wheels.hpp"
+#include "track/motion/scenes.hpp"
 
 using namespace rollfem;
 using halfspace::expected_patch;
@@ -164,7 +164,7 @@ TEST(ExpectedPatch, WhatCarriesTheLoadChangesSteadily) {
   bool one = false, two = false;
   for (int k = 0; k <= 20; ++k) {
     const contact::Case input = rollfem::testing::hollow_tread(-1.05 + 0.01 * k);
-    const ExpectedPatch patch = expected_patch(meshes::make_scenes(input).at(0).scene);
+    const ExpectedPatch patch = expected_patch(track::make_scenes(input).at(0).scene);
     if (k > 0) {
       EXPECT_NEAR(patch.carrying_length, length, 0.01 * length) << k;
       EXPECT_NEAR(patch.carrying_width, width, 0.02 * width) << k;

@@ -1,0 +1,171 @@
+// Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
+// What is refused comes with the least that would mend it.
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include "profiles/profile_points.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace rollfem::profiles {
+
+namespace {
+
+using contact::ProfileSource;
+
+constexpr double shortest_distance = 1e-6;  // mm
+constexpr double degree = 3.14159265358979323846 / 180.0;
+/// Marks of corners().
+constexpr char kink = 1, step = 2;
+
+/// Angle from the chord a-b to the chord b-c, rad, > 0 towards +z.
+double turn(const ProfilePoints& p, std::size_t a, std::size_t b, std::size_t c) {
+  const double y1 = p.y[b] - p.y[a], z1 = p.z[b] - p.z[a];
+  const double y2 = p.y[c] - p.y[b], z2 = p.z[c] - p.z[b];
+  return std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2);
+}
+
+/// Turn at a point that scatter (mm, standard deviation across the profile) makes, rad: five
+/// standard deviations of (n2 - n1) / b - (n1 - n0) / a, with the chords a and b that meet there. A
+/// chord turns by an arc tangent, two of them by twice that of half as much.
+double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
+  if (scatter == 0.0) return 0.0;
+  // Scatter makes the chords themselves longer than the points are apart along the profile.
+  const std::size_t from = k < 3 ? 0 : k - 3, to = std::min(k + 3, p.y.size() - 1);
+  const double y = p.y[to] - p.y[from], z = p.z[to] - p.z[from];
+  const auto along = [&](std::size_t i) {
+    const double distance =
+        (y * (p.y[i + 1] - p.y[i]) + z * (p.z[i + 1] - p.z[i])) / std::hypot(y, z);
+    return std::max(std::abs(distance), shortest_distance);
+  };
+  const double a = 1.0 / along(k - 1), b = 1.0 / along(k);
+  const double deviation = scatter * std::sqrt(a * a + b * b + (a + b) * (a + b));
+  return 2.0 * std::atan(0.5 * 5.0 * deviation);
+}
+
+/// Points at which the profile has a kink (one turn) or a step (there and back), marked 1 and 2,
+/// beyond what the scatter of the points makes.
+std::vector<char> corners(const ProfilePoints& points, double largest_kink, double scatter) {
+  const std::size_t n = points.y.size();
+  std::vector<double> turns(n, 0.0), sizes;
+  sizes.reserve(n);
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    turns[k] = turn(points, k - 1, k, k + 1);
+    sizes.push_back(std::abs(turns[k]));
+  }
+  // A step smaller than the kinks allowed still stands out from what the points do elsewhere.
+  const double least_step =
+      std::min(largest_kink * degree, std::max(5.0 * degree, 10.0 * median(sizes)));
+  const auto size = [&](std::size_t k) { return k < n ? std::abs(turns[k]) : 0.0; };
+  std::vector<double> noise(n, 0.0);
+  for (std::size_t k = 1; k + 1 < n; ++k) noise[k] = turn_by_scatter(points, k, scatter);
+  std::vector<char> found(n, 0);
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    // The profile's own turn and that by scatter are independent.
+    const double largest = std::hypot(largest_kink * degree, noise[k]);
+    if (size(k) > largest && found[k] == 0) found[k] = kink;
+    if (k + 2 >= n) continue;
+    const double both = size(k) + size(k + 1);
+    if (turns[k] * turns[k + 1] < 0.0) {
+      if (size(k) > std::max(least_step, noise[k]) &&
+          size(k + 1) > std::max(least_step, noise[k + 1]))
+        found[k] = found[k + 1] = step;
+    } else if (both > largest && 4.0 * std::max(size(k - 1), size(k + 2)) < both) {
+      // A kink between two points is shared by both.
+      found[k] = found[k + 1] = kink;
+    }
+  }
+  return found;
+}
+
+/// The points without those up to `rounding` (mm along the profile) to both sides of a corner.
+ProfilePoints rounded(ProfilePoints points, const std::vector<char>& found, double rounding) {
+  std::vector<double> length(points.y.size(), 0.0);
+  for (std::size_t k = 1; k < length.size(); ++k)
+    length[k] =
+        length[k - 1] + std::hypot(points.y[k] - points.y[k - 1], points.z[k] - points.z[k - 1]);
+  std::vector<char> kept(points.y.size(), 1);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (found[k] == 0) continue;
+    for (std::size_t i = k; i > 0 && length[k] - length[i] < rounding; --i) kept[i] = 0;
+    for (std::size_t i = k; i + 1 < found.size() && length[i] - length[k] < rounding; ++i)
+      kept[i] = 0;
+  }
+  keep_marked(points, kept);
+  return points;
+}
+
+bool has(const std::vector<char>& found, char mark) {
+  return std::find(found.begin(), found.end(), mark) != found.end();
+}
+
+/// The least of these that leaves no step; a kink's turn stays, over the points that are left out.
+std::optional<double> least_rounding(const ProfilePoints& points, const std::vector<char>& found,
+                                     const ProfileSource& source) {
+  for (const double rounding : {0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0}) {
+    const ProfilePoints rest = rounded(points, found, rounding);
+    if (rest.y.size() < points.y.size() / 2) break;
+    if (!has(corners(rest, source.largest_kink, source.smoothing), step)) return rounding;
+  }
+  return {};
+}
+
+/// The least of these that explains all corners, where they are so many that they are scatter.
+std::optional<double> least_smoothing(const ProfilePoints& points, const std::vector<char>& found,
+                                      const ProfileSource& source) {
+  const auto places = std::count_if(found.begin(), found.end(), [](char c) { return c != 0; });
+  if (places <= 8 || 50 * static_cast<std::size_t>(places) < found.size()) return {};
+  for (const double scatter :
+       {0.001, 0.002, 0.003, 0.005, 0.007, 0.01, 0.015, 0.02, 0.03, 0.05, 0.07, 0.1}) {
+    if (scatter <= source.smoothing) continue;
+    const std::vector<char> left = corners(points, source.largest_kink, scatter);
+    if (!has(left, kink) && !has(left, step)) return scatter;
+  }
+  return {};
+}
+
+[[noreturn]] void refuse_corner(const ProfilePoints& points, const std::vector<char>& found,
+                                const ProfileSource& source, bool wheel) {
+  auto k = static_cast<std::size_t>(
+      std::find_if(found.begin(), found.end(), [](char c) { return c != 0; }) - found.begin());
+  const bool is_step = found[k] == step;
+  const auto turn_at = [&](std::size_t i) { return turn(points, i - 1, i, i + 1); };
+  const bool shared = k + 2 < found.size() && found[k + 1] == kink;
+  const double whole = turn_at(k) + (shared && !is_step ? turn_at(k + 1) : 0.0);
+  // Of two points that share a kink, the one at which the curve turns more.
+  if (shared && !is_step && std::abs(turn_at(k + 1)) > std::abs(turn_at(k))) ++k;
+  const double chord = std::hypot(points.y[k + 1] - points.y[k], points.z[k + 1] - points.z[k]);
+  const std::string what =
+      is_step ? fmt::format("step of {:.2g} mm", chord * std::abs(std::sin(turn_at(k))))
+              : fmt::format("kink of {:.3g} degrees", std::abs(whole) / degree);
+  const std::string allowed =
+      is_step ? "points on one smooth curve"
+              : fmt::format("{:.4g} degrees between two chords", source.largest_kink);
+  std::string ways;
+  if (const auto scatter = least_smoothing(points, found, source))
+    ways = fmt::format("`smoothing = {:g}` (mm, the scatter that would explain it)", *scatter);
+  if (const auto rounding = least_rounding(points, found, source))
+    ways += fmt::format("{}`rounding = {:g}` (mm, bridged on both sides)",
+                        ways.empty() ? "" : " or ", *rounding);
+  if (!is_step && std::abs(whole) < 100.0 * degree)
+    ways += fmt::format("{}`largest_kink = {:g}`", ways.empty() ? "" : " or ",
+                        std::ceil(std::abs(whole) / degree + 0.01));
+  throw contact::InputError(fmt::format(
+      "{}:{}: {} at y = {:.6g}, z = {:.6g} mm; allowed: {}; do: correct the points{}", points.file,
+      points.line[k], what, points.y[k], points.z[k], allowed,
+      ways.empty() ? "" : fmt::format(", or put {} under {}", ways, section_of_profile(wheel))));
+}
+
+}  // namespace
+
+void treat_corners(ProfilePoints& points, const ProfileSource& source, bool wheel) {
+  const std::vector<char> found = corners(points, source.largest_kink, source.smoothing);
+  if (!has(found, kink) && !has(found, step)) return;
+  if (source.rounding == 0.0) refuse_corner(points, found, source, wheel);
+  points = rounded(std::move(points), found, source.rounding);
+}
+
+}  // namespace rollfem::profiles

@@ -1,0 +1,209 @@
+#include "profiles/profile_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace rollfem::profiles {
+
+namespace {
+
+/// One coordinate on a cubic piece, with derivatives by the parameter.
+struct Cubic {
+  double value = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+};
+
+Cubic hermite(double h, double t, double a, double b, double da, double db) {
+  // Newton's form: chord, then what the derivatives at both ends say beyond it.
+  const double chord = (b - a) / h;
+  const double left = da - chord;
+  const double right = db - chord;
+  const double sum = left + right;
+  return {a + h * t * (chord + (1.0 - t) * (left - t * sum)),
+          chord + left * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t),
+          (-2.0 * left - sum * (2.0 - 6.0 * t)) / h};
+}
+
+std::size_t piece_of(const std::vector<double>& parameter, double p) {
+  const auto above = std::upper_bound(parameter.begin() + 1, parameter.end() - 1, p);
+  return static_cast<std::size_t>(above - parameter.begin()) - 1;
+}
+
+bool usable(const ProfilePoint& point, double steepest) {
+  return point.tangent_y > 0.0 && std::abs(point.tangent_z) <= steepest * point.tangent_y;
+}
+
+/// Where between `good` (usable) and `bad` (not) the curve gets too steep. By halving: it is a
+/// property that ends there, not a value that vanishes, and the usable side of it is wanted.
+double steep_place(const ProfileCurve& curve, double good, double bad, double steepest) {
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (good + bad);
+    (usable(curve.at(middle), steepest) ? good : bad) = middle;
+  }
+  return good;
+}
+
+/// Steps in y that keep the cubic of z over y as good as that of the curve: z'' of a circle changes
+/// by its own size over 1 / (3 s sqrt(1 + s^2) k), with the slope s and the curvature k.
+int subdivisions(const ProfilePoint& a, const ProfilePoint& b) {
+  double rate = 0.0;
+  for (const ProfilePoint* point : {&a, &b}) {
+    const double slope = std::abs(point->tangent_z / point->tangent_y);
+    rate = std::max(rate, 3.0 * slope * std::hypot(1.0, slope) * std::abs(point->curvature));
+  }
+  constexpr double fraction = 0.03;
+  return static_cast<int>(std::clamp(std::ceil((b.y - a.y) * rate / fraction), 1.0, 64.0));
+}
+
+}  // namespace
+
+ProfileCurve::ProfileCurve(ProfileKnots knots) : knots_(std::move(knots)) {
+  const std::size_t n = knots_.parameter.size();
+  if (n < 2 || knots_.y.size() != n || knots_.z.size() != n || knots_.dy.size() != n ||
+      knots_.dz.size() != n)
+    throw std::invalid_argument("a profile curve needs two knots at least, each with a tangent");
+  for (std::size_t k = 1; k < n; ++k)
+    if (!(knots_.parameter[k] > knots_.parameter[k - 1]))
+      throw std::invalid_argument("the parameters of a profile curve must rise");
+  highest_y_.resize(n);
+  lowest_y_.resize(n);
+  highest_y_[0] = lowest_y_[0] = knots_.y[0];
+  for (std::size_t k = 1; k < n; ++k) {
+    highest_y_[k] = std::max(highest_y_[k - 1], knots_.y[k]);
+    lowest_y_[k] = std::min(lowest_y_[k - 1], knots_.y[k]);
+  }
+}
+
+ProfilePoint ProfileCurve::at(double parameter) const {
+  const std::size_t k = piece_of(knots_.parameter, parameter);
+  const double h = knots_.parameter[k + 1] - knots_.parameter[k];
+  const double t = (parameter - knots_.parameter[k]) / h;
+  const Cubic y = hermite(h, t, knots_.y[k], knots_.y[k + 1], knots_.dy[k], knots_.dy[k + 1]);
+  const Cubic z = hermite(h, t, knots_.z[k], knots_.z[k + 1], knots_.dz[k], knots_.dz[k + 1]);
+  const double speed = std::hypot(y.first, z.first);
+  return {y.value, z.value, y.first / speed, z.first / speed,
+          (y.first * z.second - z.first * y.second) / (speed * speed * speed)};
+}
+
+double ProfileCurve::parameter_at(double y) const {
+  const double start = knots_.y.front();
+  const bool up = y >= start;
+  const auto& reached = up ? highest_y_ : lowest_y_;
+  if (up ? y > reached.back() : y < reached.back())
+    return std::abs(y - start) < std::abs(y - knots_.y.back()) ? first() : last();
+  const auto found =
+      up ? std::lower_bound(reached.begin(), reached.end(), y)
+         : std::lower_bound(reached.begin(), reached.end(), y, std::greater<double>());
+  const auto knot = static_cast<std::size_t>(found - reached.begin());
+  if (knot == 0) return first();
+  double below = knots_.parameter[knot - 1];
+  double above = knots_.parameter[knot];
+  for (int step = 0; step < 60 && above - below > 1e-14 * std::abs(above); ++step) {
+    const double middle = 0.5 * (below + above);
+    ((at(middle).y < y) == up ? below : above) = middle;
+  }
+  return 0.5 * (below + above);
+}
+
+ProfileCurve ProfileCurve::moved(double angle, double y, double z) const {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  ProfileKnots result = knots_;
+  for (std::size_t k = 0; k < result.y.size(); ++k) {
+    result.y[k] = c * knots_.y[k] - s * knots_.z[k] + y;
+    result.z[k] = s * knots_.y[k] + c * knots_.z[k] + z;
+    result.dy[k] = c * knots_.dy[k] - s * knots_.dz[k];
+    result.dz[k] = s * knots_.dy[k] + c * knots_.dz[k];
+  }
+  return ProfileCurve(std::move(result));
+}
+
+ProfileCurve ProfileCurve::part(double from, double to) const {
+  const std::vector<double>& all = knots_.parameter;
+  auto begin = std::upper_bound(all.begin(), all.end() - 1, from);
+  auto end = std::lower_bound(begin, all.end(), to);
+  if (begin != all.begin()) --begin;
+  if (end != all.end()) ++end;
+  if (end - begin < 2) begin = end - 2;
+  const auto cut = [&](const std::vector<double>& list) {
+    return std::vector<double>(list.begin() + (begin - all.begin()),
+                               list.begin() + (end - all.begin()));
+  };
+  return ProfileCurve(
+      {cut(knots_.parameter), cut(knots_.y), cut(knots_.z), cut(knots_.dy), cut(knots_.dz)});
+}
+
+ProfileCurve ProfileCurve::mirrored() const {
+  ProfileKnots result = knots_;
+  for (auto* list : {&result.parameter, &result.y, &result.z, &result.dy, &result.dz})
+    std::reverse(list->begin(), list->end());
+  for (auto* list : {&result.parameter, &result.y, &result.dz})
+    for (double& value : *list) value = -value;
+  return ProfileCurve(std::move(result));
+}
+
+double parameter_near(const ProfileCurve& curve, double y, double z) {
+  const ProfileKnots& knots = curve.knots();
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < knots.y.size(); ++k) {
+    const double square = (knots.y[k] - y) * (knots.y[k] - y) + (knots.z[k] - z) * (knots.z[k] - z);
+    if (square < least) least = square, nearest = k;
+  }
+  return knots.parameter[nearest];
+}
+
+contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, double steepest) {
+  const double middle = std::clamp(parameter, curve.first(), curve.last());
+  if (!usable(curve.at(middle), steepest))
+    throw std::invalid_argument("the profile is too steep here to be a height over y");
+  const auto& knots = curve.knots().parameter;
+  // Knots of the usable part, found outwards from the place asked for.
+  std::vector<double> places{middle};
+  places.reserve(knots.size() + 3);
+  for (auto k = std::upper_bound(knots.begin(), knots.end(), middle); k != knots.end(); ++k) {
+    if (!usable(curve.at(*k), steepest)) {
+      places.push_back(steep_place(curve, places.back(), *k, steepest));
+      break;
+    }
+    places.push_back(*k);
+  }
+  std::reverse(places.begin(), places.end());
+  for (auto k = std::lower_bound(knots.begin(), knots.end(), middle); k != knots.begin();) {
+    --k;
+    if (!usable(curve.at(*k), steepest)) {
+      places.push_back(steep_place(curve, places.back(), *k, steepest));
+      break;
+    }
+    places.push_back(*k);
+  }
+  std::reverse(places.begin(), places.end());
+
+  std::vector<double> y, z, slope;
+  for (auto* list : {&y, &z, &slope}) list->reserve(2 * places.size());
+  const auto add = [&](const ProfilePoint& point) {
+    // Two places may be one to rounding, where the profile gets too steep just at a knot.
+    if (!y.empty() && !(point.y > y.back() + 1e-12 * (1.0 + std::abs(point.y)))) return;
+    y.push_back(point.y);
+    z.push_back(point.z);
+    slope.push_back(point.tangent_z / point.tangent_y);
+  };
+  ProfilePoint before;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const ProfilePoint here = curve.at(places[k]);
+    if (k > 0) {
+      const int parts = subdivisions(before, here);
+      for (int part = 1; part < parts; ++part)
+        add(curve.at(places[k - 1] + (places[k] - places[k - 1]) * part / parts));
+    }
+    add(here);
+    before = here;
+  }
+  return {std::move(y), std::move(z), std::move(slope)};
+}
+
+}  // namespace rollfem::profiles

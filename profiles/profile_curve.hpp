@@ -1,0 +1,64 @@
+// A wheel or rail profile as one smooth parametric curve in its profile coordinates: y towards the
+// field side (the flange or the gauge face is at smaller y), z down for the rail, outward from the
+// axle for the wheel (which is down too at the contact). Cubic pieces, so that curvature may jump
+// where the profile's does and nowhere else.
+#pragma once
+
+#include "contact/scene/height_curve.hpp"
+
+#include <vector>
+
+namespace rollfem::profiles {
+
+/// A place on a profile.
+struct ProfilePoint {
+  double y = 0.0;          ///< mm
+  double z = 0.0;          ///< mm
+  double tangent_y = 1.0;  ///< unit tangent, in the direction of rising parameter
+  double tangent_z = 0.0;
+  double curvature = 0.0;  ///< 1/mm, > 0 where the curve turns towards +z (y rising): a rail head
+};
+
+/// Knots with derivatives by the parameter, which rises from the gauge or flange side to the field
+/// side; it is close to the arc length, in mm.
+struct ProfileKnots {
+  std::vector<double> parameter;
+  std::vector<double> y, z;    ///< mm
+  std::vector<double> dy, dz;  ///< by the parameter, on the right of a knot where they jump
+};
+
+class ProfileCurve {
+ public:
+  ProfileCurve() = default;
+  /// Lists of one length, at least 2, parameters rising. Throws std::invalid_argument.
+  explicit ProfileCurve(ProfileKnots knots);
+
+  ProfilePoint at(double parameter) const;
+  double first() const { return knots_.parameter.front(); }
+  double last() const { return knots_.parameter.back(); }
+  const ProfileKnots& knots() const { return knots_; }
+  /// Parameter of the point with this y, or of the end that is nearer; the lowest where there are
+  /// several (an undercut profile).
+  double parameter_at(double y) const;
+
+  /// Turned about (0, 0) by the angle (rad, from y to z) and then shifted by (y, z).
+  ProfileCurve moved(double angle, double y, double z) const;
+  /// The knots with parameters between these, and one beyond each end.
+  ProfileCurve part(double from, double to) const;
+  /// Mirrored at y = 0; parameters still rise from small to large y.
+  ProfileCurve mirrored() const;
+
+ private:
+  ProfileKnots knots_;
+  std::vector<double> highest_y_, lowest_y_;  ///< mm, of the knots up to each
+};
+
+/// Parameter of the knot nearest to a place.
+double parameter_near(const ProfileCurve& curve, double y, double z);
+
+/// Height z over y of the part of the curve about `parameter` that is single valued and not steeper
+/// than `steepest` (dz/dy). Throws std::invalid_argument when it is steeper at `parameter` itself.
+contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter,
+                                   double steepest = 12.0);
+
+}  // namespace rollfem::profiles

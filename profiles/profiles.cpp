@@ -1,0 +1,157 @@
+#include "profiles/profiles.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include "profiles/built_in_profiles.hpp"
+#include "profiles/formula_profiles.hpp"
+#include "profiles/profile_features.hpp"
+#include "profiles/profile_points.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace rollfem::profiles {
+
+namespace {
+
+using contact::InputError;
+using contact::ProfileSource;
+
+std::string built_in_names(bool wheel) {
+  std::string names;
+  for (const BuiltInProfile& profile : built_in_profiles())
+    if (profile.wheel == wheel) names += (names.empty() ? "" : ", ") + profile.name;
+  return names;
+}
+
+ProfileCurve built_in(const BuiltInProfile& profile, bool wheel, const std::string& case_file) {
+  if (profile.wheel != wheel)
+    throw InputError(
+        fmt::format("{}: profile = \"{}\" belongs to a {}, not to a {}; allowed: {}, arcs, "
+                    "polynomial or a file; do: name another one",
+                    case_file, profile.name, wheel ? "rail" : "wheel", wheel ? "wheel" : "rail",
+                    built_in_names(wheel)));
+  return profile.make();
+}
+
+ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool wheel,
+                     ProfileReport& report) {
+  mend_and_check(points, source, wheel);
+  report.points = points.y.size();
+  report.smoothing.emplace();
+  try {
+    return smoothing_spline(points.y, points.z, source.smoothing, &*report.smoothing);
+  } catch (const std::invalid_argument&) {
+    throw InputError(
+        fmt::format("{}: smoothing = {} mm exceeds the height of the whole profile; allowed: about "
+                    "the scatter of the measured points, some 0.01 mm; do: give a smaller value",
+                    source.name, source.smoothing));
+  }
+}
+
+ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::string& case_file,
+                       ProfileReport& report) {
+  const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InputError(fmt::format(
+        "{}: profile = \"{}\" is neither a known profile nor an existing file; allowed: {}, arcs, "
+        "polynomial or a file, its path relative to the case file; do: correct the name",
+        case_file, source.name, built_in_names(wheel)));
+  return through(read_profile_points(path.string(), source.name, wheel, source.unit), source, wheel,
+                 report);
+}
+
+ProfileCurve of_source(const ProfileSource& source, bool wheel, const std::string& case_file,
+                       ProfileReport& report) {
+  const std::string section =
+      fmt::format("{}: [{}]", case_file, wheel ? "wheel_profile" : "rail_profile");
+  if (const BuiltInProfile* profile = find_built_in_profile(source.name)) {
+    report.kind = "built in: " + profile->sentence;
+    return built_in(*profile, wheel, case_file);
+  }
+  report.kind = source.name;
+  if (source.name == "arcs") return arc_profile_curve(source, wheel, section);
+  if (source.name == "polynomial") return polynomial_profile_curve(source, section);
+  report.kind = "file";
+  return from_file(source, wheel, case_file, report);
+}
+
+/// The tip of the flange is behind its back: a profile measured from there has it where the tread
+/// should be, and rolls on it.
+void check_flange(const contact::Case& input, const ProfileCurve& curve) {
+  constexpr double thickest = 45.0;  // mm, flanges are some 22 to 34 thick
+  const std::optional<double> tip = flange_tip(curve);
+  const double back = input.wheelset.flange_back_position;
+  if (!tip || (*tip > back && *tip < back + thickest)) return;
+  const ProfilePoint start = curve.at(curve.first());
+  const std::array<double, 2>& shift = input.wheel.profile.shift;
+  throw InputError(fmt::format(
+      "{}: wheel.profile = \"{}\": the tip of the flange is at y = {:.4g} mm, where the tread "
+      "should be, {:.4g} mm from the back of the flange (wheelset.flange_back_position = {:g} mm); "
+      "allowed: up to {} mm; do: put `shift = [{:g}, {:g}]` under [wheel_profile] if the profile "
+      "is measured from the back of the flange (it begins at y = {:.4g} mm), or give the back in "
+      "its own coordinates as flange_back_position under [wheelset]",
+      input.file, input.wheel.profile.name, *tip, *tip - back, back, thickest, shift[0] + back,
+      shift[1], start.y));
+}
+
+}  // namespace
+
+std::optional<double> flange_tip(const ProfileCurve& curve) {
+  constexpr double lowest_flange = 15.0;  // mm; those of wheels are 25 to 36 high
+  constexpr std::size_t samples = 101;
+  const ProfilePoint tip = profile_features(curve, true).bottom;
+  std::vector<double> heights;
+  const double step = (curve.last() - curve.first()) / (samples - 1);
+  for (std::size_t k = 0; k < samples; ++k)
+    heights.push_back(curve.at(curve.first() + static_cast<double>(k) * step).z);
+  std::nth_element(heights.begin(), heights.begin() + samples / 2, heights.end());
+  // Where the measured part ends on the way up is no tip.
+  const bool ends = std::abs(tip.y - curve.at(curve.first()).y) < 0.5;
+  if (ends || tip.z < heights[samples / 2] + lowest_flange) return {};
+  return tip.y;
+}
+
+ProfileCurve profile_of_text(const std::string& text, const ProfileSource& source, bool wheel) {
+  ProfileReport report;
+  return through(parse_profile_points(text, source.name, wheel, source.unit), source, wheel,
+                 report);
+}
+
+ProfileCurve make_profile(const ProfileSource& source, bool wheel, const std::string& case_file,
+                          ProfileReport* report) {
+  ProfileReport here;
+  ProfileCurve curve = of_source(source, wheel, case_file, here);
+  // The points of a file were mirrored before they were checked.
+  if (source.mirror && here.kind != "file") curve = curve.mirrored();
+  if (source.rotation != 0.0 || source.shift[0] != 0.0 || source.shift[1] != 0.0)
+    curve = curve.moved(source.rotation, source.shift[0], source.shift[1]);
+  if (report != nullptr) *report = here;
+  return curve;
+}
+
+ProfileCurve profile_of_case(const contact::Case& input, bool wheel, ProfileReport* report) {
+  const ProfileSource& source = wheel ? input.wheel.profile : input.rail.profile;
+  if (!source.name.empty()) {
+    ProfileCurve curve = make_profile(source, wheel, input.file, report);
+    if (wheel) check_flange(input, curve);
+    return curve;
+  }
+  const double radius = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;
+  constexpr double half_width = 60.0;  // mm, wider than treads and heads are
+  ProfileSource arc;
+  arc.name = "arcs";
+  arc.radii = {radius};
+  arc.ends = {std::min(half_width, 0.95 * std::abs(radius))};
+  arc.symmetric = true;
+  ProfileCurve curve = make_profile(arc, wheel, input.file, report);
+  if (report != nullptr) report->kind = "radius";
+  return curve;
+}
+
+}  // namespace rollfem::profiles

@@ -1,0 +1,29 @@
+// A curve through or near points of a profile: first a cubic smoothing spline in the chord
+// length, for y and z alike (C. H. Reinsch, Numer. Math. 10, 1967; P. J. Green, B. W.
+// Silverman, Nonparametric Regression, 1994, ch. 2), then a smoothing that assumes arcs and
+// slow transitions (curvature_smoothing.hpp), and a natural cubic spline through the
+// result.
+#pragma once
+
+#include "profiles/profile_curve.hpp"
+#include <vector>
+
+namespace rollfem::profiles {
+
+/// What smoothing did to the points.
+struct SmoothingReport {
+  double rms = 0.0;      ///< mm, of the distances of the points from the curve, across it
+  double largest = 0.0;  ///< mm
+  double scatter = 0.0;  ///< mm, of the points across the profile, from their third differences
+};
+
+/// The first smoothing minimises the sum of squared distances + lambda * integral of (w |r''|)^2
+/// with lambda such that the rms distance is `scatter` (mm), the standard deviation of the points
+/// across the profile; w is the local radius of curvature, from a pass with w = 1. It only says
+/// where the profile is; what is returned goes through the points of smooth_curvature. scatter 0:
+/// natural cubic spline through all points. O(points). Throws std::invalid_argument when a straight
+/// line is nearer to the points than `scatter`.
+ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
+                              double scatter, SmoothingReport* report = nullptr);
+
+}  // namespace rollfem::profiles

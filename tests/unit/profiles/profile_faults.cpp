@@ -1,0 +1,149 @@
+// Every fault of a profile's file is refused with one message that names the line and the key that
+// mends it, and mended when told.
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "profiles/profiles.hpp"
+#include "support/profile_texts.hpp"
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace rollfem::profiles {
+namespace {
+
+using contact::ProfileSource;
+using namespace rollfem::testing;
+
+struct Fault {
+  const char* name;
+  bool wheel;
+  std::string text;
+  std::vector<std::string> parts;            ///< of the message
+  std::function<void(ProfileSource&)> mend;  ///< empty: cannot be mended
+};
+
+void PrintTo(const Fault& fault, std::ostream* stream) {
+  *stream << fault.name;
+}
+
+const auto same = [](Points&) {};
+
+const std::vector<Fault> faults{
+    {"Empty", true, "", {"is empty"}, {}},
+    {"OnlyComments", true, "# nothing\n\n", {"is empty"}, {}},
+    {"NoProfile",
+     true,
+     "Dear Sir,\nplease find\n",
+     {"profile.txt:2: is not a profile", "do not begin with a number"},
+     {}},
+    {"BadNumber", true, "1 2\n3 x4\n", {"profile.txt:2:", "`x4`"}, {}},
+    {"OneColumn", false, "1\n2\n", {"profile.txt:1:", "two columns"}, {}},
+    {"NotFinite", false, "1 2\n3 nan\n", {"profile.txt:2:", "`nan`"}, {}},
+    {"TooFewPoints", false, "-20 2\n0 0\n20 2\n", {"has 3 points"}, {}},
+    {"Binary", false, std::string("1 2\0 3", 6), {"binary"}, {}},
+    {"Metres",
+     true,
+     changed("S1002", same, 1000.0),
+     {"in m?", "unit = \"m\""},
+     [](ProfileSource& s) { s.unit = contact::LengthUnit::m; }},
+    {"Inches",
+     false,
+     changed("60E1", same, 25.4),
+     {"inches", "unit = \"inch\""},
+     [](ProfileSource& s) { s.unit = contact::LengthUnit::inch; }},
+    {"MirroredWheel",
+     true,
+     changed("S1002",
+             [](Points& p) {
+               for (auto& q : p) q[0] = -q[0];
+             }),
+     {"flange is on the wrong side", "mirror = true"},
+     [](ProfileSource& s) { s.mirror = true; }},
+    {"UpwardWheel",
+     true,
+     changed("S1002",
+             [](Points& p) {
+               for (auto& q : p) q[1] = -q[1];
+             }),
+     {"upward", "flip = true"},
+     [](ProfileSource& s) { s.flip = true; }},
+    {"UpwardRail",
+     false,
+     changed("60E1",
+             [](Points& p) {
+               for (auto& q : p) q[1] = -q[1];
+             }),
+     {"upward", "flip = true"},
+     [](ProfileSource& s) { s.flip = true; }},
+    {"ReversedWheel",
+     true,
+     changed("S1002", [](Points& p) { std::reverse(p.begin(), p.end()); }),
+     {"profile.txt:1:", "large to small y", "reverse = true"},
+     [](ProfileSource& s) { s.reverse = true; }},
+    {"Unordered",
+     false,
+     changed("60E1",
+             [](Points& p) {
+               for (std::size_t k = 3; k + 8 < p.size(); k += 9) std::swap(p[k], p[k + 6]);
+             }),
+     {"unordered", "sort = true"},
+     [](ProfileSource& s) { s.sort = true; }},
+    {"Duplicate",
+     false,
+     changed("60E1", [](Points& p) { p.insert(p.begin() + 100, p[100]); }),
+     {"profile.txt:102:", "line 101", "drop_duplicates = true"},
+     [](ProfileSource& s) { s.drop_duplicates = true; }},
+    {"Zigzag",
+     false,
+     changed("60E1",
+             [](Points& p) {
+               p.insert(p.begin() + 131, {p[128][0], p[128][1]});
+             }),
+     {"profile.txt:132:", "zig-zag", "drop_zigzag = true"},
+     [](ProfileSource& s) { s.drop_zigzag = true; }},
+    {"Gap",
+     false,
+     changed("60E1", [](Points& p) { p.erase(p.begin() + 125, p.begin() + 139); }),
+     {"profile.txt:126:", "gap of 7.5", "longest_gap = 8"},
+     [](ProfileSource& s) { s.longest_gap = 8.0; }},
+    {"Kink",
+     false,
+     changed("60E1",
+             [](Points& p) {
+               for (auto& q : p) q[1] += 0.5 * std::max(0.0, q[0] - 5.0);
+             }),
+     {"kink of 26", "rounding = 0.05", "largest_kink = 27"},
+     {}},
+    {"Step",
+     false,
+     changed("60E1",
+             [](Points& p) {
+               for (auto& q : p) q[1] += q[0] > 5.0 ? 0.1 : 0.0;
+             }),
+     {"step of 0.1 mm", "y = 4.8", "`rounding = 0.05`"},
+     {}},
+};
+
+class FaultyFile : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(FaultyFile, IsRefusedWithOneMessageAndReadWhenMended) {
+  const Fault& fault = GetParam();
+  const std::string message = refusal(fault.text, fault.wheel);
+  for (const std::string& part : fault.parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
+  EXPECT_NE(message.find("do: "), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  if (!fault.mend) return;
+  ProfileSource source;
+  fault.mend(source);
+  EXPECT_LT(off(read(fault.text, fault.wheel, source), fault.wheel ? "S1002" : "60E1"), 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profile, FaultyFile, ::testing::ValuesIn(faults),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace rollfem::profiles

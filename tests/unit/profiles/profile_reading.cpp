@@ -1,0 +1,155 @@
+// Profiles as instruments and programs write them: comments, headings, what is refused, and wheels
+// that are measured from the back of the flange.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "profiles/profiles.hpp"
+#include "support/profile_texts.hpp"
+#include <regex>
+#include <string>
+
+namespace rollfem::profiles {
+namespace {
+
+using contact::ProfileSource;
+using namespace rollfem::testing;
+
+/// Every third row with one of the comments behind it, and a row of comment after it.
+std::string commented(const std::string& rows) {
+  const char* marks[] = {" % 0.1 mm steps", " ! worn", " \"here\"", " # 12", " // see 3"};
+  std::string text;
+  int k = 0;
+  for (const char c : rows) {
+    if (c == '\n' && k++ % 3 == 0) {
+      text += marks[(k / 3) % 5];
+      text += "\n% a remark, with 2 numbers 3\n";
+      continue;
+    }
+    text += c;
+  }
+  return text;
+}
+
+TEST(ProfileReading, CommentsMayStandBehindARowInEveryFormat) {
+  const std::string rows = commented(columns(points_of("60E1")));
+  EXPECT_LT(off(read(rows, false), "60E1"), spline_tolerance);
+  const std::string simpack =
+      "% by hand\nheader.begin % rail\ntype = 0 % rail\nheader.end\n"
+      "spline.begin\nunits.len.f = 1000 \"mm\"\npoint.begin ! list\n" +
+      rows + "point.end\nspline.end\n";
+  EXPECT_LT(off(read(simpack, false, {}, "rail.prr"), "60E1"), spline_tolerance);
+  for (const char* name : {"rail.ban", "rail.whl", "rail.mpt", "RAIL.MPT"})
+    EXPECT_LT(
+        off(read("% as measured\nDate=1 % of May\nColumnDef=X,Y % mm\n\n" + rows, false, {}, name),
+            "60E1"),
+        spline_tolerance)
+        << name;
+}
+
+TEST(ProfileReading, HeadingsMayFillSeveralLines) {
+  const Points points = points_of("60E1");
+  const std::string rows = columns(points, ",");
+  for (const std::string& heading :
+       {std::string("Rail 60E1\nmeasured in May\n\ny,z\n[mm],[mm]\n-----,-----\n"),
+        std::string("Operator: N. N.\ny,z\n"), std::to_string(points.size()) + "\n",
+        std::string("rail\n") + std::to_string(points.size()) + "\ny,z\n"})
+    EXPECT_LT(off(read(heading + rows, false), "60E1"), spline_tolerance) << heading;
+  std::string swapped;
+  for (const auto& [y, z] : points) swapped += fmt::format("{:.9f},{:.9f},7\n", z, y);
+  EXPECT_LT(off(read("Rail\nz,y,n\n(mm),(mm),(-)\n" + swapped, false), "60E1"), spline_tolerance);
+}
+
+TEST(ProfileReading, TextThatMakesNoSenseIsRefusedWithItsLine) {
+  const std::string rows = columns(points_of("60E1"));
+  const auto expect_said = [](const std::string& text, const std::string& name,
+                              const std::string& said) {
+    const std::string message = refusal(text, false, {}, name);
+    EXPECT_EQ(message.rfind(said, 0), 0u) << message;
+    EXPECT_NE(message.find("; do: "), std::string::npos) << message;
+  };
+  expect_said("y z\n" + rows + "end of list\n", "a.txt",
+              fmt::format("a.txt:{}: expected a number, got `end`", points_of("60E1").size() + 2));
+  expect_said("-36.0 37.x\n" + rows, "a.txt", "a.txt:1: expected a number, got `37.x`");
+  expect_said("rail\n-36,0 37,5\n-35,9x 37\n", "a.txt", "a.txt:2: has 4 numbers");
+  expect_said("1o.5 3\n" + rows, "a.txt", "a.txt:1: expected a number, got `1o.5`");
+  expect_said("To whom it may concern:\nno list follows\n", "a.txt", "a.txt:2: is not a profile");
+  // Nothing of what is not meant for us is repeated.
+  expect_said("root:x:0:0:root:/root:/bin/sh\nuser:secret:1000\n", "passwd",
+              "passwd:2: is not a profile");
+  EXPECT_EQ(refusal("root:x:0:0\nuser:secret:1000\n", false, {}, "a.prr").find("secret"),
+            std::string::npos);
+  expect_said("12\n" + rows, "a.txt", "a.txt:1: has one number");
+  expect_said("Rail\n-36.0 37..5 0\n" + rows, "a.ban", "a.ban:2: expected a number, got `37..5`");
+  expect_said("Rail\n" + rows + "the end\n", "a.mpt",
+              fmt::format("a.mpt:{}: expected a number, got `the`", points_of("60E1").size() + 2));
+  expect_said("spline.begin\nfree text\npoint.begin\n" + rows + "point.end\nspline.end\n", "a.prr",
+              "a.prr:2: `free text` is not a key");
+  expect_said("spline.begin\npoint.begin\n1 2\nand so on\npoint.end\n", "a.prr",
+              "a.prr:4: expected a number, got `and`");
+}
+
+/// A corner right after points in a row: it is where the curve turns, and as large as it is.
+TEST(ProfileReading, AKinkIsSaidWhereItIsWithItsAngle) {
+  std::string rows;
+  for (int k = -40; k <= 40; ++k)
+    rows += fmt::format("{} {:.9f}\n", 0.5 * k, k <= 0 ? 0.0 : 0.5 * k * std::tan(0.4));
+  const std::string message = refusal(rows, false);
+  EXPECT_EQ(message.rfind("profile.txt:41: kink of 22.9 degrees at y = 0,", 0), 0u) << message;
+  EXPECT_NE(message.find("`largest_kink = 23`"), std::string::npos) << message;
+  ProfileSource source;
+  source.largest_kink = 23.0;
+  EXPECT_NO_THROW(read(rows, false, source));
+  source.largest_kink = 22.9;
+  EXPECT_EQ(refusal(rows, false, source).find("kink of 0 "), std::string::npos);
+}
+
+/// Steps everywhere are scatter: the least that explains them is proposed, and half does not.
+TEST(ProfileReading, TheLeastSmoothingThatSufficesIsProposed) {
+  Points points = points_of("60E1", 0.1);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k][1] += 0.01 * std::sin(12.9898 * static_cast<double>(k * k));
+  const std::string text = columns(points);
+  const std::string message = refusal(text, false);
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(message, found, std::regex("`smoothing = ([0-9.]+)`"))) << message;
+  ProfileSource source;
+  source.smoothing = std::stod(found[1]);
+  EXPECT_NO_THROW(read(text, false, source));
+  EXPECT_LE(source.smoothing, 0.01);
+  source.smoothing *= 0.5;
+  EXPECT_THROW(read(text, false, source), contact::InputError);
+}
+
+TEST(ProfileReading, AWheelMeasuredFromTheBackOfItsFlangeIsToldFromOneThatIsNot) {
+  const TemporaryFolder folder;
+  Points points = points_of("S1002");
+  for (auto& q : points) q[0] += 70.0;
+  folder.file("back.txt", columns(points));
+  contact::Case input;
+  input.file = folder.path("case.toml");
+  input.wheel.rolling_radius = 460.0;
+  input.wheel.profile.name = "back.txt";
+  const std::string message =
+      refusal<contact::InputError>([&] { static_cast<void>(profile_of_case(input, true)); });
+  for (const char* said :
+       {"the tip of the flange is at y = 15 mm, where the tread should be",
+        "put `shift = [-70, 0]` under [wheel_profile]", "flange_back_position under [wheelset]"})
+    EXPECT_NE(message.find(said), std::string::npos) << message;
+  input.wheel.profile.shift = {-70.0, 0.0};
+  EXPECT_NEAR(*flange_tip(profile_of_case(input, true)), -55.0, 0.1);
+  // Or the wheelset knows where the back is.
+  input.wheel.profile.shift = {0.0, 0.0};
+  input.wheelset.flange_back_position = 0.0;
+  EXPECT_NEAR(*flange_tip(profile_of_case(input, true)), 15.0, 0.1);
+}
+
+TEST(ProfileReading, AMeasuredTreadWithoutFlangeHasNoTip) {
+  Points points = points_of("S1002");
+  points.erase(
+      std::remove_if(points.begin(), points.end(), [](const auto& q) { return q[0] < -45.0; }),
+      points.end());
+  EXPECT_FALSE(flange_tip(read(columns(points), true)).has_value());
+}
+
+}  // namespace
+}  // namespace rollfem::profiles

@@ -1,0 +1,89 @@
+// Rolling radii over the lateral shift against the conicity of circular profiles in closed form.
+#include "track/motion/rigid_touch.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/worn_wheels.hpp"
+#include "track/motion/conicity.hpp"
+#include "track/motion/scenes.hpp"
+#include <cmath>
+
+using namespace rollfem;
+
+namespace {
+
+/// Coned wheel that is concave with radius `wheel` on a rail of radius `rail`, mm.
+contact::Case circles(double wheel, double rail) {
+  contact::Case input = rollfem::testing::hollow_tread(0.0);
+  input.wheel.profile.radii = {-wheel};
+  input.wheel.profile.ends = {-60.0, 60.0};
+  input.wheel.profile.slope = -0.05;
+  input.wheelset.flange_back_position = -70.0;
+  input.rail.profile.radii = {rail, 20.0};
+  input.rail.profile.ends = {28.0, 45.0};
+  input.track.gauge_height = 8.0;
+  input.wheelset.roll.clear();
+  return input;
+}
+
+}  // namespace
+
+TEST(RigidTouch, CircularProfilesHaveWickensConicity) {
+  // A. H. Wickens, Fundamentals of Rail Vehicle Dynamics (2003): for small shifts the conicity is
+  // R d / (R - R') (l + R' d) / (l - r d), with radii R of the wheel's and R' of the rail's
+  // profile, the slope d of the contact in the middle, the half distance l of the contacts and the
+  // rolling radius r.
+  for (const double wheel : {260.0, 300.0, 400.0}) {
+    const double rail = 200.0;
+    const contact::Case input = circles(wheel, rail);
+    const auto touches = track::rigid_touches(input, track::search_scene_of(input), {0.0, 0.1});
+    ASSERT_EQ(touches.size(), 2u);
+    const track::RigidTouch& middle = touches[0].right;
+    EXPECT_NEAR(touches[0].radius_difference(), 0.0, 1e-9);
+    EXPECT_NEAR(touches[0].roll, 0.0, 1e-12);
+    const double slope = std::tan(middle.contact_angle);
+    ASSERT_GT(slope, 0.06);
+    const double expected = wheel * slope / (wheel - rail) * (middle.y_track + rail * slope) /
+                            (middle.y_track - middle.rolling_radius * slope);
+    EXPECT_NEAR(touches[1].radius_difference() / 0.2, expected, 5e-4 * expected) << wheel;
+  }
+}
+
+TEST(RigidTouch, TheOtherSideIsTheMirrorImage) {
+  const contact::Case input = circles(300.0, 200.0);
+  const auto touches = track::rigid_touches(input, track::search_scene_of(input), {-1.5, 1.5});
+  ASSERT_EQ(touches.size(), 2u);
+  EXPECT_NEAR(touches[0].left.rolling_radius, touches[1].right.rolling_radius, 1e-9);
+  EXPECT_NEAR(touches[0].right.contact_angle, touches[1].left.contact_angle, 1e-9);
+  EXPECT_NEAR(touches[0].roll, -touches[1].roll, 1e-12);
+}
+
+TEST(RigidTouch, EndsWhereAWheelLeavesItsRail) {
+  const contact::Case input = circles(300.0, 200.0);
+  const track::SearchScene search = track::search_scene_of(input);
+  const auto touches = track::rigid_touches(input, search, {0.0, 1.0, 70.0, 2.0});
+  EXPECT_EQ(touches.size(), 2u);
+  EXPECT_ANY_THROW(static_cast<void>(track::rigid_touches(input, search, {70.0})));
+}
+
+TEST(RigidTouch, ARowHasEveryShiftOnEitherSide) {
+  const contact::Case input = circles(300.0, 200.0);
+  const track::SearchScene search = track::search_scene_of(input);
+  const auto rows = track::wheelset_rows(input, search, 3.0, 0.2);
+  ASSERT_EQ(rows.size(), 16u);
+  const auto right = track::wheelset_row(input, search, rows, 2.0);
+  const auto left = track::wheelset_row(input, search, rows, -2.0);
+  ASSERT_TRUE(right && left);
+  EXPECT_NEAR(right->touch.radius_difference(), rows[10].touch.radius_difference(), 1e-9);
+  EXPECT_NEAR(right->wave.value(), rows[10].wave.value(), 1e-6);
+  EXPECT_EQ(left->touch.lateral_shift, -2.0);
+  EXPECT_NEAR(left->touch.radius_difference(), -right->touch.radius_difference(), 1e-12);
+  EXPECT_EQ(left->wave, right->wave);
+  // Between the steps, near the conicity of both neighbours.
+  const auto between = track::wheelset_row(input, search, rows, 2.1);
+  EXPECT_NEAR(between->harmonic.value(), 0.5 * (*rows[10].harmonic + *rows[11].harmonic), 1e-5);
+  EXPECT_FALSE(track::wheelset_row(input, search, rows, 0.0)->wave.has_value());
+  EXPECT_FALSE(track::wheelset_row(input, search, rows, 70.0).has_value());
+}

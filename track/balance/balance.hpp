@@ -1,0 +1,33 @@
+// Balances wheels with true profiles: the share of the vertical load of every patch, friction
+// included, and the creepages of the wheelset's motion, solved for in free rolling. The results
+// are scenes for any model; the balance itself is found with half-space solutions on a coarse
+// grid.
+#pragma once
+
+#include "contact/base/progress.hpp"
+#include "contact/case/case.hpp"
+
+#include "track/motion/scenes.hpp"
+#include <string>
+#include <vector>
+
+namespace rollfem::track {
+
+struct BalancedCase {
+  /// One for each patch that carries load, in the order of positions, left before right, the most
+  /// loaded patch first.
+  std::vector<contact::Scene> scenes;
+  SearchScene search;               ///< the profiles, and the rail in its place
+  std::vector<PlacedScene> placed;  ///< as they were placed, for drawings
+  std::vector<std::string> notes;   ///< what a reader must know
+};
+
+/// Patches and near misses of the wheels at all positions; nothing is solved. Throws
+/// contact::InputError and contact::SolveError as find_contacts does.
+std::vector<WheelRailContact> place_wheels(const contact::Case& input, const SearchScene& scene);
+
+/// Throws contact::SolveError when there is no balance (friction that would lift the wheel, no
+/// rotation without torque).
+BalancedCase balance(const contact::Case& input, const contact::Progress& progress = {});
+
+}  // namespace rollfem::track

@@ -1,0 +1,379 @@
+#include "track/balance/position.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/refinement.hpp"
+#include "halfspace/model/load_sharing.hpp"
+
+#include <fmt/format.h>
+
+#include "track/balance/patch_forces.hpp"
+#include "track/balance/root.hpp"
+#include "track/motion/scenes.hpp"
+#include "track/motion/wheelset_motion.hpp"
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace rollfem::track {
+
+using contact::Case;
+using contact::FreeRolling;
+
+namespace {
+
+/// Changes of the normal forces below this part of the load end the balance.
+constexpr double load_tolerance = 1e-4;
+/// Torque below this part of mu F_z R is none.
+constexpr double torque_tolerance = 1e-5;
+
+struct Patch {
+  PlacedScene placed;
+  std::vector<PatchForce> force;  ///< per load point, at the scene as it is
+  double sideways = 0.0;          ///< of the pressure without friction: lateral over normal force
+};
+
+struct Wheel {
+  bool left = true;
+  std::vector<Patch> patches;
+};
+
+/// Force that the scene asks for at load point k, 0 where it asks for an approach.
+double asked_force(const Patch& patch, std::size_t k) {
+  return patch.placed.scene.points[k].load.force.value_or(0.0);
+}
+
+double largest_force(const Patch& patch) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < patch.placed.scene.points.size(); ++k)
+    largest = std::max(largest, asked_force(patch, k));
+  return largest;
+}
+
+class Position {
+ public:
+  Position(const Case& input, const std::vector<PlacedScene>& scenes, int elements_across)
+      : input_(input),
+        elements_across_(elements_across),
+        rotation_(rotation_changes(input)),
+        free_(input.wheelset.free_rolling) {
+    for (const PlacedScene& scene : scenes) {
+      const bool left = scene.contact.place.left;
+      if (wheels_.empty() || wheels_.back().left != left) wheels_.push_back({left, {}});
+      wheels_.back().patches.push_back({scene, {}});
+    }
+  }
+
+  std::vector<contact::Scene> balanced() {
+    for (Wheel& wheel : wheels_) share(wheel, false);
+    turn(rotation_, wheels_);
+    if (needs_forces()) settle();
+    for (Wheel& wheel : wheels_) ask_for_vertical_forces(wheel);
+    return scenes();
+  }
+
+ private:
+  /// A single patch carries its vertical force with friction by itself, as any model solves it.
+  bool shares(const Wheel& wheel) const {
+    return input_.load.vertical_force && wheel.patches.size() > 1;
+  }
+
+  bool needs_forces() const {
+    const bool friction =
+        input_.friction_coefficient > 0.0 && input_.rolling.problem == contact::Problem::steady;
+    return friction && (free_ != FreeRolling::none ||
+                        std::any_of(wheels_.begin(), wheels_.end(),
+                                    [this](const Wheel& wheel) { return shares(wheel); }));
+  }
+
+  /// Rotation without torque and shares of the load with friction, in turn.
+  void settle() {
+    constexpr int most_rounds = 30;
+    for (int round = 0; round < most_rounds; ++round) {
+      if (free_ == FreeRolling::torque) find_rotation(wheels_);
+      if (free_ == FreeRolling::force)
+        for (Wheel& wheel : wheels_) find_rotation(wheel);
+      if (free_ == FreeRolling::none) solve(wheels_);
+      double change = 0.0;
+      for (Wheel& wheel : wheels_)
+        if (shares(wheel)) change = std::max(change, share(wheel, true));
+      if (change < load_tolerance) return;
+    }
+    throw contact::SolveError(
+        fmt::format("the normal forces under {:g} N and friction do not converge in {} iterations",
+                    *input_.load.vertical_force, most_rounds));
+  }
+
+  /// Normal forces of all patches of a wheel under its load, and what they displace under each
+  /// other; returns the largest change of a force relative to the load. With friction, the
+  /// tangential forces keep their ratio to the normal force.
+  double share(Wheel& wheel, bool friction) {
+    if (input_.load.approach) {
+      drop_untouched(wheel);
+      press_at_approach(wheel);
+    }
+    if (!shares(wheel)) return 0.0;
+    const double load = *input_.load.vertical_force;
+    double change = 0.0;
+    std::vector<halfspace::SharedLoad> shared;
+    for (std::size_t k = 0; k < rotation_.size(); ++k) {
+      if (k == 0 || friction) shared.push_back(shared_load(wheel, load, friction ? &k : nullptr));
+      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+        Patch& patch = wheel.patches[i];
+        const halfspace::Share& own = shared.back().shares[i];
+        change = std::max(change, std::abs(asked_force(patch, k) - own.normal_force) / load);
+        patch.placed.scene.points[k].load = {own.normal_force, {}};
+      }
+    }
+    set_beside(wheel, shared);
+    drop_unloaded(wheel, load);
+    return change;
+  }
+
+  /// The load points of a scene have one half-space: the mean over them is what loads it beside the
+  /// contact.
+  static void set_beside(Wheel& wheel, const std::vector<halfspace::SharedLoad>& shared) {
+    const double part = 1.0 / static_cast<double>(shared.size());
+    for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+      std::vector<contact::LoadBeside>& all = wheel.patches[i].placed.scene.beside;
+      all.clear();
+      for (std::size_t k = 0; k < shared.size(); ++k)
+        for (std::size_t j = 0; j < wheel.patches.size(); ++j) {
+          const auto& force = wheel.patches[j].force;
+          const bool known = k < force.size() && force[k].normal > 0.0;
+          for (contact::LoadBeside load : shared[k].shares[i].beside[j]) {
+            load.normal *= part;
+            load.longitudinal = known ? force[k].longitudinal / force[k].normal * load.normal : 0.0;
+            load.lateral = known ? force[k].lateral / force[k].normal * load.normal : 0.0;
+            all.push_back(load);
+          }
+        }
+    }
+  }
+
+  /// The wheel sinks as far as the case says; its contacts displace each other all the same.
+  static void press_at_approach(Wheel& wheel) {
+    if (wheel.patches.size() < 2) return;
+    const contact::Scene& first = wheel.patches.front().placed.scene;
+    const auto approach = first.points.front().load.approach;
+    if (!approach) return;
+    const double sinking =
+        (*approach + first.place->separation) / std::cos(first.place->contact_angle);
+    set_beside(wheel, {halfspace::load_at(scenes_of(wheel), sinking)});
+  }
+
+  static std::vector<contact::Scene> scenes_of(const Wheel& wheel) {
+    std::vector<contact::Scene> scenes;
+    for (const Patch& patch : wheel.patches) scenes.push_back(patch.placed.scene);
+    return scenes;
+  }
+
+  /// The share of each patch becomes a vertical force, of which every model finds the normal force
+  /// with its own friction; together they are the load of the wheel.
+  void ask_for_vertical_forces(Wheel& wheel) {
+    if (!input_.load.vertical_force) return;
+    for (std::size_t k = 0; k < rotation_.size(); ++k) {
+      std::vector<double> vertical;
+      double sum = 0.0;
+      for (const Patch& patch : wheel.patches) {
+        vertical.push_back(wheel.patches.size() == 1 ? *input_.load.vertical_force
+                                                     : lift(patch, asked_force(patch, k), &k));
+        sum += vertical.back();
+      }
+      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+        Patch& patch = wheel.patches[i];
+        patch.placed.scene.points[k].load = {vertical[i] * *input_.load.vertical_force / sum,
+                                             {},
+                                             upwards(patch.placed.contact.place)};
+      }
+    }
+  }
+
+  /// A sinking that is given reaches some patches only.
+  static void drop_untouched(Wheel& wheel) {
+    auto& all = wheel.patches;
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [](const Patch& p) {
+                               const auto& load = p.placed.scene.points.front().load;
+                               return load.approach && !(*load.approach > 0.0);
+                             }),
+              all.end());
+  }
+
+  /// Vertical force that a normal force brings with it, friction at load point k included.
+  double lift(const Patch& patch, double normal_force, const std::size_t* k) const {
+    double lateral = patch.sideways * normal_force;
+    if (k != nullptr && *k < patch.force.size() && patch.force[*k].normal > 0.0)
+      lateral = patch.force[*k].lateral / patch.force[*k].normal * normal_force;
+    return vertical_force(normal_force, lateral, patch.placed.contact.place);
+  }
+
+  /// Shares of the patches that add up to `load` vertically.
+  halfspace::SharedLoad shared_load(Wheel& wheel, double load, const std::size_t* k) const {
+    const auto carried = [&](const halfspace::SharedLoad& shared) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+        const halfspace::Share& own = shared.shares[i];
+        wheel.patches[i].sideways =
+            own.normal_force > 0.0 ? own.lateral_force / own.normal_force : 0.0;
+        sum += lift(wheel.patches[i], own.normal_force, k);
+      }
+      return sum;
+    };
+    // The sharing is a matter of geometry and elasticity; friction changes what has to be shared.
+    const std::vector<contact::Scene> scenes = scenes_of(wheel);
+    double to_share = load;
+    constexpr int most_steps = 50;
+    for (int step = 0; step < most_steps; ++step) {
+      halfspace::SharedLoad shared = halfspace::share_load(scenes, to_share);
+      const double sum = carried(shared);
+      if (!(sum > 0.0)) refuse_lift(wheel);
+      if (std::abs(sum - load) < 0.1 * load_tolerance * load) return shared;
+      to_share *= load / sum;
+    }
+    throw contact::SolveError(fmt::format("the {} wheel: the load is not shared in {} steps",
+                                          wheel.left ? "left" : "right", most_steps));
+  }
+
+  [[noreturn]] static void refuse_lift(const Wheel& wheel) {
+    throw contact::SolveError(fmt::format(
+        "the {} wheel: friction on the flange lifts it at any load (beyond Nadal's limit), so "
+        "there is no equilibrium; do: use less friction, lateral_shift or yaw",
+        wheel.left ? "left" : "right"));
+  }
+
+  static void drop_unloaded(Wheel& wheel, double load) {
+    auto& all = wheel.patches;
+    const auto count_of = [](const Patch& patch) { return patch.placed.scene.points.size(); };
+    const auto loaded = [&](const Patch& patch) {
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < count_of(patch); ++k)
+        if (asked_force(patch, k) > load_tolerance * load) ++count;
+      return count;
+    };
+    for (const Patch& patch : all)
+      if (const auto count = loaded(patch); count > 0 && count < count_of(patch))
+        throw contact::SolveError(
+            fmt::format("the {} wheel: a second patch carries load at only {} of {} load points; "
+                        "do: solve these load points in separate cases",
+                        wheel.left ? "left" : "right", count, count_of(patch)));
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const Patch& patch) { return loaded(patch) == 0; }),
+              all.end());
+  }
+
+  /// Creepages of the patches at these rotations.
+  void turn(const std::vector<double>& rotation, std::vector<Wheel>& wheels) {
+    for (Wheel& wheel : wheels) turn(rotation, wheel);
+  }
+  void turn(const std::vector<double>& rotation, Wheel& wheel) {
+    for (Patch& patch : wheel.patches) set_rotation_changes(patch.placed, input_, rotation);
+  }
+
+  void solve(std::vector<Wheel>& wheels) const {
+    for (Wheel& wheel : wheels) solve(wheel);
+  }
+  void solve(Wheel& wheel) const {
+    for (Patch& patch : wheel.patches)
+      patch.force = patch_forces(patch.placed.scene, elements_across_);
+  }
+
+  double torque(const Wheel& wheel, std::size_t k) const {
+    double sum = 0.0;
+    for (const Patch& patch : wheel.patches)
+      sum += driving_moment(patch.placed.contact, patch.force[k]);
+    return sum;
+  }
+  double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
+    double sum = 0.0;
+    for (const Wheel& wheel : wheels) sum += torque(wheel, k);
+    return sum;
+  }
+
+  /// A wheel that turns faster is held back more by the rail: the moment about the axle falls.
+  template <class Driven>
+  void find_rotation(Driven& driven) {
+    RootOptions options;
+    options.step = 2e-4;
+    options.value_tolerance =
+        torque_tolerance * input_.friction_coefficient * load_scale() * input_.wheel.rolling_radius;
+    const auto torques = [&](const std::vector<double>& rotation) {
+      turn(rotation, driven);
+      solve(driven);
+      std::vector<double> values;
+      for (std::size_t k = 0; k < rotation.size(); ++k) values.push_back(torque(driven, k));
+      return values;
+    };
+    rotation_ = falling_roots(torques, rotation_, options, "rotation without torque");
+    turn(rotation_, driven);
+  }
+
+  double load_scale() const {
+    double sum = 0.0;
+    for (const Wheel& wheel : wheels_)
+      for (const Patch& patch : wheel.patches) {
+        const double asked = largest_force(patch);
+        sum += asked > 0.0 ? asked : patch.placed.contact.normal_force;
+      }
+    return sum;
+  }
+
+  std::vector<contact::Scene> scenes() const {
+    std::vector<contact::Scene> all;
+    for (const Wheel& wheel : wheels_) {
+      std::vector<const Patch*> order;
+      for (const Patch& patch : wheel.patches) order.push_back(&patch);
+      std::stable_sort(order.begin(), order.end(), [](const Patch* a, const Patch* b) {
+        return largest_force(*a) > largest_force(*b);
+      });
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        all.push_back(order[i]->placed.scene);
+        all.back().place->patch = static_cast<int>(i) + 1;
+        all.back().place->patches = static_cast<int>(order.size());
+      }
+    }
+    return all;
+  }
+
+  const Case& input_;
+  int elements_across_;
+  std::vector<Wheel> wheels_;
+  std::vector<double> rotation_;  ///< relative change per load point
+  FreeRolling free_;
+};
+
+/// Errors of the creepages from a balance on half as many elements, 1.5 times the change as of
+/// forces (docs/accuracy.md). None where that finds other patches.
+void add_creepage_errors(const std::vector<contact::Scene>& coarse,
+                         std::vector<contact::Scene>& scenes) {
+  if (coarse.size() != scenes.size()) return;
+  for (std::size_t s = 0; s < scenes.size(); ++s)
+    for (std::size_t k = 0; k < scenes[s].points.size() && k < coarse[s].points.size(); ++k) {
+      const contact::Creepage& a = scenes[s].points[k].creepage;
+      const contact::Creepage& b = coarse[s].points[k].creepage;
+      const auto error = [](double fine, double rough) {
+        return contact::uneven_safety * std::abs(fine - rough);
+      };
+      scenes[s].points[k].creepage_error = {error(a.longitudinal, b.longitudinal),
+                                            error(a.lateral, b.lateral), error(a.spin, b.spin)};
+    }
+}
+
+}  // namespace
+
+std::vector<contact::Scene> balanced_position(const Case& input,
+                                              const std::vector<PlacedScene>& scenes) {
+  auto balanced = Position(input, scenes, elements_of_balance).balanced();
+  const bool rolls = input.friction_coefficient > 0.0 &&
+                     input.rolling.problem == contact::Problem::steady &&
+                     input.wheelset.free_rolling != FreeRolling::none;
+  if (!rolls) return balanced;
+  for (contact::Scene& scene : balanced) scene.turns_freely = true;
+  try {
+    add_creepage_errors(Position(input, scenes, elements_of_balance / 2).balanced(), balanced);
+  } catch (const contact::SolveError&) {  // the bars are then said to be none
+  }
+  return balanced;
+}
+
+}  // namespace rollfem::track

@@ -1,0 +1,14 @@
+// Balance of one position of the wheelset: the loads of its patches and its rotation.
+#pragma once
+
+#include "track/motion/scenes.hpp"
+#include <vector>
+
+namespace rollfem::track {
+
+/// The scenes of all wheels at one position, those that carry no load left out; throws as
+/// balance().
+std::vector<contact::Scene> balanced_position(const contact::Case& input,
+                                              const std::vector<PlacedScene>& scenes);
+
+}  // namespace rollfem::track

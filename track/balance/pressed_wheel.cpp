@@ -1,0 +1,187 @@
+#include "track/balance/pressed_wheel.hpp"
+
+#include "contact/base/errors.hpp"
+#include "halfspace/model/model.hpp"
+
+#include <Eigen/LU>
+
+#include "track/balance/position.hpp"
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace rollfem::track {
+
+using contact::Case;
+using contact::Creepage;
+using contact::PointResult;
+using contact::Scene;
+using contact::Vector3;
+
+namespace {
+
+double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// One load point without friction and without anything else that is read from motion or output.
+Case frictionless(Case input) {
+  input.friction_coefficient = 0.0;
+  input.wheelset.free_rolling = contact::FreeRolling::none;
+  input.wheelset.rotation_change.clear();
+  input.rolling.creepages = {Creepage{}};
+  input.rolling.forces.clear();
+  input.subsurface.clear();
+  input.output.stress_maxima = false;
+  input.accuracy.reset();
+  input.halfspace.model_error = false;
+  return input;
+}
+
+const WheelRailContact& contact_of(const Scene& scene, const std::vector<PlacedScene>& placed) {
+  const auto found = std::find_if(placed.begin(), placed.end(), [&](const auto& one) {
+    return one.contact.place.y_track == scene.place->y_track;
+  });
+  if (found == placed.end()) throw std::logic_error("a contact in balance that was not found");
+  return found->contact;
+}
+
+double bar_of(const PointResult& point, const char* quantity, double none) {
+  const auto bar = point.error_estimate.find(quantity);
+  return bar == point.error_estimate.end() ? none : bar->second;
+}
+
+/// The motion at which a contact has given creepages: these are affine in it.
+class MotionAt {
+ public:
+  template <class CreepageOf>
+  MotionAt(double rolling_radius, const CreepageOf& creepage_of) : turns_(1.0 / rolling_radius) {
+    const auto at = [&](const Motion& motion) {
+      const Creepage found = creepage_of(motion);
+      return Eigen::Vector3d(found.longitudinal, found.lateral, found.spin);
+    };
+    rest_ = at({turns_, 0.0, 0.0});
+    Eigen::Matrix3d by;
+    by.col(0) = at({2.0 * turns_, 0.0, 0.0}) - rest_;
+    by.col(1) = at({turns_, 1.0, 0.0}) - rest_;
+    by.col(2) = (at({turns_, 0.0, yaw_step}) - rest_) / yaw_step;
+    inverse_ = by.inverse();
+  }
+
+  Motion operator()(const Creepage& wanted) const {
+    const Eigen::Vector3d change =
+        inverse_ * (Eigen::Vector3d(wanted.longitudinal, wanted.lateral, wanted.spin) - rest_);
+    return {turns_ * (1.0 + change[0]), change[1], change[2]};
+  }
+
+ private:
+  static constexpr double yaw_step = 1e-3;  // rad/mm
+  double turns_;                            // 1/mm
+  Eigen::Vector3d rest_;
+  Eigen::Matrix3d inverse_;
+};
+
+}  // namespace
+
+PressedWheel::PressedWheel(const Case& input, const SearchScene& search)
+    : extra_slip_(input.rolling.extra_slip != contact::ExtraSlip::none),
+      rolling_radius_(input.wheel.rolling_radius) {
+  const Case without = frictionless(input);
+  SearchOptions options;
+  options.with_reserve = input.load.vertical_force.has_value();
+  const std::vector<PlacedScene> placed = make_scenes(without, search, options);
+  std::vector<Scene> scenes = balanced_position(without, placed);
+  if (scenes.empty()) throw contact::SolveError("no contact carries load");
+  state_.contacts = static_cast<int>(scenes.size());
+  for (Scene& scene : scenes) {
+    const WheelRailContact& where = contact_of(scene, placed);
+    press(std::move(scene), where, input.friction_coefficient);
+  }
+}
+
+void PressedWheel::press(Scene scene, const WheelRailContact& where, double coefficient) {
+  const PointResult pressed = halfspace::run_halfspace(scene, {}).points.front();
+  contact::NormalLoad& load = scene.points.front().load;
+  const bool along_normal = load.force && load.direction[0] == 0.0;
+  const double force = along_normal ? *load.force : pressed.normal_force;
+  load = {force, {}};
+  scene.friction_law = contact::coulomb(coefficient);
+  if (contacts_.empty()) {
+    const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+    state_.place = *scene.place;
+    state_.semi_axis_x = 0.5 * extent.length;
+    state_.semi_axis_y = 0.5 * extent.width;
+    state_.lateral_pressure = pressed.lateral_force;
+  }
+  state_.normal_force += force;
+  state_.max_pressure = std::max(state_.max_pressure, pressed.max_pressure);
+  state_.contact_area += pressed.contact_area;
+  contacts_.push_back(
+      {std::move(scene), where, pressed.lateral_force, pressed.normal_force, pressed.spin_moment});
+}
+
+std::vector<Creepage> PressedWheel::creepages_of(const Contact& contact,
+                                                 const std::vector<Creepage>& creepages) const {
+  if (&contact == &contacts_.front()) return creepages;
+  const auto at = [&](const WheelRailContact& where, const Motion& motion) {
+    return extra_slip_ ? creepage_of(where, motion) : creepage_on_rail(where, motion);
+  };
+  const WheelRailContact& main = contacts_.front().where;
+  const MotionAt motion_at(rolling_radius_, [&](const Motion& motion) { return at(main, motion); });
+  std::vector<Creepage> found;
+  for (const Creepage& creepage : creepages)
+    found.push_back(at(contact.where, motion_at(creepage)));
+  return found;
+}
+
+void PressedWheel::add(const Contact& contact, const PointResult& point, FrictionForce& sum) const {
+  const double bound = contact.scene.friction_coefficient() * contact.normal;
+  const double force_bar =
+      std::hypot(bar_of(point, "longitudinal_force", bound), bar_of(point, "lateral_force", bound));
+  const double size = std::sqrt(state_.semi_axis_x * state_.semi_axis_y);
+  const double moment_bar = bar_of(point, "spin_moment", bound * size);
+  const double along = point.longitudinal_force, across = point.lateral_force - contact.lateral,
+               normal = point.normal_force - contact.normal,
+               spin_moment = point.spin_moment - contact.spin_moment;
+  sum.force_bar += force_bar;
+  if (&contact == &contacts_.front()) {
+    sum.longitudinal += along;
+    sum.lateral += across;
+    sum.normal += normal;
+    sum.spin_moment += spin_moment;
+    sum.moment_bar += moment_bar;
+    return;
+  }
+  const WheelRailContact &main = contacts_.front().where, &own = contact.where;
+  Vector3 force{}, arm{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    force[d] = along * own.along[d] + across * own.across[d] + normal * own.normal[d];
+    arm[d] = own.origin[d] - main.origin[d];
+  }
+  sum.longitudinal += dot(force, main.along);
+  sum.lateral += dot(force, main.across);
+  sum.normal += dot(force, main.normal);
+  sum.spin_moment +=
+      dot(cross(arm, force), main.normal) + spin_moment * dot(own.normal, main.normal);
+  sum.moment_bar += moment_bar + std::sqrt(dot(arm, arm)) * force_bar;
+}
+
+std::vector<FrictionForce> PressedWheel::forces(const std::vector<Creepage>& creepages) const {
+  std::vector<FrictionForce> sums(creepages.size());
+  for (const Contact& contact : contacts_) {
+    Scene scene = contact.scene;
+    const std::vector<Creepage> own = creepages_of(contact, creepages);
+    scene.points.assign(own.size(), scene.points.front());
+    for (std::size_t k = 0; k < own.size(); ++k) scene.points[k].creepage = own[k];
+    const contact::ModelResult result = halfspace::run_halfspace(scene, {});
+    for (std::size_t k = 0; k < own.size(); ++k) add(contact, result.points[k], sums[k]);
+  }
+  return sums;
+}
+
+}  // namespace rollfem::track

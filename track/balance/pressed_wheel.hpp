@@ -1,0 +1,69 @@
+// One wheel on its rail, pressed without friction: where it touches, and its creep forces under
+// normal forces that stay as they are. What tables over lateral shifts are filled with.
+#pragma once
+
+#include "contact/case/case.hpp"
+#include "contact/result/result.hpp"
+
+#include "track/motion/scenes.hpp"
+#include <vector>
+
+namespace rollfem::track {
+
+/// The main contact is the most loaded one.
+struct PressedState {
+  contact::ContactPlace place;    ///< of the main contact
+  int contacts = 1;               ///< in planes of their own; each may hold several patches
+  double normal_force = 0.0;      ///< N, of all contacts, each along its own normal
+  double lateral_pressure = 0.0;  ///< N, force of the main contact's pressure along its y
+  /// mm, half of what the load of the main contact takes along x and y: the axes of an ellipse
+  /// under Hertz's pressure (ExpectedPatch::carrying_length).
+  double semi_axis_x = 0.0, semi_axis_y = 0.0;
+  double max_pressure = 0.0;  ///< MPa
+  double contact_area = 0.0;  ///< mm^2, of all contacts
+};
+
+/// Force of friction on the wheel in the frame of the main contact, and its moment about the normal
+/// through the main reference point.
+struct FrictionForce {
+  double longitudinal = 0.0, lateral = 0.0;  ///< N
+  double normal = 0.0;       ///< N; not 0 on a curved surface and where other planes take part
+  double spin_moment = 0.0;  ///< N mm
+  double force_bar = 0.0;    ///< N, error bar of the force vector
+  double moment_bar = 0.0;   ///< N mm
+};
+
+class PressedWheel {
+ public:
+  /// `input`: profiles, one wheel at one position, friction. Its load is met without friction; its
+  /// creepages and motion are not read. `search` is that of the case. Throws contact::InputError
+  /// and contact::SolveError where the wheel does not touch, as find_contacts does.
+  PressedWheel(const contact::Case& input, const SearchScene& search);
+
+  const PressedState& state() const { return state_; }
+
+  /// By the model halfspace on the case's contact grid, with its bars. The creepages are those of
+  /// the main contact: the others follow from the motion of the rigid wheel that has them. What is
+  /// left out are the loads by which tangential forces of one contact displace another. Throws
+  /// contact::SolveError.
+  std::vector<FrictionForce> forces(const std::vector<contact::Creepage>& creepages) const;
+
+ private:
+  struct Contact {
+    contact::Scene scene;  ///< under its normal force
+    WheelRailContact where;
+    double lateral = 0.0, normal = 0.0, spin_moment = 0.0;  ///< of the pressure; N, N mm
+  };
+
+  void press(contact::Scene scene, const WheelRailContact& where, double coefficient);
+  std::vector<contact::Creepage> creepages_of(
+      const Contact& contact, const std::vector<contact::Creepage>& creepages) const;
+  void add(const Contact& contact, const contact::PointResult& point, FrictionForce& sum) const;
+
+  std::vector<Contact> contacts_;  ///< the main one first
+  PressedState state_;
+  bool extra_slip_ = true;
+  double rolling_radius_ = 0.0;  ///< mm, of the wheel
+};
+
+}  // namespace rollfem::track

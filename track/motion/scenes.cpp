@@ -1,0 +1,133 @@
+#include "track/motion/scenes.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include "profiles/profiles.hpp"
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace rollfem::track {
+
+using contact::Case;
+using contact::Creepage;
+
+namespace {
+
+void set_creepages(PlacedScene& placed, const Case& input,
+                   const std::vector<double>& rotation_change) {
+  std::vector<contact::LoadPoint>& points = placed.scene.points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    Creepage& creepage = points[k].creepage;
+    const Motion motion = motion_of(input, rotation_change[k]);
+    const Creepage moving = input.rolling.extra_slip == contact::ExtraSlip::none
+                                ? creepage_on_rail(placed.contact, motion)
+                                : creepage_of(placed.contact, motion);
+    if (!input.rolling.given.longitudinal) creepage.longitudinal = moving.longitudinal;
+    if (!input.rolling.given.lateral) creepage.lateral = moving.lateral;
+    if (!input.rolling.given.spin) creepage.spin = moving.spin;
+    // A prescribed force stands in place of the creepage of its direction.
+    if (points[k].force.longitudinal) creepage.longitudinal = 0.0;
+    if (points[k].force.lateral) creepage.lateral = 0.0;
+  }
+}
+
+/// The case's approach is that of the first patch; the others share its sinking.
+contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) {
+  const contact::Load& load = input.load;
+  if (load.approach) return {{}, contact.approach};
+  if (contact.place.patches > 1 && !load.vertical_force)
+    throw contact::InputError(fmt::format(
+        "{}: load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
+        "normal force cannot be divided; allowed: load.vertical_force, carried by all of them "
+        "together; do: write `vertical_force = {:.6g}` under [load]",
+        input.file.empty() ? "case" : input.file, contact.place.left ? "left" : "right",
+        contact.place.position, contact.place.patches, load.normal_force.value_or(0.0)));
+  if (contact.place.patches > 1) return {contact.normal_force, {}};
+  if (load.vertical_force) return {load.vertical_force, {}, upwards(contact.place)};
+  return {load.normal_force, {}};
+}
+
+/// Normals that differ by less (rad, standard deviation) are those of a plane: forces are within
+/// 0.3 % of the load of those on the surface. From twice that on they are all their own.
+constexpr double spread_on_plane = 0.03;
+
+/// Stresses below the surface are those of a plane half-space.
+double follows_surface(const PlacedScene& placed) {
+  const contact::Scene& scene = placed.scene;
+  if (!scene.geometry.has_surfaces() || scene.given_pressure || scene.asks_for_stress()) return 0.0;
+  return track::follows_surface(placed.contact.spread_of_normals);
+}
+
+PlacedScene make_scene(const Case& input, WheelRailContact contact) {
+  PlacedScene placed{contact::Scene(input), std::move(contact)};
+  const auto patch = std::make_shared<const contact::PatchGeometry>(placed.contact.geometry);
+  placed.scene.geometry.surface = contact::ContactSurface::of(patch);
+  placed.scene.place = placed.contact.place;
+  if (input.halfspace.surface == contact::SurfaceForm::automatic)
+    placed.scene.follows_surface = follows_surface(placed);
+  for (std::size_t k = 0; k < placed.scene.points.size(); ++k) {
+    const bool by_step =
+        k < input.history.size() && (input.history[k].normal_force || input.history[k].approach);
+    if (!by_step) placed.scene.points[k].load = load_of(input, placed.contact);
+  }
+  set_creepages(placed, input, rotation_changes(input));
+  return placed;
+}
+
+}  // namespace
+
+SearchScene search_scene_of(const Case& input) {
+  return make_search_scene(
+      input, {profiles::profile_of_case(input, true), profiles::profile_of_case(input, false)});
+}
+
+/// From the plane to the surface as the spread of the normals grows, so that forces change steadily
+/// from one to the other.
+double follows_surface(double spread_of_normals) {
+  const double part = std::clamp(spread_of_normals / spread_on_plane - 1.0, 0.0, 1.0);
+  return part * part * (3.0 - 2.0 * part);
+}
+
+std::vector<double> rotation_changes(const Case& input) {
+  const auto& given = input.wheelset.rotation_change;
+  std::vector<double> changes(input.rolling.creepages.size(), given.empty() ? 0.0 : given.front());
+  if (given.size() > 1)
+    for (std::size_t k = 0; k < changes.size(); ++k) changes[k] = given.at(k);
+  return changes;
+}
+
+std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene,
+                                     const SearchOptions& options) {
+  std::vector<PlacedScene> scenes;
+  for (std::size_t k = 0; k < input.wheelset.positions(); ++k)
+    for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
+      if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
+        scenes.push_back(make_scene(input, std::move(contact)));
+  return scenes;
+}
+
+std::vector<PlacedScene> make_scenes(const Case& input, const SearchOptions& options) {
+  return make_scenes(input, search_scene_of(input), options);
+}
+
+void set_rotation_changes(PlacedScene& scene, const Case& input,
+                          const std::vector<double>& rotation_changes) {
+  set_creepages(scene, input, rotation_changes);
+}
+
+double track_y(const contact::ContactPlace& place, double y) {
+  // y of the patch frame points to the field on the left and to the middle on the right: always
+  // to smaller y_track.
+  return place.y_track - y * std::cos(place.contact_angle);
+}
+
+std::array<double, 2> upwards(const contact::ContactPlace& place) {
+  const double sign = place.left ? 1.0 : -1.0;
+  return {sign * std::sin(place.contact_angle), std::cos(place.contact_angle)};
+}
+
+}  // namespace rollfem::track

@@ -1,0 +1,59 @@
+// Slip of wheel over rail from the motion of the wheelset, and the forces on the
+// wheelset from those of the patches. Motion is relative to the forward speed V of the
+// middle of the axle: V = 1. Frames and signs: docs/track.md.
+#pragma once
+
+#include "contact/case/case.hpp"
+
+#include "track/search/contact_search.hpp"
+
+namespace rollfem::track {
+
+/// Motion of a wheelset over its forward speed.
+struct Motion {
+  double rotation = 0.0;          ///< 1/mm, about the axle, positive when rolling forward
+  double lateral_velocity = 0.0;  ///< positive to the right
+  double yaw_velocity = 0.0;      ///< rad/mm, positive from x to y
+};
+
+/// (1 + rotation_change) / rolling_radius, lateral and yaw velocity of the case.
+Motion motion_of(const contact::Case& input, double rotation_change);
+
+/// Velocity of the wheel's material at a place of the patch frame (mm) relative to the rail, in the
+/// patch frame. Under lateral and yaw velocity the wheelset rises or falls so that the bodies
+/// neither part nor overlap at the reference point.
+contact::Vector3 slip_at(const WheelRailContact& contact, const Motion& motion,
+                         const contact::Vector3& place);
+
+/// The wheel's surface over the reference point at first contact of the wheel, in the patch frame:
+/// (0, 0, undeformed distance and separation). Its circle has the local rolling radius.
+contact::Vector3 surface_place(const WheelRailContact& contact);
+
+/// xi, eta, phi of the patch as a plane: slip of the wheel's undeformed surface over the reference
+/// point, and the component of all rotation along the normal. Where several patches share one plane
+/// the reference point may lie in the valley between them: the wheel's surface there has a rolling
+/// radius of its own, from which the slip of every place follows (ChartedGeometry::rigid_slip).
+contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& motion);
+
+/// The same at the reference point on the rail, as CONTACT takes it: for a plane that knows no slip
+/// but xi, eta and phi (ExtraSlip::none), about what the patches beside a valley have.
+contact::Creepage creepage_on_rail(const WheelRailContact& contact, const Motion& motion);
+
+/// Forces of a patch on the wheel in its frame, and the moment about its normal.
+struct PatchForce {
+  double longitudinal = 0.0;  ///< F_x, N
+  double lateral = 0.0;       ///< F_y, N
+  double normal = 0.0;        ///< N
+  double spin_moment = 0.0;   ///< M_z, N mm
+};
+
+/// Moment on the wheelset about its axle of forces at the surface place, N mm, positive when it
+/// drives the wheelset forward. Free rolling of a wheelset: the sum over all patches of both wheels
+/// is 0.
+double driving_moment(const WheelRailContact& contact, const PatchForce& force);
+
+/// Upward force on the wheel, N: N cos(angle) + F_y sin(angle) on the left, where the patch's y
+/// points to the field, and N cos(angle) - F_y sin(angle) on the right.
+double vertical_force(double normal, double lateral, const contact::ContactPlace& place);
+
+}  // namespace rollfem::track

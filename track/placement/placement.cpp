@@ -1,0 +1,114 @@
+#include "track/placement/placement.hpp"
+
+#include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace rollfem::track {
+
+namespace {
+
+/// Parameters dense enough that a profile turns little between two of them.
+std::vector<double> samples(const profiles::ProfileCurve& curve) {
+  constexpr double step = 0.25;  // mm
+  std::vector<double> result;
+  const auto& knots = curve.knots().parameter;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    const int parts = std::max(1, contact::count_of(std::ceil((knots[k + 1] - knots[k]) / step),
+                                                    "points along a profile"));
+    for (int i = 0; i < parts; ++i)
+      result.push_back(knots[k] + (knots[k + 1] - knots[k]) * i / parts);
+  }
+  result.push_back(knots.back());
+  return result;
+}
+
+/// Smallest value, of those at the places `at` and beside the least of them.
+template <class Value>
+double smallest(const std::vector<double>& at, const Value& value) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (value(at[k]) < least) least = value(at[k]), best = k;
+  // Half the digits of the place are all of a smooth minimum's value.
+  constexpr int bits = std::numeric_limits<double>::digits / 2;
+  const auto beside = boost::math::tools::brent_find_minima(
+      value, at[best > 0 ? best - 1 : 0], at[std::min(best + 1, at.size() - 1)], bits);
+  return std::min(least, beside.second);
+}
+
+}  // namespace
+
+double side_sign(bool left) {
+  return left ? -1.0 : 1.0;
+}
+
+RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track) {
+  RailPlace place;
+  place.angle = -std::atan(track.inclination);
+  const profiles::ProfileCurve turned = rail.moved(place.angle, 0.0, 0.0);
+  const std::vector<double> at = samples(turned);
+  const double top = smallest(at, [&](double t) { return turned.at(t).z; });
+  const double limit = top + track.gauge_height;
+  // Above the gauge height only; just below it the face may come nearer to the middle still.
+  double deepest = -std::numeric_limits<double>::infinity();
+  std::size_t crown = 0;
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (turned.at(at[k]).z < turned.at(at[crown]).z) crown = k;
+  for (std::size_t k = 0; k <= crown; ++k) deepest = std::max(deepest, turned.at(at[k]).z);
+  if (deepest < limit - 1e-9)
+    throw contact::InputError(
+        fmt::format("rail.profile: ends {:.4g} mm below its top on the gauge side, but the gauge "
+                    "is measured {:.4g} mm below; allowed: a profile that reaches at least that "
+                    "deep; do: use a longer profile, a smaller track.gauge_height, or mirror the "
+                    "profile if its gauge face is at the larger y",
+                    deepest - top, track.gauge_height));
+  std::size_t first = crown;
+  while (first > 0 && turned.at(at[first]).z <= limit) --first;
+  // Between `first` and the next the face crosses the gauge height.
+  const auto depth = [&](double t) { return turned.at(t).z - limit; };
+  double above = at[first];
+  if (depth(above) > 0.0)
+    above = contact::bracketed_root(depth, above, at[first + 1], 1e-13, "gauge of the track");
+  std::vector<double> face{above};
+  for (std::size_t k = first + 1; k <= crown; ++k)
+    if (at[k] > above) face.push_back(at[k]);
+  const double gauge_y = smallest(face, [&](double t) { return turned.at(t).y; });
+  place.shift_y = 0.5 * track.gauge - gauge_y;
+  place.shift_z = -top;
+  return place;
+}
+
+profiles::ProfileCurve place_rail(const profiles::ProfileCurve& rail, const RailPlace& place) {
+  return rail.moved(place.angle, place.shift_y, place.shift_z);
+}
+
+std::array<double, 2> profile_coordinates(const RailPlace& place, double y, double z) {
+  const double c = std::cos(place.angle), s = std::sin(place.angle);
+  const double dy = y - place.shift_y, dz = z - place.shift_z;
+  return {c * dy + s * dz, -s * dy + c * dz};
+}
+
+contact::Axle place_axle(const WheelsetPose& pose, const contact::Wheelset& wheelset,
+                         double rolling_radius, bool left) {
+  const double sign = side_sign(left);
+  contact::Axle axle;
+  axle.direction = {-sign * std::sin(pose.yaw) * std::cos(pose.roll),
+                    std::cos(pose.yaw) * std::cos(pose.roll), sign * std::sin(pose.roll)};
+  // Profile y = 0 of an upright, centred wheel is this far from the middle.
+  const double middle = 0.5 * wheelset.flange_back_distance - wheelset.flange_back_position;
+  const contact::Vector3 centre{0.0, sign * pose.lateral_shift, pose.height - rolling_radius};
+  for (int d = 0; d < 3; ++d) axle.point[d] = centre[d] + middle * axle.direction[d];
+  return axle;
+}
+
+}  // namespace rollfem::track

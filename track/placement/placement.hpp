@@ -1,0 +1,57 @@
+// Positions of rails and wheels on the track. Everything is done in the *side frame* of one wheel:
+// x along the track, Y from the middle of the track outward to the field side, z down, so that
+// profile y and Y point the same way on both sides and the left side is the mirror image of the
+// right one. Track frame: y_track = Y on the right, -Y on the left.
+#pragma once
+
+#include "contact/case/track.hpp"
+#include "contact/scene/patch_geometry.hpp"
+
+#include "profiles/profile_curve.hpp"
+
+namespace rollfem::track {
+
+/// Wheel and rail in their profile coordinates, the same on both sides.
+struct ProfilePair {
+  profiles::ProfileCurve wheel;
+  profiles::ProfileCurve rail;
+};
+
+/// Position of the wheelset: signs of the track frame.
+struct WheelsetPose {
+  double lateral_shift = 0.0;  ///< mm, of the middle of the axle, positive to the right
+  double yaw = 0.0;            ///< rad about z, positive from x to y
+  double roll = 0.0;           ///< rad about the yawed x, positive from y to z
+  double height = 0.0;         ///< mm, z of the middle of the axle plus the nominal radius: 0 puts
+                               ///< the running circle of an unrolled wheel level with the rails
+};
+
+/// How a rail of profile coordinates is moved to its place: turned by `angle` (rad, from y to z)
+/// about (0, 0), then shifted.
+struct RailPlace {
+  double angle = 0.0;
+  double shift_y = 0.0;  ///< mm
+  double shift_z = 0.0;  ///< mm
+};
+
+/// Turns the profile towards the middle of the track by the inclination, puts its highest point at
+/// z = 0 and its gauge face half the gauge from the middle: the point nearest to the middle among
+/// those within gauge_height of the top. Throws contact::InputError when the profile does not
+/// reach down to that height on the gauge side.
+RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track);
+
+/// The rail in the side frame.
+profiles::ProfileCurve place_rail(const profiles::ProfileCurve& rail, const RailPlace& place);
+
+/// Profile coordinate y = z = 0 and the rail's own axes again: the inverse of RailPlace.
+std::array<double, 2> profile_coordinates(const RailPlace& place, double y, double z);
+
+/// +1 for the right wheel, -1 for the left one: y_track = side_sign Y.
+double side_sign(bool left);
+
+/// Axle of a wheel in the side frame (x, Y, z). Its axial coordinate is the wheel's profile y, so
+/// axial 0 is the running circle; the direction points to the field side.
+contact::Axle place_axle(const WheelsetPose& pose, const contact::Wheelset& wheelset,
+                         double rolling_radius, bool left);
+
+}  // namespace rollfem::track

@@ -1,0 +1,169 @@
+#include "track/placement/silhouette.hpp"
+
+#include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace rollfem::track {
+
+using contact::Axle;
+using contact::Vector3;
+
+namespace {
+
+/// Steeper than this, the outline is no height over y any more (as height_over_y).
+constexpr double steepest = 12.0;
+constexpr double knot_distance = 0.1;  // mm
+/// Knots closer than this are those of a measured list and add nothing.
+constexpr double least_knot_distance = 0.01;  // mm
+
+/// Directions across the axle: `down` in the plane x = 0, `ahead` as near to x as can be.
+struct AxleFrame {
+  Vector3 down{}, ahead{};
+  double tangent_of_yaw = 0.0;  ///< d_x / sqrt(1 - d_x^2)
+};
+
+AxleFrame axle_frame(const Axle& axle) {
+  const Vector3& d = axle.direction;
+  const double across = std::sqrt(1.0 - d[0] * d[0]);
+  AxleFrame frame;
+  frame.tangent_of_yaw = d[0] / across;
+  frame.ahead = {across, -d[0] * d[1] / across, -d[0] * d[2] / across};
+  frame.down = {0.0, -d[2] / across, d[1] / across};
+  return frame;
+}
+
+struct Seen {
+  Vector3 place{};
+  double slope = 0.0;  ///< dz/dy of the outline
+  double profile_y = 0.0;
+};
+
+/// Wheel surface n = u - r' d with u = cos(a) down + sin(a) ahead; n_x = 0 gives sin(a).
+std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius, const Axle& axle,
+                         const AxleFrame& frame) {
+  if (!(at.tangent_y > 0.0)) return {};
+  const double by_axial = at.tangent_z / at.tangent_y;
+  const double sine = by_axial * frame.tangent_of_yaw;
+  if (std::abs(sine) > 0.9) return {};
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  const double radius = rolling_radius + at.z;
+  Seen result;
+  Vector3 normal{};
+  for (int d = 0; d < 3; ++d) {
+    const double across = cosine * frame.down[d] + sine * frame.ahead[d];
+    result.place[d] = axle.point[d] + at.y * axle.direction[d] + radius * across;
+    normal[d] = across - by_axial * axle.direction[d];
+  }
+  if (!(normal[2] > 0.0)) return {};
+  result.slope = -normal[1] / normal[2];
+  result.profile_y = at.y;
+  if (std::abs(result.slope) > steepest) return {};
+  return result;
+}
+
+std::vector<double> parameters(const profiles::ProfileCurve& wheel) {
+  std::vector<double> result;
+  const auto& knots = wheel.knots().parameter;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    if (!result.empty() && knots[k] - result.back() < least_knot_distance) continue;
+    const int parts =
+        std::max(1, contact::count_of(std::ceil((knots[k + 1] - knots[k]) / knot_distance),
+                                      "points along a profile"));
+    for (int i = 0; i < parts; ++i)
+      result.push_back(knots[k] + (knots[k + 1] - knots[k]) * i / parts);
+  }
+  if (knots.back() - result.back() < least_knot_distance && result.size() > 1) result.pop_back();
+  result.push_back(knots.back());
+  return result;
+}
+
+}  // namespace
+
+WheelPoints wheel_points(const profiles::ProfileCurve& wheel) {
+  WheelPoints result;
+  const std::vector<double> at = parameters(wheel);
+  for (const double parameter : at) result.points.push_back(wheel.at(parameter));
+  result.start = static_cast<std::size_t>(
+      std::lower_bound(at.begin(), at.end(), wheel.parameter_at(0.0)) - at.begin());
+  return result;
+}
+
+Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Axle& axle)
+    : axle_(axle) {
+  const AxleFrame frame = axle_frame(axle);
+  // From the running circle both ways, as far as the outline goes on as a height over y.
+  const auto start = static_cast<std::ptrdiff_t>(wheel.start);
+  std::vector<Seen> inner, outer;
+  inner.reserve(wheel.start);
+  outer.reserve(wheel.points.size() - wheel.start);
+  const auto walk = [&](std::ptrdiff_t first, int step, std::vector<Seen>& part) {
+    for (std::ptrdiff_t k = first; k >= 0 && k < static_cast<std::ptrdiff_t>(wheel.points.size());
+         k += step) {
+      const auto point =
+          seen(wheel.points[static_cast<std::size_t>(k)], rolling_radius, axle, frame);
+      if (!point) return;
+      if (!part.empty() && step * (point->place[1] - part.back().place[1]) <= 1e-6) return;
+      part.push_back(*point);
+    }
+  };
+  walk(start, 1, outer);
+  walk(start - 1, -1, inner);
+  std::vector<Seen> all;
+  all.reserve(inner.size() + outer.size());
+  all.assign(inner.rbegin(), inner.rend());
+  for (const Seen& point : outer)
+    if (all.empty() || point.place[1] > all.back().place[1] + 1e-6) all.push_back(point);
+  if (all.size() < 2)
+    throw contact::InputError(
+        "wheel.profile: no part of it near y = 0 is visible along x; allowed: a tread at y = 0 "
+        "that faces away from the axle; do: check rotation, shift and mirror under "
+        "[wheel_profile]");
+  std::vector<double> y, z, slope, x, profile_y;
+  for (auto* list : {&y, &z, &slope, &x, &profile_y}) list->reserve(all.size());
+  for (const Seen& point : all) {
+    y.push_back(point.place[1]);
+    z.push_back(point.place[2]);
+    slope.push_back(point.slope);
+    x.push_back(point.place[0]);
+    profile_y.push_back(point.profile_y);
+  }
+  // Chords give slopes good enough for x and the profile coordinate, which place a contact only.
+  const auto chords = [&](const std::vector<double>& value) {
+    std::vector<double> result(value.size());
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, value.size() - 1);
+      result[k] = (value[b] - value[a]) / (y[b] - y[a]);
+    }
+    return result;
+  };
+  std::vector<double> along = chords(x);
+  x_ = contact::HeightCurve(y, std::move(x), std::move(along));
+  std::vector<double> across = chords(profile_y);
+  profile_y_ = contact::HeightCurve(y, std::move(profile_y), std::move(across));
+  curve_ = contact::HeightCurve(std::move(y), std::move(z), std::move(slope));
+}
+
+OutlinePoint Silhouette::at(double y) const {
+  OutlinePoint point;
+  point.x = x_.at(y).value;
+  point.y = y;
+  point.z = curve_.at(y).value;
+  point.profile_y = profile_y_.at(y).value;
+  double square = 0.0, along = 0.0;
+  const Vector3 place{point.x, point.y, point.z};
+  for (int d = 0; d < 3; ++d) along += (place[d] - axle_.point[d]) * axle_.direction[d];
+  for (int d = 0; d < 3; ++d) {
+    const double across = place[d] - axle_.point[d] - along * axle_.direction[d];
+    square += across * across;
+  }
+  point.radius = std::sqrt(square);
+  return point;
+}
+
+}  // namespace rollfem::track

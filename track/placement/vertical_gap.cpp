@@ -1,0 +1,149 @@
+#include "track/placement/vertical_gap.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace rollfem::track {
+
+using contact::CurveValue;
+
+namespace {
+
+constexpr double y_tolerance = 1e-12;  // mm
+
+}  // namespace
+
+double GapMinimum::angle() const {
+  return -std::atan(slope);
+}
+
+contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail) {
+  const auto& knots = rail.knots();
+  const auto top = std::min_element(knots.z.begin(), knots.z.end()) - knots.z.begin();
+  return profiles::height_over_y(rail, knots.parameter[static_cast<std::size_t>(top)]);
+}
+
+VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
+                         const contact::HeightCurve& rail)
+    : wheel_(wheel, rolling_radius, axle), rail_(rail) {
+  const contact::HeightCurve& outline = wheel_.curve();
+  first_ = std::max(outline.first(), rail_.first());
+  last_ = std::min(outline.last(), rail_.last());
+  if (!(last_ > first_))
+    throw contact::SolveError(fmt::format(
+        "the wheel is not above the rail: it reaches from {:.1f} to {:.1f} mm from the middle of "
+        "the track, the head of the rail from {:.1f} to {:.1f} mm",
+        outline.first(), outline.last(), rail_.first(), rail_.last()));
+  std::vector<double> knots;
+  knots.reserve(outline.knots().size() + rail_.knots().size());
+  std::merge(outline.knots().begin(), outline.knots().end(), rail_.knots().begin(),
+             rail_.knots().end(), std::back_inserter(knots));
+  places_.reserve(knots.size() + 2);
+  places_.push_back(first_);
+  for (const double y : knots)
+    if (y > first_ && y < last_) places_.push_back(y);
+  places_.push_back(last_);
+  // Knots that coincide to rounding would give intervals of no length.
+  places_.erase(
+      std::unique(places_.begin(), places_.end(), [](double a, double b) { return b - a < 1e-9; }),
+      places_.end());
+  values_.reserve(places_.size());
+  for (const double y : places_) values_.push_back(at(y));
+}
+
+void VerticalGap::lower_wheel(double way) {
+  lowered_ += way;
+  for (CurveValue& value : values_) value.value -= way;
+}
+
+CurveValue VerticalGap::at(double y) const {
+  const CurveValue rail = rail_.at(y);
+  const CurveValue wheel = wheel_.curve().at(y);
+  return {rail.value - wheel.value - lowered_, rail.slope - wheel.slope,
+          rail.second - wheel.second};
+}
+
+std::vector<GapMinimum> VerticalGap::minima() const {
+  std::vector<GapMinimum> result;
+  for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
+    if (!(values_[k].slope < 0.0 && values_[k + 1].slope >= 0.0)) continue;
+    GapMinimum minimum;
+    minimum.y = contact::bracketed_root([&](double y) { return at(y).slope; }, places_[k],
+                                        places_[k + 1], y_tolerance, "smallest gap");
+    minimum.gap = at(minimum.y).value;
+    minimum.slope = rail_.at(minimum.y).slope;
+    result.push_back(minimum);
+  }
+  return result;
+}
+
+double VerticalGap::smallest() const {
+  double least = std::min(values_.front().value, values_.back().value);
+  for (const GapMinimum& minimum : minima()) least = std::min(least, minimum.gap);
+  return least;
+}
+
+GapEnd VerticalGap::end() const {
+  double inside = std::numeric_limits<double>::infinity();
+  for (const GapMinimum& minimum : minima()) inside = std::min(inside, minimum.gap);
+  const double inner = values_.front().value, outer = values_.back().value;
+  if (inside < std::min(inner, outer)) return GapEnd::none;
+  return inner < outer ? GapEnd::inner : GapEnd::outer;
+}
+
+std::array<double, 2> VerticalGap::largest_between(double lower, double upper) const {
+  std::array<double, 2> largest{at(lower).value, lower};
+  const auto take = [&](double y, double value) {
+    if (value > largest[0]) largest = {value, y};
+  };
+  take(upper, at(upper).value);
+  for (std::size_t k = 0; k < places_.size(); ++k)
+    if (places_[k] > lower && places_[k] < upper) take(places_[k], values_[k].value);
+  return largest;
+}
+
+std::array<double, 2> VerticalGap::below(double limit, double y, double lower, double upper) const {
+  const auto end_of = [&](bool up) {
+    double inside = y;
+    auto k = static_cast<std::ptrdiff_t>(std::lower_bound(places_.begin(), places_.end(), y) -
+                                         places_.begin());
+    if (!up) --k;
+    for (; k >= 0 && k < static_cast<std::ptrdiff_t>(places_.size()); k += up ? 1 : -1) {
+      const auto at_k = static_cast<std::size_t>(k);
+      const double place = places_[at_k];
+      if (up ? place >= upper : place <= lower) return up ? upper : lower;
+      if (values_[at_k].value < limit) {
+        inside = place;
+        continue;
+      }
+      const auto excess = [&](double y_at) { return at(y_at).value - limit; };
+      if (!(excess(inside) < 0.0)) return inside;
+      return contact::bracketed_root(excess, inside, place, y_tolerance, "end of the overlap");
+    }
+    return up ? upper : lower;
+  };
+  return {end_of(false), end_of(true)};
+}
+
+std::array<double, 2> VerticalGap::span_below(double limit, double y, double lower,
+                                              double upper) const {
+  std::array<double, 2> span{y, y};
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (places_[k] < lower || places_[k] > upper || !(values_[k].value < limit)) continue;
+    span[0] = std::min(span[0], places_[k]);
+    span[1] = std::max(span[1], places_[k]);
+  }
+  // The ends lie between knots; a minimum between two knots may be all that is below.
+  span[0] = below(limit, span[0], lower, upper)[0];
+  span[1] = below(limit, span[1], lower, upper)[1];
+  return span;
+}
+
+}  // namespace rollfem::track

@@ -1,0 +1,70 @@
+// The gap between the outline of a wheel and the rail under it, measured along the vertical, and
+// where it is smallest. Sinking of the wheelset changes this gap by one constant, so its minima are
+// the points of first contact whatever the height: their tangents are parallel.
+#pragma once
+
+#include "track/placement/placement.hpp"
+#include "track/placement/silhouette.hpp"
+#include <vector>
+
+namespace rollfem::track {
+
+/// A local minimum of the gap.
+struct GapMinimum {
+  double y = 0.0;      ///< mm, side frame
+  double gap = 0.0;    ///< mm, vertical
+  double slope = 0.0;  ///< dz/dy of both tangents, < 0 where they fall towards the middle
+  /// Contact angle, rad: positive where the surfaces fall towards the middle of the track.
+  double angle() const;
+};
+
+/// Where the gap falls still at the end of what is known of wheel and rail.
+enum class GapEnd { none, inner, outer };
+
+class VerticalGap {
+ public:
+  /// `rail`: its head in the side frame (rail_heights). Throws contact::SolveError when the wheel
+  /// is not above it.
+  VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
+              const contact::HeightCurve& rail);
+
+  /// Takes the wheel down by `way` mm. What wheel() says of heights stays that before.
+  void lower_wheel(double way);
+
+  /// Rail z less wheel z, with derivatives by y; positive where the wheel is above the rail.
+  contact::CurveValue at(double y) const;
+  double first() const { return first_; }  ///< mm, y from which both are known
+  double last() const { return last_; }    ///< mm, y to which both are known
+
+  /// All local minima, y rising.
+  std::vector<GapMinimum> minima() const;
+  /// Smallest gap, minima and ends taken together, mm.
+  double smallest() const;
+  /// Whether the smallest gap is at an end.
+  GapEnd end() const;
+  /// Largest gap between two places and where, mm.
+  std::array<double, 2> largest_between(double lower, double upper) const;
+  /// The interval about `y` in which the gap is below `limit`, kept to [lower, upper].
+  std::array<double, 2> below(double limit, double y, double lower, double upper) const;
+
+  /// From the first to the last place in [lower, upper] with a gap below `limit`, whatever is
+  /// between them; {y, y} where there is none. `y`: a place below it, or the nearest to be.
+  std::array<double, 2> span_below(double limit, double y, double lower, double upper) const;
+
+  const contact::HeightCurve& rail() const { return rail_; }
+  const Silhouette& wheel() const { return wheel_; }
+
+ private:
+  Silhouette wheel_;
+  contact::HeightCurve rail_;
+  double first_ = 0.0;
+  double last_ = 0.0;
+  double lowered_ = 0.0;
+  std::vector<double> places_;               ///< knots of both, mm
+  std::vector<contact::CurveValue> values_;  ///< gap there
+};
+
+/// The head of a placed rail as z over y: the part about its highest point.
+contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail);
+
+}  // namespace rollfem::track

@@ -1,0 +1,157 @@
+#include "track/placement/wheelset_pose.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace rollfem::track {
+
+using contact::Axle;
+using contact::Case;
+
+namespace {
+
+std::string where(const Case& input, int position, bool left) {
+  return fmt::format("{}: wheelset.lateral_shift = {:.6g} (position {}), {} wheel",
+                     input.file.empty() ? "case" : input.file,
+                     input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)),
+                     position, left ? "left" : "right");
+}
+
+/// Refuses a wheel that stands on the end of a profile or on its flange.
+void check_support(const Case& input, const SearchScene& scene, const VerticalGap& gap,
+                   int position, bool left) {
+  const GapEnd end = gap.end();
+  if (end != GapEnd::none)
+    fail_at_end(input, gap, end == GapEnd::inner, position, left,
+                "wheel and rail would first touch at");
+  const std::vector<GapMinimum> minima = gap.minima();
+  const auto first =
+      std::min_element(minima.begin(), minima.end(),
+                       [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
+  const auto& knots = scene.profiles.wheel.knots();
+  const auto tip =
+      static_cast<std::size_t>(std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
+  const double profile_y = gap.wheel().at(first->y).profile_y;
+  // A profile without a flange is highest at its own end.
+  const bool has_flange = tip > 0 && knots.y[tip] < 0.0 && knots.z[tip] > 10.0;
+  // Further down the flange the wheel climbs, which is a position like another.
+  constexpr double tip_height = 2.0;
+  const double height = gap.wheel().at(first->y).radius - input.wheel.rolling_radius;
+  if (has_flange && profile_y < 0.0 && height > knots.z[tip] - tip_height)
+    throw contact::SolveError(
+        fmt::format("{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
+                    "left the rail; do: check gauge, flange_back_distance and lateral_shift",
+                    where(input, position, left), profile_y));
+}
+
+WheelsetPose asked_pose(const Case& input, int position) {
+  const auto k = static_cast<std::size_t>(position - 1);
+  WheelsetPose pose;
+  pose.lateral_shift = input.wheelset.lateral_shift.at(k);
+  pose.yaw = input.wheelset.yaw.at(k);
+  if (!input.wheelset.roll.empty()) pose.roll = input.wheelset.roll.at(k);
+  return pose;
+}
+
+/// Roll at which both wheels touch at one height: what the left one can sink less what the right
+/// one can rises with roll, by twice the distance of the rails per radian.
+double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
+  const auto difference = [&](double roll) {
+    pose.roll = roll;
+    return make_gap(input, scene, pose, position, true).smallest() -
+           make_gap(input, scene, pose, position, false).smallest();
+  };
+  // Steps of the slope expected until the sign changes.
+  const double slope = input.track.gauge + 65.0;
+  double a = 0.0, at_a = difference(a);
+  if (at_a == 0.0) return 0.0;
+  double b = -1.2 * at_a / slope, at_b = difference(b);
+  constexpr double largest_roll = 0.1;
+  while ((at_a < 0.0) == (at_b < 0.0)) {
+    const double step = b - a;
+    a = b, at_a = at_b;
+    b += 2.0 * step;
+    if (std::abs(b) > largest_roll)
+      throw contact::SolveError(fmt::format(
+          "{}: no roll of the wheelset below {} rad lets both wheels touch their rails; do: check "
+          "gauge, flange_back_distance and lateral_shift, or give wheelset.roll",
+          where(input, position, true), largest_roll));
+    at_b = difference(b);
+  }
+  return contact::bracketed_root(difference, a, b, 1e-13, "roll of the wheelset");
+}
+
+}  // namespace
+
+VerticalGap make_gap(const Case& input, const SearchScene& scene, const WheelsetPose& pose,
+                     int position, bool left) {
+  const Axle axle = place_axle(pose, input.wheelset, input.wheel.rolling_radius, left);
+  try {
+    return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head};
+  } catch (const contact::SolveError& error) {
+    throw contact::SolveError(
+        fmt::format("{}: {}; do: check gauge, flange_back_distance and lateral_shift",
+                    where(input, position, left), error.what()));
+  }
+}
+
+[[noreturn]] void fail_at_end(const Case& input, const VerticalGap& gap, bool inner, int position,
+                              bool left, const std::string& what) {
+  const contact::HeightCurve& wheel = gap.wheel().curve();
+  const bool wheel_ends =
+      inner ? wheel.first() > gap.rail().first() : wheel.last() < gap.rail().last();
+  throw contact::InputError(fmt::format(
+      "{}: {} the {} end of the {} profile, {:.2f} mm from the middle of the track; allowed: "
+      "profiles that reach beyond the contact on both sides, as a height over y; do: use a longer "
+      "{} profile, or check gauge, flange_back_distance and lateral_shift",
+      where(input, position, left), what, inner ? "flange-side" : "field-side",
+      wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
+      wheel_ends ? "wheel" : "rail"));
+}
+
+WheelsetPose touching_pose(const Case& input, const SearchScene& scene, WheelsetPose pose,
+                           int position, bool left) {
+  touching_gap(input, scene, pose, position, left);
+  return pose;
+}
+
+VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,
+                         int position, bool left) {
+  pose.height = 0.0;
+  VerticalGap gap = make_gap(input, scene, pose, position, left);
+  check_support(input, scene, gap, position, left);
+  pose.height = gap.smallest();
+  gap.lower_wheel(pose.height);
+  return gap;
+}
+
+SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
+  SearchScene scene;
+  scene.rail_place = rail_place(profiles.rail, input.track);
+  scene.rail = place_rail(profiles.rail, scene.rail_place);
+  scene.rail_head = rail_heights(scene.rail);
+  scene.wheel = wheel_points(profiles.wheel);
+  try {
+    scene.wheel_tread =
+        profiles::height_over_y(profiles.wheel, parameter_near(profiles.wheel, 0.0, 0.0));
+  } catch (const std::invalid_argument&) {
+    scene.wheel_tread = {};
+  }
+  scene.profiles = std::move(profiles);
+  return scene;
+}
+
+WheelsetPose find_pose(const Case& input, const SearchScene& scene, int position) {
+  WheelsetPose pose = asked_pose(input, position);
+  if (input.wheelset.roll.empty()) pose.roll = touching_roll(input, scene, pose, position);
+  return pose;
+}
+
+}  // namespace rollfem::track

@@ -1,0 +1,48 @@
+// Height and roll of a wheelset on its rails; rejects wheels that have left their rails.
+#pragma once
+
+#include "contact/case/case.hpp"
+
+#include "track/placement/placement.hpp"
+#include "track/placement/vertical_gap.hpp"
+#include <string>
+
+namespace rollfem::track {
+
+/// What a search needs beside the case: profiles, and the rail's place that follows from them.
+struct SearchScene {
+  ProfilePair profiles;
+  WheelPoints wheel;
+  RailPlace rail_place;
+  profiles::ProfileCurve rail;     ///< placed, side frame
+  contact::HeightCurve rail_head;  ///< the same as a height over y
+  /// The wheel's profile about its running circle as a height over y; empty where it is too steep.
+  contact::HeightCurve wheel_tread;
+};
+
+/// Throws contact::InputError when the rail's profile does not fit the track.
+SearchScene make_search_scene(const contact::Case& input, ProfilePair profiles);
+
+/// Pose of the wheelset for a position (1, 2, ...), but for its height: lateral shift, yaw, and
+/// roll as given or found, such that both rails are touched by rigid wheels. Throws
+/// contact::SolveError when a wheel is not above its rail or there is no such roll.
+WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int position);
+
+/// The pose lowered until this wheel touches. Throws contact::SolveError when the wheel stands on
+/// the tip of its flange, contact::InputError when it stands on the end of a profile.
+WheelsetPose touching_pose(const contact::Case& input, const SearchScene& scene, WheelsetPose pose,
+                           int position, bool left);
+
+/// The same; returns the gap under the lowered wheel and sets the height of `pose`.
+VerticalGap touching_gap(const contact::Case& input, const SearchScene& scene, WheelsetPose& pose,
+                         int position, bool left);
+
+/// The gap under a wheel at a pose. Throws contact::SolveError when it is not above its rail.
+VerticalGap make_gap(const contact::Case& input, const SearchScene& scene, const WheelsetPose& pose,
+                     int position, bool left);
+
+/// Refuses contact at an end of what is known of the profiles: `what` happens there.
+[[noreturn]] void fail_at_end(const contact::Case& input, const VerticalGap& gap, bool inner,
+                              int position, bool left, const std::string& what);
+
+}  // namespace rollfem::track

@@ -1,0 +1,321 @@
+#include "track/search/contact_search.hpp"
+
+#include "contact/scene/geometry.hpp"
+
+#include "track/search/load_estimate.hpp"
+#include "track/search/patch_groups.hpp"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rollfem::track {
+
+using contact::Axle;
+using contact::Case;
+using contact::Vector3;
+
+namespace {
+
+/// How far the section of the wheel is taken from the contact (mm), more than any patch.
+constexpr double section_reach = 60.0;
+/// SearchOptions::merge_angle where nothing is said.
+constexpr double angle_on_plane = 0.35;
+constexpr double angle_on_surface = 0.8;
+
+/// Sinking under the load of the case, as estimated.
+double sinking_under_load(const Case& input, const VerticalGap& gap,
+                          const std::vector<Stretch>& stretches) {
+  const double modulus =
+      contact::combine(input.wheel.material, input.rail.material).contact_modulus;
+  const auto deepest = std::min_element(
+      stretches.begin(), stretches.end(),
+      [](const Stretch& a, const Stretch& b) { return a.deepest.gap < b.deepest.gap; });
+  const double cosine = std::cos(deepest->deepest.angle());
+  if (input.load.approach) return deepest->deepest.gap + *input.load.approach / cosine;
+  const double vertical = input.load.vertical_force
+                              ? *input.load.vertical_force
+                              : input.load.normal_force.value_or(0.0) * cosine;
+  return estimate_sinking(gap, stretches, vertical, modulus);
+}
+
+/// Side frame to track frame.
+Vector3 to_track(bool left, const Vector3& v) {
+  return {v[0], side_sign(left) * v[1], v[2]};
+}
+
+/// The frame of a patch on the rail; coordinates as of a right-hand patch frame on the left side,
+/// whose y points to the field; on the right the lateral one is turned in the end.
+struct PatchAxes {
+  double y0, z0;        ///< side frame, mm
+  double cosine, sine;  ///< of the contact angle
+  double across(double y, double z) const { return cosine * (y - y0) - sine * (z - z0); }
+  double along_normal(double y, double z) const { return -sine * (y - y0) - cosine * (z - z0); }
+};
+
+/// How a curve is taken into another frame, and from where to where of its own y.
+struct Change {
+  double sign_y = 1.0;
+  double factor = 1.0;
+  double added = 0.0;
+  double first = -contact::infinity;
+  double last = contact::infinity;
+};
+
+contact::HeightCurve changed(const contact::HeightCurve& curve, const Change& change) {
+  const std::vector<double>& knots = curve.knots();
+  auto begin = std::lower_bound(knots.begin(), knots.end(), change.first);
+  auto end = std::upper_bound(begin, knots.end(), change.last);
+  // One beyond each end.
+  if (begin != knots.begin()) --begin;
+  if (end != knots.end()) ++end;
+  std::vector<double> y, z, slope;
+  for (auto* list : {&y, &z, &slope}) list->reserve(static_cast<std::size_t>(end - begin));
+  for (; begin != end; ++begin) {
+    const contact::CurveValue at = curve.at(*begin);
+    y.push_back(change.sign_y * *begin);
+    z.push_back(change.factor * at.value + change.added);
+    slope.push_back(change.sign_y * change.factor * at.slope);
+  }
+  if (change.sign_y < 0.0)
+    for (auto* list : {&y, &z, &slope}) std::reverse(list->begin(), list->end());
+  return {std::move(y), std::move(z), std::move(slope)};
+}
+
+contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
+                                     const PatchAxes& axes, const Axle& axle_of_side, bool left,
+                                     const OutlinePoint& touch, double sink, double reach) {
+  const double at_touch = parameter_near(scene.rail, axes.y0, axes.z0);
+  // Shifted to the touching point, then turned.
+  const double cosine = axes.cosine, sine = axes.sine;
+  const profiles::ProfileCurve rail =
+      scene.rail.part(at_touch - reach, at_touch + reach)
+          .moved(std::atan2(sine, cosine), sine * axes.z0 - cosine * axes.y0,
+                 -sine * axes.y0 - cosine * axes.z0);
+  // z of the patch points up, that of the profile down.
+  const double sign_y = left ? 1.0 : -1.0;
+  contact::HeightCurve heights =
+      changed(profiles::height_over_y(rail, parameter_near(rail, 0.0, 0.0)), {sign_y, -1.0, 0.0});
+  const profiles::ProfileCurve& wheel = scene.profiles.wheel;
+  const double height = touch.radius - input.wheel.rolling_radius;
+  // Its part about the running circle is one list of knots wherever the wheel touches there.
+  constexpr double same_place = 1e-3;  // mm
+  const contact::HeightCurve& tread = scene.wheel_tread;
+  const bool on_tread = tread.contains(touch.profile_y) &&
+                        std::abs(tread.at(touch.profile_y).value - height) < same_place;
+  const Change to_radius{sign_y, 1.0, input.wheel.rolling_radius, touch.profile_y - reach,
+                         touch.profile_y + reach};
+  contact::HeightCurve radius =
+      on_tread
+          ? changed(tread, to_radius)
+          : changed(profiles::height_over_y(wheel, parameter_near(wheel, touch.profile_y, height)),
+                    to_radius);
+  // Mirrored for the right side: y changes its sign, and the direction is turned about so that it
+  // points to larger y again (and its axial coordinate with it, as in `changed`).
+  const Vector3& p = axle_of_side.point;
+  const Vector3& d = axle_of_side.direction;
+  Axle axle;
+  axle.point = {p[0] - touch.x, sign_y * axes.across(p[1], p[2] + sink),
+                axes.along_normal(p[1], p[2] + sink)};
+  const double d_across = axes.cosine * d[1] - axes.sine * d[2];
+  const double d_normal = -axes.sine * d[1] - axes.cosine * d[2];
+  axle.direction = {sign_y * d[0], d_across, sign_y * d_normal};
+  const double section = std::min(section_reach, reach);
+  return {std::move(heights), std::move(radius), axle, -section, section};
+}
+
+class WheelSearch {
+ public:
+  WheelSearch(const Case& input, const SearchScene& scene, const WheelsetPose& pose, int position,
+              bool left)
+      : input_(input),
+        scene_(scene),
+        position_(position),
+        left_(left),
+        pose_(pose),
+        gap_(touching_gap(input, scene, pose_, position, left)),
+        axle_(place_axle(pose_, input.wheelset, input.wheel.rolling_radius, left)),
+        modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
+
+  std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
+    const bool curved = input_.halfspace.surface == contact::SurfaceForm::curved;
+    const double angle = options.merge_angle.value_or(curved ? angle_on_surface : angle_on_plane);
+    const auto [groups, sinking] =
+        group_minima(gap_, angle, [this](const std::vector<Stretch>& stretches) {
+          return sinking_under_load(input_, gap_, stretches);
+        });
+    std::vector<WheelRailContact> found;
+    int loaded = 0;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      WheelRailContact contact =
+          describe(groups[k], sinking, k > 0, k + 1 < groups.size(), options);
+      contact.reserve = !(contact.normal_force > 0.0);
+      if (!contact.reserve) ++loaded;
+      found.push_back(std::move(contact));
+    }
+    add_near_misses(groups, sinking, options, found);
+    share_vertical_force(found);
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+      return a.normal_force != b.normal_force ? a.normal_force > b.normal_force
+                                              : a.place.separation < b.place.separation;
+    });
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      found[k].place.patches = loaded;
+      found[k].place.patch = found[k].normal_force > 0.0 ? static_cast<int>(k) + 1 : 0;
+    }
+    return found;
+  }
+
+ private:
+  /// Humps that do not touch, of contacts or beyond them; those of a reserve are listed already.
+  void add_near_misses(const std::vector<PatchGroup>& groups, double sinking,
+                       const SearchOptions& options, std::vector<WheelRailContact>& found) const {
+    const auto of_reserve = [&](const GapMinimum& minimum) {
+      return std::any_of(groups.begin(), groups.end(), [&](const PatchGroup& group) {
+        return group.stretch.deepest.gap >= sinking && group.stretch.deepest.y == minimum.y;
+      });
+    };
+    SearchOptions plain = options;
+    plain.reference_offset = 0.0;
+    for (const PatchGroup& hump : separate_groups(gap_)) {
+      const GapMinimum& lowest = hump.stretch.deepest;
+      if (lowest.gap < sinking || of_reserve(lowest)) continue;
+      if (lowest.gap * std::cos(lowest.angle()) > options.near_miss) continue;
+      WheelRailContact contact = describe(hump, sinking, false, false, plain);
+      found.push_back(std::move(contact));
+    }
+  }
+
+  /// The estimates are made at the angles of first contact; their sum is that of the case.
+  void share_vertical_force(std::vector<WheelRailContact>& found) const {
+    if (!input_.load.vertical_force) return;
+    double sum = 0.0;
+    for (const WheelRailContact& contact : found)
+      sum += contact.normal_force * std::cos(contact.place.contact_angle);
+    for (WheelRailContact& contact : found)
+      contact.normal_force *= *input_.load.vertical_force / sum;
+  }
+
+  WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
+                            bool neighbour_outside, const SearchOptions& options) const {
+    const GapMinimum& first = group.stretch.deepest;
+    auto [y, slope, spread] = reference_of(gap_, group.stretch, sinking);
+    if (const double offset = options.reference_offset; offset != 0.0) {
+      y += offset;
+      slope = gap_.rail().at(y).slope - 0.5 * gap_.at(y).slope;
+    }
+    const contact::CurveValue rail = gap_.rail().at(y);
+    const double angle = -std::atan(slope);
+    const PatchAxes axes{y, rail.value, std::cos(angle), std::sin(angle)};
+    const OutlinePoint touch = gap_.wheel().at(y);
+    WheelRailContact contact;
+    contact.pose = pose_;
+    contact.spread_of_normals = spread;
+    contact.approach = std::max(0.0, approach_of(group.stretch, sinking));
+    contact.normal_force = estimate_force(gap_, group.stretch, contact.approach, modulus_);
+    fill_place(contact.place, group.stretch, axes, touch);
+    fill_frames(contact, axes, touch);
+    if (contact.normal_force > 0.0) check_reach(group.stretch, sinking);
+    const auto across = [&](double at) { return axes.across(at, gap_.rail().at(at).value); };
+    const auto pair = [&](double lower, double upper) {
+      return left_ ? std::array<double, 2>{lower, upper} : std::array<double, 2>{-upper, -lower};
+    };
+    const auto reach = reach_of(gap_, group.stretch, std::max(sinking, first.gap));
+    contact.reach = pair(across(reach[0]), across(reach[1]));
+    contact.limits = pair(neighbour_inside ? across(group.stretch.limits[0]) : -contact::infinity,
+                          neighbour_outside ? across(group.stretch.limits[1]) : contact::infinity);
+    for (const GapMinimum& minimum : group.minima)
+      if (minimum.gap < sinking || minimum.y == first.y)
+        contact.touching.push_back(
+            {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
+    contact.geometry =
+        make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap,
+                      std::max(-contact.reach[0], contact.reach[1]) + options.around_overlap);
+    contact.geometry.set_limits(contact.limits);
+    return contact;
+  }
+
+  void fill_place(contact::ContactPlace& place, const Stretch& stretch, const PatchAxes& axes,
+                  const OutlinePoint& touch) const {
+    place.left = left_;
+    place.position = position_;
+    place.lateral_shift = pose_.lateral_shift;
+    place.yaw = pose_.yaw;
+    place.roll = pose_.roll;
+    place.height = pose_.height;
+    place.y_track = side_sign(left_) * axes.y0;
+    place.z_track = axes.z0;
+    place.y_rail = profile_coordinates(scene_.rail_place, axes.y0, axes.z0)[0];
+    place.y_wheel = touch.profile_y;
+    place.contact_angle = std::atan2(axes.sine, axes.cosine);
+    place.rolling_radius = touch.radius;
+    place.x_track = touch.x;
+    place.way_across = way_across(axes.y0);
+    place.separation = stretch.deepest.gap * axes.cosine;
+  }
+
+  /// Length of the common surface outward to y, mm, from the middle of what is known of it.
+  double way_across(double y) const {
+    constexpr double step = 0.05;  // mm
+    const double start = 0.5 * (gap_.first() + gap_.last());
+    const int pieces = 1 + static_cast<int>(std::abs(y - start) / step);
+    const double dy = (y - start) / pieces;
+    double way = 0.0;
+    for (int k = 0; k < pieces; ++k) {
+      const double at = start + (k + 0.5) * dy;
+      const double slope = gap_.rail().at(at).slope - 0.5 * gap_.at(at).slope;
+      way += dy * std::sqrt(1.0 + slope * slope);
+    }
+    return way;
+  }
+
+  void fill_frames(WheelRailContact& contact, const PatchAxes& axes,
+                   const OutlinePoint& touch) const {
+    contact.axle.point = {0.0, pose_.lateral_shift, pose_.height - input_.wheel.rolling_radius};
+    const Vector3 outward = to_track(left_, axle_.direction);
+    for (int d = 0; d < 3; ++d) contact.axle.direction[d] = side_sign(left_) * outward[d];
+    contact.origin = to_track(left_, {touch.x, axes.y0, axes.z0});
+    contact.along = {1.0, 0.0, 0.0};
+    contact.normal = to_track(left_, {0.0, -axes.sine, -axes.cosine});
+    contact.across = {0.0, contact.normal[2], -contact.normal[1]};  // normal x along
+  }
+
+  void check_reach(const Stretch& stretch, double sinking) const {
+    const auto reach = reach_of(gap_, stretch, sinking);
+    if (reach[0] <= gap_.first())
+      fail_at_end(input_, gap_, true, position_, left_, "under its load the patch reaches");
+    if (reach[1] >= gap_.last())
+      fail_at_end(input_, gap_, false, position_, left_, "under its load the patch reaches");
+  }
+
+  const Case& input_;
+  const SearchScene& scene_;
+  int position_;
+  bool left_;
+  WheelsetPose pose_;
+  VerticalGap gap_;  ///< sets the height of the pose
+  Axle axle_;
+  double modulus_;
+};
+
+}  // namespace
+
+std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,
+                                            const WheelsetPose& pose, int position, bool left,
+                                            const SearchOptions& options) {
+  return WheelSearch(input, scene, pose, position, left).contacts(options);
+}
+
+std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene& scene,
+                                            int position, const SearchOptions& options) {
+  const WheelsetPose pose = find_pose(input, scene, position);
+  std::vector<WheelRailContact> all;
+  for (const bool left : {true, false}) {
+    const contact::WheelSide other = left ? contact::WheelSide::right : contact::WheelSide::left;
+    if (input.wheelset.side == other) continue;
+    for (WheelRailContact& contact : find_contacts(input, scene, pose, position, left, options))
+      all.push_back(std::move(contact));
+  }
+  return all;
+}
+
+}  // namespace rollfem::track

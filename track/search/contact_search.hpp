@@ -1,0 +1,73 @@
+// Finds where the wheels of a placed wheelset touch their rails: its height and roll, points of
+// first contact, near misses, and which of them form one patch under load (docs/track.md).
+#pragma once
+
+#include "contact/case/case.hpp"
+
+#include "track/placement/wheelset_pose.hpp"
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace rollfem::track {
+
+/// One contact, or a near miss, of one wheel at one position. A contact holds all patches whose
+/// normals differ little, wherever they are: one scene on one contact grid. Its reference point is
+/// the mean place of the overlap of the undeformed bodies at the estimated approach, weighted by
+/// the square of the depth over the area, its plane has the mean slope of the common surface there;
+/// those of a near miss are the point of least distance and the tangent.
+struct WheelRailContact {
+  /// position, patch and patches count from 1; of a near miss patch is 0.
+  contact::ContactPlace place;
+  contact::PatchGeometry geometry;  ///< sunk vertically until this patch touches in one point
+  WheelsetPose pose;                ///< at first contact of the wheel
+  contact::Axle axle;               ///< track frame, at first contact; direction to the right
+  contact::Vector3 origin{};        ///< contact reference point on the rail, track frame
+  /// A near miss with a plane of its own that the load may reach, were the estimate too small.
+  bool reserve = false;
+  /// Directions of the patch frame in the track frame.
+  contact::Vector3 along{}, across{}, normal{};
+  /// Estimates (load_estimate.hpp) of the load's normal force and approach along the normal; 0 for
+  /// a near miss.
+  double normal_force = 0.0;  ///< N
+  double approach = 0.0;      ///< mm
+  /// y of the patch frame between which the bodies overlap at this approach: holds all patches.
+  std::array<double, 2> reach{};
+  /// y of the patch frame beyond which another contact begins; infinite where there is none.
+  std::array<double, 2> limits{};
+  /// How much the normals of the common surface differ over the overlap: their standard deviation,
+  /// rad, with the weights of the reference.
+  double spread_of_normals = 0.0;
+  /// Lowest points within the overlap: y of the patch frame, separation along the normal.
+  std::vector<std::array<double, 2>> touching;
+};
+
+struct SearchOptions {
+  double near_miss = 1.0;  ///< mm, largest separation along the normal that is still reported
+  /// rad: patches whose normals differ more are contacts of their own. Without one 0.35 (20
+  /// degrees, within which a plane costs 2 % of the pressure) or, where the case takes the local
+  /// normals of a curved surface, 0.8.
+  std::optional<double> merge_angle;
+  /// mm, to the field: takes another point of the overlap for the reference, with the tangent of
+  /// the common surface there, of which true normals make nothing.
+  double reference_offset = 0.0;
+  /// mm: takes wheel and rail into the frame of a contact only this far beyond where the bodies
+  /// overlap; infinite: as far as they are heights there.
+  double around_overlap = std::numeric_limits<double>::infinity();
+  bool with_reserve = false;  ///< scenes of contacts that the load may reach as well (make_scenes)
+};
+
+/// Patches of a wheel under the load of the case, the most loaded first, then near misses, nearest
+/// first. The height of `pose` is set to that at which this wheel touches; with a found roll it is
+/// the same for both. Throws contact::SolveError when the wheel has left its rail,
+/// contact::InputError when a profile ends where the bodies would touch or within a patch.
+std::vector<WheelRailContact> find_contacts(const contact::Case& input, const SearchScene& scene,
+                                            const WheelsetPose& pose, int position, bool left,
+                                            const SearchOptions& options = {});
+
+/// All contacts of the wheels that wheelset.side asks for at a position: left before right.
+std::vector<WheelRailContact> find_contacts(const contact::Case& input, const SearchScene& scene,
+                                            int position, const SearchOptions& options = {});
+
+}  // namespace rollfem::track

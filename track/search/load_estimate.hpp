@@ -1,0 +1,35 @@
+// How far a wheel sinks under a load, and what each of its patches carries, estimated without
+// solving the contact problem: the patch is where the bodies would overlap at 0.57 of the approach,
+// the pressure over it semi-elliptic along rolling. W. Kik and J. Piotrowski, A fast, approximate
+// method to calculate normal load at contact between wheel and rail and creep forces during
+// rolling, 1996. Good to some 5 % of the force; for choosing grids, merging patches and first
+// guesses.
+#pragma once
+
+#include "track/placement/vertical_gap.hpp"
+#include <array>
+#include <vector>
+
+namespace rollfem::track {
+
+/// A stretch of the gap that is one potential contact.
+struct Stretch {
+  GapMinimum deepest;              ///< its lowest minimum, the reference point
+  std::array<double, 2> limits{};  ///< mm, side frame: nothing beyond belongs to it
+  double rolling_radius = 0.0;     ///< mm, at the reference point
+};
+
+/// Approach along the normal of a stretch when the wheel sinks by `sinking` from gap 0, mm: sinking
+/// times cosine less the separation along the normal.
+double approach_of(const Stretch& stretch, double sinking);
+
+/// Normal force at an approach, N; 0 when it is not positive. `modulus` is E* of both bodies, MPa.
+double estimate_force(const VerticalGap& gap, const Stretch& stretch, double approach,
+                      double modulus);
+
+/// Sinking, measured from gap 0, at which the stretches together carry `vertical` (N) without
+/// friction.
+double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stretches,
+                        double vertical, double modulus);
+
+}  // namespace rollfem::track

@@ -1,0 +1,160 @@
+#include "track/search/patch_groups.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rollfem::track {
+
+namespace {
+
+/// Humps with a valley shallower than this between them are one (mm): roughness of a profile.
+constexpr double least_valley = 2e-3;
+/// The estimate of the approach is good to some 6 %, at several patches to less.
+constexpr double beyond_estimate = 1.5;
+constexpr double beyond_estimate_at_least = 0.01;  // mm
+
+void join(PatchGroup& group, const PatchGroup& next) {
+  if (next.stretch.deepest.gap < group.stretch.deepest.gap) {
+    group.stretch.deepest = next.stretch.deepest;
+    group.stretch.rolling_radius = next.stretch.rolling_radius;
+  }
+  group.stretch.limits[1] = next.stretch.limits[1];
+  group.minima.insert(group.minima.end(), next.minima.begin(), next.minima.end());
+}
+
+std::vector<Stretch> stretches_of(const std::vector<PatchGroup>& groups) {
+  std::vector<Stretch> stretches;
+  for (const PatchGroup& group : groups) stretches.push_back(group.stretch);
+  return stretches;
+}
+
+double least_gap_of(const std::vector<PatchGroup>& groups) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PatchGroup& group : groups) least = std::min(least, group.stretch.deepest.gap);
+  return least;
+}
+
+/// Range of the angles of all minima of two groups, rad.
+double angles_of_both(const PatchGroup& a, const PatchGroup& b) {
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  for (const PatchGroup* group : {&a, &b})
+    for (const GapMinimum& minimum : group->minima) {
+      least = std::min(least, minimum.angle());
+      largest = std::max(largest, minimum.angle());
+    }
+  return largest - least;
+}
+
+/// Neighbours of the most similar angles first, until no two are within `merge_angle`.
+void join_neighbours(std::vector<PatchGroup>& groups, double merge_angle) {
+  while (groups.size() > 1) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + 1 < groups.size(); ++k)
+      if (const double range = angles_of_both(groups[k], groups[k + 1]); range < least)
+        least = range, best = k;
+    if (least > merge_angle) return;
+    join(groups[best], groups[best + 1]);
+    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+  }
+}
+
+/// Neighbours part at the ridge between them; beside the first and the last there is none.
+void set_limits(const VerticalGap& gap, std::vector<PatchGroup>& groups) {
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    groups[k].stretch.limits[0] = k > 0 ? groups[k - 1].stretch.limits[1] : gap.first();
+    groups[k].stretch.limits[1] =
+        k + 1 < groups.size()
+            ? gap.largest_between(groups[k].minima.back().y, groups[k + 1].minima.front().y)[1]
+            : gap.last();
+  }
+}
+
+}  // namespace
+
+bool within_reach_of_load(const GapMinimum& minimum, double least_gap, double sinking) {
+  const double approach = sinking - least_gap;
+  return minimum.gap - least_gap <
+         std::max(beyond_estimate * approach, approach + beyond_estimate_at_least);
+}
+
+std::vector<PatchGroup> separate_groups(const VerticalGap& gap) {
+  std::vector<PatchGroup> groups;
+  for (const GapMinimum& minimum : gap.minima()) {
+    PatchGroup group;
+    group.stretch.deepest = minimum;
+    group.stretch.rolling_radius = gap.wheel().at(minimum.y).radius;
+    group.stretch.limits = {gap.first(), gap.last()};
+    group.minima = {minimum};
+    if (!groups.empty()) {
+      PatchGroup& last = groups.back();
+      const auto ridge = gap.largest_between(last.stretch.deepest.y, minimum.y);
+      if (ridge[0] - std::max(last.stretch.deepest.gap, minimum.gap) < least_valley) {
+        join(last, group);
+        continue;
+      }
+      last.stretch.limits[1] = group.stretch.limits[0] = ridge[1];
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingOf& sinking_of) {
+  const std::vector<PatchGroup> all = separate_groups(gap);
+  const double least = least_gap_of(all);
+  Contacts contacts{all, sinking_of(stretches_of(all))};
+  // Each by itself they are stiffer than together: the sinking grows from round to round, and with
+  // it what the load may reach.
+  std::size_t reached = 0;
+  constexpr int most_rounds = 8;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::vector<PatchGroup> groups;
+    for (const PatchGroup& group : all)
+      if (within_reach_of_load(group.stretch.deepest, least, contacts.sinking))
+        groups.push_back(group);
+    if (groups.size() == reached) break;
+    reached = groups.size();
+    join_neighbours(groups, merge_angle);
+    set_limits(gap, groups);
+    // A single hump has been asked about already.
+    const bool known = round == 0 && all.size() == 1;
+    contacts.groups = std::move(groups);
+    if (!known) contacts.sinking = sinking_of(stretches_of(contacts.groups));
+  }
+  return contacts;
+}
+
+std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, double sinking) {
+  return gap.span_below(sinking, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
+}
+
+Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double sinking) {
+  const Reference lowest{stretch.deepest.y, stretch.deepest.slope};
+  if (!(approach_of(stretch, sinking) > 0.0)) return lowest;
+  const auto reach = reach_of(gap, stretch, sinking);
+  // The overlap of depth d is as long as sqrt(d), which makes d^2.5 along y.
+  constexpr int cells = 800;
+  const double dy = (reach[1] - reach[0]) / cells;
+  double weights = 0.0, places = 0.0, slopes = 0.0, angles = 0.0, squares = 0.0;
+  for (int k = 0; k < cells; ++k) {
+    const double y = reach[0] + (k + 0.5) * dy;
+    const contact::CurveValue here = gap.at(y);
+    const double depth = sinking - here.value;
+    if (!(depth > 0.0)) continue;
+    const double weight = depth * depth * std::sqrt(depth);
+    weights += weight;
+    places += weight * y;
+    const double slope = gap.rail().at(y).slope - 0.5 * here.slope;
+    slopes += weight * slope;
+    angles += weight * std::atan(slope);
+    squares += weight * std::pow(std::atan(slope), 2);
+  }
+  if (!(weights > 0.0)) return lowest;
+  const double variance = squares / weights - std::pow(angles / weights, 2);
+  return {places / weights, slopes / weights, std::sqrt(std::max(0.0, variance))};
+}
+
+}  // namespace rollfem::track

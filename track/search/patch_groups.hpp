@@ -1,0 +1,54 @@
+// Groups minima of the gap into contacts, each with its reference point and plane.
+#pragma once
+
+#include "track/search/load_estimate.hpp"
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace rollfem::track {
+
+/// A stretch and the minima that went into it.
+struct PatchGroup {
+  Stretch stretch;
+  std::vector<GapMinimum> minima;
+};
+
+/// Sinking under the load when these stretches carry it, measured from gap 0, mm.
+using SinkingOf = std::function<double(const std::vector<Stretch>&)>;
+
+/// The minima that a load may reach, as contacts: minima whose angles all lie within `merge_angle`
+/// (rad) are one, however far apart, because the elasticity of one half-space holds for them; the
+/// others have the ridge between them as their limit. `sinking`: that under the load as estimated
+/// for these contacts, from gap 0, mm.
+struct Contacts {
+  std::vector<PatchGroup> groups;
+  double sinking = 0.0;
+};
+Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingOf& sinking_of);
+
+/// A contact that does not touch at this sinking (mm) may do so under the load: the sinking is an
+/// estimate.
+bool within_reach_of_load(const GapMinimum& minimum, double least_gap, double sinking);
+
+/// Every minimum with the stretch between the ridges beside it; humps with next to no valley
+/// between them are one.
+std::vector<PatchGroup> separate_groups(const VerticalGap& gap);
+
+/// Where the bodies overlap at a sinking: y of the side frame, from the first to the last place.
+std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, double sinking);
+
+/// The reference of a contact: side frame, mm, and dz/dy of its plane.
+struct Reference {
+  double y = 0.0;
+  double slope = 0.0;
+  double spread = 0.0;  ///< rad, standard deviation of the normals from that of the plane
+};
+
+/// Mean place of the overlap at a sinking and mean slope of the common surface there, which lies
+/// midway between wheel and rail, weighted by the square of the depth over the area; the lowest
+/// point where nothing overlaps. About as the pressure weighs them: for a parabola the depth's
+/// weight has 1.25 times the variance of the pressure's.
+Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double sinking);
+
+}  // namespace rollfem::track
