@@ -186,7 +186,7 @@ class Bench:
                             for c in comparison["cases"]}
 
     def test(self, name):
-        """Runs one test, e.g. "verification_fem_persson:PerssonPin.Touches..."; what it recorded.
+        """Runs one test, e.g. "verification_fem:PerssonPin.Touches..."; what it recorded.
 
         The numbers are floats by name (RecordProperty of GoogleTest), with "seconds" of the test.
         Raises RunFailed when the test does not pass.

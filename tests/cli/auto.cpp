@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 #include "support/program.hpp"
 #include "support/resume.hpp"
 #include <cmath>

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 #include "support/program.hpp"
 #include <cmath>
 #include <fstream>

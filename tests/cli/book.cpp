@@ -1,6 +1,7 @@
 // The verification book: what `./rollfem book` calls once the program is built.
 #include <nlohmann/json.hpp>
 
+#include "support/places.hpp"
 #include "support/resume.hpp"
 #include <cmath>
 

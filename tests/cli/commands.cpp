@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 #include "support/program.hpp"
 #include <sys/stat.h>
 

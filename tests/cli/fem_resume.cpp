@@ -1,6 +1,7 @@
 // The finite-element model after a kill, in one process and in two: the coarse level of the error
 // estimate and every finished load point are taken up, the result is the same to the last bit. And
 // the hybrid, whose correction is then in the cache.
+#include "support/places.hpp"
 #include "support/resume.hpp"
 #include <chrono>
 #include <thread>

@@ -1,6 +1,7 @@
 // One owner of a result at a time, from the start of a command to its end, and what is said when a
 // signal ends it or nobody reads what it prints.
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 #include "support/resume.hpp"
 
 namespace {

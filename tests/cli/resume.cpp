@@ -4,6 +4,7 @@
 #include "support/resume.hpp"
 
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 
 namespace {
 

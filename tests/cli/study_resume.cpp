@@ -1,6 +1,7 @@
 // The command study after a kill: finished levels are taken up and the numbers are the same to the
 // last bit; what belongs to another case is refused.
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 #include "support/resume.hpp"
 
 namespace {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 #include "support/resume.hpp"
 
 namespace {

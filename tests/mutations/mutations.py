@@ -1,8 +1,8 @@
 """The list of mutations: one wrong line each, that some test must find. run.py applies them.
 
 `find` occurs exactly once in `file` (structure.mutations holds it), and `put` stands in its place.
-`suspects` are the test programs that are run first, as PROGRAM or PROGRAM:FILTER of GoogleTest; the
-others follow only where these find nothing. Mutations that change no result (the sign of a velocity
+`suspects` are the tests that are run first, as GROUP_NAME of tests/GROUP/**/NAME.cpp or GROUP_NAME:FILTER of
+GoogleTest; the others follow only where these find nothing. Mutations that change no result (the sign of a velocity
 that enters squared, say) do not belong here.
 """
 

@@ -74,17 +74,30 @@ class Workshop:
         return "" if made.returncode == 0 else made.stdout[-3000:]
 
     def program(self, suspect):
-        return suspect.split(":")[0]
+        """The program of the suspect's folder."""
+        group, name = suspect.split(":")[0].split("_", 1)
+        room = next((ROOT / "tests" / group).rglob(f"{name}.cpp")).parent.relative_to(ROOT / "tests")
+        program = "_".join(room.parts)
+        return f"{program}_fem" if name.startswith("fem_") and "_fem" not in program else program
+
+    def pattern(self, suspect):
+        """GoogleTest's filter for the tests of the suspect's file, or the one that it names."""
+        name, _, pattern = suspect.partition(":")
+        if pattern:
+            return pattern
+        group, name = name.split("_", 1)
+        text = next((ROOT / "tests" / group).rglob(f"{name}.cpp")).read_text()
+        suites = set(re.findall(r"^TEST(?:_[FP])?\((\w+),", text, re.MULTILINE))
+        return ":".join(f"*{suite}.*" for suite in sorted(suites))
 
     def first_failure(self, suspect):
         """Name of the first test of a program that fails, or None."""
-        program, _, pattern = suspect.partition(":")
-        command = [self.build / "tests" / program, "--gtest_fail_fast", "--gtest_brief=1"]
-        ran = run(command + ([f"--gtest_filter={pattern}"] if pattern else []), cwd=self.build)
+        ran = run([self.build / "tests" / self.program(suspect), "--gtest_fail_fast", "--gtest_brief=1",
+                   f"--gtest_filter={self.pattern(suspect)}"], cwd=self.build)
         if ran.returncode == 0:
             return None
         found = re.search(r"\[  FAILED  \] (\w+\.\w+)", ran.stdout)
-        return f"{program.split('_')[0]}.{found[1]}" if found else f"{program} ends early"
+        return f"{suspect.split('_')[0]}.{found[1]}" if found else f"{suspect} ends early"
 
     def first_of_all(self):
         """The same by CTest over all tests, or those that --tests names."""

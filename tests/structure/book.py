@@ -14,9 +14,12 @@ def tests_of(root):
     for group in ("unit", "verification", "hard", "cli"):
         for path in (root / "tests" / group).rglob("*.cpp"):
             names.add(f"{group}.{path.stem}")
+            program = "_".join(path.parent.relative_to(root / "tests").parts)
+            if path.stem.startswith("fem_") and "_fem" not in program:
+                program += "_fem"
             for suite, test in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", path.read_text("utf-8"), re.M):
                 names.add(f"{group}.{suite}.{test}")
-                names.add(f"{group}_{path.stem}:{suite}.{test}")
+                names.add(f"{program}:{suite}.{test}")
     return names
 
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.hpp"
 #include "support/temporary_folder.hpp"
 #include <algorithm>
 #include <cerrno>

@@ -2,6 +2,7 @@
 // they are at hand.
 #pragma once
 
+#include "support/places.hpp"
 #include <cstdlib>
 #include <filesystem>
 

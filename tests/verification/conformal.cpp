@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.hpp"
 #include <string>
 
 namespace {

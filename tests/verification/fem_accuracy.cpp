@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
+#include "support/places.hpp"
 #include <cmath>
 #include <cstdlib>
 #include <string>

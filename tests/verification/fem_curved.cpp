@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
+#include "support/places.hpp"
 #include <cmath>
 #include <string>
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
+#include "support/places.hpp"
 #include "support/recorded.hpp"
 #include <algorithm>
 #include <cmath>

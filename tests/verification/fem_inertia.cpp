@@ -12,6 +12,7 @@
 #include "support/fem_elastic_block.hpp"
 #include "support/fem_quarter_ring.hpp"
 #include "support/fem_test_support.hpp"
+#include "support/places.hpp"
 #include "support/recorded.hpp"
 #include <array>
 #include <cmath>

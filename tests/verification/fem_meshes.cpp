@@ -7,6 +7,7 @@
 
 #include "support/mesh_examples.hpp"
 #include "support/mpi_environment.hpp"
+#include "support/places.hpp"
 #include <cmath>
 #include <string>
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.hpp"
 #include "track/motion/scenes.hpp"
 #include <cmath>
 #include <string>

@@ -12,7 +12,7 @@ def elements(bench):
             ("QuadraticElementsOnAConvexWheel", "Q2, convex wheel", 3.0, 2.0),
             ("QuadraticElementsOnAConcaveWheel", "Q2, concave wheel", 3.0, 2.0),
             ("QuadraticElementsOnARail", "Q2, rail", 3.0, 2.0), ("LinearElementsOnARail", "Q1, rail", 2.0, 1.0)):
-        found = bench.test(f"verification_fem_body_convergence:ManufacturedSolution.{test}")
+        found = bench.test(f"verification_fem:ManufacturedSolution.{test}")
         rows.append(Row("order of the displacement", "", displacement, found["order_of_displacement"],
                         0.25 / displacement, by=words))
         rows.append(Row("order of the energy", "", energy, found["order_of_energy"], 0.2 / energy, by=words))
@@ -35,7 +35,7 @@ elements.needs_fem = True
 
 def persson(bench):
     """Persson's conformal pin: far from half-spaces"""
-    found = bench.test("verification_fem_persson:PerssonPin.TouchesOverTheAngleAndWithThePressureOfTheClosedForm")
+    found = bench.test("verification_fem:PerssonPin.TouchesOverTheAngleAndWithThePressureOfTheClosedForm")
     rows, missed = [], []
     for angle in (20, 40, 60):
         clearance, pressure = closed_forms.persson(np.radians(angle))
@@ -62,7 +62,7 @@ persson.needs_fem = True
 
 def incompressible(bench):
     """Nearly incompressible bodies: Lame's cylinder"""
-    found = bench.test("verification_fem_incompressible:NearlyIncompressible.ThickCylinderHasLamesDisplacementAndStress")
+    found = bench.test("verification_fem:NearlyIncompressible.ThickCylinderHasLamesDisplacementAndStress")
     rows = []
     for degree, cells, most in ((2, 4, 1e-3), (1, 8, 0.01)):
         rows.append(Row(f"error of the displacement, Q{degree}, {cells} cells", "", 0.0,
@@ -83,9 +83,9 @@ incompressible.needs_fem = True
 
 def inertia(bench):
     """Inertia of rolling: moving pressure, spinning ring"""
-    wave = bench.test("verification_fem_inertia:MovingPressure.DeflectsAHalfSpaceAsColeAndHuthSay")
-    ring = bench.test("verification_fem_inertia:SpinningRing.HasTheClosedFormsDisplacementAndHoopStress")
-    speed = bench.test("verification_fem_inertia:RollingInertia.VanishesAsTheSquareOfTheSpeed")
+    wave = bench.test("verification_fem:MovingPressure.DeflectsAHalfSpaceAsColeAndHuthSay")
+    ring = bench.test("verification_fem:SpinningRing.HasTheClosedFormsDisplacementAndHoopStress")
+    speed = bench.test("verification_fem:RollingInertia.VanishesAsTheSquareOfTheSpeed")
     rows = []
     for poisson in (0.3, 0.4999):
         for fraction in (0, 0.6, 0.89):

@@ -112,7 +112,7 @@ def _figure(bench, found, semi_axis):
 
 def curvature_slip(bench):
     """Slip without creepage: an elastic sphere, curved half-spaces"""
-    found = bench.test("verification_fem_sphere:ElasticSphere.SlipsWithoutCreepageAsLuresSeriesSays")
+    found = bench.test("verification_fem:ElasticSphere.SlipsWithoutCreepageAsLuresSeriesSays")
     semi_axis = closed_forms.hertz(1 / (2 * RADIUS), 1 / (2 * RADIUS), FORCE, SHEAR_MODULUS / (1 - POISSON))[0]
     rows = _sphere_rows(found, _mean_over_hertz(semi_axis, RADIUS, 4000), semi_axis)
     _, results = _compared(bench)

@@ -19,7 +19,7 @@ def cattaneo(bench):
     pushed = model.points[2]  # after the third step the shift is 0.008172 mm
     shift = pushed["longitudinal_shift"]
     part = closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, shift)
-    loop = bench.test("verification_halfspace_history:Cattaneo.UnloadingLoopLosesTheWorkOfTheClosedForm")
+    loop = bench.test("verification:Cattaneo.UnloadingLoopLosesTheWorkOfTheClosedForm")
     losses = [closed_forms.mindlin_loss(1.0, loop["normal_force"] if nu == 0 else FORCE, FRICTION, SHEAR_MODULUS,
                                         nu, 7 / 8) for nu in (0.0, POISSON)]
     rows = [Row("p0", "MPa", pressure, pushed["max_pressure"], 1e-3),
@@ -91,7 +91,7 @@ def spence(bench):
     for point in model.points[3:]:
         ratios.append(np.sqrt(point["adhesion_area"] / point["contact_area"]))
         forces.append(point["normal_force"])
-    fine = bench.test("verification_halfspace_history:Spence.ElasticSpherePressedOnARigidOne")
+    fine = bench.test("verification:Spence.ElasticSpherePressedOnARigidOne")
     hertz = closed_forms.hertz(1 / 243, 1 / 243, (70 / 90) ** 3, 1.0)[2]
     rows = [Row("adhesion radius over patch radius", "", 0.5, fine["stick_ratio"], 0.01, by="0.1 mm elements, 34 steps"),
             Row("p0 over Hertz's", "", 1.31, fine["pressure"] / hertz, 0.01, by="the same"),
@@ -157,7 +157,7 @@ def transient(bench):
 
 def creep_frequency(bench):
     """Oscillating creepage: amplitude and phase of the force"""
-    found = bench.test("verification_creep_frequency:CreepFrequency.OfLineContactIsTheClosedForm")
+    found = bench.test("verification:CreepFrequency.OfLineContactIsTheClosedForm")
     waves, distance, rows = (0.1, 0.3, 1.0, 2.0, 4.0), 20.0, []
     for wave in waves:
         exact = closed_forms.creep_response(wave, distance)

@@ -28,7 +28,7 @@ def carter(bench):
     """Carter: steady rolling of like cylinders"""
     result = bench.run("carter", "cases/carter_line.toml", ["halfspace", "carter"])
     half, theory = result.model("halfspace"), result.model("carter")
-    plane = bench.test("verification_halfspace_line:Carter.ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder")
+    plane = bench.test("verification:Carter.ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder")
     rows = []
     for point, other in zip(half.points, theory.points):
         xi = point["longitudinal_creepage"]
@@ -76,7 +76,7 @@ def _carter_figure(bench, half):
 
 def bentall_johnson(bench):
     """Bentall and Johnson: rollers of unlike materials"""
-    program = "verification_halfspace_line:BentallJohnson."
+    program = "verification:BentallJohnson."
     free = bench.test(program + "CreepageOfFreeRollingWithHardlyAnyFriction")
     rough = bench.test(program + "FrictionLowersTheCreepageAndRaisesThePressure")
     pulled = bench.test(program + "TractiveAndBrakedRolling")
@@ -122,8 +122,8 @@ def nowell_hills(bench):
     """Nowell and Hills: tractive rolling of unlike cylinders"""
     beta, semi_axis, radius, hertz = _aluminium_on_steel(), 0.1, 25.0, 103.145
     scale = semi_axis / radius
-    found = bench.test("verification_halfspace_line:NowellHills.TractiveRollingOfUnlikeCylindersAsByQuadrature")
-    free = bench.test("verification_halfspace_line:NowellHills.FreeRollingOfUnlikeCylindersThatAdhereEverywhere")
+    found = bench.test("verification:NowellHills.TractiveRollingOfUnlikeCylindersAsByQuadrature")
+    free = bench.test("verification:NowellHills.FreeRollingOfUnlikeCylindersThatAdhereEverywhere")
     rows = []
     for k, (friction, ratio, most) in enumerate(UNLIKE_ROLLING):
         rollers = unlike_cylinders.Rollers(beta, friction, 200)
@@ -226,7 +226,7 @@ def kalker(bench):
     table = published.KALKER[0.25]
     rows = [Row(name, "", value, found[name], 0.02) for name, value in zip(("C11", "C22", "C23"), table[1])]
     rows.append(Row("-C32 against C23 (reciprocity)", "", found["C23"], found["-C32"], 0.01))
-    swept = bench.test("verification_halfspace_forces:KalkersCoefficients.FromTheSolverAt40ElementsForEvery"
+    swept = bench.test("verification:KalkersCoefficients.FromTheSolverAt40ElementsForEvery"
                        "AspectAndPoissonsRatio")
     for ratio in ("0.1", "0.5", "2", "10"):
         for name, value in zip(("C11", "C22", "C23"), table[float(ratio)]):

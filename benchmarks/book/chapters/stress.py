@@ -40,7 +40,7 @@ def stress_circle(bench):
             Row("its depth over a", "", exact_depth, at / a, 4e-3, by="half-space, 80 across")]
     cost = [Cost("half-space with 161 points", model.seconds["total"], model.unknowns)]
     if bench.has_fem:
-        found = bench.test("verification_fem_circle_stress:FemCircle.LargestShearStressIsThatOfHertzAndItsPlace")
+        found = bench.test("verification_fem:FemCircle.LargestShearStressIsThatOfHertzAndItsPlace")
         for body in ("wheel", "rail"):
             rows.append(Row("largest shear over p0", "", exact_shear, found[f"{body}_shear_over_p0"], 0.01,
                             by=f"FEM, a/8, {body}"))

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include "support/places.hpp"
 #include <cmath>
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.hpp"
 #include <filesystem>
 
 namespace {

@@ -8,6 +8,7 @@
 #include "halfspace/closed_forms/point_loads.hpp"
 
 #include "support/fem_body_pair.hpp"
+#include "support/places.hpp"
 #include <cmath>
 #include <functional>
 #include <string>

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.hpp"
 #include <string>
 
 namespace {

@@ -12,6 +12,7 @@
 
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
+#include "support/places.hpp"
 #include <filesystem>
 #include <fstream>
 

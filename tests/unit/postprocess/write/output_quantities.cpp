@@ -14,6 +14,7 @@
 
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
+#include "support/places.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
