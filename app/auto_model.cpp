@@ -4,8 +4,8 @@
 #include "app/processes.hpp"
 #include "contact/base/errors.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
-#include "halfspace/model/expected_patch.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/patch/expected_patch.hpp"
 
 #include <fmt/format.h>
 

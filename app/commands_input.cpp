@@ -11,12 +11,12 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/scene/what_follows.hpp"
-#include "halfspace/model/registry.hpp"
 #include "postprocess/write/case_schema.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
 
+#include "theories/registry.hpp"
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -4,7 +4,7 @@
 #include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
-#include "halfspace/model/correction_scene.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -27,7 +27,7 @@ class CorrectionCache {
     std::optional<halfspace::SmoothParts> parts;  ///< with a note on where they come from
     std::string note;                             ///< of a file that is damaged; else empty
   };
-  /// Of a correction scene (halfspace/model/correction_scene.hpp). Parts for bodies without a plane
+  /// Of a correction scene (halfspace/patch/correction_scene.hpp). Parts for bodies without a plane
   /// of symmetry serve those with one as well, those without stresses nobody who asks for some.
   Found find(const contact::Scene& correction, bool with_stresses) const;
   /// Whole or not at all; `seconds`: that finding them took. Why it could not be stored; empty: it

@@ -2,7 +2,7 @@
 
 #include "app/fem_library.hpp"
 #include "contact/base/errors.hpp"
-#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/patch/expected_patch.hpp"
 
 #include <fmt/format.h>
 

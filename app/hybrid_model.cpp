@@ -5,8 +5,8 @@
 #include "app/fem_library.hpp"
 #include "app/processes.hpp"
 #include "contact/base/stopwatch.hpp"
-#include "halfspace/model/correction_scene.hpp"
 #include "halfspace/model/refinements.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/format.h>
 

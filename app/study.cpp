@@ -11,11 +11,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "halfspace/model/registry.hpp"
 #include "postprocess/study/study.hpp"
 
 #include <fmt/format.h>
 
+#include "theories/registry.hpp"
 #include <algorithm>
 #include <iostream>
 #include <tuple>

@@ -3,7 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/material.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/theories/linear_theory.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
 
 #include <fmt/format.h>
 

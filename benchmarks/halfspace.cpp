@@ -7,12 +7,12 @@
 #include "contact/solve/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/theories/fastsim.hpp"
-#include "halfspace/theories/strip.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "tests/support/thesis_cases.hpp"
+#include "theories/fastsim.hpp"
+#include "theories/strip.hpp"
 #include <cmath>
 
 namespace {
@@ -161,16 +161,16 @@ void count(benchmark::State& state, const contact::PointResult& point) {
 
 void fastsim(benchmark::State& state) {
   const contact::Case input = benchmark_9_case();
-  halfspace::FastsimOptions options;
+  theories::FastsimOptions options;
   options.strips = options.strip_elements = static_cast<int>(state.range(0));
-  for (auto _ : state) count(state, halfspace::run_fastsim(input, {}, options).points[0]);
+  for (auto _ : state) count(state, theories::run_fastsim(input, {}, options).points[0]);
 }
 
 void strip(benchmark::State& state) {
   const contact::Case input = benchmark_9_case();
-  halfspace::StripOptions options;
+  theories::StripOptions options;
   options.strips = options.strip_elements = static_cast<int>(state.range(0));
-  for (auto _ : state) count(state, halfspace::run_strip(input, {}, options).points[0]);
+  for (auto _ : state) count(state, theories::run_strip(input, {}, options).points[0]);
 }
 
 constexpr auto unit = benchmark::kMillisecond;

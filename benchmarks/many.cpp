@@ -1,7 +1,7 @@
 // Forces of many creepages on many ellipses: errors against a fine grid, and milliseconds a point.
 #include "halfspace/model/many.hpp"
 
-#include "halfspace/theories/linear_theory.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Error bars of tables: points at random on ellipses at random, as a table solves them, against the
 // limit of grids four times as fine.
+#include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/many.hpp"
-#include "halfspace/theories/linear_theory.hpp"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include "contact/solve/normal.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/patch/scene_chart.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,8 @@
 
 #include "contact/base/stopwatch.hpp"
 #include "contact/result/quantities.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/model/model_error.hpp"
-#include "halfspace/model/preconditioned_elasticity.hpp"
 #include "hybrid/compliance.hpp"
 #include "hybrid/stresses.hpp"
 

@@ -11,7 +11,7 @@
 #include "fem/coupling/far_field.hpp"
 #include "fem/model/run_layout.hpp"
 #include "fem/solver/factorisation.hpp"
-#include "halfspace/model/correction_scene.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 
 #include <Eigen/QR>
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 
 namespace rollfem::fem {
 
-/// Of the scene's correction scene (halfspace/model/correction_scene.hpp), by the process that
+/// Of the scene's correction scene (halfspace/patch/correction_scene.hpp), by the process that
 /// calls it alone: the bodies are small. Throws contact::InputError where a body is not known by
 /// its surface alone (given meshes, true sections, undeformed distances), contact::SolveError.
 halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,

@@ -6,7 +6,7 @@
 #include "contact/scene/scene.hpp"
 #include "fem/body/body.hpp"
 #include "fem/solver/memory.hpp"
-#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/patch/expected_patch.hpp"
 
 namespace rollfem::fem {
 

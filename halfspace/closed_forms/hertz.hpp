@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/scene/geometry.hpp"
-#include "contact/solve/model.hpp"
+#include "contact/scene/scene.hpp"
 
 namespace rollfem::halfspace {
 
@@ -37,9 +37,5 @@ contact::Curvatures curvatures_of_scene(const contact::Scene& scene);
 /// u_wheel - u_rail in mm, normal component, at any point of the surface: inside the patch
 /// approach - h, outside the closed form with the confocal ellipse.
 double hertz_displacement(const HertzContact& contact, double contact_modulus, double x, double y);
-
-/// The model "hertz": patch, pressure and approach; no friction. Tractions are sampled on the
-/// case's contact grid.
-contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progress& progress);
 
 }  // namespace rollfem::halfspace

@@ -6,7 +6,7 @@
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/curvature/curved_level.hpp"
 #include "halfspace/model/level.hpp"
-#include "halfspace/model/model_error.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/profile_drop.hpp"
-#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/patch/expected_patch.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 #include "halfspace/curvature/curved_level.hpp"
 
 #include "halfspace/curvature/curved_compliance.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/level.hpp"
-#include "halfspace/model/preconditioned_elasticity.hpp"
+#include "halfspace/patch/scene_chart.hpp"
 
 namespace rollfem::halfspace {
 

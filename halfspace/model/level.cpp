@@ -5,11 +5,12 @@
 #include "contact/scene/flanks.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/beside.hpp"
-#include "halfspace/model/coverage.hpp"
-#include "halfspace/model/expected_patch.hpp"
-#include "halfspace/model/force_search.hpp"
+#include "halfspace/elasticity/loads_beside.hpp"
+#include "halfspace/elasticity/tangential_stiffness.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/patch/coverage.hpp"
+#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/scene_chart.hpp"
 
 #include <fmt/format.h>
 
@@ -144,20 +145,6 @@ class GridStore : public contact::PointStore {
   ContactGrid grid_;
 };
 
-void check_curved(const Scene& scene) {
-  const auto refuse = [&](bool asked, const char* what) {
-    if (!asked) return;
-    throw contact::InputError(
-        fmt::format("{}: halfspace.surface = \"curved\": cannot be combined with {}; allowed: "
-                    "wheel and rail with radii or profiles, and no stresses below the surface; do: "
-                    "leave that out, or run with surface = \"planar\"",
-                    scene.file, what));
-  };
-  refuse(!scene.geometry.has_surfaces(), "undeformed_distance");
-  refuse(scene.given_pressure.has_value(), "given_pressure");
-  refuse(scene.asks_for_stress(), "subsurface stresses, which need a plane half-space");
-}
-
 std::string why_no_grid_holds(const contact::ChartedGeometry& geometry, const ContactGrid& grid) {
   const double border = geometry.lateral_place(grid.y(grid.ny - 1));
   if (geometry.curved()) {
@@ -177,14 +164,6 @@ std::unique_ptr<contact::Elasticity> halfspace_elasticity(const Scene& scene,
                                                           const contact::ChartedGeometry& geometry,
                                                           const ContactGrid& grid) {
   return std::make_unique<HalfspaceElasticity>(scene, geometry, grid);
-}
-
-contact::ChartedGeometry halfspace_geometry(const Scene& scene) {
-  if (!(scene.follows_surface > 0.0)) return {scene.geometry, contact::Chart::plane};
-  check_curved(scene);
-  contact::Geometry geometry = scene.geometry;
-  geometry.surface.follows = scene.follows_surface;
-  return {std::move(geometry), contact::Chart::arc};
 }
 
 contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, double dx, double dy,

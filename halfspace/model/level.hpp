@@ -14,9 +14,6 @@ namespace rollfem::halfspace {
 /// Solutions behind a force that is searched for must be sharper than the search.
 inline constexpr contact::ContactAccuracy accuracy_of_force_search{1e-8, {1e-7, 600, 5, true}};
 
-/// The scene as the contact grid of the model lies on it.
-contact::ChartedGeometry halfspace_geometry(const contact::Scene& scene);
-
 /// Solves all load points with cells of dx by dy, on a larger grid when the patch reaches its
 /// border. `area`: of this scene. `coarser` may be null. `stage_prefix` stands before the stage
 /// names of the progress events. With a `checkpoint` (may be null) load points that it holds are

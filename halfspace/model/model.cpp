@@ -318,4 +318,15 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   return result;
 }
 
+Scene on_few_elements(Scene scene, int elements_across) {
+  if (!scene.geometry.distance_values) {
+    scene.contact_grid = {};
+    scene.contact_grid.elements_across = elements_across;
+  }
+  scene.accuracy = {};
+  scene.subsurface.clear();
+  scene.output.stress_maxima = false;
+  return scene;
+}
+
 }  // namespace rollfem::halfspace

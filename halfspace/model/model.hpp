@@ -4,52 +4,13 @@
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/model.hpp"
-#include "halfspace/model/expected_patch.hpp"
+#include "halfspace/patch/potential_area.hpp"
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace rollfem::halfspace {
-
-/// Extent in which elements_across are counted: what of expected_patch carries load, without the
-/// gaps between several patches; for bodies given point by point the potential contact area.
-struct PatchExtent {
-  double length = 0.0;  ///< mm, along x
-  double width = 0.0;   ///< mm, along y
-};
-PatchExtent expected_extent(const contact::Scene& scene);
-
-/// Lays grids over one scene, for which the expected patch is looked for once.
-class AreaOfPatch {
- public:
-  /// The scene must outlive this.
-  explicit AreaOfPatch(const contact::Scene& scene) : scene_(scene) {}
-  PatchExtent extent() const;  ///< expected_extent
-  /// Throws contact::InputError where elements of dx by dy are many times more one way over the
-  /// extent than the other: solvers are lost in them.
-  void check_shape_of_cells(double dx, double dy) const;
-  /// potential_area of elements of dx by dy.
-  contact::ContactGrid grid(double dx, double dy, int margin) const;
-
- private:
-  contact::ContactGrid line_grid(double dx, int margin) const;
-  const ExpectedPatch& patch() const;
-  void check_extent() const;
-  void check_extent_of_profiles() const;
-
-  const contact::Scene& scene_;
-  mutable std::optional<ExpectedPatch> patch_;
-};
-
-/// Potential contact area from the case: the box of expected_patch plus a margin, with elements by
-/// [contact_grid]; or as many elements as fit into contact_grid.extent, or into the points of the
-/// undeformed distance. `margin`: elements beyond the box on each side.
-contact::ContactGrid potential_area(const contact::Scene& scene, int margin = 3);
-
-/// The same with square or given elements of dx by dy.
-contact::ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin);
 
 /// The half-space on a grid, with its stand-in for unlike materials.
 std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& scene,
@@ -76,5 +37,9 @@ struct GridElasticity {
 contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::Progress& progress,
                                    contact::Checkpoint* checkpoint = nullptr,
                                    const GridElasticity& elasticity = {});
+
+/// The scene on so few elements across, without stresses or an accuracy asked for: for the
+/// difference between two models. Points of a file come with their grid, which stays.
+contact::Scene on_few_elements(contact::Scene scene, int elements_across);
 
 }  // namespace rollfem::halfspace

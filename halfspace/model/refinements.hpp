@@ -1,4 +1,4 @@
-// How a study refines the models of this folder.
+// How a study refines the half-space.
 #pragma once
 
 #include "contact/solve/model.hpp"
@@ -7,10 +7,5 @@ namespace rollfem::halfspace {
 
 /// Contact elements: the grid of the case is the third of five levels.
 contact::Refinement contact_grid();
-
-/// Strips and their elements: those of the case are the third of five levels.
-contact::Refinement carter_strips();
-contact::Refinement fastsim_strips();
-contact::Refinement strip_strips();
 
 }  // namespace rollfem::halfspace

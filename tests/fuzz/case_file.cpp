@@ -4,10 +4,10 @@
 #include "contact/case/plausibility.hpp"
 #include "contact/scene/scene.hpp"
 #include "contact/scene/what_follows.hpp"
-#include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/registry.hpp"
 
 #include "fuzz/target.hpp"
+#include "theories/hertz_model.hpp"
+#include "theories/registry.hpp"
 
 using namespace rollfem;
 
@@ -25,7 +25,7 @@ std::string outcome_of(const std::string& input) {
     const contact::Scene scene(read);
     for (const contact::ModelInfo& model : models.all()) static_cast<void>(model.cannot(scene));
     // The closed form alone: the model "hertz" would solve a half-space for its model error.
-    if (!models.at("hertz").cannot(scene)) static_cast<void>(halfspace::run_hertz(scene, {}));
+    if (!models.at("hertz").cannot(scene)) static_cast<void>(theories::run_hertz(scene, {}));
   } catch (const contact::InputError& error) {
     return error.what();
   } catch (const contact::SolveError& error) {

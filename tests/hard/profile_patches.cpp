@@ -3,13 +3,13 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/expected_patch.hpp"
-#include "halfspace/model/registry.hpp"
+#include "halfspace/patch/expected_patch.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
+#include "theories/registry.hpp"
 
 using namespace rollfem;
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that includes between modules, and between the rooms of a module, run one way.
 
-contact <- halfspace <- fem; hybrid knows halfspace and is given what fem finds; choice
+contact <- halfspace <- fem; theories stand on halfspace; hybrid knows halfspace and is given what fem finds; choice
 knows results, and is given what solves; convert knows cases and closed forms; profiles and meshes know cases and
 scenes, no solver; track places profiles, finds their contacts and balances loads and rotation over them, for which it
 knows halfspace; postprocess knows results, never solvers; app knows all; interface, which others build on, hands app on, and
@@ -24,6 +24,7 @@ ALLOWED = {
     "contact/result": {"contact": {"base", "case", "scene"}},
     "contact/solve": {"contact": {"base", "scene", "result"}},
     "halfspace": {"contact": ANY},
+    "theories": {"contact": ANY, "halfspace": ANY},
     "profiles": {"contact": {"base", "case", "scene"}},
     "meshes": {"contact": {"base", "case", "scene"}},
     "postprocess": {"contact": {"base", "case", "scene", "result"}},
@@ -34,13 +35,14 @@ ALLOWED = {
     "convert": {"contact": {"base", "case", "scene"}, "halfspace": {"closed_forms"}},
     "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "choice": ANY, "convert": ANY, "meshes": ANY,
             "profiles": ANY, "track": ANY, "postprocess": ANY,
-            "fem": {"model", "body"}},
+            "theories": ANY, "fem": {"model", "body"}},
     "interface": {"contact": ANY, "postprocess": ANY, "app": ANY},
     "python": {"contact": ANY, "postprocess": ANY},
     "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "postprocess": {"table"}},
 }
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
+    "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature"],
     "track": ["placement", "search", "motion", "balance"],
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}
@@ -106,6 +108,8 @@ def self_test():
     assert verdict("postprocess/write/a.cpp", '"contact/solve/normal.hpp')
     assert verdict("profiles/a.cpp", '"contact/solve/tangential.hpp')
     assert verdict("track/search/a.cpp", '"track/motion/scenes.hpp')
+    assert verdict("halfspace/patch/a.cpp", '"halfspace/model/level.hpp')
+    assert verdict("halfspace/model/a.cpp", '"theories/strip.hpp')
     assert verdict("halfspace/model/a.cpp", '"track/motion/scenes.hpp')
     assert verdict("app/a.cpp", '"fem/solver/multigrid.hpp')
     assert verdict("app/a.cpp", "<deal.II/base/mpi.h")

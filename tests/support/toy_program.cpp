@@ -2,7 +2,8 @@
 // model". tests/cli/toy_model.cpp calls it.
 #include "app/models.hpp"
 #include "app/program.hpp"
-#include "halfspace/model/registry.hpp"
+
+#include "theories/registry.hpp"
 
 namespace {
 

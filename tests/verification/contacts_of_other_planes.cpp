@@ -3,8 +3,8 @@
 // joint solution on one grid, and the curved surface, whose normals are those of every place.
 #include "contact/result/patch_parts.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/load_sharing.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/patch/load_sharing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 // traction curves, from Cattaneo to Carter; and its solution of benchmark 9, run for this project.
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/theories/fastsim.hpp"
 
 #include <gtest/gtest.h>
 
+#include "theories/fastsim.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -179,15 +179,15 @@ TEST(DigitsOfContact, StepsOfOneElementWithSpinEndInSteadyRolling) {
 
 struct FastsimRow {
   int across;
-  halfspace::BoundShape bound;
+  contact::BoundShape bound;
   double fy, mz;
   double adhesion;
 };
 
 /// With the flexibilities that CONTACT prints: it blends Kalker's three into one as creepages grow.
 TEST(DigitsOfContact, FastsimOnItsElements) {
-  using halfspace::BoundShape;
-  const halfspace::BrushFlexibilities printed{0.4937e-4, 0.5152e-4, 0.4090e-4};
+  using contact::BoundShape;
+  const theories::BrushFlexibilities printed{0.4937e-4, 0.5152e-4, 0.4090e-4};
   const double a = 8.0, b = 4.0, force = 82e3;
   const halfspace::HertzContact ellipse = hertz(a, b, force);
   for (const FastsimRow& row : {FastsimRow{40, BoundShape::parabolic, -1.505e4, -3.900e4, 738},
@@ -196,13 +196,13 @@ TEST(DigitsOfContact, FastsimOnItsElements) {
     const double largest =
         0.3 * ellipse.max_pressure * (row.bound == BoundShape::parabolic ? 4.0 / 3.0 : 1.0);
     const double width = 2.0 * b / row.across;
-    halfspace::BrushTotals totals;
+    theories::BrushTotals totals;
     for (int j = 0; j < row.across; ++j) {
       const auto strip =
-          halfspace::ellipse_strip(ellipse, -b + (j + 0.5) * width, largest, row.bound);
+          theories::ellipse_strip(ellipse, -b + (j + 0.5) * width, largest, row.bound);
       add_strip(strip,
                 solve_strip(strip, printed, {0.0, -6.25e-4, 6.25e-4},
-                            halfspace::grid_elements(strip, a, row.across)),
+                            theories::grid_elements(strip, a, row.across)),
                 width, totals);
     }
     expect_printed(totals.forces.lateral, row.fy, "F_y");

@@ -1,9 +1,9 @@
 // Steady rolling in three dimensions: prescribed forces against creep curves, Kalker's coefficients
 // over aspect ratio and Poisson's ratio, extra rigid slip against CONTACT, given pressure.
 #include "contact/base/errors.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/theories/linear_theory.hpp"
 
 #include <gtest/gtest.h>
 

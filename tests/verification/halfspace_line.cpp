@@ -5,12 +5,12 @@
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/history.hpp"
 #include "contact/solve/prescribed_force.hpp"
-#include "halfspace/theories/carter.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/line_compliance.hpp"
 #include "support/recorded.hpp"
+#include "theories/carter.hpp"
 #include <cmath>
 #include <memory>
 
@@ -97,11 +97,11 @@ contact::CombinedMaterial steel() {
 /// Largest error of Carter's force over the creep curve, relative to mu P.
 double carter_error(int n) {
   const Roller roller(1.0, 500.0, steel(), 0.3, n);
-  const halfspace::CarterContact carter{1.0, roller.hertz_pressure, 0.3, 82000.0 / 0.72};
+  const theories::CarterContact carter{1.0, roller.hertz_pressure, 0.3, 82000.0 / 0.72};
   double error = 0.0;
   for (const double part : {0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.1}) {
     const double xi = part * carter.saturation_creepage();
-    const double exact = halfspace::CarterSolution(carter, xi).force();
+    const double exact = theories::CarterSolution(carter, xi).force();
     error = std::max(error, std::abs(roller.force(roller.roll(xi)) - exact));
   }
   return error / (0.3 * roller.load);
@@ -123,8 +123,8 @@ TEST(Carter, TractionsAndSlipOfTheUsersGuide) {
   const ContactState state = roller.roll(2.4e-4);
   EXPECT_NEAR(roller.force(state) / (0.3 * roller.load), -0.64, 0.64 * 0.001);
   EXPECT_NEAR(roller.load, 178.90, 0.01);
-  const halfspace::CarterContact carter{1.0, roller.hertz_pressure, 0.3, 82000.0 / 0.72};
-  const halfspace::CarterSolution exact(carter, 2.4e-4);
+  const theories::CarterContact carter{1.0, roller.hertz_pressure, 0.3, 82000.0 / 0.72};
+  const theories::CarterSolution exact(carter, 2.4e-4);
   for (int i = 0; i < roller.grid.nx; ++i) {
     const double x = roller.grid.x(i);
     if (std::abs(x) > 0.97 || std::abs(x + 0.2) < 0.03) continue;  // square roots begin there

@@ -5,13 +5,13 @@
 #include "contact/result/bars.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/closed_forms/line_hertz.hpp"
-#include "halfspace/model/registry.hpp"
-#include "halfspace/theories/carter.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/recorded.hpp"
+#include "theories/carter.hpp"
+#include "theories/registry.hpp"
 #include <cmath>
 #include <string>
 #include <vector>
@@ -51,7 +51,7 @@ std::string across(int elements) {
   return fmt::format("[contact_grid]\nelements_across = {}\n", elements);
 }
 
-halfspace::CarterContact carter_contact(double stiffness) {
+theories::CarterContact carter_contact(double stiffness) {
   return {1.0, stiffness / 1000.0, friction, stiffness};
 }
 
@@ -82,7 +82,7 @@ double carter_error(int elements, Held& force, Held& adhesion) {
   const ModelResult result = run(steel(creepages("longitudinal"), across(elements)));
   double largest = 0.0;
   for (const PointResult& point : result.points) {
-    const halfspace::CarterSolution exact(carter_contact(modulus), point.creepage.longitudinal);
+    const theories::CarterSolution exact(carter_contact(modulus), point.creepage.longitudinal);
     const double error = std::abs(point.longitudinal_force - exact.force());
     force.add(error, point.error_estimate.at("longitudinal_force"));
     adhesion.add(std::abs(point.adhesion_area - 2.0 * exact.stick_half_width()),
@@ -108,7 +108,7 @@ TEST(LineContact, CartersCurveWithOrderOneAndAHalfAtLeast) {
 TEST(LineContact, ModelCarterIsItsClosedForm) {
   const ModelResult result = run(steel(creepages("longitudinal")), "carter");
   for (const PointResult& point : result.points) {
-    const halfspace::CarterSolution exact(carter_contact(modulus), point.creepage.longitudinal);
+    const theories::CarterSolution exact(carter_contact(modulus), point.creepage.longitudinal);
     EXPECT_NEAR(point.longitudinal_force, exact.force(), 1e-6 * friction * 178.89625);
     EXPECT_NEAR(point.adhesion_area, 2.0 * exact.stick_half_width(), 1e-6);
     EXPECT_EQ(point.no_bar.at("longitudinal_force"), contact::no_bar::exact);
@@ -120,7 +120,7 @@ TEST(LineContact, LateralCreepageIsCartersOfAntiplaneShear) {
   const ModelResult result = run(steel(creepages("lateral")));
   for (const PointResult& point : result.points) {
     const double xi = point.creepage.lateral * (1.0 - 0.28);
-    const halfspace::CarterSolution exact(carter_contact(modulus), xi);
+    const theories::CarterSolution exact(carter_contact(modulus), xi);
     EXPECT_NEAR(point.lateral_force / 178.89625, exact.force() / 178.89625, 1e-3 * friction);
     EXPECT_NEAR(point.longitudinal_force, 0.0, 1e-9);
   }

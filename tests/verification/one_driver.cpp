@@ -5,6 +5,7 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/level.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/patch/scene_chart.hpp"
 
 #include <gtest/gtest.h>
 

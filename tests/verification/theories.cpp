@@ -2,18 +2,22 @@
 // c and e) and against the study of 2012.
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/theories/carter.hpp"
-#include "halfspace/theories/fastsim.hpp"
-#include "halfspace/theories/strip.hpp"
-#include "halfspace/theories/vermeulen_johnson.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/thesis_cases.hpp"
+#include "theories/carter.hpp"
+#include "theories/fastsim.hpp"
+#include "theories/linear_theory.hpp"
+#include "theories/strip.hpp"
+#include "theories/vermeulen_johnson.hpp"
 #include <cmath>
 #include <vector>
 
-namespace rollfem::halfspace {
+namespace rollfem::theories {
+
+using namespace halfspace;
+
 namespace {
 
 contact::Case thesis_case(double rail_radius, const std::vector<double>& creepages,
@@ -140,4 +144,4 @@ TEST(TheoriesOfCaseE, ShiftTheCreepCurveOfACurvedPatch) {
 }
 
 }  // namespace
-}  // namespace rollfem::halfspace
+}  // namespace rollfem::theories

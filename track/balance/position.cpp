@@ -2,7 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/refinement.hpp"
-#include "halfspace/model/load_sharing.hpp"
+#include "halfspace/patch/load_sharing.hpp"
 
 #include <fmt/format.h>
 

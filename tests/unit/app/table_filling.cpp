@@ -5,8 +5,8 @@
 #include "app/table_grid.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/many.hpp"
-#include "halfspace/theories/linear_theory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/hertz_line.hpp"
+#include "theories/hertz_model.hpp"
 #include <cmath>
 
 namespace rollfem::halfspace {
@@ -181,7 +182,7 @@ TEST(HertzModel, HasOnePointWithTheFieldsOfTheClosedForm) {
   contact::Case input = thesis_case_a();
   input.friction_coefficient = 0.55;
   input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
-  const contact::ModelResult result = run_hertz(input, {});
+  const contact::ModelResult result = theories::run_hertz(input, {});
   ASSERT_EQ(result.points.size(), 1u);
   const contact::PointResult& point = result.points.front();
   EXPECT_EQ(point.creepage.longitudinal, 0.0);

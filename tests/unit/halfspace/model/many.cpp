@@ -3,7 +3,7 @@
 #include "halfspace/model/many.hpp"
 
 #include "contact/base/errors.hpp"
-#include "halfspace/theories/linear_theory.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,89 @@
+#include "halfspace/patch/coverage.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
+#include "halfspace/elasticity/loads_beside.hpp"
+#include "halfspace/patch/ridge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+
+namespace {
+
+/// Overlaps below this part of the approach are those of the point loads, not of the bodies.
+constexpr double least_overlap = 1e-3;
+
+/// Normal displacement at (x, y) of the grid by pressure elsewhere on it, mm.
+double displacement_at(double x, double y, const ContactGrid& grid, const contact::Field& pressure,
+                       double modulus) {
+  double sum = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      if (const double p = pressure[grid.index(i, j)]; p > 0.0)
+        sum += p / std::hypot(x - grid.x(i), y - grid.y(j));
+  return sum * grid.element_area() / (contact::pi * modulus);
+}
+
+}  // namespace
+
+std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
+                                                    const contact::ChartedGeometry& geometry,
+                                                    const ContactGrid& grid,
+                                                    const contact::PointResult& point,
+                                                    const contact::NormalLoad& load) {
+  if (!scene.has_profiles() || !scene.geometry.has_surfaces() || scene.given_pressure) return {};
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  const auto regions = Ridge(profiles).regions(point.approach);
+  std::optional<std::array<double, 2>> touched;
+  const auto look_at = [&](double y) {
+    const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
+    const ContactGrid place{1, 1, grid.dx, grid.dy, x, y};
+    const double climb = geometry.climb(y);
+    const double opening =
+        geometry.undeformed_distance(place)[0] +
+        displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus) +
+        displacement_beside(scene.beside, scene.material, x, y);
+    // The bodies approach along the load, of which the plane knows the part along z.
+    const double along_normal =
+        geometry.curved()
+            ? (1.0 - climb * load.direction[0] / load.direction[1]) / std::sqrt(1.0 + climb * climb)
+            : 1.0;
+    const double gap = opening - point.approach * along_normal;
+    if (gap > -least_overlap * point.approach) return;
+    if (!touched) touched = {y, y};
+    (*touched)[0] = std::min((*touched)[0], y);
+    (*touched)[1] = std::max((*touched)[1], y);
+  };
+  for (const RidgeRegion& region : regions) {
+    for (int j = -1; geometry.lateral_place(grid.y(j)) > region.y_lower; --j)
+      if (geometry.lateral_place(grid.y(j)) < region.y_upper) look_at(grid.y(j));
+    for (int j = grid.ny; geometry.lateral_place(grid.y(j)) < region.y_upper; ++j)
+      if (geometry.lateral_place(grid.y(j)) > region.y_lower) look_at(grid.y(j));
+  }
+  return touched;
+}
+
+void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
+                  const ContactGrid& grid, const contact::Field& pressure) {
+  if (!scene.has_profiles()) return;
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = geometry.lateral_place(grid.y(j));
+    if (profiles.within_limits(y - grid.dy) && profiles.within_limits(y + grid.dy)) continue;
+    if (!(pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0)) continue;
+    throw contact::SolveError(
+        fmt::format("{}the patch reaches y = {:.2f} mm, where another contact of the same wheel "
+                    "begins: both are one conformal contact, which a plane cannot represent; do: "
+                    "run with halfspace.surface = \"curved\"",
+                    scene.patch_prefix(), y));
+  }
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,323 @@
+#include "halfspace/patch/expected_patch.hpp"
+
+#include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
+#include "contact/result/patch_size.hpp"
+#include "contact/scene/geometry.hpp"
+#include "contact/solve/normal.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/patch/ridge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+using contact::Scene;
+
+namespace {
+
+/// Elements across the box of a search, and across the patch that it must find at least.
+constexpr int elements_of_box = 30;
+constexpr int fewest_across_patch = 20;
+/// Elements over what carries load in the last solution, on a lattice that moves with the origin:
+/// as many as keep it steady where several waves of a rough profile carry the load.
+constexpr int elements_of_lattice = 64;
+constexpr int most_rows = 720;
+constexpr int most_rounds = 12;
+/// On each side of the patch of the round before, relative to its extent.
+constexpr double box_margin = 0.2;
+
+constexpr const char* of_search = "elements of the search for the patch";
+
+struct Box {
+  double x_lower, x_upper, y_lower, y_upper;
+};
+
+/// Nothing touches outside of the overlap: the elastic displacement only ever opens the gap, so
+/// that h < approach wherever there is pressure.
+Box box_of(const std::vector<RidgeRegion>& regions) {
+  Box box{regions.front().x_lower, regions.front().x_upper, regions.front().y_lower,
+          regions.back().y_upper};
+  for (const RidgeRegion& region : regions) {
+    box.x_lower = std::min(box.x_lower, region.x_lower);
+    box.x_upper = std::max(box.x_upper, region.x_upper);
+  }
+  return box;
+}
+
+/// mm of y between the regions.
+double gaps_between(const std::vector<RidgeRegion>& regions) {
+  double gaps = 0.0;
+  for (std::size_t k = 0; k + 1 < regions.size(); ++k)
+    gaps += std::max(0.0, regions[k + 1].y_lower - regions[k].y_upper);
+  return gaps;
+}
+
+/// An overlap that is likely to carry the force: that of Hertz's ellipse for a parabola as wide as
+/// the overlap of the profiles.
+double overlap_for_force(const Ridge& ridge, double A, double modulus, double force) {
+  double overlap = 1e-6;  // mm
+  for (int step = 0; step < 200; ++step, overlap *= 1.2) {
+    const auto regions = ridge.regions(ridge.least_distance() + overlap);
+    if (regions.empty()) continue;
+    const double half =
+        0.5 * (regions.back().y_upper - regions.front().y_lower - gaps_between(regions));
+    if (hertz_from_force(A, overlap / (half * half), modulus, force).approach < overlap) break;
+  }
+  return overlap;
+}
+
+struct Found {
+  contact::NormalSolution normal;
+  contact::PatchSize size;
+  ContactGrid grid;
+  std::vector<std::array<double, 2>> loaded;
+  double gaps = 0.0;  ///< mm
+};
+
+/// Runs of rows with pressure, the outermost ends as found below the element size.
+std::vector<std::array<double, 2>> loaded_rows(const ContactGrid& grid,
+                                               const contact::Field& pressure,
+                                               const contact::PatchSize& size) {
+  std::vector<std::array<double, 2>> runs;
+  bool inside = false;
+  for (int j = 0; j < grid.ny; ++j) {
+    const bool loaded = pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0;
+    if (loaded && !inside) runs.push_back({grid.y(j) - 0.5 * grid.dy, 0.0});
+    if (loaded) runs.back()[1] = grid.y(j) + 0.5 * grid.dy;
+    inside = loaded;
+  }
+  if (runs.empty()) return runs;
+  runs.front()[0] = size.y_lower;
+  runs.back()[1] = size.y_upper;
+  return runs;
+}
+
+double gaps_between(const std::vector<std::array<double, 2>>& runs) {
+  double gaps = 0.0;
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k) gaps += runs[k + 1][0] - runs[k][1];
+  return gaps;
+}
+
+/// Several patches want their elements each; rough profiles touch at many.
+constexpr int most_to_resolve = 3;
+
+int to_resolve(std::size_t runs) {
+  return std::clamp(static_cast<int>(runs), 1, most_to_resolve);
+}
+
+/// Elements along x and y of a box in which `runs` patches have `gaps` (mm) between them: as many
+/// over each as over one.
+std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs, int n = elements_of_box) {
+  constexpr double most_times = 24.0;
+  const double width = box.y_upper - box.y_lower;
+  const double times =
+      std::min(most_times, to_resolve(runs) * width / std::max(width - gaps, 1e-3 * width));
+  return {n, contact::count_of(std::ceil(n * times - 1e-9), of_search)};
+}
+
+Found solve_on(const Scene& scene, const ContactGrid& grid, const contact::NormalLoad& load) {
+  Found found;
+  found.grid = grid;
+  const HalfspaceCompliance compliance(found.grid, scene.material.uncoupled());
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::plane);
+  const contact::NormalProblem problem{geometry.undeformed_distance(found.grid), load.force,
+                                       load.approach};
+  contact::NormalOptions options;
+  options.tolerance = 1e-4;
+  found.normal = contact::solve_normal(compliance.normal(), problem, options);
+  found.size = contact::patch_size(found.grid, found.normal.pressure);
+  found.loaded = loaded_rows(found.grid, found.normal.pressure, found.size);
+  found.gaps = gaps_between(found.loaded);
+  return found;
+}
+
+Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& load,
+               const std::array<int, 2>& n) {
+  const double dx = (box.x_upper - box.x_lower) / n[0];
+  const double dy = (box.y_upper - box.y_lower) / n[1];
+  return solve_on(scene, {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy},
+                  load);
+}
+
+/// mm that a load takes along a line of elements of size h: its extent where it is a parabola.
+double carrying(const contact::Field& load, double h) {
+  const double sum = load.sum();
+  return sum > 0.0 ? 1.2 * h * sum * sum / load.squaredNorm() : 0.0;
+}
+
+std::array<double, 2> carrying_lengths(const Found& found) {
+  const ContactGrid& grid = found.grid;
+  contact::Field columns = contact::Field::Zero(grid.nx), rows = contact::Field::Zero(grid.ny);
+  for (int j = 0; j < grid.ny; ++j) {
+    const auto row = found.normal.pressure.segment(grid.index(0, j), grid.nx);
+    rows[j] = row.sum();
+    columns += row;
+  }
+  return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
+}
+
+/// The patch with a box_margin.
+Box next_box(const Found& found) {
+  const auto grow = [](double& lower, double& upper, double step) {
+    const double extent = std::max(upper - lower, 2.0 * step);
+    lower -= box_margin * extent;
+    upper += box_margin * extent;
+  };
+  const contact::PatchSize& size = found.size;
+  Box next{size.x_lower, size.x_upper, size.y_lower, size.y_upper};
+  grow(next.x_lower, next.x_upper, found.grid.dx);
+  grow(next.y_lower, next.y_upper, found.grid.dy);
+  return next;
+}
+
+/// Elements with a corner at the origin, `across` of them over what carries load along x and y.
+/// The boxes of the search jump from one place to the next; this lattice moves with the bodies.
+ContactGrid lattice_over(const Found& found, int across) {
+  const Box box = next_box(found);
+  const auto [length, width] = carrying_lengths(found);
+  const double dx = length / across;
+  const double dy = std::max(width / across, (box.y_upper - box.y_lower) / most_rows);
+  const double i = std::floor(box.x_lower / dx), j = std::floor(box.y_lower / dy);
+  return {contact::count_of(std::ceil(box.x_upper / dx) - i, of_search),
+          contact::count_of(std::ceil(box.y_upper / dy) - j, of_search),
+          dx,
+          dy,
+          (i + 0.5) * dx,
+          (j + 0.5) * dy};
+}
+
+bool fine_enough(const Found& found) {
+  return found.size.length >= fewest_across_patch * found.grid.dx &&
+         found.size.width - found.gaps >=
+             fewest_across_patch * to_resolve(found.loaded.size()) * found.grid.dy &&
+         !contact::touches_border(found.grid, found.normal.pressure);
+}
+
+ExpectedPatch summary(const Found& found) {
+  const contact::Field& pressure = found.normal.pressure;
+  const auto centre = [&](auto&& coordinate) {
+    return found.grid.sample(coordinate).dot(pressure) / pressure.sum();
+  };
+  ExpectedPatch patch;
+  patch.x_lower = found.size.x_lower;
+  patch.x_upper = found.size.x_upper;
+  patch.y_lower = found.size.y_lower;
+  patch.y_upper = found.size.y_upper;
+  patch.x_centre = centre([](double x, double) { return x; });
+  patch.y_centre = centre([](double, double y) { return y; });
+  patch.approach = found.normal.approach;
+  patch.max_pressure = pressure.maxCoeff();
+  patch.normal_force = found.normal.normal_force;
+  patch.area = found.size.area;
+  patch.loaded = found.loaded;
+  patch.gaps = found.gaps;
+  const auto [length, width] = carrying_lengths(found);
+  patch.carrying_length = length;
+  patch.carrying_width = width;
+  return patch;
+}
+
+/// Of bodies given point by point: the patch on their points, then in a box about it.
+ExpectedPatch patch_of_points(const Scene& scene, int elements) {
+  const contact::Lattice& points = *scene.geometry.distance_values;
+  const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
+                points.y_first + (points.ny - 1) * points.dy};
+  const contact::NormalLoad load = contact::largest_load(scene);
+  Found found = solve_in(scene, all, load, counts(all, 0.0, 1));
+  for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
+    const Box next = next_box(found);
+    const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
+                     std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
+    found = solve_in(
+        scene, within, load,
+        counts(within, found.gaps, found.loaded.size(), std::max(elements, elements_of_box)));
+  }
+  return summary(found);
+}
+
+ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
+  const Ridge ridge(*scene.geometry.surface.profiles);
+  const contact::NormalLoad load = contact::largest_load(scene);
+  const double A = 0.5 / scene.geometry.surface.profiles->local_rolling_radius(0.0);
+  const double modulus = scene.material.contact_modulus;
+  double level =
+      load.force ? ridge.least_distance() + 1.1 * overlap_for_force(ridge, A, modulus, *load.force)
+                 : load.approach.value_or(0.0);
+  const auto solve_overlap = [&] {
+    const auto regions = ridge.regions(level);
+    if (regions.empty())
+      throw contact::SolveError(fmt::format(
+          "{}: no contact: the approach {} mm does not exceed the smallest distance {} mm",
+          scene.file, level, ridge.least_distance()));
+    const Box box = box_of(regions);
+    return solve_in(scene, box, load, counts(box, gaps_between(regions), regions.size()));
+  };
+  Found found = solve_overlap();
+  for (int round = 0; round < most_rounds && load.force && found.normal.approach > level; ++round) {
+    level = ridge.least_distance() + 1.2 * (found.normal.approach - ridge.least_distance());
+    found = solve_overlap();
+  }
+  for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
+    const Box box = next_box(found);
+    found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
+  }
+  check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
+  const double extents = 1.0 + 2.0 * box_margin;
+  const int across = std::max(elements_of_lattice, static_cast<int>(elements / extents));
+  found = solve_on(scene, lattice_over(found, across), load);
+  return summary(found);
+}
+
+}  // namespace
+
+ExpectedPatch expected_patch(const Scene& scene, int elements) {
+  if (scene.has_profiles()) return patch_of_profiles(scene, elements);
+  if (scene.geometry.distance_values && !scene.given_pressure)
+    return patch_of_points(scene, elements);
+  using contact::pi;
+  const HertzContact hertz = hertz_of_scene(scene);
+  ExpectedPatch patch;
+  patch.x_lower = -hertz.semi_axis_x;
+  patch.x_upper = hertz.semi_axis_x;
+  patch.y_lower = -hertz.semi_axis_y;
+  patch.y_upper = hertz.semi_axis_y;
+  patch.approach = hertz.approach;
+  patch.max_pressure = hertz.max_pressure;
+  patch.normal_force = hertz.normal_force;
+  patch.area = (scene.geometry.line ? 4.0 : pi) * hertz.semi_axis_x * hertz.semi_axis_y;
+  patch.carrying_length = patch.length();
+  patch.carrying_width = patch.width();
+  return patch;
+}
+
+PatchBox patch_box(const Scene& scene) {
+  const ExpectedPatch patch = expected_patch(scene);
+  return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width(), patch.y_middle()};
+}
+
+void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {
+  if (!scene.has_profiles()) return;
+  const auto check = [&](const contact::HeightCurve& curve, const char* body) {
+    const bool below = y_lower < curve.first();
+    if (!below && y_upper <= curve.last()) return;
+    throw contact::InputError(fmt::format(
+        "{}: {}.profile: {}profile too short for the contact: it ends at y = {:.4g} mm of the "
+        "patch, but the contact reaches from {:.4g} to {:.4g} mm; allowed: profiles that extend "
+        "beyond the patch; do: give a longer profile, or move the wheelset",
+        scene.file, body, scene.patch_prefix(), below ? curve.first() : curve.last(), y_lower,
+        y_upper));
+  };
+  check(scene.geometry.surface.profiles->rail(), "rail");
+  check(scene.geometry.surface.profiles->wheel(), "wheel");
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,201 @@
+#include "halfspace/patch/potential_area.hpp"
+
+#include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+
+namespace {
+
+/// More elements than this are a mistake in the case file, not a wish.
+constexpr double largest_number_of_elements = 4e7;
+constexpr const char* of_grid = "elements of the contact grid (contact_grid)";
+
+int elements(double extent, double cell, int margin) {
+  // An extent of a whole number of cells must not gain one by rounding.
+  return contact::count_of(std::ceil(extent / cell - 1e-6), of_grid) + 2 * margin;
+}
+
+void check_cells(const contact::Scene& scene, const PatchExtent& extent, double dx, double dy,
+                 int margin) {
+  if (dx > 0.0 && dy > 0.0) {
+    const double nx = extent.length / dx + 2.0 * margin, ny = extent.width / dy + 2.0 * margin;
+    if (nx * std::max(ny, 1.0) <= largest_number_of_elements && ny <= largest_number_of_elements)
+      return;
+  }
+  throw contact::InputError(fmt::format(
+      "{}: contact_grid.cell_size = [{}, {}] mm: a patch of about {:.4g} by {:.4g} mm needs cells "
+      "above 0 and at most {:.0e} of them; do: choose larger cells",
+      scene.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
+}
+
+/// Elements of dx by dy that hold the patch, the origin and a margin, of the lattice with a corner
+/// at the origin (and the middle that the case asks for): the same elements about a patch whether
+/// the grid holds another one beside it or not.
+ContactGrid anchored_grid(const ExpectedPatch& patch, const std::array<double, 2>& middle,
+                          double dx, double dy, int margin) {
+  const auto first = [&](double lower, double cell) {
+    return contact::count_of(std::floor(std::min(lower, 0.0) / cell + 1e-6), of_grid) - margin;
+  };
+  const auto last = [&](double upper, double cell) {
+    return contact::count_of(std::ceil(std::max(upper, 0.0) / cell - 1e-6), of_grid) + margin;
+  };
+  const int i = first(patch.x_lower, dx), j = first(patch.y_lower, dy);
+  return {last(patch.x_upper, dx) - i, last(patch.y_upper, dy) - j, dx, dy,
+          middle[0] + (i + 0.5) * dx,  middle[1] + (j + 0.5) * dy};
+}
+
+/// Whole elements that fit into a given extent.
+int elements_within(double extent, double cell) {
+  return std::max(1, contact::count_of(std::floor(extent / cell + 1e-6), of_grid));
+}
+
+}  // namespace
+
+const ExpectedPatch& AreaOfPatch::patch() const {
+  if (!patch_) patch_ = expected_patch(scene_);
+  return *patch_;
+}
+
+PatchExtent AreaOfPatch::extent() const {
+  if (const auto& values = scene_.geometry.distance_values) {
+    if (scene_.contact_grid.extent)
+      return {(*scene_.contact_grid.extent)[0], (*scene_.contact_grid.extent)[1]};
+    return {(values->nx - 1) * values->dx, (values->ny - 1) * values->dy};
+  }
+  return {patch().carrying_length, patch().carrying_width};
+}
+
+PatchExtent expected_extent(const contact::Scene& scene) {
+  return AreaOfPatch(scene).extent();
+}
+
+/// Far beyond the profiles there is nothing to touch.
+void AreaOfPatch::check_extent_of_profiles() const {
+  const auto& extent = scene_.contact_grid.extent;
+  if (!extent) return;
+  constexpr double most_times = 10.0;
+  const contact::HeightCurve& rail = scene_.geometry.surface.profiles->rail();
+  const double most = most_times * (rail.last() - rail.first());
+  if (std::max((*extent)[0], (*extent)[1]) <= most) return;
+  throw contact::InputError(fmt::format(
+      "{}: contact_grid.extent = [{:.4g}, {:.4g}] mm: the rail's profile is {:.4g} mm wide; "
+      "allowed: up to {:g} times that, {:.4g} mm; do: give the extent of the patches, or leave it "
+      "out",
+      scene_.file, (*extent)[0], (*extent)[1], rail.last() - rail.first(), most_times, most));
+}
+
+/// An area that cannot hold the patch, or is lost around it, by the closed form. The true patch of
+/// strongly curved bodies may be some ten per cent smaller than Hertz's ellipse, not half of it.
+void AreaOfPatch::check_extent() const {
+  const contact::GridOptions& options = scene_.contact_grid;
+  if (scene_.geometry.distance_values) return;
+  if (scene_.has_profiles()) {
+    check_extent_of_profiles();
+    return;
+  }
+  const std::array<double, 2> size{patch().length(), patch().width()};
+  // Without an extent the area grows until it holds the patch, a few times.
+  constexpr double least_share = 0.5, most_times = 100.0, reach_by_growing = 10.0;
+  bool fits = true;
+  for (int k = 0; k < 2; ++k) {
+    const double extent = options.extent ? (*options.extent)[k] : reach_by_growing * size[k];
+    fits = fits && extent <= most_times * size[k] &&
+           0.5 * extent - std::abs(options.middle[k]) >= 0.5 * least_share * size[k];
+  }
+  if (fits) return;
+  const std::array<double, 2> extent = options.extent.value_or(size);
+  throw contact::InputError(
+      fmt::format("{}: contact_grid.extent = [{:.4g}, {:.4g}] mm about [{:g}, {:g}]: the patch, of "
+                  "about {:.4g} by {:.4g} mm about [0, 0] by Hertz, is not inside it, or smaller "
+                  "than a hundredth of it; allowed: an extent from that of the patch to {:g} times "
+                  "as much; do: correct contact_grid.extent or middle, or leave them out",
+                  scene_.file, extent[0], extent[1], options.middle[0], options.middle[1], size[0],
+                  size[1], most_times));
+}
+
+void AreaOfPatch::check_shape_of_cells(double dx, double dy) const {
+  if (scene_.geometry.distance_values || scene_.geometry.line) return;
+  constexpr double most_times = 200.0;
+  const PatchExtent extent = this->extent();
+  const double nx = extent.length / dx, ny = extent.width / dy;
+  if (std::max(nx, ny) <= most_times * std::min(nx, ny)) return;
+  throw contact::InputError(
+      fmt::format("{}: contact_grid.cell_size = [{:g}, {:g}] mm makes {:.4g} by {:.4g} elements of "
+                  "the box of {:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as "
+                  "many in one direction as in the other; do: choose cells in the shape of the "
+                  "patch, or give contact_grid.elements_across",
+                  scene_.file, dx, dy, nx, ny, extent.length, extent.width, most_times));
+}
+
+/// Elements within twice the reference distance keep the compliance positive: the logarithm in it
+/// is, of whatever is closer than four times the reference.
+ContactGrid AreaOfPatch::line_grid(double dx, int margin) const {
+  const contact::GridOptions& options = scene_.contact_grid;
+  const contact::LineContact& line = *scene_.geometry.line;
+  check_extent();
+  check_cells(scene_, {patch().length(), line.width}, dx, line.width, 0);
+  const int nx = options.extent ? elements_within((*options.extent)[0], dx)
+                                : elements(patch().length(), dx, margin);
+  if (nx * dx > 2.0 * line.reference)
+    throw contact::InputError(fmt::format(
+        "{}: geometry.reference_distance = {:g} mm: the contact grid is {:.4g} mm long; allowed: "
+        "at least {:.4g} mm, half of that; do: give a larger one, or a shorter "
+        "contact_grid.extent",
+        scene_.file, line.reference, nx * dx, 0.5 * nx * dx));
+  ContactGrid grid = ContactGrid::centred(nx, 1, dx, line.width, options.middle[0], 0.0);
+  grid.line_reference = line.reference;
+  return grid;
+}
+
+ContactGrid AreaOfPatch::grid(double dx, double dy, int margin) const {
+  if (scene_.geometry.line) return line_grid(dx, margin);
+  const contact::GridOptions& options = scene_.contact_grid;
+  const auto& values = scene_.geometry.distance_values;
+  check_extent();
+  if (!options.extent && !values) {
+    const PatchExtent box{patch().length(), patch().width()};
+    check_cells(scene_, box, dx, dy, margin);
+    if (scene_.has_profiles()) return anchored_grid(patch(), options.middle, dx, dy, margin);
+    return ContactGrid::centred(elements(box.length, dx, margin), elements(box.width, dy, margin),
+                                dx, dy, options.middle[0] + patch().x_middle(),
+                                options.middle[1] + patch().y_middle());
+  }
+  const PatchExtent extent =
+      options.extent ? PatchExtent{(*options.extent)[0], (*options.extent)[1]} : this->extent();
+  std::array<double, 2> middle = options.middle;
+  if (values && !options.extent)
+    middle = {values->x_first + 0.5 * extent.length, values->y_first + 0.5 * extent.width};
+  check_cells(scene_, extent, dx, dy, 0);
+  return ContactGrid::centred(elements_within(extent.length, dx), elements_within(extent.width, dy),
+                              dx, dy, middle[0], middle[1]);
+}
+
+ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin) {
+  return AreaOfPatch(scene).grid(dx, dy, margin);
+}
+
+ContactGrid potential_area(const contact::Scene& scene, int margin) {
+  const contact::GridOptions& options = scene.contact_grid;
+  if (!options.cell_size && options.elements_across < 1)
+    throw contact::InputError(
+        fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", scene.file,
+                    options.elements_across));
+  const AreaOfPatch area(scene);
+  const PatchExtent extent = area.extent();
+  const double across = options.elements_across;
+  const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;
+  const double dy = options.cell_size ? (*options.cell_size)[1] : extent.width / across;
+  area.check_shape_of_cells(dx, dy);
+  return area.grid(dx, dy, margin);
+}
+
+}  // namespace rollfem::halfspace

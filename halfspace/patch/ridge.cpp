@@ -1,0 +1,95 @@
+#include "halfspace/patch/ridge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rollfem::halfspace {
+
+namespace {
+
+/// Samples across, mm: patches of wheels on rails are 2 to 40 mm wide.
+constexpr double sample_distance = 0.1;
+/// Steeper than this against the plane of the patch, nothing belongs to it.
+constexpr double steepest = 1.0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+RidgePoint ridge_point(const contact::PatchGeometry& patch, double y) {
+  constexpr double step = 0.5;  // mm
+  RidgePoint point;
+  // One parabola through three places is exact to (step / radius)^2; yaw moves its vertex.
+  const int rounds = patch.axle().direction[0] == 0.0 ? 1 : 3;
+  for (int round = 0; round < rounds; ++round) {
+    const double before = patch.distance(point.x - step, y);
+    const double here = patch.distance(point.x, y);
+    const double after = patch.distance(point.x + step, y);
+    if (!std::isfinite(before + here + after)) return {point.x, infinity, 0.0};
+    point.curvature = 0.5 * (before - 2.0 * here + after) / (step * step);
+    point.distance = here;
+    if (rounds == 1 || !(point.curvature > 0.0)) break;
+    const double slope = 0.5 * (after - before) / step;
+    const double move = -0.5 * slope / point.curvature;
+    point.x += move;
+    point.distance = here - point.curvature * move * move;
+  }
+  return point;
+}
+
+Ridge::Ridge(const contact::PatchGeometry& patch) {
+  const auto& limits = patch.limits();
+  const double lower = std::max({patch.rail().first(), patch.wheel().first(), limits[0]});
+  const double upper = std::min({patch.rail().last(), patch.wheel().last(), limits[1]});
+  const auto walk = [&](double direction) {
+    std::vector<double> y;
+    for (int k = direction > 0.0 ? 0 : 1; y.size() < 10000; ++k) {
+      const double at = std::clamp(direction * k * sample_distance, lower, upper);
+      if (std::abs(patch.rail().at(at).slope) > steepest) break;
+      if (!y.empty() && at == y.back()) break;
+      y.push_back(at);
+    }
+    return y;
+  };
+  y_ = walk(-1.0);
+  std::reverse(y_.begin(), y_.end());
+  const std::vector<double> up = walk(1.0);
+  for (const double at : up)
+    if (y_.empty() || at > y_.back()) y_.push_back(at);
+  for (const double y : y_) {
+    points_.push_back(ridge_point(patch, y));
+    angle_.push_back(std::atan(patch.rail().at(y).slope));
+  }
+}
+
+double Ridge::least_distance() const {
+  return std::min_element(
+             points_.begin(), points_.end(),
+             [](const RidgePoint& a, const RidgePoint& b) { return a.distance < b.distance; })
+      ->distance;
+}
+
+std::vector<RidgeRegion> Ridge::regions(double level) const {
+  std::vector<RidgeRegion> found;
+  for (std::size_t k = 0; k < y_.size(); ++k) {
+    if (!(points_[k].distance < level)) continue;
+    RidgeRegion region{y_[k], y_[k], infinity, -infinity, angle_[k], points_[k].distance};
+    if (k > 0) region.y_lower = y_[k - 1];
+    for (; k < y_.size() && points_[k].distance < level; ++k) {
+      const RidgePoint& point = points_[k];
+      const double half = std::sqrt((level - point.distance) / std::max(point.curvature, 1e-12));
+      region.x_lower = std::min(region.x_lower, point.x - half);
+      region.x_upper = std::max(region.x_upper, point.x + half);
+      region.y_upper = y_[k];
+      if (point.distance < region.distance) {
+        region.distance = point.distance;
+        region.angle = angle_[k];
+      }
+    }
+    if (k < y_.size()) region.y_upper = y_[k];
+    found.push_back(region);
+  }
+  return found;
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,177 @@
+// The extent of a patch found before any grid is laid. References: Hertz for bodies that the radii
+// describe too, and mirror images.
+#include "halfspace/patch/expected_patch.hpp"
+
+#include "contact/base/errors.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/patch_case.hpp"
+#include "support/profile_patches.hpp"
+#include "support/thesis_cases.hpp"
+#include "support/worn_wheels.hpp"
+#include "track/motion/scenes.hpp"
+
+using namespace rollfem;
+using halfspace::expected_patch;
+using halfspace::ExpectedPatch;
+
+namespace {
+
+/// What the header promises of the coarse search.
+constexpr double of_extents = 0.01;
+constexpr double of_area = 0.02;
+constexpr double of_pressure = 0.005;
+
+rollfem::testing::PatchCase with_circles(char name, double reach = 30.0) {
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case(name);
+  input.patch = rollfem::testing::circles(input.wheel.rolling_radius, contact::infinity,
+                                          input.rail.transverse_radius, reach);
+  return input;
+}
+
+void expect_like(const ExpectedPatch& found, const ExpectedPatch& exact) {
+  EXPECT_NEAR(found.length(), exact.length(), of_extents * exact.length());
+  EXPECT_NEAR(found.width(), exact.width(), of_extents * exact.width());
+  EXPECT_NEAR(found.max_pressure, exact.max_pressure, of_pressure * exact.max_pressure);
+  EXPECT_NEAR(found.approach, exact.approach, of_pressure * exact.approach);
+  EXPECT_NEAR(found.normal_force, exact.normal_force, 2.0 * of_pressure * exact.normal_force);
+  EXPECT_NEAR(found.area, exact.area, of_area * exact.area);
+  // Exact for an ellipse: smoother than the extents, for the border counts little.
+  EXPECT_NEAR(found.carrying_length, exact.length(), of_pressure * exact.length());
+  EXPECT_NEAR(found.carrying_width, exact.width(), of_pressure * exact.width());
+}
+
+}  // namespace
+
+TEST(ExpectedPatch, OfRadiiIsHertzs) {
+  const rollfem::testing::PatchCase input = rollfem::testing::thesis_case('a');
+  const auto hertz = halfspace::hertz_of_scene(input);
+  const ExpectedPatch patch = expected_patch(input);
+  EXPECT_DOUBLE_EQ(patch.x_upper, hertz.semi_axis_x);
+  EXPECT_DOUBLE_EQ(patch.y_lower, -hertz.semi_axis_y);
+  EXPECT_DOUBLE_EQ(patch.max_pressure, hertz.max_pressure);
+  EXPECT_DOUBLE_EQ(patch.normal_force, 50e3);
+}
+
+TEST(ExpectedPatch, OfCirclesIsThatOfTheirRadii) {
+  for (const char name : {'a', 'b', 'c'}) {
+    SCOPED_TRACE(name);
+    expect_like(expected_patch(with_circles(name)),
+                expected_patch(rollfem::testing::thesis_case(name)));
+  }
+}
+
+TEST(ExpectedPatch, TakesAnApproach) {
+  rollfem::testing::PatchCase circles = with_circles('b');
+  rollfem::testing::PatchCase radii = rollfem::testing::thesis_case('b');
+  circles.load = radii.load = {};
+  circles.load.approach = radii.load.approach = 0.05;
+  expect_like(expected_patch(circles), expected_patch(radii));
+}
+
+TEST(ExpectedPatch, HoldsOverManyOrdersOfTheLoad) {
+  for (const double force : {1.0, 1e3, 1e6}) {
+    SCOPED_TRACE(force);
+    rollfem::testing::PatchCase circles = with_circles('c', 60.0);
+    rollfem::testing::PatchCase radii = rollfem::testing::thesis_case('c');
+    circles.load.normal_force = radii.load.normal_force = force;
+    // At 1 MN the patch is 35 mm long and 14 mm wide: circle and parabola differ by 2e-3.
+    expect_like(expected_patch(circles), expected_patch(radii));
+  }
+}
+
+TEST(ExpectedPatch, TakesTheLargestOfTheLoads) {
+  rollfem::testing::PatchCase input = with_circles('b');
+  const ExpectedPatch single = expected_patch(input);
+  input.load.normal_force = 30e3;
+  input.rolling.creepages.resize(3);
+  input.normal_forces = {40e3, 50e3, 20e3};
+  EXPECT_DOUBLE_EQ(expected_patch(input).width(), single.width());
+}
+
+TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
+  // S1002 on UIC60: stiffer on the side of R80, so that the patch lies on the other.
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+  input.load.normal_force = 100e3;
+  input.wheel.rolling_radius = 450.0;
+  input.patch = rollfem::testing::s1002_on_uic60(-3.95, 8.58);
+  const ExpectedPatch patch = expected_patch(input);
+  EXPECT_LT(patch.y_middle(), -1.0);
+  EXPECT_NEAR(patch.x_middle(), 0.0, 1e-9);
+  EXPECT_GT(patch.y_centre, patch.y_middle());
+}
+
+TEST(ExpectedPatch, SharperSolutionComesNearer) {
+  const ExpectedPatch exact = expected_patch(rollfem::testing::thesis_case('a'));
+  const ExpectedPatch sharp = expected_patch(with_circles('a'), 90);
+  EXPECT_NEAR(sharp.width(), exact.width(), 0.002 * exact.width());
+  EXPECT_NEAR(sharp.max_pressure, exact.max_pressure, 0.002 * exact.max_pressure);
+}
+
+TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
+  // Hertz's patch of case b is 6.1 mm wide to each side.
+  const double half = halfspace::hertz_of_scene(rollfem::testing::thesis_case('b')).semi_axis_y;
+  EXPECT_NO_THROW(expected_patch(with_circles('b', 1.1 * half)));
+  try {
+    expected_patch(with_circles('b', 0.9 * half));
+    FAIL() << "accepted";
+  } catch (const contact::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("profile too short for the contact"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(ExpectedPatch, RefusesAnApproachThatDoesNotTouch) {
+  rollfem::testing::PatchCase input = with_circles('b');
+  input.load = {};
+  input.load.approach = -0.01;
+  EXPECT_THROW(expected_patch(input), contact::SolveError);
+}
+
+TEST(ExpectedPatch, SaysWhichRowsOfSeveralPatchesAreLoaded) {
+  // Two humps of radius 80 mm, 30 mm apart, under a cylinder: each carries half, and is as wide as
+  // Hertz has it under half the load.
+  constexpr double crest = 15.0 * 15.0 / 160.0;
+  const auto rail = rollfem::testing::sampled_curve(-30.0, 30.0, 0.05, [](double y) {
+    const double across = std::abs(y) - 15.0;
+    return rollfem::testing::HeightAndSlope{crest - across * across / 160.0,
+                                            y > 0.0 ? -across / 80.0 : across / 80.0};
+  });
+  const auto wheel = rollfem::testing::sampled_curve(-30.0, 30.0, 1.0, [](double) {
+    return rollfem::testing::HeightAndSlope{405.0, 0.0};
+  });
+  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+  input.patch = std::make_shared<contact::PatchGeometry>(
+      rail, wheel, contact::Axle{{0.0, 0.0, 405.0 + crest}, {0.0, 1.0, 0.0}}, -30.0, 30.0);
+  const ExpectedPatch patch = expected_patch(input);
+  ASSERT_EQ(patch.loaded.size(), 2U);
+  const auto half = halfspace::hertz_from_force(0.5 / 405.0, 0.5 / 80.0,
+                                                contact::combine({}, {}).contact_modulus, 25e3);
+  EXPECT_NEAR(patch.covered_width(), 4.0 * half.semi_axis_y, 0.03 * 4.0 * half.semi_axis_y);
+  EXPECT_NEAR(patch.loaded[0][0], -15.0 - half.semi_axis_y, 0.05 * half.semi_axis_y);
+  EXPECT_NEAR(patch.loaded[1][0], 15.0 - half.semi_axis_y, 0.08 * half.semi_axis_y);
+  EXPECT_NEAR(patch.max_pressure, half.max_pressure, 0.01 * half.max_pressure);
+  EXPECT_NEAR(patch.carrying_width, 4.0 * half.semi_axis_y, 0.005 * 4.0 * half.semi_axis_y);
+}
+
+TEST(ExpectedPatch, WhatCarriesTheLoadChangesSteadily) {
+  // A second patch comes, and the search goes through boxes that jump: elements are counted in
+  // these lengths, and every jump of them would be one of the forces.
+  double length = 0.0, width = 0.0;
+  bool one = false, two = false;
+  for (int k = 0; k <= 20; ++k) {
+    const contact::Case input = rollfem::testing::hollow_tread(-1.05 + 0.01 * k);
+    const ExpectedPatch patch = expected_patch(track::make_scenes(input).at(0).scene);
+    if (k > 0) {
+      EXPECT_NEAR(patch.carrying_length, length, 0.01 * length) << k;
+      EXPECT_NEAR(patch.carrying_width, width, 0.02 * width) << k;
+    }
+    length = patch.carrying_length;
+    width = patch.carrying_width;
+    (patch.loaded.size() > 1 ? two : one) = true;
+  }
+  EXPECT_TRUE(one && two);
+}

@@ -1,0 +1,69 @@
+// Vermeulen and Johnson's theory against benchmark 8 and its own tractions.
+#include "theories/vermeulen_johnson.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rollfem::theories {
+
+using namespace halfspace;
+namespace {
+
+TEST(VermeulenJohnson, GivesTheBenchmark) {
+  // a = b = 6, G = 82000, nu = 0.25, N = 82000, mu = 0.3.
+  const double xi[] = {1e-4, 5e-4, 1e-3, 2e-3, 3e-3};
+  const double saturation[] = {0.04863, 0.22739, 0.41740, 0.69870, 0.87075};
+  for (int k = 0; k < 5; ++k)
+    EXPECT_NEAR(vermeulen_johnson(6, 6, 82000, 0.25, 24600, {xi[k], 0, 0}).saturation,
+                saturation[k], 6e-6);
+}
+
+TEST(VermeulenJohnson, TendsToTheLinearTheoryAndToFullSlip) {
+  const CreepForces linear = linear_creep_forces(6, 4, 82000, 0.3, {2e-9, -1e-9, 0});
+  const VermeulenJohnson small = vermeulen_johnson(6, 4, 82000, 0.3, 24600, {2e-9, -1e-9, 0});
+  EXPECT_NEAR(24600 * small.saturation * small.direction_x / linear.longitudinal, 1.0, 1e-6);
+  EXPECT_NEAR(24600 * small.saturation * small.direction_y / linear.lateral, 1.0, 1e-6);
+  const VermeulenJohnson large = vermeulen_johnson(6, 4, 82000, 0.3, 24600, {0.5, 0, 0});
+  EXPECT_EQ(large.saturation, 1.0);
+  EXPECT_EQ(large.stick_ratio, 0.0);
+}
+
+TEST(VermeulenJohnson, ModelForcesAndMomentAreThoseOfItsTractions) {
+  contact::Case input;
+  input.load.normal_force = 50e3;
+  input.friction_coefficient = 0.55;
+  input.wheel.rolling_radius = 405.0;
+  input.rail.transverse_radius = 500.0;
+  input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 0}, {0, -2e-3, 0}, {0.05, 0, 0}};
+  input.contact_grid.elements_across = 120;
+  const contact::ModelResult result = run_vermeulen_johnson(input, {});
+  const contact::ContactGrid& grid = result.grid;
+  const contact::Field x = grid.sample([](double px, double) { return px; });
+  const contact::Field y = grid.sample([](double, double py) { return py; });
+  for (const contact::PointResult& point : result.points) {
+    const contact::SurfaceField& p = point.fields.traction;
+    const double scale = 0.55 * 50e3;
+    const double area = grid.element_area();
+    EXPECT_NEAR(area * p.x.sum(), point.longitudinal_force, 2e-3 * scale);
+    EXPECT_NEAR(area * p.y.sum(), point.lateral_force, 2e-3 * scale);
+    EXPECT_NEAR(area * (x.dot(p.y) - y.dot(p.x)), point.spin_moment,
+                2e-3 * scale * point.semi_axis_x);
+  }
+  EXPECT_EQ(result.points[0].traction_coefficient, 0.0);
+  EXPECT_NEAR(result.points[3].traction_coefficient, 0.55, 1e-12);
+}
+
+TEST(VermeulenJohnson, ModelRefusesSpin) {
+  contact::Case input;
+  input.load.normal_force = 50e3;
+  input.wheel.rolling_radius = 405.0;
+  input.rail.transverse_radius = 500.0;
+  input.rolling.creepages = {{1e-3, 0, 1e-5}};
+  EXPECT_THROW(run_vermeulen_johnson(input, {}), contact::InputError);
+}
+
+}  // namespace
+}  // namespace rollfem::theories

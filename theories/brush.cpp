@@ -1,0 +1,238 @@
+#include "theories/brush.hpp"
+
+#include "contact/base/pi.hpp"
+#include "contact/scene/geometry.hpp"
+
+#include "theories/elliptic_patch.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::theories {
+
+namespace {
+
+using contact::pi;
+
+/// One row of the contact grid.
+struct Row {
+  const contact::ContactGrid& grid;
+  int j;
+};
+
+/// Tractions between the elements of a strip. They vanish at the leading edge, and with a finite
+/// bound at the trailing edge.
+struct StripSample {
+  double traction_x, traction_y;
+  int nearest;
+};
+
+StripSample sample(const StripTractions& strip, const BrushStrip& place, double x) {
+  const StripElements& elements = strip.elements;
+  const double position = (elements.x_first - x) / elements.step;
+  const int last = elements.count - 1;
+  const int nearest = std::clamp(static_cast<int>(std::lround(position)), 0, last);
+  if (position <= 0.0 || position >= last) {
+    const int edge = position <= 0.0 ? 0 : last;
+    const bool vanishing = edge == 0 || std::isfinite(place.bound);
+    const double weight =
+        vanishing ? (place.half_length - std::abs(x - place.middle)) / (0.5 * elements.step) : 1.0;
+    return {weight * strip.traction_x[edge], weight * strip.traction_y[edge], nearest};
+  }
+  const int k = static_cast<int>(position);
+  const double weight = position - k;
+  const auto between = [&](const std::vector<double>& v) {
+    return (1.0 - weight) * v[k] + weight * v[k + 1];
+  };
+  return {between(strip.traction_x), between(strip.traction_y), nearest};
+}
+
+void fill_row(const Row& row, const BrushStrip& strip, const StripTractions& tractions,
+              contact::ContactFields& fields) {
+  for (int i = 0; i < row.grid.nx; ++i) {
+    const double x = row.grid.x(i);
+    const int k = row.grid.index(i, row.j);
+    if (std::abs(x - strip.middle) >= strip.half_length) continue;
+    const StripSample at = sample(tractions, strip, x);
+    fields.traction.x[k] = at.traction_x;
+    fields.traction.y[k] = at.traction_y;
+    fields.slip.x[k] = tractions.slip_x[at.nearest];
+    fields.slip.y[k] = tractions.slip_y[at.nearest];
+    fields.state[k] = tractions.state[at.nearest];
+    if (std::isfinite(strip.bound)) fields.traction_bound[k] = strip.bound_at(x);
+  }
+}
+
+}  // namespace
+
+BrushFlexibilities kalker_flexibilities(double semi_axis_x, double semi_axis_y,
+                                        double shear_modulus, double poisson_ratio) {
+  const halfspace::KalkerCoefficients k =
+      halfspace::kalker_coefficients(semi_axis_x, semi_axis_y, poisson_ratio);
+  const double a = semi_axis_x;
+  const double c = std::sqrt(semi_axis_x * semi_axis_y);
+  return {8.0 * a / (3.0 * shear_modulus * k.c11), 8.0 * a / (3.0 * shear_modulus * k.c22),
+          pi * a * a / (4.0 * shear_modulus * c * k.c23)};
+}
+
+BrushFlexibilities single_flexibility(const BrushFlexibilities& three,
+                                      const contact::Creepage& creepage, double c) {
+  const double xi = std::abs(creepage.longitudinal);
+  const double eta = std::abs(creepage.lateral);
+  const double phi = std::abs(creepage.spin) * c;
+  const double size = std::hypot(xi, eta, phi);
+  const double single =
+      size > 0.0 ? (three.longitudinal * xi + three.lateral * eta + three.spin * phi) / size
+                 : three.longitudinal;
+  return {single, single, single};
+}
+
+double BrushStrip::bound_at(double x) const {
+  const double t = (x - middle) / half_length;
+  const double remainder = std::max(0.0, (1.0 - t) * (1.0 + t));
+  return bound * (shape == BoundShape::parabolic ? remainder : std::sqrt(remainder));
+}
+
+BrushStrip ellipse_strip(const halfspace::HertzContact& ellipse, double y, double bound,
+                         BoundShape shape) {
+  const double t = y / ellipse.semi_axis_y;
+  const double remainder = std::max(0.0, (1.0 - t) * (1.0 + t));
+  const double root = std::sqrt(remainder);
+  const double factor = shape == BoundShape::parabolic ? remainder : root;
+  return {y, ellipse.semi_axis_x * root, factor > 0.0 ? bound * factor : 0.0, shape, 0.0};
+}
+
+StripElements chord_elements(const BrushStrip& strip, int count) {
+  const double step = 2.0 * strip.half_length / count;
+  return {strip.middle + strip.half_length - 0.5 * step, 0.5 * step, step, count};
+}
+
+StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& flexibilities,
+                           const contact::Creepage& creepage, const StripElements& elements) {
+  const BrushFlexibilities& flexible = flexibilities;
+  const double rate_x =
+      creepage.longitudinal / flexible.longitudinal - creepage.spin * strip.y / flexible.spin;
+  StripTractions result;
+  result.elements = elements;
+  for (auto* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y})
+    values->assign(elements.count, 0.0);
+  result.state.assign(elements.count, contact::ElementState::adhesion);
+  double px = 0.0;
+  double py = 0.0;
+  for (int k = 0; k < elements.count; ++k) {
+    const double step = k == 0 ? elements.first_step : elements.step;
+    const double x = elements.x_first - k * elements.step;
+    const double rate_y = creepage.lateral / flexible.lateral +
+                          creepage.spin * (x + elements.spin_at * step) / flexible.spin;
+    px -= rate_x * step;
+    py -= rate_y * step;
+    const double size = std::hypot(px, py);
+    const double bound = strip.bound_at(x);
+    if (size > bound) {
+      const double factor = bound / size;
+      result.slip_x[k] = -flexible.longitudinal * (1.0 - factor) * px / step;
+      result.slip_y[k] = -flexible.lateral * (1.0 - factor) * py / step;
+      result.state[k] = contact::ElementState::slip;
+      px *= factor;
+      py *= factor;
+    }
+    result.traction_x[k] = px;
+    result.traction_y[k] = py;
+  }
+  return result;
+}
+
+contact::Creepage strip_creepage(const contact::ChartedGeometry& geometry,
+                                 const contact::Creepage& creepage, double y) {
+  const contact::Creepage without_spin{creepage.longitudinal, creepage.lateral, 0.0};
+  const contact::TangentialField slip =
+      geometry.rigid_slip(without_spin, contact::ContactGrid{1, 1, 1.0, 1.0, 0.0, y});
+  return {slip.x[0], slip.y[0], creepage.spin};
+}
+
+void add_strip(const BrushStrip& strip, const StripTractions& tractions, double width,
+               BrushTotals& totals) {
+  const StripElements& elements = tractions.elements;
+  const double area = elements.step * width;
+  for (int k = 0; k < elements.count; ++k) {
+    const double x = elements.x_first - k * elements.step;
+    const double px = tractions.traction_x[k];
+    const double py = tractions.traction_y[k];
+    totals.forces.longitudinal += area * px;
+    totals.forces.lateral += area * py;
+    totals.forces.spin_moment += area * (x * py - strip.y * px);
+    if (tractions.state[k] == contact::ElementState::adhesion) totals.adhesion_area += area;
+    totals.max_traction = std::max(totals.max_traction, std::hypot(px, py));
+    totals.max_traction_x = std::max(totals.max_traction_x, std::abs(px));
+  }
+  totals.contact_area += area * elements.count;
+  totals.elements += elements.count;
+}
+
+std::vector<StripPlace> strip_places(double half_width, int count) {
+  const double angle = pi / count;
+  std::vector<StripPlace> places;
+  for (int j = 0; j < count; ++j) {
+    const double t = -0.5 * pi + (j + 0.5) * angle;
+    places.push_back({half_width * std::sin(t), half_width * std::cos(t) * angle});
+  }
+  return places;
+}
+
+BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, double half_width,
+                       int count) {
+  BrushTotals totals;
+  for (const auto& [y, width] : strip_places(half_width, count)) {
+    const BrushStrip strip = strip_at(y);
+    if (strip.half_length <= 0.0) continue;
+    add_strip(strip,
+              solve_strip(strip, problem.flexibilities,
+                          strip_creepage(problem.geometry, problem.creepage, y),
+                          chord_elements(strip, problem.elements)),
+              width, totals);
+  }
+  return totals;
+}
+
+void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
+                       const StripAt& strip_at, contact::PointResult& point) {
+  for (int j = 0; j < grid.ny; ++j) {
+    const BrushStrip strip = strip_at(grid.y(j));
+    if (strip.half_length <= 0.0) continue;
+    const StripTractions tractions = solve_strip(
+        strip, problem.flexibilities, strip_creepage(problem.geometry, problem.creepage, strip.y),
+        chord_elements(strip, problem.elements));
+    fill_row({grid, j}, strip, tractions, point.fields);
+  }
+}
+
+void set_totals(const BrushTotals& totals, contact::PointResult& point) {
+  set_forces(totals.forces, point);
+  if (totals.contact_area > 0.0)
+    point.adhesion_area = point.contact_area * totals.adhesion_area / totals.contact_area;
+  point.max_traction = totals.max_traction;
+  point.max_traction_x = totals.max_traction_x;
+}
+
+void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int order,
+                    contact::PointResult& point) {
+  const double divisor = (1 << order) - 1;
+  const auto estimate = [&](const char* name, double halfspace::CreepForces::*member) {
+    point.error_estimate[name] = std::abs(totals.forces.*member - coarse.forces.*member) / divisor;
+  };
+  estimate("longitudinal_force", &halfspace::CreepForces::longitudinal);
+  estimate("lateral_force", &halfspace::CreepForces::lateral);
+  estimate("spin_moment", &halfspace::CreepForces::spin_moment);
+  // What ends at a border within an element has its whole change.
+  const auto uneven = [&](const char* name, double BrushTotals::*member, double scale) {
+    point.error_estimate[name] = scale * std::abs(totals.*member - coarse.*member);
+  };
+  uneven("max_traction", &BrushTotals::max_traction, 1.0);
+  uneven("max_traction_x", &BrushTotals::max_traction_x, 1.0);
+  if (totals.contact_area > 0.0)
+    uneven("adhesion_area", &BrushTotals::adhesion_area, point.contact_area / totals.contact_area);
+  if (point.normal_force > 0.0)
+    point.error_estimate["traction_coefficient"] =
+        point.error_estimate["longitudinal_force"] / point.normal_force;
+}
+
+}  // namespace rollfem::theories

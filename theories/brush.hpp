@@ -1,0 +1,132 @@
+// Kalker's simplified theory on strips along the rolling direction: the surface is a layer of
+// brushes, u = L p, with friction bounded along each strip. FASTSIM and the strip model are this
+// with different bounds (Kalker 1982, Vehicle System Dynamics 11, 1-13).
+#pragma once
+
+#include "contact/result/result.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace rollfem::theories {
+
+/// Flexibilities L of the brushes for each creepage, mm/MPa.
+struct BrushFlexibilities {
+  double longitudinal = 0.0;  ///< L1 = 8 a / (3 G C11)
+  double lateral = 0.0;       ///< L2 = 8 a / (3 G C22)
+  double spin = 0.0;          ///< L3 = pi a^2 / (4 G c C23), c = sqrt(a b)
+};
+
+/// Flexibilities with which an ellipse without slip has the forces F_x, F_y of the linear theory.
+BrushFlexibilities kalker_flexibilities(double semi_axis_x, double semi_axis_y,
+                                        double shear_modulus, double poisson_ratio);
+
+/// One flexibility for all, weighted by the creepages:
+/// L = (L1 |xi| + L2 |eta| + L3 |phi| c) / sqrt(xi^2 + eta^2 + phi^2 c^2).
+BrushFlexibilities single_flexibility(const BrushFlexibilities& three,
+                                      const contact::Creepage& creepage, double c);
+
+using contact::BoundShape;
+
+/// A line along x through the patch.
+struct BrushStrip {
+  double y = 0.0;            ///< mm
+  double half_length = 0.0;  ///< mm, 0 outside of the patch
+  double bound = 0.0;        ///< MPa, largest traction bound of the strip; may be infinite
+  BoundShape shape = BoundShape::parabolic;
+  double middle = 0.0;  ///< mm, x halfway between its ends; off 0 where the wheel has a yaw
+  double bound_at(double x) const;
+};
+
+/// Strip of an ellipse whose bound is `bound` times the shape of the whole ellipse.
+BrushStrip ellipse_strip(const halfspace::HertzContact& ellipse, double y, double bound,
+                         BoundShape shape);
+
+/// Elements of a strip in the order in which material meets them: the first at x_first, reached
+/// from the leading edge after `first_step`, the others `step` apart.
+struct StripElements {
+  double x_first = 0.0;
+  double first_step = 0.0;
+  double step = 0.0;
+  int count = 0;
+  /// Steps upstream of an element at which the spin is taken: halfway adhesion is exact.
+  double spin_at = 0.5;
+};
+
+/// `count` equal elements over the length of the strip. Adhesion is exact; where the direction of
+/// slip turns the tractions are of first order, as Kalker's algorithm is.
+StripElements chord_elements(const BrushStrip& strip, int count);
+
+/// Tractions on the wheel (MPa) and slip at the elements of a strip.
+struct StripTractions {
+  StripElements elements;
+  std::vector<double> traction_x, traction_y;
+  std::vector<double> slip_x, slip_y;
+  std::vector<contact::ElementState> state;
+};
+
+/// Follows the material through a strip whose rigid slip is (xi - phi y, eta + phi x).
+/// With three flexibilities the slip is given in terms of L1 and L2.
+StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& flexibilities,
+                           const contact::Creepage& creepage, const StripElements& elements);
+
+/// Creepages of the strip at y: those of the load point, with the extra rigid slip of the geometry.
+contact::Creepage strip_creepage(const contact::ChartedGeometry& geometry,
+                                 const contact::Creepage& creepage, double y);
+
+/// Strips of a patch: the strip at y.
+using StripAt = std::function<BrushStrip(double y)>;
+
+/// A load point to be solved by brushes.
+struct BrushProblem {
+  const contact::ChartedGeometry& geometry;  ///< for the extra rigid slip
+  contact::Creepage creepage;
+  BrushFlexibilities flexibilities;
+  int elements;  ///< per strip
+};
+
+/// Forces and areas of a patch, summed over strips.
+struct BrushTotals {
+  halfspace::CreepForces forces;
+  double contact_area = 0.0;    ///< mm^2
+  double adhesion_area = 0.0;   ///< mm^2
+  double max_traction = 0.0;    ///< MPa
+  double max_traction_x = 0.0;  ///< MPa
+  long elements = 0;
+};
+
+/// Adds a strip of the given width (mm).
+void add_strip(const BrushStrip& strip, const StripTractions& tractions, double width,
+               BrushTotals& totals);
+
+/// A strip of the sum over a patch.
+struct StripPlace {
+  double y = 0.0;
+  double width = 0.0;
+};
+
+/// `count` strips between y = -half_width and half_width, equal in the angle of y = half_width sin
+/// t: forces that fall off like powers of an ellipse's length are summed to order four.
+std::vector<StripPlace> strip_places(double half_width, int count);
+
+/// Sum over `count` strips placed so.
+BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, double half_width,
+                       int count);
+
+/// Tractions, slip, state and (when finite) the bound of the strips of a load point on its contact
+/// grid: every row of elements is a strip.
+void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
+                       const StripAt& strip_at, contact::PointResult& point);
+
+/// Forces, adhesion area (as a share of the point's contact area) and largest tractions of a load
+/// point from the sum over strips.
+void set_totals(const BrushTotals& totals, contact::PointResult& point);
+
+/// Error estimates "longitudinal_force", "lateral_force", "spin_moment" of a load point, by a
+/// method of the given order solved with all elements twice as large for `coarse`.
+void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int order,
+                    contact::PointResult& point);
+
+}  // namespace rollfem::theories

@@ -1,0 +1,49 @@
+// Common parts of the theories of an elliptic patch: Hertz's patch from the case, the normal part
+// of the result record on the case's contact grid, and the loop over load points.
+#pragma once
+
+#include "contact/scene/geometry.hpp"
+#include "contact/solve/model.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
+
+#include <functional>
+#include <string>
+
+namespace rollfem::theories {
+
+/// Hertz's contact of a case, with the fields and figures that friction does not change.
+struct EllipticPatch {
+  halfspace::HertzContact hertz;
+  contact::CombinedMaterial material;
+  contact::ChartedGeometry geometry;
+  double friction = 0.0;
+  contact::ContactGrid grid;
+  contact::PointResult normal;  ///< everything normal filled in, tractions along the surface 0
+};
+
+/// Patch on the potential contact area of the case. Throws contact::InputError when the case has no
+/// elliptic contact.
+EllipticPatch elliptic_patch(const contact::Scene& scene);
+
+/// Adds tangential tractions, slip and whatever follows to a load point that has its creepage and
+/// its normal part.
+using FillTangential = std::function<void(contact::PointResult&)>;
+
+/// Result record of a theory: every load point of the case, from `normal`, by `fill`. Throws
+/// contact::InputError when the model of that `name` cannot take the case.
+contact::ModelResult run_theory(const contact::Scene& scene, const contact::ContactGrid& grid,
+                                const contact::PointResult& normal, const std::string& name,
+                                const contact::Progress& progress, const FillTangential& fill);
+
+/// Forces and traction coefficient of a load point.
+void set_forces(const halfspace::CreepForces& forces, contact::PointResult& point);
+
+/// Largest tractions of a load point from its fields.
+void set_largest_tractions(contact::PointResult& point);
+
+/// Fields of size zero set to zero on all elements, state adhesion where there is pressure.
+contact::ContactFields resting_fields(const contact::ContactGrid& grid,
+                                      const contact::Field& pressure, double friction);
+
+}  // namespace rollfem::theories

@@ -1,0 +1,38 @@
+// Theories of an elliptic patch on true profiles: they use the ellipse with the area and ratio of
+// extents of the half-space patch, about its centre of pressure.
+#pragma once
+
+#include "contact/solve/model.hpp"
+#include "halfspace/patch/expected_patch.hpp"
+
+namespace rollfem::theories {
+
+/// The ellipse, and the case of a given Hertz pressure on it in a frame at its middle.
+struct EquivalentEllipse {
+  halfspace::ExpectedPatch patch;               ///< of the half-space
+  double semi_axis_x = 0.0, semi_axis_y = 0.0;  ///< mm
+  contact::Scene scene;  ///< creepages are those at the middle: (xi - phi y, eta + phi x)
+};
+EquivalentEllipse equivalent_ellipse(const contact::Scene& scene);
+
+/// Results of a case in the frame of the ellipse as those of the case with profiles: grid, spin
+/// moment, creepages and approach, with a note of what was taken.
+void return_to_patch_frame(const contact::Scene& scene, const EquivalentEllipse& ellipse,
+                           contact::ModelResult& result);
+
+/// Runs a theory of an elliptic patch on the equivalent ellipse of a case with `patch`. `no_spin`:
+/// the theory knows none; it is left out with a note.
+contact::ModelResult run_on_ellipse(const contact::Model& model, const contact::Scene& scene,
+                                    const contact::Progress& progress, bool no_spin);
+
+/// Hertz's theory with the relative curvatures at the contact point of the patch. Throws
+/// contact::InputError where they make no ellipse; notes what the half-space finds.
+contact::ModelResult run_hertz_of_patch(const contact::Scene& scene,
+                                        const contact::Progress& progress);
+
+/// Runs a model that knows one normal force for each load point of a case by itself where
+/// loads differ, on one grid, so that a force along another direction than z is met with friction.
+contact::ModelResult run_each_load(const contact::Model& model, const contact::Scene& scene,
+                                   const contact::Progress& progress);
+
+}  // namespace rollfem::theories

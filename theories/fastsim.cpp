@@ -1,0 +1,104 @@
+#include "theories/fastsim.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/solve/compliance.hpp"
+
+#include <cmath>
+
+namespace rollfem::theories {
+
+namespace {
+
+StripAt strips_of(const EllipticPatch& patch, BoundShape shape) {
+  const double largest = patch.friction * patch.hertz.max_pressure *
+                         (shape == BoundShape::parabolic ? 4.0 / 3.0 : 1.0);
+  return
+      [&patch, largest, shape](double y) { return ellipse_strip(patch.hertz, y, largest, shape); };
+}
+
+BrushFlexibilities flexibilities_of(const EllipticPatch& patch, const contact::Creepage& creepage,
+                                    Flexibilities kind) {
+  const double a = patch.hertz.semi_axis_x;
+  const double b = patch.hertz.semi_axis_y;
+  const BrushFlexibilities three =
+      kalker_flexibilities(a, b, patch.material.shear_modulus, patch.material.poisson_ratio);
+  return kind == Flexibilities::three ? three
+                                      : single_flexibility(three, creepage, std::sqrt(a * b));
+}
+
+BrushTotals sum_grid_strips(const BrushProblem& problem, const halfspace::HertzContact& ellipse,
+                            const StripAt& strip_at, int strips) {
+  const double width = 2.0 * ellipse.semi_axis_y / strips;
+  BrushTotals totals;
+  for (int j = 0; j < strips; ++j) {
+    const BrushStrip strip = strip_at(-ellipse.semi_axis_y + (j + 0.5) * width);
+    const StripElements elements = grid_elements(strip, ellipse.semi_axis_x, problem.elements);
+    const contact::Creepage creepage = strip_creepage(problem.geometry, problem.creepage, strip.y);
+    add_strip(strip, solve_strip(strip, problem.flexibilities, creepage, elements), width, totals);
+  }
+  return totals;
+}
+
+/// Measured: 2; 1.5 with the elliptic bound, taken as 1; 1 where spin turns the direction of slip.
+int convergence_order(const FastsimOptions& options, const contact::Creepage& creepage) {
+  const bool second = options.elements == FastsimElements::chord &&
+                      options.bound == BoundShape::parabolic && creepage.spin == 0.0;
+  return second ? 2 : 1;
+}
+
+}  // namespace
+
+StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count) {
+  const double step = 2.0 * semi_axis_x / count;
+  StripElements elements{0.0, step, step, 0,
+                         contact::upstream_of_spin(contact::UpwindOrder::first, 1.0)};
+  for (int i = count - 1; i >= 0; --i) {
+    const double x = -semi_axis_x + (i + 0.5) * step;
+    if (std::abs(x) >= strip.half_length) continue;
+    if (elements.count++ == 0) elements.x_first = x;
+  }
+  return elements;
+}
+
+BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
+                    const FastsimOptions& options) {
+  if (options.strips < 1 || options.strip_elements < 1)
+    throw contact::InputError("FASTSIM needs at least one strip and one element in each");
+  const StripAt strip_at = strips_of(patch, options.bound);
+  const BrushProblem problem{patch.geometry, creepage,
+                             flexibilities_of(patch, creepage, options.flexibilities),
+                             options.strip_elements};
+  if (options.elements == FastsimElements::grid)
+    return sum_grid_strips(problem, patch.hertz, strip_at, options.strips);
+  return sum_strips(problem, strip_at, patch.hertz.semi_axis_y, options.strips);
+}
+
+contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
+                                 const FastsimOptions& options) {
+  const EllipticPatch patch = elliptic_patch(scene);
+  const StripAt strip_at = strips_of(patch, options.bound);
+  FastsimOptions half = options;
+  half.strips = (options.strips + 1) / 2;
+  half.strip_elements = (options.strip_elements + 1) / 2;
+  long unknowns = 0;
+  const auto fill = [&](contact::PointResult& point) {
+    const BrushProblem problem{patch.geometry, point.creepage,
+                               flexibilities_of(patch, point.creepage, options.flexibilities),
+                               options.strip_elements};
+    fill_brush_fields(patch.grid, problem, strip_at, point);
+    const BrushTotals totals = fastsim(patch, point.creepage, options);
+    set_totals(totals, point);
+    estimate_error(totals, fastsim(patch, point.creepage, half),
+                   convergence_order(options, point.creepage), point);
+    unknowns = 2 * totals.elements;
+  };
+  contact::ModelResult result =
+      run_theory(scene, patch.grid, patch.normal, "fastsim", progress, fill);
+  result.unknowns = unknowns;
+  result.notes.push_back(
+      "FASTSIM: error estimates cover the resolution only; model_error says what the theory "
+      "neglects");
+  return result;
+}
+
+}  // namespace rollfem::theories

@@ -1,0 +1,203 @@
+#include "theories/registry.hpp"
+
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/curvature/curvature_error.hpp"
+#include "halfspace/curvature/curved_compliance.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/model/refinements.hpp"
+#include "halfspace/patch/expected_patch.hpp"
+
+#include <fmt/format.h>
+
+#include "theories/carter.hpp"
+#include "theories/equivalent_ellipse.hpp"
+#include "theories/fastsim.hpp"
+#include "theories/hertz_model.hpp"
+#include "theories/linear_theory.hpp"
+#include "theories/model_error.hpp"
+#include "theories/refinements.hpp"
+#include "theories/strip.hpp"
+#include "theories/vermeulen_johnson.hpp"
+#include <utility>
+
+namespace rollfem::halfspace {
+
+using contact::Demand;
+using contact::Demands;
+using contact::ModelInfo;
+using contact::ModelResult;
+using contact::Progress;
+using contact::Scene;
+
+namespace {
+
+/// Slip below this moves no force that a theory gives.
+constexpr double smallest_slip_worth_a_note = 1e-7;
+
+ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
+  return theories::run_fastsim(scene, progress, scene.fastsim);
+}
+
+ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
+                                           contact::Checkpoint* checkpoint) {
+  if (scene.model_error) check_bodies_known(scene);
+  ModelResult result = run_halfspace(scene, progress, checkpoint);
+  if (scene.model_error) add_model_error(scene, progress, result);
+  return result;
+}
+
+/// What a theory knows nothing of.
+struct Leaves {
+  bool spin = false;
+  bool extra_slip = false;
+};
+
+/// The slip that the surface brings is left out by a theory that has none, and said.
+ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& scene,
+                                   const Progress& progress) {
+  Scene flat = scene;
+  flat.geometry.extra_slip = contact::ExtraSlip::none;
+  ModelResult result = theory(flat, progress);
+  const ExpectedPatch patch = expected_patch(scene);
+  const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
+  if (largest > smallest_slip_worth_a_note)
+    result.notes.push_back(
+        fmt::format("the slip from the different rolling radii of the wheel's surface, up to "
+                    "{:.3g}, is neglected by this theory; fastsim, strip and halfspace include it",
+                    largest));
+  return result;
+}
+
+/// A theory of an elliptic patch, on the equivalent ellipse where the case has true profiles.
+contact::Model elliptic(contact::Model theory, Leaves leaves = {}) {
+  const contact::Model model = [theory = std::move(theory), leaves](const Scene& c,
+                                                                    const Progress& p) {
+    return c.has_profiles() ? theories::run_on_ellipse(theory, c, p, leaves.spin) : theory(c, p);
+  };
+  return [model, leaves](const Scene& c, const Progress& p) {
+    if (!leaves.extra_slip || c.geometry.extra_slip != contact::ExtraSlip::automatic)
+      return theories::run_each_load(model, c, p);
+    const contact::Model without = [model](const Scene& s, const Progress& q) {
+      return run_without_extra_slip(model, s, q);
+    };
+    return theories::run_each_load(without, c, p);
+  };
+}
+
+ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
+  return theories::run_strip(
+      scene, progress,
+      {scene.strip.strips, scene.strip.strip_elements, scene.strip.virtual_penetration});
+}
+
+/// Without a checkpoint: a theory takes no time. Its distance from the half-space goes with it.
+contact::ModelRun theory(contact::Model model, bool with_friction = true) {
+  return [model = std::move(model), with_friction](const Scene& c, const Progress& p,
+                                                   contact::Checkpoint*) {
+    ModelResult result = model(c, p);
+    theories::estimate_model_error(c, with_friction, result);
+    return result;
+  };
+}
+
+/// A theory on Hertz's ellipse: closed forms to the end, or strips with error estimates.
+constexpr contact::BarRules closed_form{true, contact::no_bar::theory};
+constexpr contact::BarRules strips_on_ellipse{true, contact::no_bar::not_estimated};
+
+/// What every theory of an elliptic patch takes, and `more`.
+Demands of_ellipse(const Demands& more) {
+  Demands all{Demand::distance_quadratic, Demand::given_pressure, Demand::rigid_body,
+              Demand::stress_in_rigid_body, Demand::beyond_half_space};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+void add_theories(contact::ModelRegistry& models) {
+  ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
+  // It knows no friction: it takes any problem, and gives the patch alone.
+  hertz.takes = of_ellipse({Demand::line_contact, Demand::history, Demand::tangential_force,
+                            Demand::profiles, Demand::lateral_creepage, Demand::spin,
+                            Demand::extra_slip, Demand::extra_slip_on_profiles});
+  hertz.run = theory(
+      [](const Scene& c, const Progress& p) {
+        return c.has_profiles() ? theories::run_hertz_of_patch(c, p) : theories::run_hertz(c, p);
+      },
+      false);
+  hertz.bars = closed_form;
+  hertz.in_compare = true;
+  models.add(hertz);
+
+  ModelInfo linear{"linear", "linear theory",
+                   "Kalker's linear theory: creep forces without a friction bound"};
+  linear.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin});
+  linear.bounded = false;
+  linear.run = theory(elliptic(theories::run_linear, {false, true}));
+  linear.bars = closed_form;
+  models.add(linear);
+
+  ModelInfo vermeulen{"vermeulen-johnson", "Vermeulen-Johnson",
+                      "Vermeulen and Johnson's creep forces on an ellipse, without spin"};
+  vermeulen.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage});
+  vermeulen.run = theory(elliptic(theories::run_vermeulen_johnson, {true, true}));
+  vermeulen.bars = closed_form;
+  models.add(vermeulen);
+
+  ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
+  carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
+  carter.run = theory([](const Scene& c, const Progress& p) {
+    return theories::run_carter(c, p, c.carter.strips);
+  });
+  carter.bars = strips_on_ellipse;
+  carter.refinements = {theories::carter_strips()};
+  models.add(carter);
+
+  ModelInfo fastsim{"fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse"};
+  fastsim.takes =
+      of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
+  fastsim.run = theory(elliptic(run_fastsim_of_case));
+  fastsim.bars = strips_on_ellipse;
+  fastsim.refinements = {theories::fastsim_strips()};
+  fastsim.in_compare = true;
+  models.add(fastsim);
+
+  ModelInfo strip{"strip", "strip",
+                  "strips along rolling, each with Hertzian pressure and brushes"};
+  strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
+                            Demand::extra_slip, Demand::extra_slip_on_profiles});
+  strip.run = theory([](const Scene& c, const Progress& p) {
+    return theories::run_each_load(run_strip_of_case, c, p);
+  });
+  strip.refinements = {theories::strip_strips()};
+  strip.in_compare = true;
+  models.add(strip);
+}
+
+contact::ModelRegistry make_models() {
+  contact::ModelRegistry models;
+  add_theories(models);
+  ModelInfo halfspace{"halfspace", "half-space",
+                      "Kalker's problem for elastic half-spaces, solved on a grid"};
+  halfspace.takes = contact::all_demands_but(
+      {Demand::inertia, Demand::beyond_half_space, Demand::stress_of_line});
+  halfspace.run = run_halfspace_with_model_error;
+  halfspace.refinements = {contact_grid()};
+  halfspace.no_model_error =
+      "not requested: halfspace.model_error = true estimates what half-spaces leave out";
+  halfspace.has_stress = halfspace.in_compare = true;
+  models.add(halfspace);
+  return models;
+}
+
+}  // namespace
+
+const contact::ModelRegistry& models() {
+  static const contact::ModelRegistry all = make_models();
+  return all;
+}
+
+ModelResult run_model(const std::string& name, const Scene& scene, const Progress& progress,
+                      contact::Checkpoint* checkpoint) {
+  return models().run(name, scene, progress, checkpoint);
+}
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,103 @@
+// The strip model: the normal problem strip by strip after Hertz from the penetration of the
+// profiles, and friction by brushes with Kalker's stiffness and a parabolic bound along each strip.
+// What the 2012 study's WheelsetContact does; it takes any undeformed distance across the patch.
+#pragma once
+
+#include "theories/brush.hpp"
+#include "theories/elliptic_patch.hpp"
+#include <optional>
+#include <vector>
+
+namespace rollfem::theories {
+
+/// Two profiles as strips of equal width: undeformed distance h(x, y) = z(y) + A(y) (x - x_m(y))^2.
+struct StripProfile {
+  double y_first = 0.0;           ///< mm, middle of the first strip
+  double width = 0.0;             ///< mm
+  std::vector<double> distance;   ///< z, mm, any origin
+  std::vector<double> curvature;  ///< A > 0, 1/mm, 1/(2 R_x)
+  std::vector<double> middle{};   ///< x_m, mm; empty: 0, without yaw
+
+  int size() const { return static_cast<int>(distance.size()); }
+  double y(int j) const { return y_first + j * width; }
+};
+
+/// A run of strips in contact, and the ellipse that stands for it: as deep and as voluminous as the
+/// penetration, with the longitudinal curvature of the deepest strip.
+struct StripPatch {
+  int first = 0;  ///< strips first .. last
+  int last = 0;
+  int deepest = 0;
+  double y_lower = 0.0;       ///< mm, edges found between the strips
+  double y_upper = 0.0;       ///< mm
+  double semi_axis_x = 0.0;   ///< mm, of the ellipse
+  double semi_axis_y = 0.0;   ///< mm
+  double max_pressure = 0.0;  ///< MPa
+  double approach = 0.0;      ///< mm, of the ellipse alone
+};
+
+struct StripNormalSolution {
+  std::vector<double> half_length;   ///< a(y) per strip, mm, 0 out of contact
+  std::vector<double> max_pressure;  ///< p0(y) per strip, MPa: elliptic along the strip
+  std::vector<StripPatch> patches;
+  double penetration = 0.0;   ///< mm, of the undeformed profiles where they are deepest
+  double normal_force = 0.0;  ///< N
+  double approach = 0.0;      ///< mm, of the patch with the deepest penetration
+};
+
+/// How the size of a patch follows from the penetration of the profiles.
+struct StripLaw {
+  double contact_modulus = 0.0;  ///< E*, MPa
+  /// Share of the approach by which the undeformed profiles penetrate; not given: Hertz's, of the
+  /// ellipse of the same depth and volume.
+  std::optional<double> virtual_penetration = {};
+};
+
+/// Half length of a strip a(y) = sqrt(g(y)/A'), its pressure p0(y) proportional to A(y) a(y), from
+/// the penetration g of the profiles. The penetration, A' and the factor of the pressure are
+/// Hertz's for the ellipse that stands for each patch, so that an elliptic contact comes out as
+/// Hertz's; a strip alone after line contact would be too soft. `penetration` mm.
+///
+/// With a virtual penetration (Kik and Piotrowski 1996; Piotrowski and Chollet 2005) the approach
+/// is the penetration over its share, and the pressure kappa sqrt(a(y)^2 - x^2) that which moves
+/// the surfaces by as much where they are deepest: more strips touch than their own shape tells.
+/// The half lengths are scaled so that the extents are in the ratio of Hertz's ellipse of their
+/// width and depth.
+StripNormalSolution strips_at_penetration(const StripProfile& profile, const StripLaw& law,
+                                          double penetration);
+
+/// The same for a normal force in N. Throws contact::SolveError when the patch reaches the end of
+/// the profile or no penetration carries the force.
+StripNormalSolution strips_for_force(const StripProfile& profile, const StripLaw& law,
+                                     double normal_force);
+
+/// The same for an approach in mm, found as that of the patch with the deepest penetration.
+StripNormalSolution strips_for_approach(const StripProfile& profile, const StripLaw& law,
+                                        double approach);
+
+/// Half length and pressure at any y by interpolation of their squares, which are linear at edges.
+struct StripSection {
+  double half_length = 0.0;
+  double max_pressure = 0.0;
+  double middle = 0.0;
+};
+StripSection strip_section(const StripProfile& profile, const StripNormalSolution& solution,
+                           double y);
+
+/// Profile of the radii or the patch of a case; with a patch over the y at which the distance is
+/// below the approach of expected_patch, beyond which nothing touches.
+StripProfile strip_profile(const contact::Scene& scene, int strips);
+
+struct StripOptions {
+  int strips = 100;          ///< across the patch
+  int strip_elements = 100;  ///< along each strip
+  std::optional<double> virtual_penetration = {};
+};
+
+/// The model "strip": the bound of a strip is the parabola with the friction force of its pressure,
+/// 3 pi/8 mu p0(y) in the middle. Extra rigid slip is allowed. error_estimate is that of the
+/// resolution alone.
+contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress,
+                               const StripOptions& options = {});
+
+}  // namespace rollfem::theories

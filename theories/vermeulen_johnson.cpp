@@ -1,0 +1,99 @@
+#include "theories/vermeulen_johnson.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::theories {
+
+namespace {
+
+double root_of_rest(double x, double y) {
+  return std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
+}
+
+VermeulenJohnson solve(const EllipticPatch& patch, const contact::Creepage& creepage) {
+  return vermeulen_johnson(patch.hertz.semi_axis_x, patch.hertz.semi_axis_y,
+                           patch.material.shear_modulus, patch.material.poisson_ratio,
+                           patch.friction * patch.hertz.normal_force, creepage);
+}
+
+/// In the adhesion area of the solution.
+bool adheres(const VermeulenJohnson& solution, double x, double y) {
+  const double t = (x - (1.0 - solution.stick_ratio)) / solution.stick_ratio;
+  return solution.stick_ratio > 0.0 && std::hypot(t, y / solution.stick_ratio) < 1.0;
+}
+
+/// The tractions that are missing in the adhesion area, mu N s^3, are missing at x = (1 - s) a.
+double spin_moment(const EllipticPatch& patch, const VermeulenJohnson& solution) {
+  const double s = solution.stick_ratio;
+  return -patch.friction * patch.hertz.normal_force * s * s * s * (1.0 - s) *
+         patch.hertz.semi_axis_x * solution.direction_y;
+}
+
+void fill_fields(const EllipticPatch& patch, const VermeulenJohnson& solution,
+                 contact::PointResult& point) {
+  const contact::ContactGrid& grid = patch.grid;
+  const double a = patch.hertz.semi_axis_x;
+  const double b = patch.hertz.semi_axis_y;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      if (point.fields.state[k] == contact::ElementState::exterior) continue;
+      const double size = patch.friction * patch.hertz.max_pressure *
+                          vermeulen_johnson_traction(solution, a, b, grid.x(i), grid.y(j));
+      point.fields.traction.x[k] = size * solution.direction_x;
+      point.fields.traction.y[k] = size * solution.direction_y;
+      if (!adheres(solution, grid.x(i) / a, grid.y(j) / b))
+        point.fields.state[k] = contact::ElementState::slip;
+    }
+}
+
+}  // namespace
+
+VermeulenJohnson vermeulen_johnson(double semi_axis_x, double semi_axis_y, double shear_modulus,
+                                   double poisson_ratio, double friction_force,
+                                   const contact::Creepage& creepage) {
+  const contact::Creepage without_spin{creepage.longitudinal, creepage.lateral, 0.0};
+  const halfspace::CreepForces linear = halfspace::linear_creep_forces(
+      semi_axis_x, semi_axis_y, shear_modulus, poisson_ratio, without_spin);
+  const double size = std::hypot(linear.longitudinal, linear.lateral);
+  VermeulenJohnson solution;
+  solution.stick_ratio = 1.0;
+  if (size == 0.0) return solution;
+  solution.load = size / friction_force;
+  solution.stick_ratio = std::max(0.0, 1.0 - solution.load / 3.0);
+  // 1 - s^3 with s = 1 - t/3, without cancellation at small tau.
+  const double s = solution.stick_ratio;
+  solution.saturation = std::min(1.0, solution.load / 3.0) * (1.0 + s + s * s);
+  solution.direction_x = linear.longitudinal / size;
+  solution.direction_y = linear.lateral / size;
+  return solution;
+}
+
+double vermeulen_johnson_traction(const VermeulenJohnson& solution, double semi_axis_x,
+                                  double semi_axis_y, double x, double y) {
+  const double s = solution.stick_ratio;
+  const double t = x / semi_axis_x;
+  const double u = y / semi_axis_y;
+  const double whole = root_of_rest(t, u);
+  return s > 0.0 ? whole - s * root_of_rest((t - (1.0 - s)) / s, u / s) : whole;
+}
+
+contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
+                                           const contact::Progress& progress) {
+  const EllipticPatch patch = elliptic_patch(scene);
+  const auto fill = [&](contact::PointResult& point) {
+    if (patch.friction == 0.0) return;
+    const VermeulenJohnson solution = solve(patch, point.creepage);
+    const double force = patch.friction * point.normal_force * solution.saturation;
+    fill_fields(patch, solution, point);
+    set_forces(
+        {force * solution.direction_x, force * solution.direction_y, spin_moment(patch, solution)},
+        point);
+    set_largest_tractions(point);
+    point.adhesion_area *= solution.stick_ratio * solution.stick_ratio;
+  };
+  return run_theory(scene, patch.grid, patch.normal, "vermeulen-johnson", progress, fill);
+}
+
+}  // namespace rollfem::theories
