@@ -77,7 +77,7 @@ def main():
     try:
         from . import chapters as all_chapters, page
         from .runs import Bench, BookError
-        from rollfem_figures import style
+        from . import style
     except ImportError as error:
         sys.exit(f"the book needs numpy, matplotlib and h5py: {error}; do: apt install python3-matplotlib "
                  "python3-h5py")

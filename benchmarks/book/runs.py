@@ -9,7 +9,7 @@ import signal
 import subprocess
 import time
 
-from rollfem_figures import style
+from . import style
 from rollfem_figures.reader import read_result
 
 

@@ -24,6 +24,10 @@ def nice_step(span, most):
     return next(s * power for s in (1, 2, 5, 10) if s * power * most >= 0.999999 * span)
 
 
+def _raised(exponent):
+    return "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] if c.isdigit() else "⁻" for c in str(exponent))
+
+
 def tick_text(value, step):
     """A tick with as many digits as the step needs."""
     if abs(value) < 1e-6 * step:
@@ -31,15 +35,14 @@ def tick_text(value, step):
     digits = max(0, -math.floor(math.log10(step) + 1e-9))
     if digits > 5 or abs(value) >= 1e6:
         mantissa, exponent = f"{value:.3e}".split("e")
-        power = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] if c.isdigit() else "⁻" for c in str(int(exponent)))
-        return f"{float(mantissa):g}·10{power}".replace("-", MINUS)
+        return f"{float(mantissa):g}·10{_raised(int(exponent))}".replace("-", MINUS)
     return f"{value:.{digits}f}".replace("-", MINUS)
 
 
 def decade_text(exponent):
     if -3 <= exponent <= 4:
         return f"{10.0 ** exponent:g}"
-    return "10" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] if c.isdigit() else "⁻" for c in str(exponent))
+    return "10" + _raised(exponent)
 
 
 class Axis:

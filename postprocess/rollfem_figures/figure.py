@@ -25,6 +25,20 @@ class Figure:
         """An entry of the legend: a line that looks so, an area, or the text alone."""
         self.legend.append((text, colour, dash, width, marker, hollow, fill, opacity))
 
+    def model(self, model, marker=False):
+        """The entry of a model."""
+        colour, dash, own = looks.of_model(model)
+        self.entry(looks.label(model), colour, dash, marker=own if marker else None)
+
+    def charts(self, size, rows):
+        """A panel of that size for each row of title, label of x, of y, least span of y, and its curves: x, y and
+        the look (Panel.line)."""
+        for title, across, up, least, curves in rows:
+            panel = self.add(*size, title, across, up)
+            panel.y.least = least
+            for x, y, look in curves:
+                panel.line(x, y, **look)
+
     def _key(self, entry):
         """The sign of an entry, 26 by 12 px; empty for a text alone."""
         _, colour, dash, width, marker, hollow, fill, opacity = entry

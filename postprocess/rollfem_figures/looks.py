@@ -35,15 +35,18 @@ def know(labels):
     LABELS.update((name, label) for name, label in labels.items() if label)
 
 
+def _name(model):
+    return model if isinstance(model, str) else model.name
+
+
 def label(model):
-    return LABELS.get(model.name, model.name)
+    """How a model, or that of a name, is called."""
+    return LABELS.get(_name(model), _name(model))
 
 
 def of_model(model):
-    """(colour, dash, marker) of a model."""
-    if model.name not in MODELS:
-        MODELS[model.name] = SPARE[len(MODELS) % len(SPARE)]
-    return MODELS[model.name]
+    """(colour, dash, marker) of a model, or of that of a name."""
+    return MODELS.setdefault(_name(model), SPARE[len(MODELS) % len(SPARE)])
 
 
 def line(model):

@@ -57,6 +57,11 @@ def strokes(colour, width, dash=(), fill=None, scale=1):
     return text
 
 
+def _path(look, data, opacity=1):
+    shade = f' opacity="{opacity:g}"' if opacity != 1 else ""
+    return f'<path {look}{shade} d="{data}"/>' if data else ""
+
+
 class Panel:
     """`width`, `height` of the field between the axes, px. `equal`: mm of both axes are as long: the
     height follows from the limits, which must be given. `bare`: no axes."""
@@ -85,18 +90,14 @@ class Panel:
         def draw():
             whole = np.isfinite(x) & np.isfinite(y)
             points = self._tenths(np.where(whole, x, 0), np.where(whole, y, 0))
-            shade = f' opacity="{opacity:g}"' if opacity != 1 else ""
-            text = ""
-            if joined:
-                known = np.flatnonzero(whole)
-                runs = np.split(points[known], np.flatnonzero(np.diff(known) > 1) + 1)
-                data = "".join(_moves(r, False) for r in runs if len(r) > 1)
-                text = f'<path {strokes(colour, width, dash, scale=_SCALE)}{shade} d="{data}"/>' if data else ""
+            known = np.flatnonzero(whole)
+            runs = np.split(points[known], np.flatnonzero(np.diff(known) > 1) + 1) if joined else []
+            text = _path(strokes(colour, width, dash, scale=_SCALE),
+                         "".join(_moves(r, False) for r in runs if len(r) > 1), opacity)
             if marker:
-                at = points[whole]
                 fill = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
-                text += (f'<path {strokes(colour, 1.2, (), fill, _SCALE)}{shade} '
-                         f'd="{marker_path(marker, *at.T.tolist(), round(size * _SCALE))}"/>')
+                text += _path(strokes(colour, 1.2, (), fill, _SCALE),
+                              marker_path(marker, *points[whole].T.tolist(), round(size * _SCALE)), opacity)
             return text
 
         self._add(order, draw)
@@ -110,17 +111,16 @@ class Panel:
             low, high = self._tenths(x, y - errors), self._tenths(x, y + errors)
             data = "".join(f"M{a} {b}V{c}m-25 0h50M{a - 25} {b}h50" for (a, b), (_, c) in
                            zip(low.tolist(), high.tolist()) if b - c > 4)
-            return f'<path {strokes(colour, 1, (), None, _SCALE)} d="{data}"/>' if data else ""
+            return _path(strokes(colour, 1, (), None, _SCALE), data)
 
         self._add(2, draw)
 
-    def area(self, rings, fill, opacity=1, order=1, colour=None, width=1.0):
+    def area(self, rings, fill, opacity=1, order=1):
         """Areas within closed lines [n, 2]; a line within another makes a hole."""
         def draw():
             data = "".join(_moves(self._tenths(*ring.T), True) for ring in rings if len(ring) > 2)
-            shade = f' opacity="{opacity:g}"' if opacity != 1 else ""
-            what = f'fill="{fill}"' if fill.startswith("#") else strokes(colour, width, (), fill, _SCALE)
-            return f'<path fill-rule="evenodd" {what}{shade} d="{data}"/>' if data else ""
+            what = f'fill="{fill}"' if fill.startswith("#") else strokes(None, 1, (), fill)
+            return _path(f'fill-rule="evenodd" {what}', data, opacity)
 
         self._add(order, draw)
 
@@ -128,8 +128,7 @@ class Panel:
         """Several lines [n, 2] alike, as one path."""
         def draw():
             data = "".join(_moves(self._tenths(*part.T), False) for part in lines if len(part) > 1)
-            shade = f' opacity="{opacity:g}"' if opacity != 1 else ""
-            return f'<path {strokes(colour, width, dash, None, _SCALE)}{shade} d="{data}"/>' if data else ""
+            return _path(strokes(colour, width, dash, None, _SCALE), data, opacity)
 
         self._add(order, draw)
 
@@ -137,10 +136,9 @@ class Panel:
         """A line all across the panel."""
         def draw():
             share = (self.x if upright else self.y).shares([value])[0]
-            if upright:
-                return f'<path {strokes(colour, width, dash, None, _SCALE)} d="M{share * self.width * _SCALE:.0f} 0v{self.height * _SCALE:.0f}"/>'
-            return (f'<path {strokes(colour, width, dash, None, _SCALE)} '
-                    f'd="M0 {(1 - share) * self.height * _SCALE:.0f}h{self.width * _SCALE:.0f}"/>')
+            wide, high = self.width * _SCALE, self.height * _SCALE
+            return _path(strokes(colour, width, dash, None, _SCALE),
+                         f"M{share * wide:.0f} 0v{high:.0f}" if upright else f"M0 {(1 - share) * high:.0f}h{wide:.0f}")
 
         self._add(1, draw)
 

@@ -247,18 +247,10 @@ def _read_point(group, number, by_number, nodes):
     fields = {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
              for _, part in sorted(group["subsurface"].items())] if "subsurface" in group else []
-    scalars = _attributes(group)
-    if "derived" in group:  # format_minor 2 and before
-        scalars.update(_attributes(group["derived"]))
     said = {name: _attributes(group[name]) if name in group else {}
             for name in ("error_estimate", "no_bar", "model_error")}
-    return Point(scalars, fields, said["error_estimate"], number, by_number, below, _read_maxima(group),
+    return Point(_attributes(group), fields, said["error_estimate"], number, by_number, below, _read_maxima(group),
                  bodies, said["no_bar"], said["model_error"])
-
-
-# What errors and differences are given in percent of; of the value where there is no entry.
-PERCENT_OF = {"traction_coefficient": "mu", "longitudinal_force": "mu F_z", "lateral_force": "mu F_z",
-              "spin_moment": "mu F_z sqrt(ab)", "max_traction": "mu p_0", "max_traction_x": "mu p_0"}
 
 
 def full_sliding(point, percent_of, friction):
@@ -270,37 +262,15 @@ def full_sliding(point, percent_of, friction):
     return friction * abs(size[percent_of])
 
 
-def _make_errors_absolute(point, friction):
-    """Those of format version 1: relative to the value, or to a hundredth of full sliding where that was
-    more."""
-    found = math.hypot(*point.creepages[:2])
-    largest = {f"max_{m['measure']}_{m['body']}": m["value"] for m in point.stress_maxima}
-    for name, error in point.errors.items():
-        if name == "subsurface_stress":
-            size = point["max_pressure"]
-        elif name in largest:
-            size = max(largest[name], 0.01 * point["max_pressure"])
-        elif name in point.scalars:
-            least = found if name.endswith("creepage") else full_sliding(point, PERCENT_OF.get(name, ""), friction)
-            size = max(abs(point[name]), 0.01 * least)
-        else:  # the energy norm, which is relative to this day
-            size = 1.0
-        point.errors[name] = size * error
-    if "longitudinal_force" in point.errors and point["normal_force"]:
-        point.errors.setdefault("traction_coefficient", point.errors["longitudinal_force"] / point["normal_force"])
-
-
 def _read_model(key, group, by_number):
     grid = group["grid"]
     name = _plain(group.attrs.get("model", key))
     place = _attributes(group["place"]) if "place" in group else None
-    nodes = group.get("bodies")  # files of format_minor 0 have none
+    nodes = group.get("bodies")
     # Hertz has one point whatever the case asks for.
     points = [_read_point(group["points"][key], number, by_number and name != "hertz", nodes)
               for number, key in enumerate(sorted(group["points"]))]
-    bodies = Bodies(nodes, nodes) if nodes is not None else {}
-    if bodies and not any(p.bodies for p in points):  # format_minor 1: at one load point
-        points[_plain(nodes.attrs["load_point"])].bodies = bodies
+    bodies = next((p.bodies for p in reversed(points) if p.bodies), {})
     return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
                  _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
                  grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
@@ -317,19 +287,9 @@ def _read_profiles(file):
 
 
 def _read_quantities(file):
-    if "quantities" in file:
-        table = file["quantities"]
-        columns = [_texts(table[n]) for n in ("name", "title", "symbol", "unit", "meaning")]
-        of = _texts(table["percent_of"]) if "percent_of" in table else [
-            PERCENT_OF.get(name, "value") for name in columns[0]]
-        return {name: Quantity(*row) for name, *row in zip(*columns, of)}
-    found = {}  # format_minor 2 and before: "name [unit]: meaning"
-    for line in _texts(file["documentation"]):
-        name, rest = line.split(" [", 1)
-        unit, meaning = rest.split("]: ", 1)
-        if "/" not in name:
-            found[name] = Quantity(name.replace("_", " "), "", unit, meaning, PERCENT_OF.get(name, "value"))
-    return found
+    table = file["quantities"]
+    columns = [_texts(table[n]) for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
+    return {name: Quantity(*row) for name, *row in zip(*columns)}
 
 
 def _read_file(path, directory):
@@ -337,8 +297,8 @@ def _read_file(path, directory):
         if _plain(file.attrs.get("format", "")) != "rollfem results":
             raise ResultError(f"{path} is not a result of rollfem")
         version = _plain(file.attrs.get("format_version", 0))
-        if version not in (1, FORMAT_VERSION):
-            raise ResultError(f"{path} has format version {version}, this program reads 1 and {FORMAT_VERSION}")
+        if version != FORMAT_VERSION:
+            raise ResultError(f"{path} has format version {version}, this program reads {FORMAT_VERSION}")
         if _plain(file.attrs.get("complete", 0)) != 1:
             raise ResultError(f"{path} is incomplete, because writing it was interrupted; run the case again")
         groups = sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))
@@ -346,9 +306,6 @@ def _read_file(path, directory):
         by_number = bool(case.get("problem", "steady") in ("shift", "transient")
                          or case.get("prescribed_forces", ""))
         models = [_read_model(name, group, by_number) for name, group in groups]
-        if version == 1:
-            for point in (point for model in models for point in model.points):
-                _make_errors_absolute(point, case["friction_coefficient"])
         return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
                       case, _attributes(file["provenance"]), models,
                       _read_quantities(file), _read_profiles(file))

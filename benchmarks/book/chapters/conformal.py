@@ -2,8 +2,7 @@
 import numpy as np
 from matplotlib import pyplot as plt
 
-from rollfem_figures import style
-
+from .. import style
 from .. import conformal_records as records, published, turned_half_space
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number, percent

@@ -4,9 +4,7 @@ import os
 import numpy as np
 from matplotlib import pyplot as plt
 
-from rollfem_figures import style
-
-from .. import closed_forms, curved_half_space, elastic_sphere
+from .. import closed_forms, curved_half_space, elastic_sphere, style
 from ..chapter import Chapter, Cost, Row, Table
 from .thesis import RADII, _compared
 

@@ -2,9 +2,7 @@
 import numpy as np
 from matplotlib import pyplot as plt
 
-from rollfem_figures import style
-
-from .. import closed_forms
+from .. import closed_forms, style
 from ..chapter import Chapter, Cost, Row
 
 # Benchmark 3: two like bodies of G = 200, nu = 0.42, A = B = 0.01 1/mm, mu = 0.4; a = 1 mm

@@ -5,8 +5,7 @@ import sys
 
 from matplotlib import pyplot as plt
 
-from rollfem_figures import style
-
+from .. import style
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number
 from .thesis import RADII

@@ -4,9 +4,7 @@ import os
 import numpy as np
 from matplotlib import pyplot as plt
 
-from rollfem_figures import style
-
-from .. import closed_forms, published
+from .. import closed_forms, published, style
 from ..chapter import Chapter, Cost, Row
 
 STEEL = 82000 / (1 - 0.28)  # E* = G/(1 - nu), MPa

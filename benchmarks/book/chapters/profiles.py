@@ -4,10 +4,9 @@ import os
 
 from matplotlib import pyplot as plt
 
-from .. import published
+from .. import published, style
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number
-from rollfem_figures import style
 
 
 def _draw_patches_meet(shifts, points, change):

@@ -2,9 +2,7 @@
 import numpy as np
 from matplotlib import pyplot as plt
 
-from rollfem_figures import style
-
-from .. import closed_forms, published, unlike_cylinders
+from .. import closed_forms, published, style, unlike_cylinders
 from ..chapter import Chapter, Cost, Row
 
 

@@ -1,11 +1,9 @@
 """Stress below the surface, of half-spaces and finite elements."""
 import numpy as np
 from matplotlib import pyplot as plt
-
-from rollfem_figures import style
 from rollfem_figures.stresses import measures
 
-from .. import closed_forms, published
+from .. import closed_forms, published, style
 from ..chapter import Chapter, Cost, Row
 
 MODULUS = 210e3 / (2 * (1 - 0.3**2))  # E* of two steels, MPa

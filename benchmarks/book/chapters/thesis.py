@@ -4,9 +4,7 @@ import os
 import numpy as np
 from matplotlib import pyplot as plt
 
-from rollfem_figures import style
-
-from .. import closed_forms, published
+from .. import closed_forms, published, style
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number, percent
 

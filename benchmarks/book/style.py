@@ -6,9 +6,9 @@ import re
 import matplotlib
 from matplotlib import pyplot as plt
 
-from . import looks
-from .looks import LABELS, know, label  # noqa: F401
-from .whole import whole
+from rollfem_figures import looks
+from rollfem_figures.looks import know, label  # noqa: F401
+from rollfem_figures.whole import whole
 
 BLUE = looks.COLOURS["blue"][0]
 GREY = "#666666"
