@@ -18,6 +18,11 @@ function(rollfem_batches target)
   endif()
 endfunction()
 
+# What parses, prints and writes but crunches no numbers is compiled in two thirds of the time this way.
+function(rollfem_light target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # A library of the given sources, with what all of them share.
 function(rollfem_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
