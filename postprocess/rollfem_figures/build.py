@@ -38,7 +38,7 @@ def captions(result):
                lambda model=model: maps.oblique(result, model))
     for number, kind, body in stresses.lines(result):
         yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),
-               lambda number=number: stresses.along_line(result, number))
+               lambda number=number: stresses.of_request(result, number))
 
 
 def place_captions(result):

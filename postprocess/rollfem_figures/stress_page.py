@@ -8,39 +8,34 @@ from .figure import folder_of
 from .page import figure, page, write_page
 from .stress_reader import read_stress
 from .stress_report import figures, load_point
-from .tables import measured, number, plain, table
+from .stresses import largest_cell, largest_table
+from .tables import number, plain, table
 
-NAMES = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orthogonal shear",
-         "principal_1": "principal, tension"}
 REGIONS = {"elastic": "nothing yields", "elastic shakedown": "yields at first, then residual stresses keep "
            "every further pass elastic", "beyond shakedown": "plastic flow at every pass"}
 
 
-def _largest_cell(found):
-    """Value, bar and place of a largest stress."""
-    place = ", ".join(number(round(float(x), 2) + 0.0, 3) for x in found["place"])
-    over = f", {number(found['over_max_pressure'], 3)} p<sub>0</sub>" if "over_max_pressure" in found else ""
-    return (measured(found["value"], found.get("error_estimate", found.get("no_bar", "")), 4)
-            + f"<br><span class=d>at ({place}) mm{over}</span>")
+def _heads(result):
+    return [words.html(f"{looks.label(m)}, {load_point(m)}") for m in result.models]
 
 
 def _largest(result):
     """The largest stresses of both bodies, a column for each model and load point."""
-    rows = []
-    for body in ("wheel", "rail"):
-        for measure, name in NAMES.items():
-            cells = [next((_largest_cell(found) for found in model.data["maxima"]
-                           if (found["body"], found["measure"]) == (body, measure)), "–") for model in result.models]
-            if any(cell != "–" for cell in cells):
-                rows.append([f"{body}: {name} [MPa]", *cells])
-    head = [words.html(f"{looks.label(m)}, {load_point(m)}") for m in result.models]
-    return table(["largest", *head], rows)
+    def cell(column, body, measure):
+        for found in result.models[column].data["maxima"]:
+            if (found["body"], found["measure"]) == (body, measure):
+                over = f", {number(found['over_max_pressure'], 3)} p<sub>0</sub>" if "over_max_pressure" in found else ""
+                return largest_cell(found["value"], found.get("error_estimate", found.get("no_bar", "")),
+                                    found["place"], over)
+        return None
+
+    return largest_table(_heads(result), cell)
 
 
 def _contacts(result):
-    rows = [[words.html(f"{looks.label(m)}, {load_point(m)}"), number(m.data["normal_force"], 6),
-             number(m.data["max_pressure"], 5), number(m.data["max_traction"], 4),
-             number(m.data["tangential_coefficient"], 4)] for m in result.models]
+    columns = (("normal_force", 6), ("max_pressure", 5), ("max_traction", 4), ("tangential_coefficient", 4))
+    rows = [[head, *(number(m.data[name], digits) for name, digits in columns)]
+            for head, m in zip(_heads(result), result.models)]
     return table(["load point", "F<sub>z</sub> [N]", "p<sub>0</sub> [MPa]", "largest |p<sub>t</sub>| [MPa]",
                   "T/F<sub>z</sub>"], rows)
 

@@ -3,28 +3,19 @@ import math
 
 import numpy as np
 
-from . import contours, looks
+from . import contours, keys, looks, stresses
 from .axes import nice_step
 from .figure import Figure
+from .stresses import MEASURES
 
-# measure: (column, label, colour). One colour a measure where they share a panel.
-MEASURES = [("von_mises", "von Mises", "blue"), ("tresca", "Tresca", "red"),
-            ("orthogonal_shear", "orthogonal shear", "green"), ("hydrostatic", "hydrostatic", "soft")]
 DASHES = [(), (7.5, 2.3), (1.5, 1.5), (6, 1.5, 1.5, 1.5)]
 MOST_FIGURES = 40  # of each kind
 
 
 def load_point(model):
     """Which load point of the model is drawn."""
-    if model.data["step"]:
-        return f"step {model.data['step']}"
-    texts = []
-    for name, form, factor in (("longitudinal_creepage", r"$\xi$ = {:.4g} %", 100),
-                               ("lateral_creepage", r"$\eta$ = {:.4g} %", 100),
-                               ("spin", r"$\varphi$ = {:.4g} rad/mm", 1)):
-        if model.data[name] or name == "longitudinal_creepage":
-            texts.append(form.format(factor * model.data[name]))
-    return ", ".join(texts)
+    key = tuple(model.data[name] for name in ("longitudinal_creepage", "lateral_creepage", "spin"))
+    return f"step {model.data['step']}" if model.data["step"] else keys.key_texts([key])[0][key]
 
 
 def _names(result, prefix):
@@ -39,26 +30,26 @@ def _bodies(result, name):
 
 def depth_profile(result, name):
     """Stresses down from the surface, one panel for each body. `name`: depth_centre, ..."""
-    bodies = _bodies(result, name)
-    figure = Figure(2)
-    said = []
-    for body in bodies:
+    figure, said = Figure(2), []
+    for body in _bodies(result, name):
         panel = figure.add(270, 300, f"{body}, {_where(result, name, body)}", "stress [MPa]",
                            "depth below the surface [mm]")
         panel.y.flipped, panel.y.limits, panel.y.margin = True, (0.0, None), 0.0
         panel.level(0, dash=(), upright=True)
         for model, dash in zip(result.models, DASHES * len(result.models)):
-            part = model.set(name, body)
-            if part is None:
-                continue
-            for column, _, ink in MEASURES:
-                panel.line(part[column], part["distance"], ink, 1.6, dash)
-            deep = int(np.argmax(part["von_mises"]))
-            said.append(f"{looks.label(model)}, {body}, {load_point(model)}: von Mises up to "
-                        f"{part['von_mises'][deep]:.4g} MPa, {part['distance'][deep]:.3g} mm deep")
+            if part := model.set(name, body):
+                for column, _, ink in MEASURES:
+                    panel.line(part[column], part["distance"], ink, 1.6, dash)
+                deep = int(np.argmax(part["von_mises"]))
+                said.append(f"{looks.label(model)}, {body}, {load_point(model)}: von Mises up to "
+                            f"{part['von_mises'][deep]:.4g} MPa, {part['distance'][deep]:.3g} mm deep")
     for _, label, ink in MEASURES:
         figure.entry(label, ink)
-    _model_entries(figure, result)
+    if len(result.models) > 1:
+        for model, dash in zip(result.models, DASHES * len(result.models)):
+            figure.entry(entry_name(result, model), "ink", dash)
+    if shared := _shared(result):
+        figure.entry(shared)
     figure.seen = "Stress against depth: " + "; ".join(said) + "."
     return figure
 
@@ -70,14 +61,10 @@ def entry_name(result, model):
                      + ([load_point(model)] if len(points) > 1 else []))
 
 
-def _model_entries(figure, result):
-    """Models and load points by dash; what all share as text."""
-    if len(result.models) > 1:
-        for model, dash in zip(result.models, DASHES * len(result.models)):
-            figure.entry(entry_name(result, model), "ink", dash)
-    points = sorted({load_point(m) for m in result.models})
-    if len(points) == 1:
-        figure.entry(points[0])
+def _shared(result):
+    """The load point that all share, or empty."""
+    points = {load_point(m) for m in result.models}
+    return points.pop() if len(points) == 1 else ""
 
 
 def _where(result, name, body):
@@ -102,37 +89,12 @@ def _looks(result):
 
 def along_line(result, name, body):
     """Four measures along a line, every model and load point in a look of its own."""
-    figure = Figure(2)
-    drawn = [(m, m.set(name, body), look) for m, look in zip(result.models, _looks(result)) if m.set(name, body)]
-    axis_label = _position(drawn[0][1])[1]
-    for column, label, _ in MEASURES:
-        panel = figure.add(300, 165, label + (" stress" if column != "orthogonal_shear" else ""), axis_label, "[MPa]")
-        panel.x.margin = 0.0
-        if column == "hydrostatic":
-            panel.level(0, dash=())
-        else:
-            panel.y.limits = (0.0, None)
-        for _, part, look in drawn:
-            panel.line(_position(part)[0], part[column], **look)
-    for model, _, look in drawn:
-        figure.entry(entry_name(result, model), look["colour"], look["dash"])
-    points = sorted({load_point(m) for m in result.models})
-    if len(points) == 1:
-        figure.entry(points[0])
-    figure.seen = f"Stress in the {body} along a line: " + "; ".join(
-        f"{entry_name(result, m)} von Mises up to {part['von_mises'].max():.4g} MPa" for m, part, _ in drawn) + "."
-    return figure
-
-
-def _position(part):
-    """Along which coordinate a line is drawn: (values, axis label)."""
-    points = np.array([part["x"], part["y"], part["z"]]).T
-    change = points[-1] - points[0]
-    labels = (r"$x$ [mm], rolling $\rightarrow$", "$y$ [mm], lateral", "$z$ [mm], into the wheel")
-    for axis in range(3):
-        if abs(change[axis]) > 0.995 * np.linalg.norm(change):
-            return points[:, axis], labels[axis]
-    return part["distance"], "distance along the line [mm]"
+    curves = []
+    for model, look in zip(result.models, _looks(result)):
+        if part := model.set(name, body):
+            curves.append(stresses.Curve(entry_name(result, model), look,
+                                         np.stack([part[axis] for axis in "xyz"], axis=1), part.columns))
+    return stresses.along_line(curves, ", ".join(filter(None, (f"in the {body}", _shared(result)))))
 
 
 def _lattice(part):
@@ -164,6 +126,10 @@ VIRIDIS = ("#440154 #481b6d #46327e #3f4788 #365c8d #2e6e8e #277f8e #21918c #1fa
            "#a0da39 #d0e11c #fde725").split()
 
 
+def _shade(number, levels):
+    return VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
+
+
 def _filled(panel, right, up, values):
     """Areas above ever higher levels over each other. The lattice may be askew: levels are found over the
     numbers of its points. Returns the levels."""
@@ -180,8 +146,7 @@ def _filled(panel, right, up, values):
     for number, level in enumerate(levels[1:], 1):
         rings = contours.lines(x, y, wide, level)
         panel.area([np.stack([contours.at_points(np.arange(columns), np.arange(rows), part, ring)
-                              for part in (right, up)], axis=1) for ring in rings],
-                   VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))])
+                              for part in (right, up)], axis=1) for ring in rings], _shade(number, levels))
     return levels, step
 
 
@@ -197,8 +162,7 @@ def _scale(figure, levels, step, height):
     panel.x.ticks, panel.x.limits, panel.room_left = [], (0.0, 1.0), 34
     panel.y.limits = (levels[0], levels[-1] + step)
     for number, level in enumerate(levels):
-        colour = VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
-        panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], colour)
+        panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], _shade(number, levels))
 
 
 def plane(result, model, part):
@@ -209,8 +173,7 @@ def plane(result, model, part):
     width = min(300.0, 330.0 * wide / high)
     for column, label, _ in MEASURES:
         values = part[column].reshape(part.shape)
-        panel = figure.add(width, 0, label + (" stress" if column != "orthogonal_shear" else "") + " [MPa]",
-                           right_label, up_label, equal=True)
+        panel = figure.add(width, 0, f"{label} stress [MPa]", right_label, up_label, equal=True)
         panel.x.limits, panel.y.limits = (right.min(), right.max()), (up.min(), up.min() + high)
         levels, step = _filled(panel, right, up, values)
         if column != "hydrostatic":

@@ -1,4 +1,6 @@
-"""Stress in the bodies: along the lines that the case asks for, and the largest values."""
+"""Stress in the bodies: measures, curves along lines and the table of the largest values, of a run as of
+`rollfem stress`."""
+from dataclasses import dataclass
 from html import escape
 
 import numpy as np
@@ -6,6 +8,11 @@ import numpy as np
 from . import keys, looks, selection
 from .figure import Figure
 from .tables import measured, number, plain, table
+
+# measure: (column, label, colour). One colour a measure where they share a panel.
+MEASURES = [("von_mises", "von Mises", "blue"), ("tresca", "Tresca", "red"),
+            ("orthogonal_shear", "orthogonal shear", "green"), ("hydrostatic", "hydrostatic", "soft")]
+LARGEST = {**{name: label for name, label, _ in MEASURES[:3]}, "principal_1": "principal, tension"}
 
 
 def measures(stress):
@@ -23,8 +30,51 @@ def measures(stress):
     }
 
 
-PANELS = [("von_mises", "von Mises stress"), ("tresca", "Tresca stress"),
-          ("orthogonal_shear", "orthogonal shear stress"), ("hydrostatic", "hydrostatic stress")]
+@dataclass
+class Curve:
+    """What is drawn along a line: name in the legend ("" where it is the heading), look of the curve, places [n, 3], and
+    arrays by measure."""
+
+    name: str
+    look: dict
+    points: np.ndarray
+    values: dict
+
+
+def _position(points):
+    """Where the points are along their line: (values, axis label)."""
+    change = points[-1] - points[0]
+    length = np.linalg.norm(change)
+    names = (r"$x$ [mm], rolling $\rightarrow$", r"$y$ [mm], lateral", "$z$ [mm], into the wheel")
+    # The third coordinate of a line on a curved surface changes, too.
+    for axis in (2, 0, 1):
+        if length > 0 and abs(change[axis]) > 0.995 * length:
+            if axis == 2 and points[:, 2].min() * points[:, 2].max() >= 0:
+                return np.abs(points[:, 2]), "depth below the origin [mm]"
+            return points[:, axis], names[axis]
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    return np.concatenate([[0.0], np.cumsum(steps)]), "distance along the line [mm]"
+
+
+def along_line(curves, heading):
+    """Four measures along a line; `heading`: what the curves share."""
+    figure = Figure(2)
+    axis_label = _position(curves[0].points)[1]
+    figure.charts((300, 165), [
+        (f"{label} stress", axis_label, "[MPa]", 0.0,
+         [(_position(curve.points)[0], curve.values[name], curve.look) for curve in curves])
+        for name, label, _ in MEASURES])
+    for panel in figure.panels:
+        panel.x.margin, panel.y.limits = 0.0, (0.0, None)
+    figure.panels[-1].y.limits = (None, None)
+    figure.panels[-1].level(0, dash=())
+    for curve in curves:
+        if curve.name:
+            figure.entry(curve.name, curve.look["colour"], curve.look["dash"])
+    figure.entry(heading)
+    figure.seen = f"Stress {heading}, along {axis_label}: " + "; ".join(
+        f"{curve.name} von Mises up to {curve.values['von_mises'].max():.4g} MPa".strip() for curve in curves) + "."
+    return figure
 
 
 def lines(result):
@@ -38,58 +88,22 @@ def lines(result):
     return [found[k] for k in sorted(found)]
 
 
-def _position(points):
-    """Where the points are along their line: (values, axis label)."""
-    change = points[-1] - points[0]
-    length = np.linalg.norm(change)
-    names = (r"$x$ [mm], rolling $\rightarrow$", r"$y$ [mm], lateral", "depth below the origin [mm]")
-    # The third coordinate of a line on a curved surface changes, too.
-    for axis in (2, 0, 1):
-        if length > 0 and abs(change[axis]) > 0.995 * length:
-            return (np.abs(points[:, 2]) if axis == 2 else points[:, axis]), names[axis]
-    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    return np.concatenate([[0.0], np.cumsum(steps)]), "distance along the line [mm]"
-
-
-def load_point(result):
-    """The key of the load point that is drawn, None when no model has stresses."""
+def of_request(result, number_of_request):
+    """The stress of every model that has it along one request of a run. None when none has."""
     models = [m for m in result.models if any(p.subsurface for p in m.points)]
     if not models:
         return None
-    key = selection.typical_key(models)
-    return models[0].points[0].key if key is None else key
-
-
-def along_line(result, number_of_request):
-    """Four measures of stress of every model that has them, along one request. None when none has."""
-    key = load_point(result)
-    drawn = []
+    key = selection.typical_key(models) or models[0].points[0].key
+    curves = []
     for model in result.models:
-        point = model.at(key) if key is not None else None
+        point = model.at(key)
         if point is not None and len(point.subsurface) > number_of_request:
-            drawn.append((model, point.subsurface[number_of_request]))
-    if not drawn:
+            part = point.subsurface[number_of_request]
+            curves.append(Curve(looks.label(model), looks.line(model), part["points"], measures(part["stress"])))
+    if not curves:
         return None
-    figure = Figure(2)
-    axis_label = _position(drawn[0][1]["points"])[1]
-    for name, text in PANELS:
-        panel = figure.add(300, 165, text, axis_label, "[MPa]")
-        panel.x.margin = 0.0
-        if name == "hydrostatic":
-            panel.level(0, dash=())
-        else:
-            panel.y.limits = (0.0, None)
-        for model, part in drawn:
-            panel.line(_position(part["points"])[0], measures(part["stress"])[name], **looks.line(model))
-    for model, _ in drawn:
-        figure.entry(looks.label(model), *looks.of_model(model)[:2])
     texts, shared = keys.key_texts(selection.all_keys(result.models))
-    heading = ", ".join(t for t in (f"in the {drawn[0][1]['body']}", texts.get(key, ""), shared) if t)
-    figure.entry(heading)
-    figure.seen = f"Stress {heading}, along {axis_label}: " + "; ".join(
-        f"{looks.label(m)} von Mises up to {measures(part['stress'])['von_mises'].max():.4g} MPa"
-        for m, part in drawn) + "."
-    return figure
+    return along_line(curves, ", ".join(filter(None, (f"in the {part['body']}", texts.get(key, ""), shared))))
 
 
 def caption(kind, body):
@@ -98,38 +112,37 @@ def caption(kind, body):
             "stress, negative in compression.")
 
 
-NAMES = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orthogonal shear",
-         "principal_1": "principal, tension"}
+def largest_cell(value, error, place, more=""):
+    """Value, bar and place of a largest stress, and what else is said of the place."""
+    at = ", ".join(number(round(float(x), 2) + 0.0, 3) for x in place)
+    return f"{measured(value, error, 4)}<br><span class=d>at ({at}) mm{more}</span>"
 
 
-def _largest(model, body, measure):
-    """(value, place, bar or why there is none, point) of the load point where it is largest, or None."""
-    found = [(m["value"], m["place"], p.errors.get(f"max_{measure}_{body}", p.no_bar.get(f"max_{measure}_{body}", "")), p)
-             for p in model.points for m in p.stress_maxima
-             if m["body"] == body and m["measure"] == measure]
-    return max(found, key=lambda row: row[0]) if found else None
+def largest_table(heads, cell_of):
+    """The largest stresses of both bodies, a column under each head; cell_of(column, body, measure) is None where there
+    is none. Empty without any."""
+    rows = []
+    for body in ("wheel", "rail"):
+        for measure, name in LARGEST.items():
+            cells = [cell_of(column, body, measure) for column in range(len(heads))]
+            if any(cells):
+                rows.append([f"{body}: {name} [MPa]", *(cell or "–" for cell in cells)])
+    return table(["largest", *heads], rows) if rows else ""
 
 
 def maxima_table(result):
-    """The largest stresses of both bodies over all load points, with places; empty without any."""
+    """The largest stresses over all load points of a run, with places; empty without any."""
     models = [m for m in result.models if any(p.stress_maxima for p in m.points)]
-    if not models:
-        return ""
-    rows = []
-    for body in ("wheel", "rail"):
-        for measure, name in NAMES.items():
-            row = [f"{body}: {name} [MPa]"]
-            for model in models:
-                best = _largest(model, body, measure)
-                if best is None:
-                    row.append("–")
-                    continue
-                value, place, error, point = best
-                at = ", ".join(number(round(float(x), 2) + 0.0, 3) for x in place)
-                html = measured(value, error, digits=4) + f"<br><span class=d>at ({at}) mm"
-                if len(model.points) > 1:
-                    html += (f", load point {plain(point.key[0])}" if point.by_number
-                             else f", ξ = {plain(100 * point['longitudinal_creepage'])} %")
-                row.append(html + "</span>")
-            rows.append(row)
-    return table(["largest"] + [escape(looks.label(m)) for m in models], rows)
+
+    def cell(column, body, measure):
+        found = [(m["value"], m["place"], p) for p in models[column].points for m in p.stress_maxima
+                 if (m["body"], m["measure"]) == (body, measure)]
+        if not found:
+            return None
+        value, place, point = max(found, key=lambda row: row[0])
+        more = "" if len(models[column].points) < 2 else f", load point {plain(point.key[0])}" if point.by_number else (
+            f", ξ = {plain(100 * point['longitudinal_creepage'])} %")
+        name = f"max_{measure}_{body}"
+        return largest_cell(value, point.errors.get(name, point.no_bar.get(name, "")), place, more)
+
+    return largest_table([escape(looks.label(m)) for m in models], cell)
