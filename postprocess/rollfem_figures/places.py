@@ -1,5 +1,4 @@
 """With profiles: where the wheels touch the rails, and how that goes along a row of positions."""
-import csv
 import math
 import os
 
@@ -7,6 +6,7 @@ import numpy as np
 
 from . import looks, tables
 from .figure import Figure
+from .reader import read_rows
 
 # Colours of the patches of one wheel, the most loaded first.
 PATCH_COLOURS = ["red", "blue", "green", "pink"]
@@ -79,15 +79,12 @@ def draw_pair(drawn, touching, title):
 
 def draw_pair_file(path):
     """Draws NAME.svg of a table NAME.csv that `rollfem profile CASE.toml` wrote."""
-    with open(path, encoding="utf-8") as table:
-        title = table.readline().lstrip("# ").strip()
-        rows = list(csv.DictReader(table))
-    drawn = {part: np.array([[float(r["y [mm]"]), float(r["z [mm]"])] for r in rows if r["part"] == part])
+    title, rows = read_rows(path)
+    drawn = {part: np.array([[float(row["y"]), float(row["z"])] for row in rows if row["part"] == part])
              for part in ("rail", "wheel")}
-    touching = [{"patch": float(r["part"].split()[1]), "y_track": float(r["y [mm]"]),
-                 "z_track": float(r["z [mm]"]), "contact_angle": float(r["angle [rad]"]),
-                 "rolling_radius": float(r["radius [mm]"])}
-                for r in rows if r["part"].startswith("patch")]
+    names = {"y_track": "y", "z_track": "z", "contact_angle": "angle", "rolling_radius": "radius"}
+    touching = [{"patch": float(row["part"].split()[1]), **{name: float(row[column]) for name, column in names.items()}}
+                for row in rows if row["part"].startswith("patch")]
     draw_pair(drawn, touching, title).save(os.path.splitext(path)[0] + ".svg")
 
 
@@ -144,14 +141,6 @@ def at_words(result, position):
 WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow markers
 
 
-def radius_differences(found):
-    """[(lateral shift, right less left rolling radius)] of places of the most loaded patches of both
-    wheels; empty for one wheel."""
-    radius = {(p["position"], p["wheel"]): p["rolling_radius"] for p in found}
-    return sorted((p["lateral_shift"], radius[p["position"], "right"] - radius[p["position"], "left"])
-                  for p in found if p["wheel"] == "left" and (p["position"], "right") in radius)
-
-
 def reference_of_row(result):
     """Name of the model that rows are drawn of: one that has most places (Hertz cannot take every patch), of
     those the reference."""
@@ -160,30 +149,13 @@ def reference_of_row(result):
     return max(wished, key=lambda name: sum(m.name == name for m in result.models))
 
 
-def _of_row(models, at, value, joined):
-    """[(where, value)] of the most loaded patches, or (not `joined`) of the others."""
-    return sorted((at[m.place["position"]], value(m)) for m in models if (m.place["patch"] == 1) == joined)
-
-
-def _of_wheels(models, at, value):
-    """[(where, sum over the patches)]."""
-    sums = {}
-    for model in models:
-        where = at[model.place["position"]]
-        sums[where] = sums.get(where, 0.0) + value(model)
-    return sorted(sums.items())
-
-
-def _draw_row(panel, title, models, at, value, look):
-    """A quantity of one model and wheel over the row."""
-    colour, dash, marker, hollow = look
+def _row(title, models, at, value):
+    """[(spots (where, value), whether a line joins them)] of one model and wheel: the sum over its patches of a force,
+    else the most loaded patch, then the others."""
+    spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1) for m in models]
     if title in FORCES:
-        panel.line(*zip(*_of_wheels(models, at, value)), colour, 1.2, dash, marker, 2.8, hollow)
-        return
-    for joined in (True, False):
-        chosen = _of_row(models, at, value, joined)
-        if chosen:
-            panel.line(*zip(*chosen), colour, 1.2, dash, marker, 2.8, hollow, joined=joined)
+        return [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
+    return [(sorted((w, v) for w, v, first in spots if first == joined), joined) for joined in (True, False)]
 
 
 def sweep(result):
@@ -195,24 +167,25 @@ def sweep(result):
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
     reference = reference_of_row(result)
     figure = Figure(3)
-    wheels = [w for w in WHEELS if any(m.place["wheel"] == w[0] for m in models)]
     names = list(dict.fromkeys(m.name for m in models))
-    for title, unit, least, value in _curves():
-        panel = figure.add(250, 165, title, label, unit)
-        panel.y.least = least
-        for name in names if title == PRESSURE or title in FORCES else [reference]:
-            for wheel, dash, hollow in wheels:
-                here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
-                if title in FORCES and not any(m.has_friction for m in here):
-                    continue
-                if here:
-                    _draw_row(panel, title, here, at, value,
-                              (looks.of_model(here[0])[0], dash, looks.marker(here[0]), hollow))
+    series = {}  # {(name, wheel): (models, look)}
     for name in names:
-        model = next(m for m in models if m.name == name)
-        for wheel, dash, hollow in wheels:
-            figure.entry(f"{looks.label(model)}, {wheel} wheel", looks.of_model(model)[0], dash, 1.2,
-                         looks.marker(model), hollow)
+        for wheel, dash, hollow in WHEELS:
+            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
+            look = {"dash": dash, "width": 1.2, "marker": looks.marker(name), "hollow": hollow}
+            series[name, wheel] = here, {"colour": looks.of_model(name)[0], **look}
+            if any(m.place["wheel"] == wheel for m in models):
+                figure.entry(f"{looks.label(name)}, {wheel} wheel", looks.of_model(name)[0], **look)
+
+    def curves(title, value):
+        for (name, _), (here, look) in series.items():
+            if (name == reference or title in (PRESSURE, *FORCES)) and (
+                    title not in FORCES or any(m.has_friction for m in here)):
+                for spots, joined in _row(title, here, at, value):
+                    if spots:
+                        yield (*zip(*spots), {**look, "size": 2.8, "joined": joined})
+
+    figure.charts((250, 165), [(title, label, unit, least, curves(title, value)) for title, unit, least, value in _curves()])
     ends = f"{label} from {min(at.values()):.4g} to {max(at.values()):.4g}"
     peak = max((m.points[0]["max_pressure"], at[m.place["position"]], m.place["wheel"]) for m in models
                if m.name == reference)

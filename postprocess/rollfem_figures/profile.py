@@ -4,20 +4,10 @@ import os
 import numpy
 
 from .figure import Figure
-from .reader import ResultError
+from .reader import read_columns
 
 LINEAR = 1e-3  # 1/mm: the scale of curvature is linear below, logarithmic beyond: radii from 10 mm to 10 m
 DECADE = 0.6  # how long the linear part is, in decades
-
-
-def read(path):
-    """Title and columns s, y, z, angle, curvature of a table that `rollfem profile` wrote."""
-    with open(path, encoding="utf-8") as table:
-        title = table.readline().lstrip("# ").strip()
-    columns = numpy.loadtxt(path, delimiter=",", skiprows=2, ndmin=2)
-    if columns.shape[1] != 5:
-        raise ResultError(f"{path}: not a table of a profile")
-    return title, columns.T
 
 
 def joints(s):
@@ -41,8 +31,8 @@ def _ticks(curvature):
 
 def drawn(title, columns):
     """The figure of a profile."""
-    s, y, z, _, curvature = columns
-    places = joints(s)
+    y, z, curvature = (columns[name] for name in ("y", "z", "curvature"))
+    places = joints(columns["s"])
     figure = Figure(1, title)
     shape = figure.add(560, 0, "", "$y$, to the field side [mm]", "$z$, down [mm]", equal=True)
     shape.line(y, z, "blue", 1.8)
@@ -63,4 +53,4 @@ def drawn(title, columns):
 
 def draw(path):
     """NAME.svg of a table NAME.csv that `rollfem profile` wrote."""
-    drawn(*read(path)).save(os.path.splitext(path)[0] + ".svg")
+    drawn(*read_columns(path, "curvature")).save(os.path.splitext(path)[0] + ".svg")

@@ -3,6 +3,7 @@
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx]; x is the rolling direction,
 material enters the patch at large x. Tractions and forces act on the wheel.
 """
+import csv
 import json
 import math
 import os
@@ -309,6 +310,26 @@ def _read_file(path, directory):
         return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
                       case, _attributes(file["provenance"]), models,
                       _read_quantities(file), _read_profiles(file))
+
+
+def read_rows(path):
+    """(title, [{column without its unit: text}]) of a CSV table; the title is that of a comment above it."""
+    with open(path, encoding="utf-8", newline="") as file:
+        title = file.readline()
+        if not title.startswith("#"):
+            title = file.seek(0) or ""
+        rows = list(csv.reader(file))
+    names = [column.split(" [")[0] for column in rows[0]] if rows else []
+    return title.lstrip("# ").strip(), [dict(zip(names, row)) for row in rows[1:]]
+
+
+def read_columns(path, needed):
+    """(title, {column without its unit: array}) of a CSV table of numbers, nan where one is missing. ResultError without
+    the column `needed`."""
+    title, rows = read_rows(path)
+    if not rows or needed not in rows[0]:
+        raise ResultError(f"{path}: has no column {needed}")
+    return title, {name: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
 
 
 def read_json(directory, name):

@@ -1,48 +1,20 @@
 """A wheelset over its lateral shift: the difference of its rolling radii, its contact angles and its
 equivalent conicity, from the table that `rollfem wheelset` wrote (wheelset.csv) or a run of a row of shifts
 (wheelset_rigid.csv; its own wheelset.csv has the loaded patches of each position)."""
-import csv
 import os
 
 import numpy
 
 from . import looks, places, tables
 from .figure import Figure
-from .reader import ResultError
+from .reader import read_columns, read_rows
 
 BOTH = (("left", "blue", (), "o"), ("right", "slip", (5, 2), "s"))
 KINDS = (("wave", "blue", ()), ("harmonic", "slip", (5, 2)))
+UNDER_LOAD = " (markers: under load)"
 SHIFT = "shift to the right [mm]"
 # Least spans of the scales, so that cones, which have one conicity and one angle, are straight lines.
 LEAST_RADIUS, LEAST_ANGLE, LEAST_CONICITY, LEAST_LENGTH = 0.2, 0.5, 0.05, 5.0
-
-
-def _rows(path):
-    """[{column without its unit: text}]."""
-    with open(path, encoding="utf-8", newline="") as file:
-        return [{name.split(" [")[0]: value for name, value in row.items()} for row in csv.DictReader(file)]
-
-
-def read(path):
-    """Columns by name, without units; what is not there is nan."""
-    rows = _rows(path)
-    if not rows or "conicity_wave" not in rows[0]:
-        raise ResultError(f"{path}: not a table of rollfem wheelset")
-    return {name: numpy.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
-
-
-def _conicity(figure, table):
-    """Both conicities over the amplitude, and the wave length."""
-    panel = figure.add(270, 200, "equivalent conicity", "amplitude [mm]", "conicity [-]")
-    panel.y.least = LEAST_CONICITY
-    for kind, colour, dash in KINDS:
-        known = numpy.isfinite(table[f"conicity_{kind}"])
-        panel.line(table["lateral_shift"][known], table[f"conicity_{kind}"][known], colour, 1.6, dash)
-        figure.entry(f"conicity, {kind}", colour, dash)
-    panel = figure.add(270, 200, "length of the wave", "amplitude [mm]", "[m]")
-    panel.y.least = LEAST_LENGTH
-    known = numpy.isfinite(table["wave_length"])
-    panel.line(table["lateral_shift"][known], 1e-3 * table["wave_length"][known])
 
 
 def _conicity_seen(table):
@@ -56,80 +28,71 @@ def _conicity_seen(table):
             f"harmonic linearisation.")
 
 
-def drawn(table):
-    """The figure of a table."""
+def _known(table, name, factor=1):
+    """A column over the shift, where it has values."""
+    known = numpy.isfinite(table[name])
+    return table["lateral_shift"][known], factor * table[name][known]
+
+
+def _radius_differences(loaded):
+    """[(lateral shift, right less left rolling radius)]; empty for one wheel."""
+    radius = {(p["position"], p["wheel"]): p["rolling_radius"] for p in loaded}
+    return sorted((p["lateral_shift"], radius[p["position"], "right"] - radius[p["position"], "left"])
+                  for p in loaded if p["wheel"] == "left" and (p["position"], "right") in radius)
+
+
+def drawn(table, loaded=()):
+    """Radii, angles and conicity over the shift: lines rigid; markers `loaded`, the places of the most loaded
+    patches of a run. Where some of these are to the left, so are the lines, mirrored."""
     shift, difference = table["lateral_shift"], table["radius_difference"]
+    angle = {side: numpy.degrees(table[f"angle_{side}"]) for side in ("left", "right")}
+    to_the_left = min((place["lateral_shift"] for place in loaded), default=0) < 0
+
+    def line(values, mirrored, **look):
+        if not to_the_left:
+            return shift, values, look
+        return numpy.concatenate([-shift[:0:-1], shift]), numpy.concatenate([mirrored[:0:-1], values]), look
+
+    def markers(spots, **look):
+        return [(*zip(*spots), {**look, "joined": False, "order": 5})] if spots else []
+
     figure = Figure(2)
-    radii = figure.add(270, 200, "rolling radii", SHIFT, "right less left [mm]")
-    radii.y.least = LEAST_RADIUS
-    radii.line(shift, difference)
-    angles = figure.add(270, 200, "contact angles", SHIFT, "contact angle [°]")
-    angles.y.least = LEAST_ANGLE
-    for side, colour, dash, _ in BOTH:
-        angles.line(shift, numpy.degrees(table[f"angle_{side}"]), colour, 1.6, dash)
-        figure.entry(f"{side} wheel", colour, dash)
-    _conicity(figure, table)
-    figure.seen = (f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: the right rolling radius grows to "
-                   f"{difference[-1]:.3g} mm "
-                   f"more than the left, the right contact angle to "
-                   f"{numpy.degrees(table['angle_right']).max():.3g} degrees. {_conicity_seen(table)}")
+    radii = [line(difference, -difference), *markers(_radius_differences(loaded), marker="D", size=2.8)]
+    angles = []
+    for (side, colour, dash, marker), other in zip(BOTH, ("right", "left")):
+        spots = sorted((p["lateral_shift"], numpy.degrees(p["contact_angle"])) for p in loaded if p["wheel"] == side)
+        angles += [line(angle[side], angle[other], colour=colour, dash=dash), *markers(spots, colour=colour, marker=marker)]
+        if spots or not loaded:
+            figure.entry(f"{side} wheel" + UNDER_LOAD * bool(loaded), colour, dash, marker=marker if loaded else None)
+    if loaded:
+        figure.entry("right less left" + UNDER_LOAD, "ink", marker="D")
+    for kind, colour, dash in KINDS:
+        figure.entry(f"conicity, {kind}", colour, dash)
+    figure.charts((270, 200), [
+        ("rolling radii", SHIFT, "right less left [mm]", LEAST_RADIUS, radii),
+        ("contact angles", SHIFT, "contact angle [°]", LEAST_ANGLE, angles),
+        ("equivalent conicity", "amplitude [mm]", "conicity [-]", LEAST_CONICITY,
+         [(*_known(table, f"conicity_{kind}"), {"colour": colour, "dash": dash}) for kind, colour, dash in KINDS]),
+        ("length of the wave", "amplitude [mm]", "[m]", LEAST_LENGTH, [(*_known(table, "wave_length", 1e-3), {})])])
+    figure.seen = (f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: the right rolling radius grows to {difference[-1]:.3g} mm "
+                   f"more than the left, the right contact angle to {angle['right'].max():.3g} degrees. "
+                   f"{_conicity_seen(table)}")
     return figure
 
 
 def draw(path):
     """NAME.svg of a table NAME.csv that `rollfem wheelset` wrote."""
-    drawn(read(path)).save(os.path.splitext(path)[0] + ".svg")
-
-
-def _stored(result, name):
-    """The path of a table of a run; None where it has none."""
-    path = os.path.join(result.directory, name)
-    return path if os.path.exists(path) else None
-
-
-def _both_sides(shift, values, odd):
-    """The row and its mirror image: `odd` changes sign, else the other wheel's values are given."""
-    mirror = -values if odd is None else odd
-    return numpy.concatenate([-shift[:0:-1], shift]), numpy.concatenate([mirror[:0:-1], values])
+    drawn(read_columns(path, "conicity_wave")[1]).save(os.path.splitext(path)[0] + ".svg")
 
 
 def of_run(result):
-    """Radii, angles and conicity of a run over its row of shifts: lines rigid, markers the loaded patches.
-    None without such a row."""
-    path = _stored(result, "wheelset_rigid.csv")
-    if path is None:
+    """The figure of a run over its row of shifts. None without such a row."""
+    path = os.path.join(result.directory, "wheelset_rigid.csv")
+    if not os.path.exists(path):
         return None
-    table = read(path)
-    shift = table["lateral_shift"]
     reference = places.reference_of_row(result)
-    loaded = [m.place for m in result.models if m.name == reference and m.place["patch"] == 1]
-    lowest = min(place["lateral_shift"] for place in loaded)
-    figure = Figure(2)
-    radii = figure.add(270, 200, "rolling radii", SHIFT, "right less left [mm]")
-    angles = figure.add(270, 200, "contact angles", SHIFT, "contact angle [°]")
-    radii.y.least, angles.y.least = LEAST_RADIUS, LEAST_ANGLE
-
-    def line(panel, values, other, colour, dash):
-        at, drawn_values = _both_sides(shift, values, other) if lowest < 0 else (shift, values)
-        panel.line(at, drawn_values, colour, 1.6, dash)
-
-    line(radii, table["radius_difference"], None, "ink", ())
-    for side, colour, dash, marker in BOTH:
-        other = "right" if side == "left" else "left"
-        line(angles, *(numpy.degrees(table[f"angle_{s}"]) for s in (side, other)), colour, dash)
-        here = sorted((p["lateral_shift"], numpy.degrees(p["contact_angle"])) for p in loaded if p["wheel"] == side)
-        if here:
-            angles.line(*zip(*here), colour, 1.2, marker=marker, joined=False, order=5)
-            figure.entry(f"{side} wheel (markers: under load)", colour, dash, marker=marker)
-    both = places.radius_differences(loaded)
-    if both:
-        radii.line(*zip(*both), "ink", 1.2, marker="D", size=2.8, joined=False, order=5)
-    figure.entry("right less left (markers: under load)", "ink", marker="D")
-    _conicity(figure, table)
-    figure.seen = ("Rolling radii, contact angles and equivalent conicity over the lateral shift, up to "
-                   f"{shift[-1]:.3g} mm. "
-                   + _conicity_seen(table))
-    return figure
+    return drawn(read_columns(path, "conicity_wave")[1],
+                 [m.place for m in result.models if m.name == reference and m.place["patch"] == 1])
 
 
 # Columns of the table of a report: (heading, column of wheelset.csv, factor, significant digits).
@@ -152,19 +115,17 @@ def _cell(row, column, factor, digits):
 
 def table_of_run(result):
     """HTML: one line a position, by the model that row figures have; empty without a row of shifts."""
-    path = _stored(result, "wheelset.csv")
-    rows = _rows(path) if path else []
-    if not rows or "wave_length" not in rows[0]:  # of an earlier version
+    path = os.path.join(result.directory, "wheelset.csv")
+    if not os.path.exists(path):
         return ""
     reference = places.reference_of_row(result)
-    rows = [row for row in rows if row["model"] == reference and row["point"] == "1"]
+    rows = [row for row in read_rows(path)[1] if row["model"] == reference and row["point"] == "1"]
     wheels = [side for side in ("left", "right") if any(row[f"{side} patches"] for row in rows)]
     columns = COLUMNS + tuple((f"{side}: {head}", f"{side} {name}", factor, digits)
                               for side in wheels for head, name, factor, digits in OF_WHEEL)
-    label = looks.label(next(m for m in result.models if m.name == reference))
     return (tables.table([column[0] for column in columns],
                          [[_cell(row, *column[1:]) for column in columns] for row in rows])
-            + f"<p class=hint>Patches by {label} at the first load point; length and width: most loaded patch of a wheel; "
+            + f"<p class=hint>Patches by {looks.label(reference)} at the first load point; length and width: most loaded patch of a wheel; "
             "forces on the wheel, along the track and to the right. Rigid: without a load. Conicity at the "
             "amplitude of the "
             "shift: by harmonic linearisation, and that of cones with the same wave (UIC 519, EN 15302).</p>")
