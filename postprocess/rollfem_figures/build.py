@@ -2,7 +2,7 @@
 import os
 from dataclasses import dataclass
 
-from . import curves, lateral, looks, maps, overlay, places, selection, stresses, wheelset
+from . import curves, looks, maps, overlay, places, selection, stresses, wheelset
 from .figure import folder_of
 from .reader import read_result
 from .report import write_report
@@ -22,7 +22,7 @@ def captions(result):
                lambda axis=axis: curves.path(result, axis))
     yield ("path_lateral.svg",
            "Lateral traction along both middle lines. It vanishes along y = 0 where nothing drives the "
-           "material sideways and the patch is symmetric.", lambda: lateral.paths(result))
+           "material sideways and the patch is symmetric.", lambda: curves.lateral_paths(result))
     yield ("strip_force.svg",
            "Force per strip: pressure and tangential traction summed along rolling, for each mm of "
            "width. Thin: the same strip sliding fully.", lambda: curves.strip_forces(result))

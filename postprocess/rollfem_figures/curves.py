@@ -45,13 +45,13 @@ def _draw_curve(figure, top, model, points, at, force):
     top.line(at, values, marker=looks.marker(model), see=model.has_bound, **looks.line(model))
     if any(errors):
         top.bars(at, values, errors if model.has_bound else np.zeros(len(errors)), looks.of_model(model)[0])
-    figure.entry(looks.label(model), *looks.of_model(model)[:2], marker=looks.marker(model))
+    figure.model(model, marker=True)
     return values
 
 
 def _draw_difference(panel, model, reference, points, at, values, force, friction):
-    pairs = [(a, v, reference.at(p.key)) for a, v, p in zip(at, values, points)]
-    pairs = [(a, 100 * (v - _coefficient(r, force)) / friction) for a, v, r in pairs if r]
+    pairs = [(a, 100 * (v - _coefficient(r, force)) / friction) for a, v, p in zip(at, values, points)
+             if (r := reference.at(p.key))]
     if pairs:
         panel.line(*zip(*pairs), marker=looks.marker(model), see=model.has_bound, **looks.line(model))
 
@@ -109,25 +109,33 @@ def line_of(model, point, name, axis):
     return np.array(positions), np.array(out)
 
 
-def _limits(models, chosen, values_of):
-    """Lowest and highest of `values_of(model, point, name)` at all creepages, but of models that nothing
-    bounds: one scale for all panels."""
+def _span(models, chosen, curve, signs):
+    """Lowest and highest of fields with their `signs` at all creepages, but of models that nothing bounds."""
     values = [0.0]
     for model in (m for m in models if m.has_friction and m.has_bound):
         for point in filter(None, map(model.at, chosen)):
-            for name, sign in (("traction_bound", 1), ("traction_x", -1)):
-                found = values_of(model, point, name)
-                if found is not None and len(found):
-                    values += [sign * np.nanmin(found), sign * np.nanmax(found)]
-    room = 0.05 * (max(values) - min(values)) or 1.0
-    return min(values) - room, max(values) + room
+            for name, sign in signs.items():
+                found = curve(model, point, name)
+                if found is not None and len(found[1]):
+                    values += [sign * np.nanmin(found[1]), sign * np.nanmax(found[1])]
+    return min(values), max(values)
 
 
-def _panels(result, chosen, texts, titles, labels, half, curve):
+def _draw_traction(panel, model, point, curve, field, sides):
+    """Minus a traction, and thin its bound on both sides of 0 or above it."""
+    thin = {"colour": looks.of_model(model)[0], "width": 0.8, "opacity": 0.75}
+    for name, sign, look in [*(("traction_bound", side, thin) for side in sides), (field, -1, looks.line(model))]:
+        found = curve(model, point, name)
+        if found is not None and len(found[0]):
+            panel.line(found[0], sign * found[1], **look)
+
+
+def _panels(result, chosen, titles, labels, half, curve):
     """A figure of the pressure and, at each of the creepages, the traction under its bound; `curve(model,
     point, field)` gives what is drawn, None where the model has none. `titles` of the first panel;
     `labels` of x, of its y and of the others' y."""
-    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    models = selection.with_pressure(result)
+    texts, shared = keys.key_texts(chosen)
     figure = Figure(3)
     first = figure.add(230, 165, titles, labels[0], labels[1])
     first.y.limits = (0.0, None)
@@ -135,43 +143,35 @@ def _panels(result, chosen, texts, titles, labels, half, curve):
         found = curve(model, model.points[0], "pressure")
         if found is not None and len(found[0]):
             first.line(*found, order=3 if model.name == "hertz" else 2, **looks.line(model))
-            figure.entry(looks.label(model), *looks.of_model(model)[:2])
-    limits = _limits(models, chosen, lambda *of: (curve(*of) or [None, None])[1])
+            figure.model(model)
+    low, high = _span(models, chosen, curve, {"traction_bound": 1, "traction_x": -1})
+    room = 0.05 * (high - low) or 1.0
     for key in chosen:
         panel = figure.add(230, 165, texts[key], labels[0], labels[2])
-        panel.y.limits = limits
+        panel.y.limits = low - room, high + room
         for model in models:
-            point = model.at(key)
-            if point is None or not model.has_friction:
-                continue
-            for name, sign in (("traction_bound", 1), ("traction_x", -1)):
-                found = curve(model, point, name)
-                if found is not None and len(found[0]):
-                    look = (dict(colour=looks.of_model(model)[0], width=0.8, opacity=0.75)
-                            if name == "traction_bound" else looks.line(model))
-                    panel.line(found[0], sign * found[1], **look)
+            if model.has_friction and (point := model.at(key)):
+                _draw_traction(panel, model, point, curve, "traction_x", (1,))
     for panel in figure.panels:
         panel.x.limits = (-half, half)
-    return figure, models
+    return figure, models, shared
 
 
 def path(result, axis):
     """p_n, and p_x with the traction bound at several creepages, along the middle line of "x" or
     "y". None when no model has a pressure field."""
-    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    models = selection.with_pressure(result)
     if not models:
         return None
     chosen = selection.chosen_keys(models, 5)
-    texts, shared = keys.key_texts(chosen)
     label = "$x$ [mm], rolling $\\rightarrow$" if axis == "x" else "$y$ [mm], lateral"
-    figure, models = _panels(result, chosen, texts, "contact pressure",
-                             (label, "$p_n$ [MPa]", "$-p_x$ [MPa]"), extent(models)[0 if axis == "x" else 1],
-                             lambda model, point, name: line_of(model, point, name, axis))
+    figure, models, shared = _panels(result, chosen, "contact pressure", (label, "$p_n$ [MPa]", "$-p_x$ [MPa]"),
+                                     extent(models)["xy".index(axis)],
+                                     lambda model, point, name: line_of(model, point, name, axis))
     own = any(m.name in ("fastsim", "strip") for m in models)
     if chosen:
         figure.entry("traction bound" if own else "traction bound $\\mu p_n$", "soft", width=0.8)
-    if shared:
-        figure.entry(shared)
+    figure.heading_entry(shared)
     figure.seen = (f"Contact pressure over {axis}: " + "; ".join(
         f"{looks.label(m)} up to {m.points[0]['max_pressure']:.4g} MPa between "
         f"{span(line_of(m, m.points[0], 'pressure', axis))}"
@@ -189,18 +189,52 @@ def _strip_force(model, point, name):
 def strip_forces(result):
     """Forces of the strips along rolling, over y: p_n, and -p_x at several creepages with the full
     sliding of the same strips. None when no model has a pressure field."""
-    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    models = selection.with_pressure(result)
     if not models:
         return None
     chosen = selection.chosen_keys(models, 5)
-    texts, shared = keys.key_texts(chosen)
-    figure, models = _panels(result, chosen, texts, "normal force per strip",
-                             ("$y$ [mm], lateral", "$\\int p_n dx$ [N/mm]", "$-\\int p_x dx$ [N/mm]"),
-                             extent(models)[1], _strip_force)
+    figure, models, shared = _panels(result, chosen, "normal force per strip",
+                                     ("$y$ [mm], lateral", "$\\int p_n dx$ [N/mm]", "$-\\int p_x dx$ [N/mm]"),
+                                     extent(models)[1], _strip_force)
     if chosen:
         figure.entry("full sliding of the strip", "soft", width=0.8)
-    if shared:
-        figure.entry(shared)
+    figure.heading_entry(shared)
     figure.seen = "Normal force per mm of width over y: " + "; ".join(
         f"{looks.label(m)} up to {_strip_force(m, m.points[0], 'pressure')[1].max():.4g} N/mm" for m in models) + "."
+    return figure
+
+
+# Below this part of the largest bound p_y is noise on the scale of the figure.
+LEAST_LATERAL = 0.02
+
+
+def lateral_paths(result):
+    """-p_y along the middle lines, y = 0 above and x = 0 below, at up to three creepages; thin the
+    bound, which leaves the frame where p_y is far below it. None without tangential tractions."""
+    models = [m for m in selection.friction_models(result) if "traction_y" in m.points[0].fields]
+    chosen = selection.chosen_keys(models, 4)
+    chosen = chosen[1:] if len(chosen) > 3 else chosen  # of four the first says least
+    if not chosen:
+        return None
+    texts, shared = keys.key_texts(chosen)
+    figure = Figure(max(2, len(chosen)))
+    for model in models:
+        figure.model(model)
+    figure.entry("traction bound, both signs", "soft", width=0.8)
+    figure.heading_entry(shared)
+    lines = {axis: lambda model, point, name, axis=axis: line_of(model, point, name, axis) for axis in "xy"}
+    lows, highs = zip(*(_span(models, chosen, curve, {"traction_y": -1}) for curve in lines.values()))
+    bound = max(_span(models, chosen, curve, {"traction_bound": 1})[1] for curve in lines.values())
+    low, high = min(*lows, -LEAST_LATERAL * bound), max(*highs, LEAST_LATERAL * bound)
+    for (axis, curve), half, label in zip(lines.items(), extent(models), (
+            "$x$ [mm] at $y$ = 0, rolling $\\rightarrow$", "$y$ [mm] at $x$ = 0, lateral")):
+        for key in chosen:
+            panel = figure.add(230, 165, texts[key], label, "$-p_y$ [MPa]")
+            panel.x.limits = (-half, half)
+            panel.y.limits = (low - 0.08 * (high - low), high + 0.08 * (high - low))
+            for model in models:
+                if point := model.at(key):
+                    _draw_traction(panel, model, point, curve, "traction_y", (1, -1) if model.has_bound else ())
+    figure.seen = (f"Lateral traction along both middle lines at {len(chosen)} load points: between "
+                   f"{min(lows):.3g} and {max(highs):.3g} MPa, under a bound of up to {bound:.4g} MPa.")
     return figure

@@ -30,6 +30,11 @@ class Figure:
         colour, dash, own = looks.of_model(model)
         self.entry(looks.label(model), colour, dash, marker=own if marker else None)
 
+    def heading_entry(self, text):
+        """An entry of text alone, what all panels share; none where it is empty."""
+        if text:
+            self.entry(text)
+
     def charts(self, size, rows):
         """A panel of that size for each row of title, label of x, of y, least span of y, and its curves: x, y and
         the look (Panel.line)."""

@@ -4,7 +4,7 @@ import numpy as np
 from . import keys, looks, selection
 from .axes import nice_step, tick_text
 from .figure import Figure
-from .outline import LEAST_HEIGHT, extent, zones
+from .outline import extent, patch_panel, zones
 from .seen import adhering
 
 
@@ -21,7 +21,6 @@ def contact_area(result):
     # Tall patches: a row for each model, all its creepages beside each other; else the other way round.
     by_model = half_x <= 1.3 * half_y or len(zoned) == 1
     pairs = [(m, k) for m in zoned for k in chosen] if by_model else [(m, k) for k in chosen for m in zoned]
-    scale = min(95 / half_x, 130 / half_y)
     figure = Figure(len(chosen) if by_model else len(zoned), in_rows=True)
     said = []
     for model, key in pairs:
@@ -29,11 +28,8 @@ def contact_area(result):
         found = zones(model, point) if point else None
         if found is None:
             continue
-        panel = figure.add(max(2 * half_x * scale, 105), 0, f"{looks.label(model)}\n{texts[key]}",
-                           "$x$ [mm]", "$y$ [mm]", equal=True)
-        wide = panel.width / (2 * scale)
-        high = max(half_y, LEAST_HEIGHT / (2 * scale))
-        panel.x.limits, panel.y.limits, panel.room_left = (-wide, wide), (-high, high), 46
+        panel = patch_panel(figure, f"{looks.label(model)}\n{texts[key]}", ("$x$ [mm]", "$y$ [mm]"), (half_x, half_y),
+                            min(95 / half_x, 130 / half_y), 105)
         panel.area(found.outline, "slip")
         panel.area(found.adhesion, "adhesion")
         panel.paths(found.outline, "ink", 1.2)

@@ -75,6 +75,15 @@ def extent(models):
     return 1.06 * half_x, 1.06 * half_y
 
 
+def patch_panel(figure, title, labels, half, scale, narrowest):
+    """A panel for patches within the half-widths (extent), so many px a mm, and at least so wide."""
+    panel = figure.add(max(2 * half[0] * scale, narrowest), 0, title, *labels, equal=True)
+    wide = panel.width / (2 * scale)
+    high = max(half[1], LEAST_HEIGHT / (2 * scale))
+    panel.x.limits, panel.y.limits, panel.room_left = (-wide, wide), (-high, high), 46
+    return panel
+
+
 def spread(state):
     """1 in adhesion, 0 in slip, averaged over neighbours so that the border between the zones runs
     through the steps of the elements, and continued beyond the edge of the patch."""

@@ -1,7 +1,7 @@
 """The contact areas of all models on one picture, with their zones of adhesion and slip."""
 from . import keys, looks, selection
 from .figure import Figure
-from .outline import LEAST_HEIGHT, extent, zones
+from .outline import extent, patch_panel, zones
 from .reader import ADHESION
 from .seen import adhering, patch_size
 
@@ -44,7 +44,7 @@ def outlines(result):
     """Outlines of all models overlaid, at up to three creepages with the border between adhesion
     (on the leading side) and slip of each; shaded are the zones of the reference model. None when no
     model has a pressure field."""
-    models = [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+    models = selection.with_pressure(result)
     if not models:
         return None
     zoned = [m for m in models if m.has_friction and m.has_bound and "state" in m.points[0].fields]
@@ -52,27 +52,22 @@ def outlines(result):
     reference = selection.reference_for_forces(result)
     shaded = reference if chosen and reference in zoned else None
     texts, shared = keys.key_texts(chosen)
-    half_x, half_y = extent(models)
-    scale = min(135 / half_x, 150 / half_y)
+    half = extent(models)
     figure = Figure(3)
     for key in chosen or [None]:
-        panel = figure.add(max(2 * half_x * scale, 115), 0, texts[key] if key else "",
-                           "$x$ [mm], rolling $\\rightarrow$", "$y$ [mm], lateral", equal=True)
-        wide = panel.width / (2 * scale)
-        high = max(half_y, LEAST_HEIGHT / (2 * scale))
-        panel.room_left, panel.x.limits, panel.y.limits = 46, (-wide, wide), (-high, high)
+        panel = patch_panel(figure, texts[key] if key else "", ("$x$ [mm], rolling $\\rightarrow$", "$y$ [mm], lateral"),
+                            half, min(135 / half[0], 150 / half[1]), 115)
         for model in models:
             # Hertz has one load point, whatever the others have.
             point = (model.at(key) if key else None) or (model.points[0] if model not in zoned else None)
             if point is not None:
                 _draw(panel, model, point, model is shaded)
     for model in models:
-        figure.entry(looks.label(model), *looks.of_model(model)[:2])
+        figure.model(model)
     if shaded is not None:
         figure.entry(f"adhesion ({looks.label(shaded)})", fill="adhesion", opacity=0.35)
         figure.entry(f"slip ({looks.label(shaded)})", fill="slip", opacity=0.3)
-    if shared:
-        figure.entry(shared)
+    figure.heading_entry(shared)
     said = [f"{looks.label(m)} {patch_size(m, m.points[0])}" for m in models]
     figure.seen = f"Contact areas, along rolling by across: {'; '.join(said)}."
     if shaded is not None:

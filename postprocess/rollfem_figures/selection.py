@@ -6,6 +6,11 @@ def friction_models(result):
     return [m for m in result.models if m.has_friction]
 
 
+def with_pressure(result):
+    """The models that have a field of pressure."""
+    return [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+
+
 def reference_for_patch(result):
     """The requested one, otherwise Hertz if present: it is exact for what it describes."""
     return _first_of(result.models, (result.reference, "hertz", "halfspace"))

@@ -48,8 +48,7 @@ def depth_profile(result, name):
     if len(result.models) > 1:
         for model, dash in zip(result.models, DASHES * len(result.models)):
             figure.entry(entry_name(result, model), "ink", dash)
-    if shared := _shared(result):
-        figure.entry(shared)
+    figure.heading_entry(_shared(result))
     figure.seen = "Stress against depth: " + "; ".join(said) + "."
     return figure
 
