@@ -3,7 +3,7 @@ import json
 import math
 import os
 
-from rollfem_figures.report import write_page
+from rollfem_figures.whole import write_whole
 
 INTRO = """# Verification book
 
@@ -149,6 +149,6 @@ def book_json(chapters, left_out, made):
 
 def write_book(directory, chapters, left_out, made):
     """README.md, which is what a browser of the repository shows of a folder, and book.json."""
-    write_page(os.path.join(directory, "README.md"), book_text(chapters, left_out, made))
-    write_page(os.path.join(directory, "book.json"),
-               json.dumps(book_json(chapters, left_out, made), indent=1, ensure_ascii=False) + "\n")
+    write_whole(os.path.join(directory, "README.md"), book_text(chapters, left_out, made))
+    write_whole(os.path.join(directory, "book.json"),
+                json.dumps(book_json(chapters, left_out, made), indent=1, ensure_ascii=False) + "\n")

@@ -1,7 +1,6 @@
 """compare.html: several models on one or several cases, side by side."""
 import os
 from html import escape
-from types import SimpleNamespace
 
 import numpy as np
 
@@ -9,11 +8,6 @@ from . import looks, page, report, tables
 from .build import build, draw_all
 from .figure import Figure, folder_of
 from .reader import ResultError, read_json
-
-
-def _model(name):
-    """What a look is asked for."""
-    return SimpleNamespace(name=name)
 
 
 def _models(cases):
@@ -88,7 +82,7 @@ def _difference_table(columns, quantity, heading):
               if any(_standing(c, m, quantity) for c, _, _ in columns)]
     if not models:
         return ""
-    rows = [[escape(looks.label(_model(model)))]
+    rows = [[escape(looks.label(model))]
             + [_difference_cell(_standing(case, model, quantity, place)) for case, place, _ in columns]
             for model in models]
     head = [heading] + [text for _, _, text in columns]
@@ -106,14 +100,14 @@ def _differences(cases, headings):
     shown = [q for q in headings if any(_standing(case, m, q, place) for m in models)]
     if not shown:
         return ""
-    rows = [[escape(looks.label(_model(m)))] + [_difference_cell(_standing(case, m, q, place))
+    rows = [[escape(looks.label(m))] + [_difference_cell(_standing(case, m, q, place))
                                                 for q in shown] for m in models]
     return tables.table(["largest difference"] + [headings[q] for q in shown], rows)
 
 
 def _cost_table(cases):
     models = _models(cases)
-    rows = [[escape(looks.label(_model(m)))]
+    rows = [[escape(looks.label(m))]
             + [tables.number(c["seconds"][m], 3) if m in c["seconds"] else "–" for c in cases]
             + [tables.number(sum(c['seconds'].get(m, 0.0) for c in cases), 3)]
             for m in models]
@@ -135,9 +129,9 @@ def cost_figure(cases):
             spots = [(c["seconds"][model], max(100 * abs(s["largest_difference"]), 1e-4))
                      for c in cases if (s := _standing(c, model, quantity))]
             if spots:
-                colour, _, marker = shown[model] = looks.of_model(_model(model))
+                colour, _, marker = shown[model] = looks.of_model(model)
                 panel.line(*zip(*spots), colour, marker=marker, size=3.8, joined=False)
-                said.append(f"{looks.label(_model(model))} {title}: up to {max(s[1] for s in spots):.2g} %")
+                said.append(f"{looks.label(model)} {title}: up to {max(s[1] for s in spots):.2g} %")
         bars = [100 * s["allowed_there"] for c in cases for s in c["standings"]
                 if s["quantity"] == quantity and s["allowed_there"] > 0]
         if bars:
@@ -146,7 +140,7 @@ def cost_figure(cases):
     if not figure.panels:
         return None
     for model, (colour, _, marker) in shown.items():
-        figure.entry(looks.label(_model(model)), colour, width=0, marker=marker)
+        figure.entry(looks.label(model), colour, width=0, marker=marker)
     figure.entry("error bars, median", "soft", (1.5, 2.2), 1.0)
     figure.seen = f"Largest difference from the reference against seconds. {'; '.join(said)}."
     return figure
@@ -185,12 +179,12 @@ def _reference_words(comparison):
     """The model that differences refer to, and its substitute where that one has no value."""
     wished = comparison["reference"] or "halfspace"
     ways = list(dict.fromkeys([wished, *(m for m in ("halfspace", "fem") if m in comparison["models"])]))
-    first, *others = [escape(looks.label(_model(name))) for name in ways]
+    first, *others = [escape(looks.label(name)) for name in ways]
     return f"Differences are from {first}" + (f" or, where it has no value, from {' or '.join(others)}. " if others else ". ")
 
 
 def _asked(comparison):
-    names = ", ".join(escape(looks.label(_model(m))) for m in comparison["models"])
+    names = ", ".join(escape(looks.label(m)) for m in comparison["models"])
     cases = "".join(f"<li><a href=\"#{escape(c['name'])}\">{escape(c['name'])}</a>: "
                     f"{escape(c['title'])}</li>" for c in comparison["cases"])
     return (f"<p>Models: {names}. {_reference_words(comparison)}"
@@ -214,8 +208,8 @@ def build_comparison(directory):
                                  for name, quantity in comparison["quantities"].items()})
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
-    page.write_page(os.path.join(directory, "compare.html"), page.page(
-        title, page.heading(title, comparison["program"], comparison), [
+    page.write_page(
+        os.path.join(directory, "compare.html"), title, page.made_by(comparison["program"], comparison), [
             report.verdict(comparison["verdict"]), _asked(comparison), "<h2>Differences</h2>" * bool(found),
             *map(page.figure, drawn), found,
             "<p class=hint>Largest difference over the load points of the case, with its sign. Bold: at least one "
@@ -223,4 +217,4 @@ def build_comparison(directory):
             f"what they allow at that point.{_elasticity(cases)}</p>" if found else "",
             "<h2>Cost</h2>", _cost_table(cases), *sections,
             "<h2>Signs</h2><p>", report.CONVENTIONS, "</p>"],
-        "Also in this folder: compare.csv and compare.json with every number, and a result folder for each case."))
+        "Also in this folder: compare.csv and compare.json with every number, and a result folder for each case.")

@@ -5,7 +5,7 @@ from html import escape
 
 from . import looks, words
 from .panel import Panel, marker_path, strokes
-from .whole import whole
+from .whole import write_whole
 
 
 class Figure:
@@ -117,8 +117,7 @@ class Figure:
 
     def save(self, path):
         """Writes the file whole or not at all."""
-        with whole(path) as part, open(part, "w", encoding="utf-8") as file:
-            file.write(self.svg())
+        write_whole(path, self.svg())
 
 
 def folder_of(directory):

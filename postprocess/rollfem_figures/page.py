@@ -4,7 +4,7 @@ import re
 from html import escape
 
 from . import looks
-from .whole import whole
+from .whole import write_whole
 
 _LIGHT = ("--ink:#1a1a1a;--soft:#555;--ground:#fff;--line:#ddd;--strong:#888;--box:#f5f5f5;--accent:#0067a3;"
           "--warn:#E69F00;--bad:#D55E00")
@@ -53,12 +53,12 @@ white-space:normal}tbody th{position:static}.plot{max-width:100%}}
 """
 
 
-def heading(title, program, run):
-    """The heading of the page as HTML, with the program and the call that made it."""
+def made_by(program, run):
+    """The program and the call that made the results, as HTML."""
     made = f"rollfem {program['version']} ({program['commit']}), {run['started']}, {run['host']}"
     if run["processes"] > 1:
         made += f", {run['processes']} processes"
-    return f"<h1>{title}</h1><p class=meta>{escape(made)}<br><code>{escape(run['command'])}</code></p>"
+    return f"{escape(made)}<br><code>{escape(run['command'])}</code>"
 
 
 def figure(drawn):
@@ -96,23 +96,18 @@ def _contents(body):
     return body, f'<nav aria-label="Contents"><ul>{"".join(entries)}</ul></nav>'
 
 
-def page(title, head, parts, beside=""):
-    """A whole page: `head` (heading) and the parts, with a table of contents of their second headings;
-    `beside`: what lies in the folder, at the end. The title is HTML."""
+def write_page(path, title, made, parts, beside=""):
+    """Writes a page whole or not at all: its heading with `made` under it, how it came about, and the parts, with a
+    table of contents of their second headings; `beside`: what lies in the folder, at the end. All of it is HTML."""
     body, contents = _contents("".join(parts))
     # Tables of many columns have the printer take paper that lies on its side.
     sideways = "@page{size:A4 landscape}" if 'class="wide many"' in body else ""
     footer = f"<footer class=screen><p class=hint>{beside}</p></footer>" if beside else ""
-    return "".join([
+    text = "".join([
         "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
         '<meta name=viewport content="width=device-width,initial-scale=1">'
         '<meta name=color-scheme content="light dark">'
         f"<title>{re.sub('<[^>]*>', '', title)}</title><style>{CSS}{sideways}{looks.css()}</style></head>"
         f'<body{" class=toc" if contents else ""}><a class=skip href="#main">to the results</a>'
-        f"<header>{head}</header>{contents}<main id=main>{body}</main>{footer}</body></html>\n"])
-
-
-def write_page(path, text):
-    """Writes a page whole or not at all."""
-    with whole(path) as part, open(part, "w", encoding="utf-8") as file:
-        file.write(text)
+        f"<header><h1>{title}</h1><p class=meta>{made}</p></header>{contents}<main id=main>{body}</main>{footer}</body></html>\n"])
+    write_whole(path, text)

@@ -5,7 +5,7 @@ from html import escape
 
 from . import looks, places, selection, stresses, tables, wheelset
 from .chooser import chooser
-from .page import figure, heading, page, write_page
+from .page import figure, made_by, write_page
 from .reader import place_label
 
 CONVENTIONS = """x is the rolling direction, and material enters the patch at large x (on the right of
@@ -188,11 +188,11 @@ def touching(result, figures):
             + "".join(figure(f) for f in figures if f.name.startswith(("pair_", "positions"))))
 
 
-def report_html(result, figures):
-    """The page as text; `figures` are what is drawn (build.Drawn)."""
+def write_report(result, figures):
+    """Writes report.html; `figures` are what is drawn (build.Drawn)."""
     made = result.provenance
     title = escape(result.title or result.case_file or "rollfem result")
-    return page(title, heading(title, made, made), [
+    write_page(os.path.join(result.directory, "report.html"), title, made_by(made, made), [
         asked(result), touching(result, figures), patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
         notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
         "<div class=screen><h2>Every load point</h2>", _details(result), "</div>"],
@@ -212,8 +212,3 @@ def verdict(text):
                                   for name, label in looks.LABELS.items()]:
         text = re.sub(pattern, look, text)
     return f"<p class=say>{text}</p>" if text else ""
-
-
-def write_report(result, figures):
-    """Writes report.html whole or not at all."""
-    write_page(os.path.join(result.directory, "report.html"), report_html(result, figures))

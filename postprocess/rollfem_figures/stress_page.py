@@ -5,7 +5,7 @@ from html import escape
 from . import looks, words
 from .build import draw_all
 from .figure import folder_of
-from .page import figure, page, write_page
+from .page import figure, write_page
 from .stress_reader import read_stress
 from .stress_report import figures, load_point
 from .stresses import largest_cell, largest_table
@@ -65,22 +65,17 @@ def _verdicts(result):
     return "".join(html)
 
 
-def stress_html(result, drawn):
-    """The page as text; `drawn` are the figures (build.Drawn)."""
-    title = "Stress below the surface: " + escape(result.title)
-    maps = [f for f in drawn if f.name.startswith("shakedown")]
-    below = "".join(map(figure, (f for f in drawn if f not in maps)))
-    return page(title, f"<h1>{title}</h1><p class=meta>from <code>{escape(result.source)}</code></p>", [
-        "<h2>Load points</h2>", _contacts(result), "<h2>Largest stresses</h2>", _largest(result),
-        "<p class=hint>±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
-        "the wheel). Tension is positive.</p>",
-        _verdicts(result), *map(figure, maps), "<h2>Lines and planes</h2>" + below if below else ""],
-        "Also in this folder: stress.csv with every place, stress.json, figures/.")
-
-
 def build(directory):
     """Draws what the folder has to its figures/ and writes stress.html."""
     result = read_stress(directory)
     looks.know({model.name: model.label for model in result.models})
     drawn = draw_all(figures(result), folder_of(directory))
-    write_page(os.path.join(directory, "stress.html"), stress_html(result, drawn))
+    title = "Stress below the surface: " + escape(result.title)
+    maps = [f for f in drawn if f.name.startswith("shakedown")]
+    below = "".join(map(figure, (f for f in drawn if f not in maps)))
+    write_page(os.path.join(directory, "stress.html"), title, f"from <code>{escape(result.source)}</code>", [
+        "<h2>Load points</h2>", _contacts(result), "<h2>Largest stresses</h2>", _largest(result),
+        "<p class=hint>±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
+        "the wheel). Tension is positive.</p>",
+        _verdicts(result), *map(figure, maps), "<h2>Lines and planes</h2>" + below if below else ""],
+        "Also in this folder: stress.csv with every place, stress.json, figures/.")

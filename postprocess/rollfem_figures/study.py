@@ -1,7 +1,6 @@
 """study.html: errors of one case on ever finer grids, against unknowns and seconds."""
 import os
 from html import escape
-from types import SimpleNamespace
 
 import numpy as np
 
@@ -13,10 +12,6 @@ from .words import math
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
 SMALLEST = 1e-9  # relative; below it an error is nothing that a figure can show
-
-
-def _model(series):
-    return SimpleNamespace(name=series["model"])
 
 
 def _is_coefficient(key):
@@ -67,12 +62,12 @@ def _variant(place, series):
 def _look(place, series):
     """(colour, dash, marker, whether hollow) of a series."""
     dash, marker, hollow = VARIANTS[_variant(place, series) % len(VARIANTS)]
-    colour, own_dash, own_marker = looks.of_model(_model(series))
+    colour, own_dash, own_marker = looks.of_model(series["model"])
     return colour, dash or own_dash, marker or own_marker, hollow
 
 
 def _name(place, series):
-    text = looks.label(_model(series))
+    text = looks.label(series["model"])
     same = [s for s in place["series"] if s["model"] == series["model"]]
     return f"{text}, {series['vary']}" if len(same) > 1 and series["vary"] else text
 
@@ -213,7 +208,7 @@ def _overview(study):
             levels = [level for level in series["levels"] if "max_pressure" in level["values"]]
             if not levels:
                 continue
-            name = looks.label(_model(series)) + (f", {series['vary']}" if series["vary"] else "")
+            name = looks.label(series["model"]) + (f", {series['vary']}" if series["vary"] else "")
             rows.append([escape(place["name"]), tables.plain(place.get("lateral_shift", 0)),
                          tables.plain(1e3 * place.get("yaw", 0)), escape(name), escape(levels[-1]["label"]),
                          _value_cell(place, series, levels[-1], "max_pressure"),
@@ -256,7 +251,7 @@ def _place_parts(study, place, images):
     heading = "h3" if place["name"] else "h2"
     parts = [images]
     for series in place["series"]:
-        name = escape(looks.label(_model(series)))
+        name = escape(looks.label(series["model"]))
         parts.append(f"<{heading}>{name}{', refined in ' if series['vary'] else ''}{escape(series['vary'])}"
                      f"</{heading}>")
         if series["failure"]:
@@ -296,6 +291,5 @@ def build_study(directory):
                          if f.name in (f"speed_error{suffix}", f"error_unknowns{suffix}"))
         parts += _place_parts(study, place, images)
     parts.append(f"<p class=hint>{HINTS}</p>")
-    page.write_page(os.path.join(directory, "study.html"), page.page(
-        title, page.heading(title, study["program"], study), parts,
-        "Also in this folder: study.json and study.csv with every number, figures/."))
+    page.write_page(os.path.join(directory, "study.html"), title, page.made_by(study["program"], study), parts,
+                    "Also in this folder: study.json and study.csv with every number, figures/.")

@@ -7,7 +7,7 @@ import numpy as np
 from .build import draw_all
 from .creep_table import read_table
 from .figure import Figure, folder_of
-from .page import figure, page, write_page
+from .page import figure, write_page
 from .tables import number, plain, table
 
 # Of each panel: the force, its name, the axis that runs to the right and the one that runs to the back.
@@ -28,14 +28,24 @@ def _first(found):
     return len(found.axes[found.first]) // 2
 
 
+ALL = slice(None)
+
+
+def _forces(found, force, **at):
+    """-force at these places of the axes, on the other axes where creepages are 0 and in the middle of the first."""
+    return -found.forces[force][tuple(
+        at.get(name, _first(found) if name == found.first else _middle(axis)) for name, axis in found.axes.items())]
+
+
 def _plane(found, force, right, back):
     """-force over (back from 0 on, right), the others 0."""
-    order = list(found.axes)
-    at = {name: _middle(found.axes[name]) for name in order}
-    at[found.first] = _first(found)
-    place = tuple(slice(None) if name in (right, back) else at[name] for name in order)
-    values = -found.forces[force][place]
+    order, values = list(found.axes), _forces(found, force, **{right: ALL, back: ALL})
     return (values if order.index(back) < order.index(right) else values.T)[found.axes[back] >= 0]
+
+
+def _some(count, most):
+    """Up to so many of the numbers below `count`, evenly from the first to the last."""
+    return np.unique(np.linspace(0, count - 1, min(most, count)).round().astype(int))
 
 
 def _even(values):
@@ -100,14 +110,14 @@ def curves(found):
     """The same as curves."""
     result = Figure(3)
     for force, name, right, back in VIEWS:
-        axis, behind = found.axes[right], found.axes[back][found.axes[back] >= 0]
-        panel = result.add(290, 220, name, f"{LETTER[right]}", name)
-        values = _plane(found, force, right, back)
-        rows = np.unique(np.linspace(0, len(behind) - 1, min(5, len(behind))).round().astype(int))
-        for number_, (row, colour) in enumerate(zip(rows, COLOURS)):
-            panel.line(axis, values[row], colour, 1.5, (), "o", 1.8)
-            panel.text(0.97, 0.05 + 0.075 * number_, f"{LETTER[back]} = {behind[row]:.3g}", "end", colour,
-                       share=(True, True))
+        behind, values = found.axes[back][found.axes[back] >= 0], _plane(found, force, right, back)
+        rows = list(zip(_some(len(behind), 5), COLOURS))
+        result.charts((290, 220), [(name, LETTER[right], name, 0.0, [
+            (found.axes[right], values[row], {"colour": colour, "width": 1.5, "marker": "o", "size": 1.8})
+            for row, colour in rows])])
+        for number_, (row, colour) in enumerate(rows):
+            result.panels[-1].text(0.97, 0.05 + 0.075 * number_, f"{LETTER[back]} = {behind[row]:.3g}", "end", colour,
+                                   share=(True, True))
     result.seen = "Curves of the three forces over their creepage, each for several values of another."
     return result
 
@@ -117,24 +127,15 @@ def ratios(found):
     count = len(found.axes[found.first])
     if count < 2:
         return None
-    chosen = np.unique(np.linspace(0, count - 1, min(count, 7)).round().astype(int))
+    chosen = list(zip(_some(count, 7), COLOURS))
     result = Figure(3)
-    for force, name, right, _ in VIEWS:
-        panel = result.add(290, 220, name, LETTER[right], name)
-        for ratio, colour in zip(chosen, COLOURS):
-            place = tuple(ratio if axis == found.first else slice(None) if axis == right else _middle(found.axes[axis])
-                          for axis in found.axes)
-            panel.line(found.axes[right], -found.forces[force][place], colour)
-    for ratio, colour in zip(chosen, COLOURS):
+    result.charts((290, 220), [(name, LETTER[right], name, 0.0, [
+        (found.axes[right], _forces(found, force, **{found.first: ratio, right: ALL}), {"colour": colour})
+        for ratio, colour in chosen]) for force, name, right, _ in VIEWS])
+    for ratio, colour in chosen:
         result.entry(_said_first(found, ratio), colour)
     result.seen = "Forces of each creepage alone: scaled, those of all curves begin alike."
     return result
-
-
-def _stretches(found):
-    """Slices of the shifts between which contact does not jump."""
-    ends = np.flatnonzero(found.wheels["jump_after"]) + 1
-    return [slice(begin, end) for begin, end in zip([0, *ends], [*ends, len(found.wheels["jump_after"])])]
 
 
 def _some_from_zero(axes):
@@ -145,9 +146,13 @@ def _some_from_zero(axes):
             for axis, places in zip(axes, rising)]
 
 
-def _over_shift(panel, found, values, colour, dash=()):
-    for part in _stretches(found):
-        panel.line(found.axes["lateral_shift"][part], values[part], colour, 1.5, dash, "o", 1.8)
+def _over_shifts(found, values, colour, dash=()):
+    """Curves between the shifts after which contact jumps."""
+    jumps = found.wheels["jump_after"]
+    ends = np.flatnonzero(jumps) + 1
+    for part in map(slice, [0, *ends], [*ends, len(jumps)]):
+        yield (found.axes["lateral_shift"][part], values[part],
+               {"colour": colour, "width": 1.5, "dash": dash, "marker": "o", "size": 1.8})
 
 
 def shifts(found):
@@ -157,12 +162,10 @@ def shifts(found):
     result = Figure(3)
     rights = [right for _, _, right, _ in VIEWS]
     chosen = dict(zip(rights, _some_from_zero([found.axes[right] for right in rights])))
-    for force, name, right, _ in VIEWS:
-        panel = result.add(290, 220, name, LETTER["lateral_shift"], name)
-        for at, colour in zip(chosen[right], COLOURS):
-            place = tuple(slice(None) if axis == found.first else at if axis == right else _middle(found.axes[axis])
-                          for axis in found.axes)
-            _over_shift(panel, found, -found.forces[force][place], colour)
+    result.charts((290, 220), [(name, LETTER["lateral_shift"], name, 0.0, [
+        curve for at, colour in zip(chosen[right], COLOURS)
+        for curve in _over_shifts(found, _forces(found, force, **{found.first: ALL, right: at}), colour)])
+        for force, name, right, _ in VIEWS])
     names = ", ".join(LETTER[right] for right in chosen)
     for places, colour in zip(zip(*chosen.values()), COLOURS):
         values = ", ".join(f"{found.axes[right][at] + 0.0:.3g}" for right, at in zip(chosen, places))
@@ -171,20 +174,24 @@ def shifts(found):
     return result
 
 
+# Of each panel over the shift: the title, its unit, the factor, and of each curve the entry, its word, colour and dash.
+OF_WHEEL = (("contact angle", "mrad", 1e3, (("contact_angle", "", "blue", ()),)),
+            ("rolling radius", "mm", 1, (("rolling_radius", "", "blue", ()),)),
+            ("semi-axes of the ellipse", "mm", 1, (("semi_axis_x", "a", "blue", ()), ("semi_axis_y", "b", "slip", (5, 2)))),
+            ("largest pressure", "MPa", 1, (("max_pressure", "", "blue", ()),)))
+
+
 def wheels(found):
     """Where the wheel touches. None over ratios, and of one shift."""
     if found.first != "lateral_shift" or len(found.axes[found.first]) < 2:
         return None
     result = Figure(4)
-    for name, unit, entries, factor in (("contact angle", "mrad", ("contact_angle",), 1e3), ("rolling radius", "mm", ("rolling_radius",), 1),
-                                        ("semi-axes of the ellipse", "mm", ("semi_axis_x", "semi_axis_y"), 1),
-                                        ("largest pressure", "MPa", ("max_pressure",), 1)):
-        panel = result.add(230, 200, name, LETTER["lateral_shift"], f"{name} [{unit}]")
-        for entry, colour, dash in zip(entries, ("blue", "slip"), ((), (5, 2))):
-            _over_shift(panel, found, factor * found.wheels[entry], colour, dash)
-            if len(entries) > 1:
-                panel.text(0.97, 0.95 if colour == "blue" else 0.87, "a" if colour == "blue" else "b", "end",
-                           colour, share=(True, True))
+    for name, unit, factor, entries in OF_WHEEL:
+        result.charts((230, 200), [(name, LETTER["lateral_shift"], f"{name} [{unit}]", 0.0, [
+            curve for entry, _, colour, dash in entries
+            for curve in _over_shifts(found, factor * found.wheels[entry], colour, dash)])])
+        for number_, (_, word, colour, _) in enumerate(entries if len(entries) > 1 else ()):
+            result.panels[-1].text(0.97, 0.95 - 0.08 * number_, word, "end", colour, share=(True, True))
     result.seen = "Contact angle, rolling radius, size of the patch and largest pressure over the lateral shift."
     return result
 
@@ -250,11 +257,10 @@ def build(directory):
         ("table_errors.svg", "Share of random points whose interpolation error is no larger.", lambda: errors(found))],
         folder_of(directory))
     about = found.about
-    head = (f"<h1>{escape(about['title'])}</h1><p class=meta>{escape(about['program'])}, {escape(about['started'])}<br>"
-            f"<code>{escape(about['command'])}</code></p>")
-    write_page(os.path.join(directory, "table.html"), page(about["title"], head, [
+    made = f"{escape(about['program'])}, {escape(about['started'])}<br><code>{escape(about['command'])}</code>"
+    write_page(os.path.join(directory, "table.html"), escape(about["title"]), made, [
         f"<p>{_of_what(found)}, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
         "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
         "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
         "<h2>Errors</h2>", _said(found), "<h2>Forces</h2>", *map(figure, drawn), "<h2>Axes</h2>", _axes(found)],
-        "Beside this file: table.h5, table.csv, interpolation.csv, figures/."))
+        "Beside this file: table.h5, table.csv, interpolation.csv, figures/.")

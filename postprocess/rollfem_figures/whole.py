@@ -13,3 +13,9 @@ def whole(path):
     finally:
         if os.path.exists(part):
             os.remove(part)
+
+
+def write_whole(path, text):
+    """Writes a text completely or not at all."""
+    with whole(path) as part, open(part, "w", encoding="utf-8") as file:
+        file.write(text)
