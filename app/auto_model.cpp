@@ -5,7 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ double radius_across(const Scene& scene) {
   if (!surface.profiles)
     return std::min(std::abs(surface.wheel_transverse_radius),
                     std::abs(surface.rail_transverse_radius));
-  const halfspace::ExpectedPatch patch = halfspace::expected_patch(scene);
+  const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   return std::min(mean_radius(surface.profiles->rail(), patch.y_lower, patch.y_upper),
                   mean_radius(surface.profiles->wheel(), patch.y_lower, patch.y_upper));
 }
@@ -66,7 +66,7 @@ int elements_of_model_error(const Scene& scene, const choice::ContactSize& size)
 }
 
 choice::ContactSize size_of(const Scene& scene) {
-  const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+  const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
   choice::ContactSize size;
   size.half_length = 0.5 * extent.length;
   size.half_width = 0.5 * extent.width;
@@ -112,7 +112,7 @@ std::vector<Forecast> forecasts_of(const Scene& scene, const choice::ContactSize
 /// The scene on a grid of the choice's, for half-space and hybrid.
 Scene on_grid(Scene scene, int across) {
   if (auto& cell = scene.contact_grid.cell_size) {
-    const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+    const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
     const double given = std::min(extent.length / (*cell)[0], extent.width / (*cell)[1]);
     for (double& side : *cell) side *= given / across;
   } else {
@@ -122,7 +122,7 @@ Scene on_grid(Scene scene, int across) {
 }
 
 Scene on_cells(Scene scene, int across) {
-  const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+  const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
   scene.fem.cell_size = std::min(extent.length, extent.width) / across;
   return scene;
 }

@@ -174,7 +174,7 @@ class Bench {
     };
     contact::Case input = parsed(fmt::format("[contact_grid]\nelements_across = {}\n", across));
     if (models_.at(model).keeps_bodies) {
-      const halfspace::PatchExtent extent = halfspace::expected_extent(contact::Scene(input));
+      const halfspace::PatchExtent extent = halfspace::PatchSearch(contact::Scene(input)).extent();
       input = parsed(
           fmt::format("[fem]\ncell_size = {}\n", std::min(extent.length, extent.width) / across));
     }

@@ -49,7 +49,7 @@ int elements_across(const postprocess::StudySeries& series, const postprocess::S
                     const Scene& scene) {
   const bool cells = series.vary != "grid" || scene.contact_grid.cell_size.has_value();
   if (!cells) return static_cast<int>(level.parameter);
-  const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+  const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
   return static_cast<int>(std::lround(std::min(extent.length, extent.width) / level.parameter));
 }
 

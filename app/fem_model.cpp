@@ -2,7 +2,7 @@
 
 #include "app/fem_library.hpp"
 #include "contact/base/errors.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace {
 /// say.
 std::array<double, 2> half_extents(const ModelInput& input, const char* key) {
   try {
-    const halfspace::ExpectedPatch patch = halfspace::expected_patch(input);
+    const halfspace::ExpectedPatch patch = halfspace::PatchSearch(input).patch();
     return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width()};
   } catch (const contact::InputError& error) {
     throw contact::InputError(

@@ -77,7 +77,7 @@ std::optional<contact::LevelResult> solve_on_patch(const Scene& scene, const Pat
 
 /// As the model halfspace lays its grid.
 contact::LevelResult solve_as_the_model(const Scene& scene, int across) {
-  const halfspace::AreaOfPatch area(scene);
+  const halfspace::PatchSearch area(scene);
   const halfspace::PatchExtent extent = area.extent();
   return halfspace::solve_level(scene, area, extent.length / across, extent.width / across, nullptr,
                                 "", {});

@@ -116,7 +116,7 @@ Stresses::Stresses(const contact::Scene& scene, const halfspace::SmoothParts& pa
       geometry_(following(scene), contact::Chart::arc),
       wheel_(geometry_, true),
       rail_(geometry_, false) {
-  const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+  const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
   reach_ = reach_above * 0.5 * std::min(extent.length, extent.width);
 }
 

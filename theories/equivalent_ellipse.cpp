@@ -5,7 +5,7 @@
 #include "contact/base/fixed_point.hpp"
 #include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/patch/potential_area.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +26,6 @@ namespace {
 
 using contact::pi;
 
-/// Elements along the box of the half-space solution that the ellipse is taken from.
-constexpr int elements_for_ellipse = 90;
-
 /// Extents or pressure that differ by more than this from the half-space are said.
 constexpr double worth_a_note = 0.02;
 
@@ -46,7 +43,7 @@ void widen(double low, double high, double cell, double& first, int& count) {
 /// The potential area of the case, which may end within the ellipse where the true patch is shorter
 /// on one side of its centre of pressure.
 ContactGrid area_around(const Scene& scene, const EquivalentEllipse& ellipse) {
-  ContactGrid grid = halfspace::potential_area(scene);
+  ContactGrid grid = halfspace::PatchSearch(scene).grid();
   if (scene.contact_grid.extent) return grid;  // what the user wants to see
   const halfspace::ExpectedPatch& patch = ellipse.patch;
   widen(patch.x_centre - ellipse.semi_axis_x - grid.dx,
@@ -141,7 +138,7 @@ void shift_points(contact::SubsurfaceField& field, double x, double y) {
 
 EquivalentEllipse equivalent_ellipse(const Scene& scene) {
   EquivalentEllipse ellipse;
-  ellipse.patch = halfspace::expected_patch(scene, elements_for_ellipse);
+  ellipse.patch = halfspace::PatchSearch(scene).patch();
   const halfspace::ExpectedPatch& patch = ellipse.patch;
   const double aspect = patch.length() / patch.covered_width();
   ellipse.semi_axis_x = std::sqrt(patch.area / pi * aspect);
@@ -216,7 +213,7 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
   result.notes.back() =
       "patch, pressure, approach and area are those of the curvatures at the contact point; the "
       "fields are sampled at element centres";
-  const halfspace::ExpectedPatch patch = halfspace::expected_patch(scene, elements_for_ellipse);
+  const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const auto differs = [](double a, double b) { return std::abs(a / b - 1.0) > worth_a_note; };
   if (differs(2.0 * hertz.semi_axis_x, patch.length()) ||
       differs(2.0 * hertz.semi_axis_y, patch.width()) ||
@@ -294,7 +291,7 @@ ModelResult run_each_load(const contact::Model& model, const Scene& scene,
   if (scene.points.size() == 1) return run_tilted_load(model, scene, progress);
   Scene single = scene;
   const ContactGrid area = scene.has_profiles() ? area_around(scene, equivalent_ellipse(scene))
-                                                : halfspace::potential_area(scene);
+                                                : halfspace::PatchSearch(scene).grid();
   single.contact_grid = fixed_grid(area, 0.0, 0.0);
   ModelResult result;
   for (std::size_t k = 0; k < scene.points.size(); ++k) {

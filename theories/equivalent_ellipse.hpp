@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/solve/model.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 namespace rollfem::theories {
 

@@ -4,7 +4,7 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/line_hertz.hpp"
-#include "halfspace/patch/potential_area.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -54,7 +54,7 @@ contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progr
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(scene);
   contact::ModelResult result;
   result.name = "hertz";
-  result.grid = halfspace::potential_area(scene);
+  result.grid = halfspace::PatchSearch(scene).grid();
   PointResult point;
   point.normal_force = hertz.normal_force;
   point.max_pressure = hertz.max_pressure;

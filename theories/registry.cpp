@@ -5,7 +5,7 @@
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/model/refinements.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -58,7 +58,7 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
   Scene flat = scene;
   flat.geometry.extra_slip = contact::ExtraSlip::none;
   ModelResult result = theory(flat, progress);
-  const ExpectedPatch patch = expected_patch(scene);
+  const ExpectedPatch patch = PatchSearch(scene).patch();
   const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
   if (largest > smallest_slip_worth_a_note)
     result.notes.push_back(

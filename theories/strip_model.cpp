@@ -2,7 +2,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
-#include "halfspace/patch/potential_area.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/ridge.hpp"
 
 #include <fmt/format.h>
@@ -151,11 +151,12 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
 /// Strips over all y at which the profiles overlap when they have approached as far as in the
 /// half-space.
 StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
-  const halfspace::ExpectedPatch expected = halfspace::expected_patch(scene);
-  const auto regions =
-      halfspace::Ridge(*scene.geometry.surface.profiles).regions(expected.approach);
-  const double lower = regions.front().y_lower;
-  const double upper = regions.back().y_upper;
+  const halfspace::PatchSearch search(scene);
+  const halfspace::ExpectedPatch& expected = search.patch();
+  const halfspace::Box overlap =
+      halfspace::Ridge(*scene.geometry.surface.profiles).overlap(expected.approach).box;
+  const double lower = overlap.y_lower;
+  const double upper = overlap.y_upper;
   const int count =
       std::max(4, contact::count_of(std::round(strips * (upper - lower) / expected.width()),
                                     "strips (strip.strips)"));
@@ -212,7 +213,7 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
     throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
   const StripContact fine = strip_contact(scene, options.strips, options.virtual_penetration);
   const StripContact coarse = strip_contact(scene, options.strips / 2, options.virtual_penetration);
-  const contact::ContactGrid grid = halfspace::potential_area(scene);
+  const contact::ContactGrid grid = halfspace::PatchSearch(scene).grid();
   contact::PointResult normal = normal_part(fine, grid);
   estimate_normal_errors(normal_part(coarse, grid), normal);
   long unknowns = 0;

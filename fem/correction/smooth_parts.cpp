@@ -325,7 +325,7 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   event.model = "hybrid";
   event.stage = "correction";
   contact::report(progress, event);
-  const double cell = patch_box(scene).smaller() / cells_in_semi_axis /
+  const double cell = PatchSearch(scene).box().smaller() / cells_in_semi_axis /
                       (scene.fem.degree == 1 ? times_cells_of_degree_one : 1.0);
   const RunLayout layout = run_layout(scene, cell);
   const Basis basis(scene, layout);

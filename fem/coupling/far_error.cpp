@@ -53,7 +53,7 @@ contact::FarBoundary far_boundary_of(const contact::Scene& scene) {
 }
 
 double approach_left_out(const contact::Scene& scene, double normal_force, double extent) {
-  const double spread = patch_box(scene).larger() / extent;
+  const double spread = PatchSearch(scene).box().larger() / extent;
   const auto of_body = [&](const contact::Material& material, double curvature, double round_to) {
     const double clamped = displacement_at(material, normal_force, extent);
     if (far_boundary_of(scene) == contact::FarBoundary::clamped) return clamped;

@@ -56,7 +56,7 @@ constexpr int most_halvings = 5;
 /// Halves the cells until the estimated error is what the case asks for, or memory ends.
 ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progress,
                             contact::Checkpoint* checkpoint) {
-  const double smaller_semi_axis = patch_box(scene).smaller();
+  const double smaller_semi_axis = PatchSearch(scene).box().smaller();
   double cell = scene.fem.cell_size.value_or(smaller_semi_axis / parts_at_start);
   refuse_beyond_memory(scene, cell);
   const auto solve = [&](double size, bool fields) {

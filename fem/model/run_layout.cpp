@@ -84,13 +84,13 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 }  // namespace
 
 double default_cell_size(const Scene& scene) {
-  return scene.fem.cell_size ? *scene.fem.cell_size : patch_box(scene).smaller() / 8.0;
+  return scene.fem.cell_size ? *scene.fem.cell_size : PatchSearch(scene).box().smaller() / 8.0;
 }
 
 bool has_true_sections(const Scene& scene) {
   if (!scene.has_profiles()) return false;
   if (scene.fem.mesh) return *scene.fem.mesh == MeshFamily::gmsh;
-  const PatchBox patch = patch_box(scene);
+  const PatchBox patch = PatchSearch(scene).box();
   double reach = contact::infinity;
   for (const SurfaceShape& shape : meshed_surfaces(scene))
     reach = std::min({reach, patch.middle - shape.lower_t(), shape.upper_t() - patch.middle});
@@ -99,7 +99,7 @@ bool has_true_sections(const Scene& scene) {
 
 RunLayout run_layout(const Scene& scene, double cell) {
   RunLayout layout;
-  layout.patch = patch_box(scene);
+  layout.patch = PatchSearch(scene).box();
   // To the lattice; what that moves is added on both sides.
   const double exact = layout.patch.middle;
   layout.patch.middle = std::round(exact / cell) * cell;

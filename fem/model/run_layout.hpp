@@ -6,12 +6,12 @@
 #include "contact/scene/scene.hpp"
 #include "fem/body/body.hpp"
 #include "fem/solver/memory.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 namespace rollfem::fem {
 
-using halfspace::patch_box;
 using halfspace::PatchBox;
+using halfspace::PatchSearch;
 
 /// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
 double default_cell_size(const contact::Scene& scene);

@@ -46,7 +46,7 @@ std::map<std::string, double> changes(const contact::PrescribedForce& force,
 std::optional<ModelErrors> errors_of_few_elements(const contact::Scene& scene,
                                                   const contact::Progress& progress, int across) {
   const contact::Scene few = on_few_elements(scene, across);
-  const AreaOfPatch area(few);
+  const PatchSearch area(few);
   const auto [length, width] = area.extent();
   const contact::LevelResult plain =
       solve_level(few, area, length / across, width / across, nullptr, "model error: ", progress);

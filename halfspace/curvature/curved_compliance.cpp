@@ -2,7 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/profile_drop.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ constexpr double extent_in_semi_axes = 8.0;
 
 double extent_of_bodies(const Scene& scene) {
   if (scene.fem.extent) return *scene.fem.extent;
-  const ExpectedPatch patch = expected_patch(scene);
+  const ExpectedPatch patch = PatchSearch(scene).patch();
   return extent_in_semi_axes * 0.5 * std::max(patch.length(), patch.width());
 }
 

@@ -9,7 +9,7 @@
 #include "halfspace/elasticity/tangential_stiffness.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/coverage.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/scene_chart.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ namespace {
 constexpr int free_elements = 3;
 
 /// Transient rolling looks up to two steps upstream.
-int columns_for_steps(const Scene& scene, const AreaOfPatch& area, double dx) {
+int columns_for_steps(const Scene& scene, const PatchSearch& area, double dx) {
   if (scene.problem != contact::Problem::transient || scene.contact_grid.extent ||
       scene.geometry.distance_values)
     return 0;
@@ -166,7 +166,7 @@ std::unique_ptr<contact::Elasticity> halfspace_elasticity(const Scene& scene,
   return std::make_unique<HalfspaceElasticity>(scene, geometry, grid);
 }
 
-contact::LevelResult solve_level(const Scene& scene, const AreaOfPatch& area, double dx, double dy,
+contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, double dx, double dy,
                                  const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,
                                  contact::Checkpoint* checkpoint,

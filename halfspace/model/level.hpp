@@ -18,7 +18,7 @@ inline constexpr contact::ContactAccuracy accuracy_of_force_search{1e-8, {1e-7, 
 /// border. `area`: of this scene. `coarser` may be null. `stage_prefix` stands before the stage
 /// names of the progress events. With a `checkpoint` (may be null) load points that it holds are
 /// taken up and others are kept there.
-contact::LevelResult solve_level(const contact::Scene& scene, const AreaOfPatch& area, double dx,
+contact::LevelResult solve_level(const contact::Scene& scene, const PatchSearch& area, double dx,
                                  double dy, const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,
                                  contact::Checkpoint* checkpoint = nullptr,

@@ -41,7 +41,7 @@ struct Cell {
   int across;  ///< elements along the smaller side of the patch
 };
 
-Cell finest_cell(const Scene& scene, const AreaOfPatch& area) {
+Cell finest_cell(const Scene& scene, const PatchSearch& area) {
   const auto [length, width] = area.extent();
   if (scene.contact_grid.cell_size) {
     const auto& [dx, dy] = *scene.contact_grid.cell_size;
@@ -58,7 +58,7 @@ constexpr int fewest_for_bars = 4;
 
 /// The finest level last: two always, for the error bars, and a third one where it can be had. A
 /// history gains nothing from more, for its steps start from each other.
-std::vector<Cell> cells_of_levels(const Scene& scene, const AreaOfPatch& area) {
+std::vector<Cell> cells_of_levels(const Scene& scene, const PatchSearch& area) {
   std::vector<Cell> cells{finest_cell(scene, area)};
   const auto another = [&] {
     const int across = cells.back().across / 2;
@@ -100,7 +100,7 @@ bool shares_load(const Scene& scene) {
 /// of unlike materials is found on it: the finest one says so if there is none. Past the limit of
 /// Nadal each level says so itself: without a start from coarser ones the finest may come upon a
 /// balance at many times the load. `dispensable`: nothing starts from it.
-std::optional<contact::LevelResult> coarser_level(const Scene& scene, const AreaOfPatch& area,
+std::optional<contact::LevelResult> coarser_level(const Scene& scene, const PatchSearch& area,
                                                   const Cell& cell,
                                                   const contact::LevelResult* start,
                                                   bool dispensable,
@@ -108,7 +108,7 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Area
                                                   const GridElasticity& elasticity) {
   try {
     const Scene roomy = with_room(scene, cell);
-    return solve_level(roomy, scene.contact_grid.extent ? AreaOfPatch(roomy) : area, cell.dx,
+    return solve_level(roomy, scene.contact_grid.extent ? PatchSearch(roomy) : area, cell.dx,
                        cell.dy, start, fmt::format("{} across: ", cell.across), progress, nullptr,
                        elasticity);
   } catch (const contact::UnfitGrid&) {
@@ -270,7 +270,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
                           contact::Checkpoint* checkpoint, const GridElasticity& elasticity) {
   const auto begin = std::chrono::steady_clock::now();
   Levels levels;
-  const AreaOfPatch area(scene);
+  const PatchSearch area(scene);
   std::vector<Cell> cells = cells_of_levels(scene, area);
   area.check_shape_of_cells(cells.back().dx, cells.back().dy);
   // A grid too large to have is refused before the coarser ones are computed.

@@ -4,7 +4,7 @@
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/model.hpp"
-#include "halfspace/patch/potential_area.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "halfspace/patch/correction_scene.hpp"
 
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -107,8 +107,8 @@ Scene correction_scene(const Scene& scene) {
   point.load = rounded_up(largest);
   bodies.points = {point};
   try {
-    const PatchBox box = patch_box(bodies);
-    if (is_alike(box, patch_box(scene)) && fits(box, bodies.fem)) return bodies;
+    const PatchBox box = PatchSearch(bodies).box();
+    if (is_alike(box, PatchSearch(scene).box()) && fits(box, bodies.fem)) return bodies;
   } catch (const std::runtime_error&) {
     // The profiles end before, or no patch is found.
   }
@@ -118,7 +118,7 @@ Scene correction_scene(const Scene& scene) {
 
 std::string correction_key(const Scene& correction) {
   std::string text;
-  const PatchBox box = patch_box(correction);
+  const PatchBox box = PatchSearch(correction).box();
   add(text, "patch", box.half_length, box.half_width, box.middle);
   add_surface(text, correction.geometry.surface);
   for (const auto* material : {&correction.wheel.material, &correction.rail.material})
@@ -133,7 +133,7 @@ std::string correction_key(const Scene& correction) {
 
 std::string correction_words(const Scene& correction) {
   const contact::ContactSurface& surface = correction.geometry.surface;
-  const PatchBox box = patch_box(correction);
+  const PatchBox box = PatchSearch(correction).box();
   const std::string bodies =
       correction.place
           ? fmt::format("{}, {}", std::filesystem::path(correction.file).stem().string(),

@@ -40,7 +40,7 @@ std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
                                                     const contact::NormalLoad& load) {
   if (!scene.has_profiles() || !scene.geometry.has_surfaces() || scene.given_pressure) return {};
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
-  const auto regions = Ridge(profiles).regions(point.approach);
+  const Overlap overlap = Ridge(profiles).overlap(point.approach);
   std::optional<std::array<double, 2>> touched;
   const auto look_at = [&](double y) {
     const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
@@ -61,7 +61,7 @@ std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
     (*touched)[0] = std::min((*touched)[0], y);
     (*touched)[1] = std::max((*touched)[1], y);
   };
-  for (const RidgeRegion& region : regions) {
+  for (const RidgeRegion& region : overlap.regions) {
     for (int j = -1; geometry.lateral_place(grid.y(j)) > region.y_lower; --j)
       if (geometry.lateral_place(grid.y(j)) < region.y_upper) look_at(grid.y(j));
     for (int j = grid.ny; geometry.lateral_place(grid.y(j)) < region.y_upper; ++j)

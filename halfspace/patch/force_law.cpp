@@ -24,29 +24,24 @@ constexpr double most_gaps = 24.0;
 /// Of the point loads that stand for a pressure.
 constexpr int blocks_along = 5, blocks_across = 10;
 
-ContactGrid grid_over(const std::vector<RidgeRegion>& regions,
-                      const contact::ChartedGeometry& geometry) {
-  double x_lower = regions.front().x_lower, x_upper = regions.front().x_upper;
-  double covered = 0.0, steepest = 0.0;
-  for (const RidgeRegion& region : regions) {
-    x_lower = std::min(x_lower, region.x_lower);
-    x_upper = std::max(x_upper, region.x_upper);
-    covered += region.y_upper - region.y_lower;
+ContactGrid grid_over(const Overlap& overlap, const contact::ChartedGeometry& geometry) {
+  const Box& box = overlap.box;
+  double steepest = 0.0;
+  for (const RidgeRegion& region : overlap.regions)
     for (const double y : {region.y_lower, region.y_upper})
       steepest = std::max(steepest, std::abs(geometry.climb(y)));
-  }
   // On a curved surface y is the arc length, longer than its projection.
   const double stretch = contact::stretch_of(steepest);
   const auto on_surface = [&](double y, bool outward) {
     return outward == (y > 0.0) ? stretch * y : y;
   };
-  const double y_lower = on_surface(regions.front().y_lower, false);
-  const double y_upper = on_surface(regions.back().y_upper, true);
-  const double times = std::clamp((y_upper - y_lower) / covered, 1.0, most_gaps);
+  const double y_lower = on_surface(box.y_lower, false);
+  const double y_upper = on_surface(box.y_upper, true);
+  const double times = std::clamp((y_upper - y_lower) / overlap.covered(), 1.0, most_gaps);
   const int ny =
       contact::count_of(std::ceil(elements_of_law * times - 1e-9), "elements of a force law");
-  const double dx = (x_upper - x_lower) / elements_of_law, dy = (y_upper - y_lower) / ny;
-  return {elements_of_law, ny, dx, dy, x_lower + 0.5 * dx, y_lower + 0.5 * dy};
+  const double dx = (box.x_upper - box.x_lower) / elements_of_law, dy = (y_upper - y_lower) / ny;
+  return {elements_of_law, ny, dx, dy, box.x_lower + 0.5 * dx, y_lower + 0.5 * dy};
 }
 
 }  // namespace
@@ -54,10 +49,10 @@ ContactGrid grid_over(const std::vector<RidgeRegion>& regions,
 ForceLaw::ForceLaw(const contact::Scene& scene, const std::array<double, 2>& direction,
                    double largest_approach)
     : material_(scene.material.uncoupled()) {
-  const auto regions = Ridge(*scene.geometry.surface.profiles).regions(largest_approach);
-  if (regions.empty()) return;
+  const Overlap overlap = Ridge(*scene.geometry.surface.profiles).overlap(largest_approach);
+  if (overlap.regions.empty()) return;
   const contact::ChartedGeometry geometry = halfspace_geometry(scene);
-  const ContactGrid grid = grid_over(regions, geometry);
+  const ContactGrid grid = grid_over(overlap, geometry);
   compliance_ = std::make_unique<HalfspaceCompliance>(grid, material_);
   distance_ = geometry.undeformed_distance(grid);
   problem_.shape = geometry.shape(grid);

@@ -1,7 +1,6 @@
-#include "halfspace/patch/potential_area.hpp"
-
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
 
@@ -60,12 +59,7 @@ int elements_within(double extent, double cell) {
 
 }  // namespace
 
-const ExpectedPatch& AreaOfPatch::patch() const {
-  if (!patch_) patch_ = expected_patch(scene_);
-  return *patch_;
-}
-
-PatchExtent AreaOfPatch::extent() const {
+PatchExtent PatchSearch::extent() const {
   if (const auto& values = scene_.geometry.distance_values) {
     if (scene_.contact_grid.extent)
       return {(*scene_.contact_grid.extent)[0], (*scene_.contact_grid.extent)[1]};
@@ -74,12 +68,8 @@ PatchExtent AreaOfPatch::extent() const {
   return {patch().carrying_length, patch().carrying_width};
 }
 
-PatchExtent expected_extent(const contact::Scene& scene) {
-  return AreaOfPatch(scene).extent();
-}
-
 /// Far beyond the profiles there is nothing to touch.
-void AreaOfPatch::check_extent_of_profiles() const {
+void PatchSearch::check_extent_of_profiles() const {
   const auto& extent = scene_.contact_grid.extent;
   if (!extent) return;
   constexpr double most_times = 10.0;
@@ -95,7 +85,7 @@ void AreaOfPatch::check_extent_of_profiles() const {
 
 /// An area that cannot hold the patch, or is lost around it, by the closed form. The true patch of
 /// strongly curved bodies may be some ten per cent smaller than Hertz's ellipse, not half of it.
-void AreaOfPatch::check_extent() const {
+void PatchSearch::check_extent() const {
   const contact::GridOptions& options = scene_.contact_grid;
   if (scene_.geometry.distance_values) return;
   if (scene_.has_profiles()) {
@@ -122,7 +112,7 @@ void AreaOfPatch::check_extent() const {
                   size[1], most_times));
 }
 
-void AreaOfPatch::check_shape_of_cells(double dx, double dy) const {
+void PatchSearch::check_shape_of_cells(double dx, double dy) const {
   if (scene_.geometry.distance_values || scene_.geometry.line) return;
   constexpr double most_times = 200.0;
   const PatchExtent extent = this->extent();
@@ -138,7 +128,7 @@ void AreaOfPatch::check_shape_of_cells(double dx, double dy) const {
 
 /// Elements within twice the reference distance keep the compliance positive: the logarithm in it
 /// is, of whatever is closer than four times the reference.
-ContactGrid AreaOfPatch::line_grid(double dx, int margin) const {
+ContactGrid PatchSearch::line_grid(double dx, int margin) const {
   const contact::GridOptions& options = scene_.contact_grid;
   const contact::LineContact& line = *scene_.geometry.line;
   check_extent();
@@ -156,7 +146,7 @@ ContactGrid AreaOfPatch::line_grid(double dx, int margin) const {
   return grid;
 }
 
-ContactGrid AreaOfPatch::grid(double dx, double dy, int margin) const {
+ContactGrid PatchSearch::grid(double dx, double dy, int margin) const {
   if (scene_.geometry.line) return line_grid(dx, margin);
   const contact::GridOptions& options = scene_.contact_grid;
   const auto& values = scene_.geometry.distance_values;
@@ -179,23 +169,18 @@ ContactGrid AreaOfPatch::grid(double dx, double dy, int margin) const {
                               dx, dy, middle[0], middle[1]);
 }
 
-ContactGrid potential_area(const contact::Scene& scene, double dx, double dy, int margin) {
-  return AreaOfPatch(scene).grid(dx, dy, margin);
-}
-
-ContactGrid potential_area(const contact::Scene& scene, int margin) {
-  const contact::GridOptions& options = scene.contact_grid;
+ContactGrid PatchSearch::grid(int margin) const {
+  const contact::GridOptions& options = scene_.contact_grid;
   if (!options.cell_size && options.elements_across < 1)
     throw contact::InputError(
-        fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", scene.file,
+        fmt::format("{}: contact_grid.elements_across = {}: must be at least 1", scene_.file,
                     options.elements_across));
-  const AreaOfPatch area(scene);
-  const PatchExtent extent = area.extent();
+  const PatchExtent extent = this->extent();
   const double across = options.elements_across;
   const double dx = options.cell_size ? (*options.cell_size)[0] : extent.length / across;
   const double dy = options.cell_size ? (*options.cell_size)[1] : extent.width / across;
-  area.check_shape_of_cells(dx, dy);
-  return area.grid(dx, dy, margin);
+  check_shape_of_cells(dx, dy);
+  return grid(dx, dy, margin);
 }
 
 }  // namespace rollfem::halfspace

@@ -69,8 +69,8 @@ double Ridge::least_distance() const {
       ->distance;
 }
 
-std::vector<RidgeRegion> Ridge::regions(double level) const {
-  std::vector<RidgeRegion> found;
+Overlap Ridge::overlap(double level) const {
+  Overlap found;
   for (std::size_t k = 0; k < y_.size(); ++k) {
     if (!(points_[k].distance < level)) continue;
     RidgeRegion region{y_[k], y_[k], infinity, -infinity, angle_[k], points_[k].distance};
@@ -87,7 +87,15 @@ std::vector<RidgeRegion> Ridge::regions(double level) const {
       }
     }
     if (k < y_.size()) region.y_upper = y_[k];
-    found.push_back(region);
+    Box& box = found.box;
+    if (found.regions.empty())
+      box = {region.x_lower, region.x_upper, region.y_lower, region.y_upper};
+    else
+      found.gaps += std::max(0.0, region.y_lower - box.y_upper);
+    box.x_lower = std::min(box.x_lower, region.x_lower);
+    box.x_upper = std::max(box.x_upper, region.x_upper);
+    box.y_upper = region.y_upper;
+    found.regions.push_back(region);
   }
   return found;
 }

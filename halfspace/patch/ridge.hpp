@@ -26,17 +26,26 @@ struct RidgeRegion {
   double distance = 0.0;                ///< mm, the least
 };
 
+struct Box {
+  double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;  ///< mm
+};
+
+/// Where the ridge is below a level.
+struct Overlap {
+  std::vector<RidgeRegion> regions;  ///< by rising y
+  Box box;                           ///< that holds them
+  double gaps = 0.0;                 ///< mm of y between them
+  double covered() const { return box.y_upper - box.y_lower - gaps; }
+};
+
 /// The ridge sampled over all that is known of both profiles and belongs to this contact
 /// (PatchGeometry::limits).
 class Ridge {
  public:
   explicit Ridge(const contact::PatchGeometry& patch);
 
-  /// Regions in which the distance is below `level`, by rising y.
-  std::vector<RidgeRegion> regions(double level) const;
-  double least_distance() const;               ///< mm
-  double first() const { return y_.front(); }  ///< mm, end of what is known
-  double last() const { return y_.back(); }    ///< mm
+  Overlap overlap(double level) const;
+  double least_distance() const;  ///< mm
 
  private:
   std::vector<double> y_;

@@ -3,7 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <gtest/gtest.h>
 

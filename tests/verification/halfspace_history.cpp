@@ -222,7 +222,7 @@ ModelResult transient(UpwindOrder order, double lengths, double step) {
 rollfem::testing::Forces steady(UpwindOrder order) {
   Case input = rollfem::testing::thesis_case('b');
   input.contact_grid.elements_across = 24;
-  const contact::ContactGrid grid = halfspace::potential_area(input);
+  const contact::ContactGrid grid = halfspace::PatchSearch(input).grid();
   const halfspace::HalfspaceCompliance compliance(grid, rollfem::testing::steel());
   contact::ContactConditions scene;
   const contact::ChartedGeometry geometry(input, contact::Chart::plane);

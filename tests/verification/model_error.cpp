@@ -29,7 +29,7 @@ Case thesis(char name) {
 }
 
 LevelResult half_space(const Scene& scene, int across) {
-  const halfspace::AreaOfPatch area(scene);
+  const halfspace::PatchSearch area(scene);
   const auto [length, width] = area.extent();
   return halfspace::solve_level(scene, area, length / across, width / across, nullptr, "", {});
 }

@@ -71,7 +71,7 @@ void expect_alike(const Case& input) {
   const Scene scene(input);
   for (const auto& [standin, tolerance] : {std::pair{1.0, 1e-7}, {1.1, 1e-6}}) {
     SCOPED_TRACE(standin);
-    const contact::ContactGrid grid = halfspace::potential_area(scene);
+    const contact::ContactGrid grid = halfspace::PatchSearch(scene).grid();
     const auto plain = run(scene, grid, 0.0).points;
     const auto other = run(scene, grid, standin).points;
     ASSERT_EQ(plain.size(), other.size());
@@ -110,7 +110,7 @@ TEST(OneDriver, APrescribedForceCostsAsManyAppliesAsItsCreepage) {
   Case input = small_case();
   input.rolling.creepages = {{}, {0.0, 0.0, 1e-4}, {}};
   input.rolling.forces = {{-12e3, {}}, {-9e3, 6e3}, {-26e3, {}}};
-  const contact::ContactGrid grid = halfspace::potential_area(input);
+  const contact::ContactGrid grid = halfspace::PatchSearch(input).grid();
   const auto forced = run(input, grid, 1.1).points;
   Case again = input;
   again.rolling.forces.assign(3, {});

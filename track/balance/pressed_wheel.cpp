@@ -112,7 +112,7 @@ void PressedWheel::press(Scene scene, const WheelRailContact& where, double coef
   load = {force, {}};
   scene.friction_law = contact::coulomb(coefficient);
   if (contacts_.empty()) {
-    const halfspace::PatchExtent extent = halfspace::expected_extent(scene);
+    const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
     state_.place = *scene.place;
     state_.semi_axis_x = 0.5 * extent.length;
     state_.semi_axis_y = 0.5 * extent.width;

@@ -1,10 +1,11 @@
-// Estimates position and size of the patch of a case before any grid or mesh exists: from Hertz for
-// radii, from coarse half-space solutions of a few milliseconds for true profiles.
+// Finds out where the bodies of a scene touch under load before any grid or mesh exists: from Hertz
+// for radii, from coarse half-space solutions of a few milliseconds for true profiles.
 #pragma once
 
 #include "contact/scene/scene.hpp"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -36,15 +37,7 @@ struct ExpectedPatch {
   double y_middle() const { return 0.5 * (y_lower + y_upper); }
 };
 
-/// For the largest load of the case (normal force or approach). `elements`: along each side of the
-/// box of the last solution; more make a sharper result (at 90 extents and pressure to 0.2 %, in
-/// some 30 ms). Throws contact::InputError when the
-/// patch reaches the end of a profile or the radii make no elliptic contact, contact::SolveError
-/// when nothing touches.
-ExpectedPatch expected_patch(const contact::Scene& scene, int elements = 0);
-
-/// Where the patch of the largest load is expected, as bodies are laid out about it: of radii
-/// Hertz's ellipse about the origin, else the box of expected_patch.
+/// Where the patch is expected, as bodies are laid out about it.
 struct PatchBox {
   double half_length = 0.0;  ///< mm, to both sides of x = 0
   double half_width = 0.0;   ///< mm, to both sides of y = middle
@@ -52,7 +45,47 @@ struct PatchBox {
   double larger() const { return half_length > half_width ? half_length : half_width; }
   double smaller() const { return half_length > half_width ? half_width : half_length; }
 };
-PatchBox patch_box(const contact::Scene& scene);
+
+/// Extent in which elements_across are counted: what of the expected patch carries load, without
+/// the gaps between several patches; for bodies given point by point the potential contact area.
+struct PatchExtent {
+  double length = 0.0;  ///< mm, along x
+  double width = 0.0;   ///< mm, along y
+};
+
+/// The search for the patch of one scene under its largest load (normal force or approach), which
+/// every model asks for the patch, for what bodies are laid out about and for grids. It searches
+/// when it is first asked, and not at all where the same contact has been searched before.
+class PatchSearch {
+ public:
+  /// The scene must outlive this.
+  explicit PatchSearch(const contact::Scene& scene) : scene_(scene) {}
+
+  /// Throws contact::InputError when the patch reaches the end of a profile or the radii make no
+  /// elliptic contact, contact::SolveError when nothing touches; so do all others.
+  const ExpectedPatch& patch() const;
+  /// Of radii Hertz's ellipse about the origin.
+  PatchBox box() const;
+  PatchExtent extent() const;
+
+  /// Throws contact::InputError where elements of dx by dy are many times more one way over the
+  /// extent than the other: solvers are lost in them.
+  void check_shape_of_cells(double dx, double dy) const;
+  /// Potential contact area of elements of dx by dy: the box of the patch and `margin` elements on
+  /// each side; or as many elements as fit into contact_grid.extent, or into the points of the
+  /// undeformed distance.
+  contact::ContactGrid grid(double dx, double dy, int margin) const;
+  /// The same with the elements of [contact_grid].
+  contact::ContactGrid grid(int margin = 3) const;
+
+ private:
+  contact::ContactGrid line_grid(double dx, int margin) const;
+  void check_extent() const;
+  void check_extent_of_profiles() const;
+
+  const contact::Scene& scene_;
+  mutable std::shared_ptr<const ExpectedPatch> patch_;
+};
 
 /// Throws contact::InputError "profile too short for the contact" when one of the profiles of the
 /// patch ends between y_lower and y_upper, mm.

@@ -1,4 +1,4 @@
-#include "halfspace/patch/expected_patch.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
@@ -15,6 +15,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -37,39 +41,14 @@ constexpr double box_margin = 0.2;
 
 constexpr const char* of_search = "elements of the search for the patch";
 
-struct Box {
-  double x_lower, x_upper, y_lower, y_upper;
-};
-
-/// Nothing touches outside of the overlap: the elastic displacement only ever opens the gap, so
-/// that h < approach wherever there is pressure.
-Box box_of(const std::vector<RidgeRegion>& regions) {
-  Box box{regions.front().x_lower, regions.front().x_upper, regions.front().y_lower,
-          regions.back().y_upper};
-  for (const RidgeRegion& region : regions) {
-    box.x_lower = std::min(box.x_lower, region.x_lower);
-    box.x_upper = std::max(box.x_upper, region.x_upper);
-  }
-  return box;
-}
-
-/// mm of y between the regions.
-double gaps_between(const std::vector<RidgeRegion>& regions) {
-  double gaps = 0.0;
-  for (std::size_t k = 0; k + 1 < regions.size(); ++k)
-    gaps += std::max(0.0, regions[k + 1].y_lower - regions[k].y_upper);
-  return gaps;
-}
-
 /// An overlap that is likely to carry the force: that of Hertz's ellipse for a parabola as wide as
 /// the overlap of the profiles.
 double overlap_for_force(const Ridge& ridge, double A, double modulus, double force) {
   double overlap = 1e-6;  // mm
   for (int step = 0; step < 200; ++step, overlap *= 1.2) {
-    const auto regions = ridge.regions(ridge.least_distance() + overlap);
-    if (regions.empty()) continue;
-    const double half =
-        0.5 * (regions.back().y_upper - regions.front().y_lower - gaps_between(regions));
+    const Overlap found = ridge.overlap(ridge.least_distance() + overlap);
+    if (found.regions.empty()) continue;
+    const double half = 0.5 * found.covered();
     if (hertz_from_force(A, overlap / (half * half), modulus, force).approach < overlap) break;
   }
   return overlap;
@@ -101,12 +80,6 @@ std::vector<std::array<double, 2>> loaded_rows(const ContactGrid& grid,
   return runs;
 }
 
-double gaps_between(const std::vector<std::array<double, 2>>& runs) {
-  double gaps = 0.0;
-  for (std::size_t k = 0; k + 1 < runs.size(); ++k) gaps += runs[k + 1][0] - runs[k][1];
-  return gaps;
-}
-
 /// Several patches want their elements each; rough profiles touch at many.
 constexpr int most_to_resolve = 3;
 
@@ -116,12 +89,12 @@ int to_resolve(std::size_t runs) {
 
 /// Elements along x and y of a box in which `runs` patches have `gaps` (mm) between them: as many
 /// over each as over one.
-std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs, int n = elements_of_box) {
+std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs) {
   constexpr double most_times = 24.0;
   const double width = box.y_upper - box.y_lower;
   const double times =
       std::min(most_times, to_resolve(runs) * width / std::max(width - gaps, 1e-3 * width));
-  return {n, contact::count_of(std::ceil(n * times - 1e-9), of_search)};
+  return {elements_of_box, contact::count_of(std::ceil(elements_of_box * times - 1e-9), of_search)};
 }
 
 Found solve_on(const Scene& scene, const ContactGrid& grid, const contact::NormalLoad& load) {
@@ -136,7 +109,8 @@ Found solve_on(const Scene& scene, const ContactGrid& grid, const contact::Norma
   found.normal = contact::solve_normal(compliance.normal(), problem, options);
   found.size = contact::patch_size(found.grid, found.normal.pressure);
   found.loaded = loaded_rows(found.grid, found.normal.pressure, found.size);
-  found.gaps = gaps_between(found.loaded);
+  for (std::size_t k = 0; k + 1 < found.loaded.size(); ++k)
+    found.gaps += found.loaded[k + 1][0] - found.loaded[k][1];
   return found;
 }
 
@@ -179,13 +153,13 @@ Box next_box(const Found& found) {
   return next;
 }
 
-/// Elements with a corner at the origin, `across` of them over what carries load along x and y.
-/// The boxes of the search jump from one place to the next; this lattice moves with the bodies.
-ContactGrid lattice_over(const Found& found, int across) {
+/// Elements with a corner at the origin, as many over what carries load along x as along y. The
+/// boxes of the search jump from one place to the next; this lattice moves with the bodies.
+ContactGrid lattice_over(const Found& found) {
   const Box box = next_box(found);
   const auto [length, width] = carrying_lengths(found);
-  const double dx = length / across;
-  const double dy = std::max(width / across, (box.y_upper - box.y_lower) / most_rows);
+  const double dx = length / elements_of_lattice;
+  const double dy = std::max(width / elements_of_lattice, (box.y_upper - box.y_lower) / most_rows);
   const double i = std::floor(box.x_lower / dx), j = std::floor(box.y_lower / dy);
   return {contact::count_of(std::ceil(box.x_upper / dx) - i, of_search),
           contact::count_of(std::ceil(box.y_upper / dy) - j, of_search),
@@ -227,7 +201,7 @@ ExpectedPatch summary(const Found& found) {
 }
 
 /// Of bodies given point by point: the patch on their points, then in a box about it.
-ExpectedPatch patch_of_points(const Scene& scene, int elements) {
+ExpectedPatch patch_of_points(const Scene& scene) {
   const contact::Lattice& points = *scene.geometry.distance_values;
   const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
                 points.y_first + (points.ny - 1) * points.dy};
@@ -237,14 +211,12 @@ ExpectedPatch patch_of_points(const Scene& scene, int elements) {
     const Box next = next_box(found);
     const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
                      std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
-    found = solve_in(
-        scene, within, load,
-        counts(within, found.gaps, found.loaded.size(), std::max(elements, elements_of_box)));
+    found = solve_in(scene, within, load, counts(within, found.gaps, found.loaded.size()));
   }
   return summary(found);
 }
 
-ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
+ExpectedPatch patch_of_profiles(const Scene& scene) {
   const Ridge ridge(*scene.geometry.surface.profiles);
   const contact::NormalLoad load = contact::largest_load(scene);
   const double A = 0.5 / scene.geometry.surface.profiles->local_rolling_radius(0.0);
@@ -253,13 +225,15 @@ ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
       load.force ? ridge.least_distance() + 1.1 * overlap_for_force(ridge, A, modulus, *load.force)
                  : load.approach.value_or(0.0);
   const auto solve_overlap = [&] {
-    const auto regions = ridge.regions(level);
-    if (regions.empty())
+    const Overlap overlap = ridge.overlap(level);
+    if (overlap.regions.empty())
       throw contact::SolveError(fmt::format(
           "{}: no contact: the approach {} mm does not exceed the smallest distance {} mm",
           scene.file, level, ridge.least_distance()));
-    const Box box = box_of(regions);
-    return solve_in(scene, box, load, counts(box, gaps_between(regions), regions.size()));
+    // Nothing touches outside of the overlap: the elastic displacement only ever opens the gap, so
+    // that h < approach wherever there is pressure.
+    return solve_in(scene, overlap.box, load,
+                    counts(overlap.box, overlap.gaps, overlap.regions.size()));
   };
   Found found = solve_overlap();
   for (int round = 0; round < most_rounds && load.force && found.normal.approach > level; ++round) {
@@ -271,19 +245,10 @@ ExpectedPatch patch_of_profiles(const Scene& scene, int elements) {
     found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  const double extents = 1.0 + 2.0 * box_margin;
-  const int across = std::max(elements_of_lattice, static_cast<int>(elements / extents));
-  found = solve_on(scene, lattice_over(found, across), load);
-  return summary(found);
+  return summary(solve_on(scene, lattice_over(found), load));
 }
 
-}  // namespace
-
-ExpectedPatch expected_patch(const Scene& scene, int elements) {
-  if (scene.has_profiles()) return patch_of_profiles(scene, elements);
-  if (scene.geometry.distance_values && !scene.given_pressure)
-    return patch_of_points(scene, elements);
-  using contact::pi;
+ExpectedPatch patch_of_ellipse(const Scene& scene) {
   const HertzContact hertz = hertz_of_scene(scene);
   ExpectedPatch patch;
   patch.x_lower = -hertz.semi_axis_x;
@@ -293,15 +258,65 @@ ExpectedPatch expected_patch(const Scene& scene, int elements) {
   patch.approach = hertz.approach;
   patch.max_pressure = hertz.max_pressure;
   patch.normal_force = hertz.normal_force;
-  patch.area = (scene.geometry.line ? 4.0 : pi) * hertz.semi_axis_x * hertz.semi_axis_y;
+  patch.area = (scene.geometry.line ? 4.0 : contact::pi) * hertz.semi_axis_x * hertz.semi_axis_y;
   patch.carrying_length = patch.length();
   patch.carrying_width = patch.width();
   return patch;
 }
 
-PatchBox patch_box(const Scene& scene) {
-  const ExpectedPatch patch = expected_patch(scene);
-  return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width(), patch.y_middle()};
+/// The patches of true profiles found last. A run asks for the same one wherever a model begins: to
+/// choose a model, to lay out grids, bodies and ellipses, to look for smooth parts that are kept.
+class FoundPatches {
+ public:
+  std::shared_ptr<const ExpectedPatch> of(const Scene& scene) {
+    const contact::NormalLoad load = contact::largest_load(scene);
+    const Key key{scene.material.shear_modulus, scene.material.poisson_ratio,
+                  scene.material.contact_modulus, load.force, load.approach};
+    const std::weak_ptr<const contact::PatchGeometry> profiles = scene.geometry.surface.profiles;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      for (const Entry& entry : found_)
+        if (entry.key == key && !entry.profiles.owner_before(profiles) &&
+            !profiles.owner_before(entry.profiles))
+          return entry.patch;
+    }
+    auto patch = std::make_shared<const ExpectedPatch>(patch_of_profiles(scene));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (found_.size() == most_kept) found_.pop_front();
+    found_.push_back({profiles, key, patch});
+    return patch;
+  }
+
+ private:
+  using Key = std::tuple<double, double, double, std::optional<double>, std::optional<double>>;
+  struct Entry {
+    std::weak_ptr<const contact::PatchGeometry> profiles;
+    Key key;
+    std::shared_ptr<const ExpectedPatch> patch;
+  };
+  static constexpr std::size_t most_kept = 16;
+
+  std::mutex mutex_;
+  std::deque<Entry> found_;
+};
+
+}  // namespace
+
+const ExpectedPatch& PatchSearch::patch() const {
+  static FoundPatches found;
+  if (!patch_) {
+    const bool by_points = scene_.geometry.distance_values && !scene_.given_pressure;
+    patch_ = scene_.has_profiles()
+                 ? found.of(scene_)
+                 : std::make_shared<const ExpectedPatch>(by_points ? patch_of_points(scene_)
+                                                                   : patch_of_ellipse(scene_));
+  }
+  return *patch_;
+}
+
+PatchBox PatchSearch::box() const {
+  const ExpectedPatch& found = patch();
+  return {std::max(-found.x_lower, found.x_upper), 0.5 * found.width(), found.y_middle()};
 }
 
 void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {
