@@ -1,16 +1,16 @@
 #include "app/cache.hpp"
+#include "app/case_scenes.hpp"
 #include "app/command_frame.hpp"
 #include "app/commands.hpp"
 #include "app/expected_choice.hpp"
 #include "app/models.hpp"
-#include "app/places.hpp"
-#include "app/scenes.hpp"
+#include "app/program_folders.hpp"
 #include "app/shell_words.hpp"
 #include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "contact/scene/what_follows.hpp"
+#include "contact/scene/derived_values.hpp"
 #include "postprocess/write/case_schema.hpp"
 #include "postprocess/write/output.hpp"
 
@@ -70,7 +70,7 @@ void check_case(const std::string& file, const std::vector<std::string>& changes
                 const contact::ModelRegistry& models) {
   const contact::ModelWords words = model_words(models);
   const contact::Case input = contact::read_case(file, words, changes);
-  std::cout << contact::describe(input, words) << contact::what_follows(input);
+  std::cout << contact::describe(input, words) << contact::derived_values(input);
   warn_of_doubts(input);
   if (!input.has_profiles()) std::cout << taken_by(input, models);
   if (!input.has_profiles()) warn_of_hertz(input);

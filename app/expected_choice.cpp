@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "choice/laws.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <optional>

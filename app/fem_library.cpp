@@ -1,6 +1,6 @@
 #include "app/fem_library.hpp"
 
-#include "app/places.hpp"
+#include "app/program_folders.hpp"
 #include "contact/base/errors.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "app/hybrid_stress.hpp"
 
+#include "app/case_scenes.hpp"
 #include "app/hybrid_model.hpp"
-#include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "hybrid/stresses.hpp"

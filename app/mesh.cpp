@@ -1,11 +1,11 @@
 #include "app/mesh.hpp"
 
+#include "app/case_scenes.hpp"
 #include "app/fem_library.hpp"
 #include "app/fem_model.hpp"
 #include "app/files_together.hpp"
 #include "app/models.hpp"
 #include "app/processes.hpp"
-#include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "fem/body/mesh_report.hpp"

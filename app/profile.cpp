@@ -1,7 +1,7 @@
 #include "app/profile.hpp"
 
-#include "app/places.hpp"
-#include "app/scenes.hpp"
+#include "app/case_scenes.hpp"
+#include "app/program_folders.hpp"
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/nearest_name.hpp"

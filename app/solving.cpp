@@ -1,8 +1,8 @@
 #include "app/solving.hpp"
 
 #include "app/auto_model.hpp"
+#include "app/case_scenes.hpp"
 #include "app/scene_checkpoint.hpp"
-#include "app/scenes.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "track/balance/result_check.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 

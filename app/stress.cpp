@@ -2,7 +2,7 @@
 
 #include "app/files_together.hpp"
 #include "app/hybrid_stress.hpp"
-#include "app/places.hpp"
+#include "app/program_folders.hpp"
 #include "app/stress_choice.hpp"
 #include "app/stress_places.hpp"
 #include "contact/base/errors.hpp"

@@ -1,9 +1,9 @@
 #include "app/study.hpp"
 
+#include "app/case_scenes.hpp"
 #include "app/expected_choice.hpp"
 #include "app/files_together.hpp"
 #include "app/models.hpp"
-#include "app/scenes.hpp"
 #include "app/solving.hpp"
 #include "app/study_checkpoint.hpp"
 #include "app/study_checks.hpp"

@@ -2,7 +2,7 @@
 // references.
 #pragma once
 
-#include "app/scenes.hpp"
+#include "app/case_scenes.hpp"
 #include "app/study.hpp"
 #include "contact/case/case.hpp"
 #include "postprocess/study/study.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "track/balance/pressed_wheel.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "app/files_together.hpp"
 #include "app/models.hpp"
-#include "app/places.hpp"
+#include "app/program_folders.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "postprocess/write/csv.hpp"
@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "track/motion/placed_scenes.hpp"
 #include "track/motion/rigid_touch.hpp"
-#include "track/motion/scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does the model auto meet the accuracy, and at what cost? Over the scenes of benchmarks/scenes.py at 5, 1 and 0.2 %:
+"""Does the model auto meet the accuracy, and at what cost? Over the scenes of benchmarks/scene_sets.py at 5, 1 and 0.2 %:
 its answer against a fine hybrid; its seconds of computing against always taking finite elements (as `rollfem check`
 predicts them) and against an oracle: the cheapest of half-spaces on several grids and of the fine hybrid that is
 as close as asked, which it knows because it has them all.
@@ -14,7 +14,7 @@ import re
 import subprocess
 from pathlib import Path
 
-import scenes
+import scene_sets
 from model_error import friction_of, whole_of
 
 # What accuracy_of asks for where a case does not say.
@@ -59,7 +59,7 @@ class Runs:
         self.options, self.scene, self.friction = options, scene, friction_of(scene)
 
     def run(self, word, model, **keys):
-        return scenes.run(self.options.program, self.options.output, f"{self.scene.name}_{word}",
+        return scene_sets.run(self.options.program, self.options.output, f"{self.scene.name}_{word}",
                           self.scene.with_keys(**keys), "--model", model)
 
     def on_grid(self, across):
@@ -114,11 +114,11 @@ def main():
     parser.add_argument("--rows", action="store_true", help="show every scene, else those that miss")
     parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
-    scenes.prepare(options.output)
+    scene_sets.prepare(options.output)
     lines = []
     for percent in options.percent:
         rows = []
-        for scene in scenes.scenes(options.seed, options.randoms)[::options.every]:
+        for scene in scene_sets.scenes(options.seed, options.randoms)[::options.every]:
             row = Runs(options, scene).row(percent)
             if "failed" in row:
                 print(f"{scene.name}: {row['failed']}")

@@ -13,7 +13,7 @@ import math
 import statistics
 from pathlib import Path
 
-import scenes
+import scene_sets
 
 THEORIES = ["hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip"]
 QUANTITIES = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_area", "approach", "traction_coefficient",
@@ -26,7 +26,7 @@ def runs(options, scene):
     """Pairs of runs: one whose model errors are in question, and the one it is compared with."""
     def run(model, **keys):
         keys = {"contact_grid__elements_across": str(options.across), **keys}
-        return scenes.run(options.program, options.output, f"{scene.name}_{model}", scene.with_keys(**keys), "--model",
+        return scene_sets.run(options.program, options.output, f"{scene.name}_{model}", scene.with_keys(**keys), "--model",
                           model)
 
     half = run("halfspace", halfspace__model_error="true")
@@ -131,9 +131,9 @@ def main():
     parser.add_argument("--worst", type=int, default=0, help="show so many of the estimates that are off")
     parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
-    scenes.prepare(options.output)
+    scene_sets.prepare(options.output)
     rows = []
-    for scene in scenes.scenes(options.seed, options.randoms):
+    for scene in scene_sets.scenes(options.seed, options.randoms):
         for asked, other in runs(options, scene):
             failed = [run["failed"] for run in (asked, other) if "failed" in run]
             if failed and not options.theories:

@@ -5,7 +5,7 @@
 #include "capi/quick_patch.hpp"
 #include "contact/case/case.hpp"
 
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <array>
 #include <memory>
 #include <mutex>

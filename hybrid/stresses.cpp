@@ -1,8 +1,8 @@
 #include "hybrid/stresses.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/axes.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "contact/result/turned.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
 #include "halfspace/stress/stress_maxima.hpp"

@@ -2,7 +2,7 @@
 
 #include "app/auto_model.hpp"
 #include "app/models.hpp"
-#include "app/places.hpp"
+#include "app/program_folders.hpp"
 #include "app/provenance.hpp"
 #include "app/session.hpp"
 #include "app/solving.hpp"

@@ -1,7 +1,7 @@
 #include "fem/correction/below_parts.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/turned.hpp"
+#include "contact/result/axes.hpp"
 #include "fem/solver/cell_terms.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
 

@@ -78,7 +78,7 @@ void write_results(const std::string& directory, const RunRecord& run);
 std::string make_report(const std::string& directory, const std::string& script_directory);
 
 /// Draws the table of a profile (app/profile.hpp) as a figure beside it, NAME.csv as NAME.svg;
-/// `pair`: the table of a wheel on its rail (app/scenes.hpp). Otherwise as make_report.
+/// `pair`: the table of a wheel on its rail (app/case_scenes.hpp). Otherwise as make_report.
 std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
                          bool pair = false);
 

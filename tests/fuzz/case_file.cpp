@@ -2,8 +2,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/plausibility.hpp"
+#include "contact/scene/derived_values.hpp"
 #include "contact/scene/scene.hpp"
-#include "contact/scene/what_follows.hpp"
 
 #include "fuzz/target.hpp"
 #include "theories/hertz_model.hpp"
@@ -19,7 +19,7 @@ std::string outcome_of(const std::string& input) {
     words.by_default = {"halfspace"};
     const contact::Case read = contact::parse_case(input, "case.toml", words);
     static_cast<void>(contact::describe(read, words));
-    static_cast<void>(contact::what_follows(read));
+    static_cast<void>(contact::derived_values(read));
     static_cast<void>(contact::implausible_values(read));
     if (read.has_profiles()) return "";
     const contact::Scene scene(read);

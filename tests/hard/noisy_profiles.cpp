@@ -7,7 +7,7 @@
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/profiles.hpp"
 #include "support/temporary_folder.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -107,10 +107,10 @@ def self_test():
     assert verdict("halfspace/model/a.cpp", '"fem/body/body.hpp')
     assert verdict("postprocess/write/a.cpp", '"contact/solve/normal.hpp')
     assert verdict("profiles/a.cpp", '"contact/solve/tangential.hpp')
-    assert verdict("track/search/a.cpp", '"track/motion/scenes.hpp')
+    assert verdict("track/search/a.cpp", '"track/motion/placed_scenes.hpp')
     assert verdict("halfspace/patch/a.cpp", '"halfspace/model/level.hpp')
     assert verdict("halfspace/model/a.cpp", '"theories/strip.hpp')
-    assert verdict("halfspace/model/a.cpp", '"track/motion/scenes.hpp')
+    assert verdict("halfspace/model/a.cpp", '"track/motion/placed_scenes.hpp')
     assert verdict("app/a.cpp", '"fem/solver/multigrid.hpp')
     assert verdict("app/a.cpp", "<deal.II/base/mpi.h")
     assert verdict("fem/body/a.cpp", '"body.hpp')
@@ -118,7 +118,7 @@ def self_test():
     assert not verdict("halfspace/model/a.cpp", '"contact/solve/normal.hpp')
     assert not verdict("app/a.cpp", '"fem/model/model.hpp')
     assert not verdict("contact/solve/a.cpp", '"contact/scene/geometry.hpp')
-    assert not verdict("track/balance/a.cpp", '"track/motion/scenes.hpp')
+    assert not verdict("track/balance/a.cpp", '"track/motion/placed_scenes.hpp')
 
 
 def main():

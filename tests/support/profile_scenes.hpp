@@ -3,7 +3,7 @@
 
 #include "contact/case/case.hpp"
 
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <cmath>
 #include <optional>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/places.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <cmath>
 #include <string>
 #include <vector>

@@ -8,7 +8,7 @@
 
 #include "support/worn_wheels.hpp"
 #include "track/balance/balance.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <cmath>
 #include <map>
 #include <string>

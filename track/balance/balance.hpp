@@ -7,7 +7,7 @@
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
 
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <string>
 #include <vector>
 

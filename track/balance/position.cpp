@@ -8,7 +8,7 @@
 
 #include "track/balance/patch_forces.hpp"
 #include "track/balance/root.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include "track/motion/wheelset_motion.hpp"
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Balance of one position of the wheelset: the loads of its patches and its rotation.
 #pragma once
 
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <vector>
 
 namespace rollfem::track {

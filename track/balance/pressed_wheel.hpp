@@ -5,7 +5,7 @@
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <vector>
 
 namespace rollfem::track {

@@ -11,7 +11,7 @@
 #include "support/records_in_memory.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 

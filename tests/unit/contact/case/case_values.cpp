@@ -2,7 +2,7 @@
 // declarations.
 #include "contact/case/case_keys.hpp"
 #include "contact/case/case_reader.hpp"
-#include "contact/scene/what_follows.hpp"
+#include "contact/scene/derived_values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -164,7 +164,7 @@ TEST(CaseValues, TemplateIsAValidCaseWithTheDefaultsInIt) {
 
 TEST(CaseValues, DescriptionTellsValuesUnitsDefaultsAndWhatFollows) {
   const Case input = parse_case(small_case, "small.toml");
-  const std::string text = contact::describe(input) + contact::what_follows(input);
+  const std::string text = contact::describe(input) + contact::derived_values(input);
   EXPECT_NE(text.find("normal_force           50000 N\n"), std::string::npos) << text;
   EXPECT_NE(text.find("young_modulus          210000 MPa  (default)"), std::string::npos) << text;
   EXPECT_NE(text.find("A                      0.00123457 1/mm"), std::string::npos) << text;

@@ -11,7 +11,7 @@
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_wheels.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 using namespace rollfem;
 using halfspace::ExpectedPatch;

@@ -7,7 +7,7 @@
 
 #include "support/worn_wheels.hpp"
 #include "track/motion/conicity.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <cmath>
 
 using namespace rollfem;

@@ -1,9 +1,9 @@
-#include "app/scenes.hpp"
+#include "app/case_scenes.hpp"
 
 #include <fmt/format.h>
 
 #include "track/balance/balance.hpp"
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include "track/placement/placement.hpp"
 #include <array>
 #include <cmath>

@@ -8,6 +8,6 @@
 namespace rollfem::contact {
 
 /// Multi-line text, laid out like describe() of contact/case/case_reader.hpp.
-std::string what_follows(const Case& input);
+std::string derived_values(const Case& input);
 
 }  // namespace rollfem::contact

@@ -1,4 +1,4 @@
-#include "contact/scene/what_follows.hpp"
+#include "contact/scene/derived_values.hpp"
 
 #include "contact/scene/geometry.hpp"
 
@@ -6,7 +6,7 @@
 
 namespace rollfem::contact {
 
-std::string what_follows(const Case& input) {
+std::string derived_values(const Case& input) {
   const Curvatures curvatures = relative_curvatures(input);
   const CombinedMaterial material = combine(input.wheel.material, input.rail.material);
   std::string text = "what follows\n";

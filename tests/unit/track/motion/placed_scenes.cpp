@@ -1,5 +1,5 @@
 // Scenes: one case for each patch, with load, creepages and geometry of its own.
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include "contact/base/errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include "contact/base/errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/places.hpp"
+#include "app/program_folders.hpp"
 
 #include <dlfcn.h>
 

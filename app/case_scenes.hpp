@@ -6,7 +6,7 @@
 #include "contact/case/case.hpp"
 #include "postprocess/write/output.hpp"
 
-#include "track/motion/scenes.hpp"
+#include "track/motion/placed_scenes.hpp"
 #include <string>
 #include <utility>
 #include <vector>

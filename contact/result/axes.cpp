@@ -1,4 +1,4 @@
-#include "contact/result/turned.hpp"
+#include "contact/result/axes.hpp"
 
 #include <Eigen/Core>
 
