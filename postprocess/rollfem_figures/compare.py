@@ -52,17 +52,13 @@ def _columns(cases):
     return columns
 
 
-def _size(value):
-    return tables.number(abs(value), 2)
-
-
 def _difference_cell(standing):
     """The largest difference with what the error bars allow there, bold where any is beyond them."""
     if standing is None:
         return "–"
     value = tables.percent(100 * standing["largest_difference"])
     beyond = standing["differ"] > 0
-    note = f"bars ±{_size(100 * standing['allowed_there'])}"
+    note = f"bars ±{tables.number(100 * abs(standing['allowed_there']), 2)}"
     if beyond and standing["compared"] > 1:
         note += f"<br>at {standing['differ']} of {standing['compared']}"
     return (f"<b>{value}</b>" if beyond else value) + f"<br><span class=d>{note}</span>"
@@ -76,33 +72,29 @@ def _heading(quantity):
     return f"{title}<br><span class=d>% {of}</span>"
 
 
-def _difference_table(columns, quantity, heading):
-    """Largest difference of every model in every column; empty when nothing was compared."""
-    models = [m for m in _models([c for c, _, _ in columns])
-              if any(_standing(c, m, quantity) for c, _, _ in columns)]
+def _difference_table(heading, columns):
+    """Largest difference of every model in columns of case, place, quantity and heading; empty when nothing was
+    compared."""
+    models = [m for m in _models([case for case, *_ in columns])
+              if any(_standing(case, m, quantity, place) for case, place, quantity, _ in columns)]
     if not models:
         return ""
-    rows = [[escape(looks.label(model))]
-            + [_difference_cell(_standing(case, model, quantity, place)) for case, place, _ in columns]
-            for model in models]
-    head = [heading] + [text for _, _, text in columns]
-    return tables.table(head, rows)
+    rows = [[escape(looks.label(m))] + [_difference_cell(_standing(case, m, quantity, place))
+                                        for case, place, quantity, _ in columns] for m in models]
+    return tables.table([heading] + [text for *_, text in columns], rows)
 
 
 def _differences(cases, headings):
     """The tables of differences; of one case at one place one table with a column for each quantity."""
     columns = _columns(cases)
-    if len(columns) != 1:
-        found = "".join(_difference_table(columns, *row) for row in headings.items())
-        return f"<div class=side>{found}</div>" if found else ""
-    case, place, _ = columns[0]
-    models = [m for m in _models(cases) if any(s["model"] == m for s in case["standings"])]
-    shown = [q for q in headings if any(_standing(case, m, q, place) for m in models)]
-    if not shown:
-        return ""
-    rows = [[escape(looks.label(m))] + [_difference_cell(_standing(case, m, q, place))
-                                                for q in shown] for m in models]
-    return tables.table(["largest difference"] + [headings[q] for q in shown], rows)
+    if len(columns) == 1:
+        case, place, _ = columns[0]
+        return _difference_table("largest difference", [
+            (case, place, q, heading) for q, heading in headings.items()
+            if any(_standing(case, m, q, place) for m in _models(cases))])
+    found = "".join(_difference_table(heading, [(case, place, q, text) for case, place, text in columns])
+                    for q, heading in headings.items())
+    return f"<div class=side>{found}</div>" if found else ""
 
 
 def _cost_table(cases):

@@ -19,19 +19,26 @@ def creepage_axis(points):
     return choices[0]
 
 
+# Of a key (xi, eta, spin): the symbol in figures and on pages, the factor, and the unit.
+PARTS = ((r"$\xi$", "ξ", 100, "%"), (r"$\eta$", "η", 100, "%"), (r"$\varphi$", "φ", 1, "rad/mm"))
+
+
+def varying(keys):
+    """Which parts of the keys differ from load point to load point."""
+    return [k for k in range(3) if len({key[k] for key in keys}) > 1]
+
+
 def key_texts(creepages):
     """What distinguishes the load points, e.g. "ξ = 0.2 %", for each of a list of keys, (xi, eta, spin)
     or (number,); and what they share, e.g. "η = 0.1 %", empty when it is nothing."""
     if any(len(c) == 1 for c in creepages):
         return {c: f"load point {c[0]:.0f}" for c in creepages}, ""
-    forms = [(r"$\xi$ = {:.4g} %", 100), (r"$\eta$ = {:.4g} %", 100), (r"$\varphi$ = {:.4g} rad/mm", 1)]
-    varies = [len({c[k] for c in creepages}) > 1 for k in range(3)]
-    if not any(varies):  # one point: say what is not zero
-        varies = [any(c[k] for c in creepages) for k in range(3)]
-        varies[0] = varies[0] or not any(varies)
+    # One point: say what is not zero.
+    told = varying(creepages) or [k for k in range(3) if any(c[k] for c in creepages)] or [0]
 
-    def text(values, wanted):
-        return ", ".join(forms[k][0].format(forms[k][1] * values[k]) for k in range(3) if wanted(k))
+    def text(key, wanted):
+        return ", ".join(f"{symbol} = {factor * key[k]:.4g} {unit}"
+                         for k, (symbol, _, factor, unit) in enumerate(PARTS) if wanted(k))
 
-    shared = text(creepages[0], lambda k: not varies[k] and creepages[0][k]) if creepages else ""
-    return {c: text(c, lambda k: varies[k]) for c in creepages}, shared
+    shared = text(creepages[0], lambda k: k not in told and creepages[0][k]) if creepages else ""
+    return {c: text(c, told.__contains__) for c in creepages}, shared

@@ -20,47 +20,39 @@ BARS = ("±: uncertainty left by grid and solver, estimated by the model, in the
         "neglects on any grid; the notes say how it was estimated.")
 
 
+# What is in contact and under what load, by a key that only such a case has; the last where no other fits.
+SHAPES = (("given_max_pressure", "Hertz's pressure of {given_max_pressure} MPa given on an ellipse of semi-axes "
+           "{given_semi_axis_x} by {given_semi_axis_y} mm"),
+          ("distance_A", "Undeformed distance A x² + B y² with A = {distance_A}, B = {distance_B} 1/mm"),
+          ("distance_file", "Undeformed distance from {distance_file}"),
+          ("wheel_profile", "Wheel profile {wheel_profile}, nominal radius {wheel_rolling_radius} mm, on rail profile "
+           "{rail_profile}"),
+          ("wheel_transverse_radius", "Wheel of rolling radius {wheel_rolling_radius} mm (transverse "
+           "{wheel_transverse_radius}) on a rail of transverse radius {rail_transverse_radius}"))
+LOADS = (("given_max_pressure", ""), ("vertical_force", "; {vertical_force} N vertically on each wheel"),
+         ("normal_force", "; F<sub>z</sub> = {normal_force} N"), ("approach", "; approach {approach} mm"))
+PROBLEMS = {"shift": "Load points are steps of a shift without rolling. ", "transient": "Load points are steps of rolling. "}
+
+
 def asked(result):
     """The problem, from the case."""
-    case = result.case
-    if "vertical_force" in case:
-        load = f"{tables.plain(case['vertical_force'])} N vertically on each wheel"
-    elif "normal_force" in case:
-        load = f"F<sub>z</sub> = {tables.plain(case['normal_force'])} N"
-    else:
-        load = f"approach {tables.plain(case['approach'])} mm"
-
-    def radius(value):
-        return "flat" if abs(value) == float("inf") else f"{tables.plain(value)} mm"
-
-    what = {"shift": "Load points are steps of a shift without rolling. ",
-            "transient": "Load points are steps of rolling. "}.get(case.get("problem"), "")
+    case = dict(result.case)
+    if "wheel_profile" in case or "rail_profile" in case:
+        case = {"wheel_profile": "of a circle", "rail_profile": "of a circle", **case}
+    words = {name: tables.plain(value) if isinstance(value, (int, float)) else escape(str(value))
+             for name, value in case.items()}
+    for name in ("wheel_transverse_radius", "rail_transverse_radius"):
+        if name in case:
+            words[name] = "flat" if abs(case[name]) == float("inf") else f"{words[name]} mm"
+    said = "".join(next(text for name, text in rows if name in case).format_map(words) for rows in (SHAPES, LOADS))
+    law = "without friction" if case.get("problem") == "frictionless" else (
+        f"friction coefficient {words['friction_coefficient']}")
+    what = PROBLEMS.get(case.get("problem"), "")
     if case.get("prescribed_forces"):
         what += "Tangential forces are prescribed; creepages are results. "
-    details = (f"<details><summary>case file {escape(result.case_file)}</summary>"
-               f"<pre>{escape(result.case_text)}</pre></details>")
-    law = f"friction coefficient {tables.plain(case['friction_coefficient'])}"
-    if case.get("problem") == "frictionless":
-        law = "without friction"
-    friction = f"{law}. {what}</p>{details}"
-    if "given_max_pressure" in case:
-        return (f"<p>Hertz's pressure of {tables.plain(case['given_max_pressure'])} MPa given on an "
-                f"ellipse of semi-axes {tables.plain(case['given_semi_axis_x'])} by "
-                f"{tables.plain(case['given_semi_axis_y'])} mm; {friction}")
-    if "distance_A" in case:
-        return (f"<p>Undeformed distance A x² + B y² with A = {tables.plain(case['distance_A'])}, "
-                f"B = {tables.plain(case['distance_B'])} 1/mm; {load}, {friction}")
-    if "distance_file" in case:
-        return (f"<p>Undeformed distance from {escape(case['distance_file'])}; {load}, {friction}")
-    if "wheel_profile" in case or "rail_profile" in case:
-        wheel = case.get("wheel_profile", "of a circle")
-        rail = case.get("rail_profile", "of a circle")
-        return (f"<p>Wheel profile {escape(wheel)}, nominal radius "
-                f"{tables.plain(case['wheel_rolling_radius'])} mm, on rail profile {escape(rail)}; "
-                f"{load}, {friction}")
-    return (f"<p>Wheel of rolling radius {tables.plain(case['wheel_rolling_radius'])} mm "
-            f"(transverse {radius(case['wheel_transverse_radius'])}) on a rail of transverse radius "
-            f"{radius(case['rail_transverse_radius'])}; {load}, {friction}")
+    return (f"<p>{said}{';' if 'given_max_pressure' in case else ','} {law}. {what}</p>"
+            f"<details><summary>case file {escape(result.case_file)}</summary>"
+            f"<pre>{escape(result.case_text)}</pre></details>")
 
 
 def _numbers(result):

@@ -54,87 +54,68 @@ def _curve(series, key, across):
 VARIANTS = [(None, None, False), ((1.5, 1.5), None, True), ((6, 1.5, 1.5, 1.5), "^", True), ((3, 3), "v", False)]
 
 
-def _variant(place, series):
-    """Which of the series of its model it is."""
-    return [s["vary"] for s in place["series"] if s["model"] == series["model"]].index(series["vary"])
-
-
 def _look(place, series):
-    """(colour, dash, marker, whether hollow) of a series."""
-    dash, marker, hollow = VARIANTS[_variant(place, series) % len(VARIANTS)]
+    """Name of a series, and its look as keyword arguments of a curve."""
+    same = [s["vary"] for s in place["series"] if s["model"] == series["model"]]
+    name = looks.label(series["model"])
+    if len(same) > 1 and series["vary"]:
+        name += f", {series['vary']}"
+    dash, marker, hollow = VARIANTS[same.index(series["vary"]) % len(VARIANTS)]
     colour, own_dash, own_marker = looks.of_model(series["model"])
-    return colour, dash or own_dash, marker or own_marker, hollow
+    return name, {"colour": colour, "dash": dash or own_dash, "marker": marker or own_marker, "hollow": hollow}
 
 
-def _name(place, series):
-    text = looks.label(series["model"])
-    same = [s for s in place["series"] if s["model"] == series["model"]]
-    return f"{text}, {series['vary']}" if len(same) > 1 and series["vary"] else text
-
-
-def _uncertainty(panel, place, key, friction):
+def _add_band(panel, place, key, friction):
     """A band of errors that the reference cannot tell; whether there is one."""
     reference = place["references"][key]
     scale = friction if _is_coefficient(key) else abs(reference["value"])
-    if not reference["uncertainty"] > 0 or not scale > 0:
-        return False
-    level, low = 100 * reference["uncertainty"] / scale, panel.y.range()[0]
-    if level <= low:
-        return False
-    panel.band(low, level)
-    return True
+    level = 100 * reference["uncertainty"] / scale if scale > 0 else 0.0
+    low = panel.y.range()[0]
+    if level > low:
+        panel.band(low, level)
+    return level > low
 
 
-def _order_guide(panel, curve):
+def _add_guide(panel, curve):
     """The slope of order 2 on a surface: error falls as 1/unknowns; whether it is drawn."""
     at, high = curve
-    if len(at) < 3:
-        return False
-    ends = np.array([at[0], at[-1]]) * 1.6
-    panel.line(ends, 1.6 * high[0] * (ends / ends[0]) ** -1, "soft", 1.0, (1.5, 2.2))
-    return True
-
-
-def _panel(figure, place, key, across, friction):
-    """One panel; returns the names of the guides in it."""
-    panel = figure.add(250, 190, _title(place, key),
-                       "time for all load points [s]" if across == "seconds" else "unknowns [-]",
-                       "error [% of $\\mu$]" if _is_coefficient(key) else "error [%]")
-    panel.x.log = panel.y.log = True
-    guides = set()
-    for series in place["series"]:
-        curve = _curve(series, key, across)
-        if curve is None:
-            continue
-        colour, dash, marker, hollow = _look(place, series)
-        panel.line(*curve, colour, dash=dash, marker=marker, hollow=hollow)
-        if across == "unknowns" and series["model"] == "halfspace" and _order_guide(panel, curve):
-            guides.add("order 2")
-    if _uncertainty(panel, place, key, friction):
-        guides.add("band")
-    return guides
+    if len(at) >= 3:
+        ends = np.array([at[0], at[-1]]) * 1.6
+        panel.line(ends, 1.6 * high[0] * (ends / ends[0]) ** -1, "soft", 1.0, (1.5, 2.2))
+    return len(at) >= 3
 
 
 def errors_figure(place, across, wanted, friction):
     """Errors of the keys against "seconds" or "unknowns", log-log. None when there are none."""
-    wanted = [k for k in wanted if any(_curve(s, k, across) is not None for s in place["series"])]
+    curves = {(number, key): curve for number, series in enumerate(place["series"]) for key in wanted
+              if (curve := _curve(series, key, across)) is not None}
+    wanted = [key for key in wanted if key in {k for _, k in curves}]
     if not wanted:
         return None
     figure = Figure(3 if len(wanted) > 4 else 2)
-    guides, said = set(), []
+    guides, bands, said = False, False, []
     for key in wanted:
-        guides |= _panel(figure, place, key, across, friction)
-    for series in place["series"]:
-        found = {k: _curve(series, k, across) for k in wanted}
-        if any(curve is not None for curve in found.values()):
-            colour, dash, marker, hollow = _look(place, series)
-            figure.entry(_name(place, series), colour, dash, marker=marker, hollow=hollow)
-            key, (at, high) = next((k, c) for k, c in found.items() if c is not None)
-            said.append(f"{_name(place, series)}, {_title(place, key)}: from {high[0]:.2g} % at {at[0]:.3g} to "
+        panel = figure.add(250, 190, _title(place, key),
+                           "time for all load points [s]" if across == "seconds" else "unknowns [-]",
+                           "error [% of $\\mu$]" if _is_coefficient(key) else "error [%]")
+        panel.x.log = panel.y.log = True
+        for number, series in enumerate(place["series"]):
+            if (number, key) in curves:
+                panel.line(*curves[number, key], **_look(place, series)[1])
+                if across == "unknowns" and series["model"] == "halfspace":
+                    guides |= _add_guide(panel, curves[number, key])
+        bands |= _add_band(panel, place, key, friction)
+    for number, series in enumerate(place["series"]):
+        key = next((k for k in wanted if (number, k) in curves), None)
+        if key:
+            name, look = _look(place, series)
+            figure.entry(name, **look)
+            at, high = curves[number, key]
+            said.append(f"{name}, {_title(place, key)}: from {high[0]:.2g} % at {at[0]:.3g} to "
                         f"{high[-1]:.2g} % at {at[-1]:.3g}")
-    if "order 2" in guides:
+    if guides:
         figure.entry("order 2", "soft", (1.5, 2.2), 1.0)
-    if "band" in guides:
+    if bands:
         figure.entry("uncertainty of the reference", fill="band")
     figure.seen = f"Errors against {across}, both on logarithmic scales. " + "; ".join(said) + "."
     return figure
@@ -246,26 +227,29 @@ def _figures(study):
                lambda place=place: errors_figure(place, "unknowns", _keys(place), friction))
 
 
+def _series_parts(place, series, heading):
+    """The heading and the table of a series, and what is missing in it."""
+    yield (f"<{heading}>{escape(looks.label(series['model']))}{', refined in ' if series['vary'] else ''}"
+           f"{escape(series['vary'])}</{heading}>")
+    if series["failure"]:
+        yield f"<p class=bad>Levels without a result: {escape(series['failure'])}</p>"
+    if series["left_out"]:
+        yield f"<p class=hint>Too coarse and left out: {escape(series['left_out'])}</p>"
+    if series["levels"]:
+        yield _series_table(place, series)
+
+
 def _place_parts(study, place, images):
     """Figures and tables of a place."""
-    heading = "h3" if place["name"] else "h2"
     parts = [images]
     for series in place["series"]:
-        name = escape(looks.label(series["model"]))
-        parts.append(f"<{heading}>{name}{', refined in ' if series['vary'] else ''}{escape(series['vary'])}"
-                     f"</{heading}>")
-        if series["failure"]:
-            parts.append(f"<p class=bad>Levels without a result: {escape(series['failure'])}</p>")
-        if series["left_out"]:
-            parts.append(f"<p class=hint>Too coarse and left out: {escape(series['left_out'])}</p>")
-        if series["levels"]:
-            parts.append(_series_table(place, series))
-    if not place["name"]:
-        return parts
+        parts += _series_parts(place, series, "h3" if place["name"] else "h2")
     title = escape(place["name"])
+    if not title:
+        return parts
     if len(study["places"]) <= MOST_OPEN:
-        return [f"<h2>{title}</h2>"] + parts
-    return [f"<details><summary>{title}</summary>"] + parts + ["</details>"]
+        return [f"<h2>{title}</h2>", *parts]
+    return [f"<details><summary>{title}</summary>", *parts, "</details>"]
 
 
 def build_study(directory):

@@ -3,7 +3,7 @@ import math
 import re
 from html import escape
 
-from . import curves, looks, published, selection
+from . import curves, keys, looks, published, selection
 from .reader import full_sliding, place_label
 
 
@@ -199,23 +199,19 @@ def _at_creepage(entry):
 def _creepage_head(models):
     """(heading, number in the key, factor) of what varies over the load points; what they share is in
     `shared_creepage`."""
-    keys = selection.all_keys(models)
-    if any(len(key) == 1 for key in keys):
+    found = selection.all_keys(models)
+    if any(len(key) == 1 for key in found):
         return [("load point", 0, 1)]
-    names = [("ξ [%]", 0, 100), ("η [%]", 1, 100), ("φ [rad/mm]", 2, 1)]
-    return [row for row in names if len({key[row[1]] for key in keys}) > 1] or names[:1]
+    return [(f"{keys.PARTS[k][1]} [{keys.PARTS[k][3]}]", k, keys.PARTS[k][2]) for k in keys.varying(found) or [0]]
 
 
 def shared_creepage(models):
     """" All at η = 0.1 %.", of what is not zero and not in the table, since it is the same at every load
     point; empty if nothing is."""
-    keys = selection.all_keys(models)
-    if not keys or len(keys[0]) == 1:
-        return ""
-    told = [row[1] for row in _creepage_head(models)]
-    names = [("ξ = {} %", 100), ("η = {} %", 100), ("φ = {} rad/mm", 1)]
-    said = [names[k][0].format(plain(names[k][1] * keys[0][k])) for k in range(3)
-            if keys[0][k] and k not in told]
+    first = next(iter(selection.all_keys(models)), (0,))
+    told = [k for _, k, _ in _creepage_head(models)]
+    said = [f"{symbol} = {plain(factor * first[k])} {unit}" for k, (_, symbol, factor, unit) in enumerate(keys.PARTS)
+            if len(first) > 1 and first[k] and k not in told]
     return f" All at {', '.join(said)}." if said else ""
 
 
