@@ -7,8 +7,9 @@
 
 #include "profiles/profile_points.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace rollfem::profiles {
 
@@ -22,41 +23,39 @@ constexpr double narrowest = 10.0, widest = 1000.0;  // mm
 constexpr double same_point = 1e-6;                  // mm
 
 void reverse(ProfilePoints& points) {
-  std::reverse(points.y.begin(), points.y.end());
-  std::reverse(points.z.begin(), points.z.end());
-  std::reverse(points.line.begin(), points.line.end());
+  std::reverse(points.list.begin(), points.list.end());
 }
 
 void sort(ProfilePoints& points) {
-  std::vector<std::size_t> order(points.y.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return points.y[a] < points.y[b]; });
-  ProfilePoints sorted = points;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    sorted.y[k] = points.y[order[k]];
-    sorted.z[k] = points.z[order[k]];
-    sorted.line[k] = points.line[order[k]];
-  }
-  points = std::move(sorted);
+  std::stable_sort(points.list.begin(), points.list.end(),
+                   [](const ListedPoint& a, const ListedPoint& b) { return a.y < b.y; });
+}
+
+/// Least and largest of one coordinate.
+std::array<double, 2> range(const ProfilePoints& points, double ListedPoint::*coordinate) {
+  const auto [low, high] = std::minmax_element(
+      points.list.begin(), points.list.end(),
+      [&](const ListedPoint& a, const ListedPoint& b) { return a.*coordinate < b.*coordinate; });
+  return {(*low).*coordinate, (*high).*coordinate};
+}
+
+double distance(const ListedPoint& a, const ListedPoint& b) {
+  return std::hypot(b.y - a.y, b.z - a.z);
 }
 
 void check_count(const ProfilePoints& points) {
-  if (points.y.size() >= fewest_points) return;
+  if (points.list.size() >= fewest_points) return;
   throw InputError(
       fmt::format("{}: has {} points; allowed: at least {}, better some hundred for a meaningful "
                   "curvature; do: give more",
-                  points.file, points.y.size(), fewest_points));
-}
-
-double extent(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *high - *low;
+                  points.file, points.list.size(), fewest_points));
 }
 
 void check_size(const ProfilePoints& points, bool wheel) {
-  const double width = extent(points.y);
-  if (width >= narrowest && width <= widest && extent(points.z) <= widest) return;
+  const auto [left, right] = range(points, &ListedPoint::y);
+  const auto [lowest, highest] = range(points, &ListedPoint::z);
+  const double width = right - left, height = highest - lowest;
+  if (width >= narrowest && width <= widest && height <= widest) return;
   std::string action = "do: check the columns and the unit";
   if (width > 0.0 && width < 1.0)
     action = fmt::format("are the lengths in m? do: put `unit = \"m\"` under {}",
@@ -66,19 +65,19 @@ void check_size(const ProfilePoints& points, bool wheel) {
                          section_of_profile(wheel));
   throw InputError(fmt::format(
       "{}: the points reach over {:.4g} mm in y and {:.4g} mm in z; allowed: {} to {} mm; {}",
-      points.file, width, extent(points.z), narrowest, widest, action));
+      points.file, width, height, narrowest, widest, action));
 }
 
 /// Height z of the curve at the middle of every step of y, so that dense places count no more.
 std::vector<double> heights_by_width(const ProfilePoints& points) {
-  const auto [low, high] = std::minmax_element(points.y.begin(), points.y.end());
+  const auto [low, high] = range(points, &ListedPoint::y);
   constexpr std::size_t bins = 64;
   std::vector<double> sum(bins, 0.0);
   std::vector<int> count(bins, 0);
-  for (std::size_t k = 0; k < points.y.size(); ++k) {
-    const double place = (points.y[k] - *low) / (*high - *low) * bins;
+  for (const ListedPoint& point : points.list) {
+    const double place = (point.y - low) / (high - low) * bins;
     const std::size_t bin = std::min(bins - 1, static_cast<std::size_t>(place));
-    sum[bin] += points.z[k];
+    sum[bin] += point.z;
     ++count[bin];
   }
   std::vector<double> heights;
@@ -92,9 +91,9 @@ std::vector<double> heights_by_width(const ProfilePoints& points) {
 void check_side(const ProfilePoints& points, bool wheel) {
   const std::vector<double> heights = heights_by_width(points);
   const double level = median(heights);
-  const auto [lowest, highest] = std::minmax_element(points.z.begin(), points.z.end());
-  const double below = *highest - level;
-  const double above = level - *lowest;
+  const auto [lowest, highest] = range(points, &ListedPoint::z);
+  const double below = highest - level;
+  const double above = level - lowest;
   constexpr double clear = 2.0;  // mm, less may be a measured tread without flange
   if (above > clear && above > 1.5 * below)
     throw InputError(
@@ -106,68 +105,68 @@ void check_side(const ProfilePoints& points, bool wheel) {
                     section_of_profile(wheel)));
   constexpr double flange = 8.0;  // mm
   if (!wheel || below < flange) return;
-  const auto tip = static_cast<std::size_t>(highest - points.z.begin());
-  const auto [left, right] = std::minmax_element(points.y.begin(), points.y.end());
-  if (points.y[tip] <= 0.5 * (*left + *right)) return;
+  // Of several as high, the last.
+  const auto tip = std::find_if(points.list.rbegin(), points.list.rend(),
+                                [&](const ListedPoint& point) { return point.z == highest; });
+  const auto [left, right] = range(points, &ListedPoint::y);
+  if (tip->y <= 0.5 * (left + right)) return;
   throw InputError(fmt::format(
       "{}: the flange is on the wrong side, at y = {:.4g} mm where the points reach from {:.4g} to "
       "{:.4g} mm; allowed: the flange at the smaller y; do: put `mirror = true` under {}",
-      points.file, points.y[tip], *left, *right, section_of_profile(wheel)));
+      points.file, tip->y, left, right, section_of_profile(wheel)));
 }
 
 void check_direction(ProfilePoints& points, bool free, bool wheel) {
-  if (points.y.back() >= points.y.front()) return;
+  if (points.list.back().y >= points.list.front().y) return;
   if (free) {
     reverse(points);
     return;
   }
   // A list without any order also may end where it should begin; then it is no use to reverse it.
   std::size_t falling = 0;
-  for (std::size_t k = 1; k < points.y.size(); ++k) falling += points.y[k] < points.y[k - 1];
-  if (10 * falling < 9 * (points.y.size() - 1)) return;
+  for (std::size_t k = 1; k < points.list.size(); ++k)
+    falling += points.list[k].y < points.list[k - 1].y;
+  if (10 * falling < 9 * (points.list.size() - 1)) return;
   throw InputError(fmt::format(
       "{}:{}: the points run from large to small y ({:.4g} to {:.4g} mm); allowed: from the {} to "
       "the field side; do: put `reverse = true` under {}",
-      points.file, points.line.front(), points.y.front(), points.y.back(),
+      points.file, points.list.front().line, points.list.front().y, points.list.back().y,
       wheel ? "flange" : "gauge", section_of_profile(wheel)));
 }
 
 void treat_duplicates(ProfilePoints& points, bool drop, bool wheel) {
-  std::vector<char> kept(points.y.size(), 1);
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < points.y.size(); ++k) {
-    if (std::hypot(points.y[k] - points.y[last], points.z[k] - points.z[last]) > same_point) {
-      last = k;
-      continue;
-    }
-    if (!drop)
+  std::vector<ListedPoint> kept;
+  for (const ListedPoint& point : points.list) {
+    if (kept.empty() || distance(kept.back(), point) > same_point)
+      kept.push_back(point);
+    else if (!drop)
       throw InputError(fmt::format(
           "{}:{}: the point y = {:.6g}, z = {:.6g} mm repeats line {}; allowed: points more than "
           "{} mm apart; do: remove it, or put `drop_duplicates = true` under {}",
-          points.file, points.line[k], points.y[k], points.z[k], points.line[last], same_point,
+          points.file, point.line, point.y, point.z, kept.back().line, same_point,
           section_of_profile(wheel)));
-    kept[k] = 0;
   }
-  if (drop) keep_marked(points, kept);
+  points.list = std::move(kept);
 }
 
 /// A point goes back when the curve turns there by more than a right angle and y falls.
-bool goes_back(const ProfilePoints& p, std::size_t a, std::size_t b, std::size_t c) {
-  const double y1 = p.y[b] - p.y[a], z1 = p.z[b] - p.z[a];
-  const double y2 = p.y[c] - p.y[b], z2 = p.z[c] - p.z[b];
+bool goes_back(const ListedPoint& a, const ListedPoint& b, const ListedPoint& c) {
+  const double y1 = b.y - a.y, z1 = b.z - a.z;
+  const double y2 = c.y - b.y, z2 = c.z - b.z;
   return y1 * y2 + z1 * z2 < 0.0 && std::min(y1, y2) < 0.0;
 }
 
 void check_order(const ProfilePoints& points, bool wheel) {
   std::size_t back = 0, first = 0;
-  for (std::size_t k = 2; k < points.y.size(); ++k) {
-    if (!goes_back(points, k - 2, k - 1, k)) continue;
+  for (std::size_t k = 2; k < points.list.size(); ++k) {
+    if (!goes_back(points.list[k - 2], points.list[k - 1], points.list[k])) continue;
     if (back == 0) first = k;
     ++back;
   }
   if (back == 0) return;
-  const std::string where = fmt::format("{}:{}: ", points.file, points.line[first]);
-  if (back > std::max<std::size_t>(8, points.y.size() / 10))
+  const ListedPoint& at = points.list[first];
+  const std::string where = fmt::format("{}:{}: ", points.file, at.line);
+  if (back > std::max<std::size_t>(8, points.list.size() / 10))
     throw InputError(fmt::format(
         "{}the points are unordered: the curve turns back {} times; allowed: points in order along "
         "the profile; do: put `sort = true` under {} if z is a function of y",
@@ -175,66 +174,57 @@ void check_order(const ProfilePoints& points, bool wheel) {
   throw InputError(fmt::format(
       "{}zig-zag: the curve turns back at y = {:.6g}, z = {:.6g} mm ({} such places); allowed: "
       "points in order along the profile; do: correct them, or put `drop_zigzag = true` under {}",
-      where, points.y[first], points.z[first], back, section_of_profile(wheel)));
+      where, at.y, at.z, back, section_of_profile(wheel)));
 }
 
 void drop_zigzag(ProfilePoints& points) {
-  std::vector<std::size_t> stack;
-  std::vector<char> kept(points.y.size(), 1);
-  for (std::size_t k = 0; k < points.y.size(); ++k) {
-    if (stack.size() >= 2 && goes_back(points, stack[stack.size() - 2], stack.back(), k)) {
-      kept[k] = 0;
-      continue;
-    }
-    stack.push_back(k);
-  }
-  keep_marked(points, kept);
+  std::vector<ListedPoint> kept;
+  for (const ListedPoint& point : points.list)
+    if (kept.size() < 2 || !goes_back(kept[kept.size() - 2], kept.back(), point))
+      kept.push_back(point);
+  points.list = std::move(kept);
 }
 
 /// Every stretch of this length becomes the mean of its points; the last, shorter one too.
 void thin(ProfilePoints& points, double length) {
-  std::size_t n = 0;
-  for (std::size_t first = 0; first < points.y.size();) {
-    std::size_t end = first;
-    double y = 0.0, z = 0.0;
+  std::vector<ListedPoint> means;
+  for (auto first = points.list.begin(); first != points.list.end();) {
+    auto end = first;
+    ListedPoint mean{0.0, 0.0, first->line};
     // As the crow flies: the way along noisy points is much longer than the profile.
-    for (; end < points.y.size() &&
-           std::hypot(points.y[end] - points.y[first], points.z[end] - points.z[first]) < length;
-         ++end) {
-      y += points.y[end];
-      z += points.z[end];
+    for (; end != points.list.end() && distance(*first, *end) < length; ++end) {
+      mean.y += end->y;
+      mean.z += end->z;
     }
     const auto count = static_cast<double>(end - first);
-    points.line[n] = points.line[first];
-    points.y[n] = y / count;
-    points.z[n] = z / count;
-    ++n;
+    mean.y /= count;
+    mean.z /= count;
+    means.push_back(mean);
     first = end;
   }
-  points.y.resize(n);
-  points.z.resize(n);
-  points.line.resize(n);
+  points.list = std::move(means);
 }
 
 /// Smoothing so many points at once takes seconds and loses digits.
 void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) {
   constexpr std::size_t most = 20000;
-  if (smoothing == 0.0 || points.y.size() <= most) return;
+  if (smoothing == 0.0 || points.list.size() <= most) return;
   throw InputError(
       fmt::format("{}: smoothing of {} points; allowed: {}; do: put `thinning = 0.1` (mm, replaces "
                   "the points in each such length by their mean) under {}",
-                  points.file, points.y.size(), most, section_of_profile(wheel)));
+                  points.file, points.list.size(), most, section_of_profile(wheel)));
 }
 
 void check_gaps(const ProfilePoints& points, double longest, bool wheel) {
-  for (std::size_t k = 1; k < points.y.size(); ++k) {
-    const double gap = std::hypot(points.y[k] - points.y[k - 1], points.z[k] - points.z[k - 1]);
+  for (std::size_t k = 1; k < points.list.size(); ++k) {
+    const ListedPoint &before = points.list[k - 1], &here = points.list[k];
+    const double gap = distance(before, here);
     if (gap <= longest) continue;
     throw InputError(fmt::format(
         "{}:{}: gap of {:.4g} mm between y = {:.6g} and {:.6g} mm; allowed: {} mm; do: add points, "
         "or put `longest_gap = {:.4g}` under {} to bridge it",
-        points.file, points.line[k], gap, points.y[k - 1], points.y[k], longest,
-        std::ceil(gap + 0.5), section_of_profile(wheel)));
+        points.file, here.line, gap, before.y, here.y, longest, std::ceil(gap + 0.5),
+        section_of_profile(wheel)));
   }
 }
 
@@ -250,27 +240,13 @@ std::string section_of_profile(bool wheel) {
   return wheel ? "[wheel_profile]" : "[rail_profile]";
 }
 
-void keep_marked(ProfilePoints& points, const std::vector<char>& kept) {
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < points.y.size(); ++k) {
-    if (kept[k] == 0) continue;
-    points.y[n] = points.y[k];
-    points.z[n] = points.z[k];
-    points.line[n] = points.line[k];
-    ++n;
-  }
-  points.y.resize(n);
-  points.z.resize(n);
-  points.line.resize(n);
-}
-
 void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool wheel) {
   check_count(points);
   check_size(points, wheel);
   if (source.flip)
-    for (double& z : points.z) z = -z;
+    for (ListedPoint& point : points.list) point.z = -point.z;
   if (source.mirror)
-    for (double& y : points.y) y = -y;
+    for (ListedPoint& point : points.list) point.y = -point.y;
   check_side(points, wheel);
   if (source.reverse) reverse(points);
   if (source.sort) sort(points);

@@ -23,8 +23,8 @@ constexpr char kink = 1, step = 2;
 
 /// Angle from the chord a-b to the chord b-c, rad, > 0 towards +z.
 double turn(const ProfilePoints& p, std::size_t a, std::size_t b, std::size_t c) {
-  const double y1 = p.y[b] - p.y[a], z1 = p.z[b] - p.z[a];
-  const double y2 = p.y[c] - p.y[b], z2 = p.z[c] - p.z[b];
+  const double y1 = p.list[b].y - p.list[a].y, z1 = p.list[b].z - p.list[a].z;
+  const double y2 = p.list[c].y - p.list[b].y, z2 = p.list[c].z - p.list[b].z;
   return std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2);
 }
 
@@ -34,11 +34,12 @@ double turn(const ProfilePoints& p, std::size_t a, std::size_t b, std::size_t c)
 double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
   if (scatter == 0.0) return 0.0;
   // Scatter makes the chords themselves longer than the points are apart along the profile.
-  const std::size_t from = k < 3 ? 0 : k - 3, to = std::min(k + 3, p.y.size() - 1);
-  const double y = p.y[to] - p.y[from], z = p.z[to] - p.z[from];
+  const std::size_t from = k < 3 ? 0 : k - 3, to = std::min(k + 3, p.list.size() - 1);
+  const double y = p.list[to].y - p.list[from].y, z = p.list[to].z - p.list[from].z;
   const auto along = [&](std::size_t i) {
     const double distance =
-        (y * (p.y[i + 1] - p.y[i]) + z * (p.z[i + 1] - p.z[i])) / std::hypot(y, z);
+        (y * (p.list[i + 1].y - p.list[i].y) + z * (p.list[i + 1].z - p.list[i].z)) /
+        std::hypot(y, z);
     return std::max(std::abs(distance), shortest_distance);
   };
   const double a = 1.0 / along(k - 1), b = 1.0 / along(k);
@@ -49,7 +50,7 @@ double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
 /// Points at which the profile has a kink (one turn) or a step (there and back), marked 1 and 2,
 /// beyond what the scatter of the points makes.
 std::vector<char> corners(const ProfilePoints& points, double largest_kink, double scatter) {
-  const std::size_t n = points.y.size();
+  const std::size_t n = points.list.size();
   std::vector<double> turns(n, 0.0), sizes;
   sizes.reserve(n);
   for (std::size_t k = 1; k + 1 < n; ++k) {
@@ -82,20 +83,23 @@ std::vector<char> corners(const ProfilePoints& points, double largest_kink, doub
 }
 
 /// The points without those up to `rounding` (mm along the profile) to both sides of a corner.
-ProfilePoints rounded(ProfilePoints points, const std::vector<char>& found, double rounding) {
-  std::vector<double> length(points.y.size(), 0.0);
+ProfilePoints rounded(const ProfilePoints& points, const std::vector<char>& found,
+                      double rounding) {
+  std::vector<double> length(points.list.size(), 0.0);
   for (std::size_t k = 1; k < length.size(); ++k)
-    length[k] =
-        length[k - 1] + std::hypot(points.y[k] - points.y[k - 1], points.z[k] - points.z[k - 1]);
-  std::vector<char> kept(points.y.size(), 1);
+    length[k] = length[k - 1] + std::hypot(points.list[k].y - points.list[k - 1].y,
+                                           points.list[k].z - points.list[k - 1].z);
+  std::vector<char> kept(points.list.size(), 1);
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (found[k] == 0) continue;
     for (std::size_t i = k; i > 0 && length[k] - length[i] < rounding; --i) kept[i] = 0;
     for (std::size_t i = k; i + 1 < found.size() && length[i] - length[k] < rounding; ++i)
       kept[i] = 0;
   }
-  keep_marked(points, kept);
-  return points;
+  ProfilePoints rest{points.file, {}, points.any_direction};
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    if (kept[k] != 0) rest.list.push_back(points.list[k]);
+  return rest;
 }
 
 bool has(const std::vector<char>& found, char mark) {
@@ -107,7 +111,7 @@ std::optional<double> least_rounding(const ProfilePoints& points, const std::vec
                                      const ProfileSource& source) {
   for (const double rounding : {0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0}) {
     const ProfilePoints rest = rounded(points, found, rounding);
-    if (rest.y.size() < points.y.size() / 2) break;
+    if (rest.list.size() < points.list.size() / 2) break;
     if (!has(corners(rest, source.largest_kink, source.smoothing), step)) return rounding;
   }
   return {};
@@ -137,7 +141,8 @@ std::optional<double> least_smoothing(const ProfilePoints& points, const std::ve
   const double whole = turn_at(k) + (shared && !is_step ? turn_at(k + 1) : 0.0);
   // Of two points that share a kink, the one at which the curve turns more.
   if (shared && !is_step && std::abs(turn_at(k + 1)) > std::abs(turn_at(k))) ++k;
-  const double chord = std::hypot(points.y[k + 1] - points.y[k], points.z[k + 1] - points.z[k]);
+  const double chord =
+      std::hypot(points.list[k + 1].y - points.list[k].y, points.list[k + 1].z - points.list[k].z);
   const std::string what =
       is_step ? fmt::format("step of {:.2g} mm", chord * std::abs(std::sin(turn_at(k))))
               : fmt::format("kink of {:.3g} degrees", std::abs(whole) / degree);
@@ -155,7 +160,7 @@ std::optional<double> least_smoothing(const ProfilePoints& points, const std::ve
                         std::ceil(std::abs(whole) / degree + 0.01));
   throw contact::InputError(fmt::format(
       "{}:{}: {} at y = {:.6g}, z = {:.6g} mm; allowed: {}; do: correct the points{}", points.file,
-      points.line[k], what, points.y[k], points.z[k], allowed,
+      points.list[k].line, what, points.list[k].y, points.list[k].z, allowed,
       ways.empty() ? "" : fmt::format(", or put {} under {}", ways, section_of_profile(wheel))));
 }
 
@@ -165,7 +170,7 @@ void treat_corners(ProfilePoints& points, const ProfileSource& source, bool whee
   const std::vector<char> found = corners(points, source.largest_kink, source.smoothing);
   if (!has(found, kink) && !has(found, step)) return;
   if (source.rounding == 0.0) refuse_corner(points, found, source, wheel);
-  points = rounded(std::move(points), found, source.rounding);
+  points = rounded(points, found, source.rounding);
 }
 
 }  // namespace rollfem::profiles

@@ -60,9 +60,7 @@ Row numbers(std::string_view text) {
 }
 
 void add(ProfilePoints& points, double y, double z, const TextLines& at) {
-  points.y.push_back(y);
-  points.z.push_back(z);
-  points.line.push_back(static_cast<unsigned>(at.number()));
+  points.list.push_back({y, z, static_cast<unsigned>(at.number())});
 }
 
 [[noreturn]] void not_numbers(const std::string& file, const TextLines& at,
@@ -114,7 +112,7 @@ ProfilePoints read_columns(std::string_view text, const std::string& name) {
     const std::string_view line = before_comment(lines.line());
     if (line.empty()) continue;
     const Row row = numbers(line);
-    const bool begun = !points.y.empty();
+    const bool begun = !points.list.empty();
     if (!row.wrong.empty()) {
       if (begun || row.count > 0 || !row.is_heading()) not_numbers(name, lines, row.wrong);
       heading = lines;
@@ -136,9 +134,9 @@ ProfilePoints read_columns(std::string_view text, const std::string& name) {
     if (std::max(use[0], use[1]) >= row.count) too_few_numbers(name, lines);
     add(points, row.values[use[0]], row.values[use[1]], lines);
   }
-  if (announced && announced->second != static_cast<double>(points.y.size()))
+  if (announced && announced->second != static_cast<double>(points.list.size()))
     too_few_numbers(name, announced->first);
-  if (points.y.empty() && heading) not_numbers(name, *heading, word);
+  if (points.list.empty() && heading) not_numbers(name, *heading, word);
   return points;
 }
 
@@ -185,21 +183,19 @@ ProfilePoints processed(const ProfilePoints& listed, const SimpackData& data) {
   const double c = std::cos(data.rotate / data.angle_factor);
   const double s = std::sin(data.rotate / data.angle_factor);
   const double to_mm = 1000.0 / data.length_factor;
-  double last_y = 0.0, last_z = 0.0;
-  for (std::size_t k = 0; k < listed.y.size(); ++k) {
-    if (k > 0 && std::hypot(listed.y[k] - last_y, listed.z[k] - last_z) < data.point_dist_min)
+  ListedPoint last;
+  for (const ListedPoint& point : listed.list) {
+    if (&point != &listed.list.front() &&
+        std::hypot(point.y - last.y, point.z - last.z) < data.point_dist_min)
       continue;
-    last_y = listed.y[k];
-    last_z = listed.z[k];
-    double y = c * (last_y + data.shift_y) - s * (last_z + data.shift_z);
-    double z = s * (last_y + data.shift_y) + c * (last_z + data.shift_z);
+    last = point;
+    double y = c * (last.y + data.shift_y) - s * (last.z + data.shift_z);
+    double z = s * (last.y + data.shift_y) + c * (last.z + data.shift_z);
     if (data.y_min < data.y_max && (y < data.y_min || y > data.y_max)) continue;
     if (data.z_min < data.z_max && (z < data.z_min || z > data.z_max)) continue;
     if (data.mirror_y == 1.0) y = -y;
     if (data.mirror_z == 1.0) z = -z;
-    result.y.push_back(to_mm * y);
-    result.z.push_back(to_mm * z);
-    result.line.push_back(listed.line[k]);
+    result.list.push_back({to_mm * y, to_mm * z, point.line});
   }
   return result;
 }
@@ -275,7 +271,7 @@ ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
     const Row row = numbers(line);
     if (!row.wrong.empty()) {
       // Plain words stand in the header of old files only.
-      if (points.y.empty() && row.is_heading()) continue;
+      if (points.list.empty() && row.is_heading()) continue;
       not_numbers(name, lines, row.wrong);
     }
     if (std::max(columns[0], columns[1]) >= row.count) too_few_numbers(name, lines);
@@ -329,7 +325,7 @@ ProfilePoints parse_profile_points(std::string_view text, const std::string& nam
   const std::string kind = ending(name);
   ProfilePoints points = points_in(text, name, wheel, kind);
   points.file = name;
-  if (points.y.empty())
+  if (points.list.empty())
     throw InputError(
         fmt::format("{}: is empty; do: give lines of two numbers, y and z, in mm", name));
   const double factor = unit == contact::LengthUnit::m      ? 1000.0
@@ -340,8 +336,10 @@ ProfilePoints parse_profile_points(std::string_view text, const std::string& nam
         "{}: unit cannot be set for a SIMPACK file, which names its own (units.len.f); do: remove "
         "`unit`",
         name));
-  for (auto* list : {&points.y, &points.z})
-    for (double& value : *list) value *= factor;
+  for (ListedPoint& point : points.list) {
+    point.y *= factor;
+    point.z *= factor;
+  }
   return points;
 }
 

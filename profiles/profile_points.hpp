@@ -9,10 +9,14 @@
 
 namespace rollfem::profiles {
 
+struct ListedPoint {
+  double y = 0.0, z = 0.0;  ///< mm once read
+  unsigned line = 0;        ///< of the file
+};
+
 struct ProfilePoints {
-  std::string file;            ///< as named in messages
-  std::vector<double> y, z;    ///< mm once read
-  std::vector<unsigned> line;  ///< of each point in the file
+  std::string file;  ///< as named in messages
+  std::vector<ListedPoint> list;
   /// The format itself leaves the direction of the list open (SIMPACK, MiniProf).
   bool any_direction = false;
 };
@@ -37,9 +41,6 @@ double median(std::vector<double> values);
 
 /// The section of the case file that mends: "[wheel_profile]".
 std::string section_of_profile(bool wheel);
-
-/// Leaves the points that are marked.
-void keep_marked(ProfilePoints& points, const std::vector<char>& kept);
 
 /// Kinks and steps: bridged over `rounding`, or refused. Throws contact::InputError.
 void treat_corners(ProfilePoints& points, const contact::ProfileSource& source, bool wheel);

@@ -41,10 +41,15 @@ ProfileCurve built_in(const BuiltInProfile& profile, bool wheel, const std::stri
 ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool wheel,
                      ProfileReport& report) {
   mend_and_check(points, source, wheel);
-  report.points = points.y.size();
+  report.points = points.list.size();
+  std::vector<double> y, z;
+  for (const ListedPoint& point : points.list) {
+    y.push_back(point.y);
+    z.push_back(point.z);
+  }
   report.smoothing.emplace();
   try {
-    return smoothing_spline(points.y, points.z, source.smoothing, &*report.smoothing);
+    return smoothing_spline(y, z, source.smoothing, &*report.smoothing);
   } catch (const std::invalid_argument&) {
     throw InputError(
         fmt::format("{}: smoothing = {} mm exceeds the height of the whole profile; allowed: about "
