@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rollfem::app {
@@ -18,12 +16,10 @@ using contact::RefinedInput;
 
 namespace {
 
-/// Half of the patch's extents along x and y, from which the model takes what the case does not
-/// say.
-std::array<double, 2> half_extents(const ModelInput& input, const char* key) {
+/// The expected patch, from which the model takes what the case does not say.
+halfspace::PatchBox box_for(const ModelInput& input, const char* key) {
   try {
-    const halfspace::ExpectedPatch patch = halfspace::PatchSearch(input).patch();
-    return {std::max(-patch.x_lower, patch.x_upper), 0.5 * patch.width()};
+    return halfspace::PatchSearch(input).box();
   } catch (const contact::InputError& error) {
     throw contact::InputError(
         fmt::format("{}: study: the study starts from fem.{}, which this case does not give and "
@@ -34,10 +30,7 @@ std::array<double, 2> half_extents(const ModelInput& input, const char* key) {
 
 /// The case's own cell is the last level.
 RefinedInput cell_level(ModelInput input, int k, int n) {
-  if (!input.fem.cell_size) {
-    const auto half = half_extents(input, "cell_size");
-    input.fem.cell_size = std::min(half[0], half[1]) / 8.0;
-  }
+  if (!input.fem.cell_size) input.fem.cell_size = box_for(input, "cell_size").smaller() / 8.0;
   const double size = *input.fem.cell_size * std::exp2(n - 1 - k);
   input.fem.cell_size = size;
   return {fmt::format("{:.4g} mm", size), size, std::move(input)};
@@ -50,10 +43,7 @@ RefinedInput degree_level(ModelInput input, int k, int /*n*/) {
 
 /// The case's own domain is the last but one.
 RefinedInput domain_level(ModelInput input, int k, int n) {
-  if (!input.fem.extent) {
-    const auto half = half_extents(input, "extent");
-    input.fem.extent = 8.0 * std::max(half[0], half[1]);
-  }
+  if (!input.fem.extent) input.fem.extent = 8.0 * box_for(input, "extent").larger();
   const double factor = std::exp2(k - (n - 2));
   for (auto* length : {&input.fem.extent, &input.fem.width, &input.fem.depth, &input.fem.length})
     if (*length) **length *= factor;

@@ -28,9 +28,6 @@ using contact::Scene;
 
 namespace {
 
-/// Elements kept free around the patch; second-order upwind looks two columns upstream.
-constexpr int free_elements = 3;
-
 /// Transient rolling looks up to two steps upstream.
 int columns_for_steps(const Scene& scene, const PatchSearch& area, double dx) {
   if (scene.problem != contact::Problem::transient || scene.contact_grid.extent ||
@@ -42,30 +39,6 @@ int columns_for_steps(const Scene& scene, const PatchSearch& area, double dx) {
   const double extent = area.extent().length;
   return contact::count_of(std::ceil(std::min(2.0 * longest, extent) / dx),
                            "columns covering two steps (history.step_length, contact_grid)");
-}
-
-/// The grid, with more rows where the bodies would overlap beyond it. Throws
-/// contact::SolveError where the patch is not this contact's alone.
-ContactGrid grid_of_all_patches(const Scene& scene, const contact::ChartedGeometry& geometry,
-                                const ContactGrid& grid, const std::vector<PointResult>& points) {
-  int below = 0, above = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    check_limits(scene, geometry, grid, points[k].fields.traction.n);
-    const auto beyond = touched_beyond(scene, geometry, grid, points[k], scene.points[k].load);
-    if (!beyond) continue;
-    const auto rows = [&](double way) {
-      return contact::count_of(std::ceil(way / grid.dy),
-                               "rows up to the next patch (contact_grid)") +
-             free_elements;
-    };
-    if ((*beyond)[0] < grid.y_first) below = std::max(below, rows(grid.y_first - (*beyond)[0]));
-    const double last = grid.y(grid.ny - 1);
-    if ((*beyond)[1] > last) above = std::max(above, rows((*beyond)[1] - last));
-  }
-  ContactGrid larger = grid;
-  larger.ny += below + above;
-  larger.y_first -= below * grid.dy;
-  return larger;
 }
 
 class HalfspaceElasticity : public contact::Elasticity {

@@ -1,5 +1,6 @@
 #include "halfspace/patch/coverage.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "halfspace/elasticity/loads_beside.hpp"
@@ -8,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -31,8 +34,10 @@ double displacement_at(double x, double y, const ContactGrid& grid, const contac
   return sum * grid.element_area() / (contact::pi * modulus);
 }
 
-}  // namespace
-
+/// Of a grid's lateral coordinate, mm: from the first to the last place beyond the grid where the
+/// bodies would overlap under this load point, each element of the patch taken as a point load on
+/// the half-space. Nothing for bodies without profiles. Where the undeformed bodies are farther
+/// apart than the approach nothing touches, for displacement only ever opens the gap.
 std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
                                                     const contact::ChartedGeometry& geometry,
                                                     const ContactGrid& grid,
@@ -70,6 +75,8 @@ std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
   return touched;
 }
 
+/// Throws contact::SolveError where pressure reaches a limit of the contact
+/// (PatchGeometry::limits).
 void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
                   const ContactGrid& grid, const contact::Field& pressure) {
   if (!scene.has_profiles()) return;
@@ -84,6 +91,31 @@ void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& g
                     "run with halfspace.surface = \"curved\"",
                     scene.patch_prefix(), y));
   }
+}
+
+}  // namespace
+
+ContactGrid grid_of_all_patches(const contact::Scene& scene,
+                                const contact::ChartedGeometry& geometry, const ContactGrid& grid,
+                                const std::vector<contact::PointResult>& points) {
+  int below = 0, above = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    check_limits(scene, geometry, grid, points[k].fields.traction.n);
+    const auto beyond = touched_beyond(scene, geometry, grid, points[k], scene.points[k].load);
+    if (!beyond) continue;
+    const auto rows = [&](double way) {
+      return contact::count_of(std::ceil(way / grid.dy),
+                               "rows up to the next patch (contact_grid)") +
+             free_elements;
+    };
+    if ((*beyond)[0] < grid.y_first) below = std::max(below, rows(grid.y_first - (*beyond)[0]));
+    const double last = grid.y(grid.ny - 1);
+    if ((*beyond)[1] > last) above = std::max(above, rows((*beyond)[1] - last));
+  }
+  ContactGrid larger = grid;
+  larger.ny += below + above;
+  larger.y_first -= below * grid.dy;
+  return larger;
 }
 
 }  // namespace rollfem::halfspace

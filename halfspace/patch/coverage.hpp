@@ -4,24 +4,19 @@
 
 #include "contact/result/result.hpp"
 
-#include <array>
-#include <optional>
+#include <vector>
 
 namespace rollfem::halfspace {
 
-/// Of a grid's lateral coordinate, mm: from the first to the last place beyond the grid where the
-/// bodies would overlap under this load point, each element of the patch taken as a point load on
-/// the half-space. Nothing for bodies without profiles. Where the undeformed bodies are farther
-/// apart than the approach nothing touches, for displacement only ever opens the gap.
-std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
-                                                    const contact::ChartedGeometry& geometry,
-                                                    const contact::ContactGrid& grid,
-                                                    const contact::PointResult& point,
-                                                    const contact::NormalLoad& load);
+/// Elements kept free around the patch; second-order upwind looks two columns upstream.
+inline constexpr int free_elements = 3;
 
-/// Throws contact::SolveError where pressure reaches a limit of the contact
-/// (PatchGeometry::limits).
-void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
-                  const contact::ContactGrid& grid, const contact::Field& pressure);
+/// The grid, with more rows where the bodies would overlap beyond it under one of the load points
+/// of the scene, solved as `points`. Throws contact::SolveError where the patch is not this
+/// contact's alone.
+contact::ContactGrid grid_of_all_patches(const contact::Scene& scene,
+                                         const contact::ChartedGeometry& geometry,
+                                         const contact::ContactGrid& grid,
+                                         const std::vector<contact::PointResult>& points);
 
 }  // namespace rollfem::halfspace

@@ -1,17 +1,27 @@
 #include "halfspace/patch/load_sharing.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
-#include "halfspace/patch/force_law.hpp"
+#include "contact/result/result.hpp"
+#include "contact/solve/compliance.hpp"
+#include "contact/solve/standin.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/loads_beside.hpp"
 #include "halfspace/patch/ridge.hpp"
+#include "halfspace/patch/scene_chart.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 namespace rollfem::halfspace {
 
+using contact::ContactGrid;
+using contact::Field;
 using contact::LoadBeside;
 using contact::Scene;
 
@@ -24,14 +34,22 @@ constexpr double deepest_sinking = 20.0;
 /// Forces that change by less than this part of their sum no longer feel each other.
 constexpr double settled = 1e-8;
 constexpr int most_turns = 60;
+/// Elements along x, and along y over what overlaps.
+constexpr int elements_of_law = 50;
+/// Elements along y at most, in times of that: gaps between patches have as many as patches.
+constexpr double most_gaps = 24.0;
+/// Of the point loads that stand for a pressure.
+constexpr int blocks_along = 5, blocks_across = 10;
 
 struct Patch {
   const Scene& scene;
   std::array<double, 2> up;  ///< y, z of the vertical
   double separation;
-  double least_distance;  ///< mm, of the patch geometry: its own zero of the approach
+  Ridge ridge;  ///< its least distance is the patch's own zero of the approach
 
-  double approach_at(double sinking) const { return least_distance + sinking * up[1] - separation; }
+  double approach_at(double sinking) const {
+    return ridge.least_distance() + sinking * up[1] - separation;
+  }
   /// y of a patch frame points to the field on the left wheel, to the middle on the right.
   double outward() const { return scene.place->left ? 1.0 : -1.0; }
 };
@@ -46,7 +64,7 @@ Patch patch_of(const Scene& scene) {
   return {scene,
           {sine, std::cos(angle)},
           scene.place->separation,
-          Ridge(*scene.geometry.surface.profiles).least_distance()};
+          Ridge(*scene.geometry.surface.profiles)};
 }
 
 std::vector<Patch> patches_of(const std::vector<Scene>& scenes) {
@@ -55,12 +73,116 @@ std::vector<Patch> patches_of(const std::vector<Scene>& scenes) {
   return patches;
 }
 
+/// Force of the pressure of a scene with profiles on one grid that holds every patch up to a
+/// largest approach: one continuous function of the approach, good to some 0.5 % there and less at
+/// a small part of it.
+class ForceLaw {
+ public:
+  /// `largest_approach`: mm along z.
+  ForceLaw(const Patch& patch, double largest_approach);
+
+  /// Presses at an approach; `beside`: what loads the surface beside the contact.
+  void press(double approach, const std::vector<LoadBeside>& beside);
+
+  double normal_force() const { return force_[1]; }   ///< N, along z; 0 where nothing touches
+  double lateral_force() const { return force_[0]; }  ///< N, along y: not 0 on a curved surface
+
+  /// The pressure as point loads, each that of a block of elements.
+  std::vector<LoadBeside> point_loads() const;
+
+ private:
+  contact::CombinedMaterial material_;
+  std::unique_ptr<const contact::SolvableCompliance> compliance_;
+  contact::PatchShape shape_;
+  contact::CoupledProblem problem_;
+  Field distance_;
+  Field pressure_;  ///< of the last approach
+  std::array<double, 2> force_{};
+};
+
+ContactGrid grid_over(const Overlap& overlap, const contact::ChartedGeometry& geometry) {
+  const Box& box = overlap.box;
+  double steepest = 0.0;
+  for (const RidgeRegion& region : overlap.regions)
+    for (const double y : {region.y_lower, region.y_upper})
+      steepest = std::max(steepest, std::abs(geometry.climb(y)));
+  // On a curved surface y is the arc length, longer than its projection.
+  const double stretch = contact::stretch_of(steepest);
+  const auto on_surface = [&](double y, bool outward) {
+    return outward == (y > 0.0) ? stretch * y : y;
+  };
+  const double y_lower = on_surface(box.y_lower, false);
+  const double y_upper = on_surface(box.y_upper, true);
+  const double times = std::clamp((y_upper - y_lower) / overlap.covered(), 1.0, most_gaps);
+  const int ny =
+      contact::count_of(std::ceil(elements_of_law * times - 1e-9), "elements of a force law");
+  const double dx = (box.x_upper - box.x_lower) / elements_of_law, dy = (y_upper - y_lower) / ny;
+  return {elements_of_law, ny, dx, dy, box.x_lower + 0.5 * dx, y_lower + 0.5 * dy};
+}
+
+ForceLaw::ForceLaw(const Patch& patch, double largest_approach)
+    : material_(patch.scene.material.uncoupled()) {
+  const Overlap overlap = patch.ridge.overlap(largest_approach);
+  if (overlap.regions.empty()) return;
+  const contact::ChartedGeometry geometry = halfspace_geometry(patch.scene);
+  const ContactGrid grid = grid_over(overlap, geometry);
+  compliance_ = std::make_unique<HalfspaceCompliance>(grid, material_);
+  distance_ = geometry.undeformed_distance(grid);
+  problem_.shape = geometry.shape(grid);
+  problem_.frame = contact::vertical_frame(problem_.shape, patch.up);
+  problem_.load.direction = patch.up;
+}
+
+void ForceLaw::press(double approach, const std::vector<LoadBeside>& beside) {
+  force_ = {};
+  if (!compliance_) return;
+  const ContactGrid& grid = compliance_->grid();
+  problem_.undeformed_distance = distance_;
+  if (!beside.empty()) problem_.undeformed_distance += displacement_beside(beside, material_, grid);
+  problem_.load.approach = approach;
+  const double along_z = problem_.load.direction[1];
+  const double opening =
+      problem_.frame.plane()
+          ? problem_.undeformed_distance.minCoeff()
+          : along_z *
+                problem_.undeformed_distance.cwiseProduct(problem_.frame.to_vertical).minCoeff();
+  if (!(approach > opening)) return;
+  pressure_ = contact::press_standin(compliance_->normal(), problem_, pressure_).pressure;
+  const Field none = Field::Zero(grid.size());
+  const auto force = contact::transmitted_force(grid, {none, none, pressure_}, problem_.shape);
+  force_ = {force[1], force[2]};
+}
+
+std::vector<LoadBeside> ForceLaw::point_loads() const {
+  std::vector<LoadBeside> loads;
+  if (!(force_[1] > 0.0)) return loads;
+  const ContactGrid& grid = compliance_->grid();
+  const auto step = [](int count, int blocks) { return (count + blocks - 1) / blocks; };
+  const int di = step(grid.nx, blocks_along), dj = step(grid.ny, blocks_across);
+  for (int j0 = 0; j0 < grid.ny; j0 += dj)
+    for (int i0 = 0; i0 < grid.nx; i0 += di) {
+      LoadBeside load;
+      for (int j = j0; j < std::min(j0 + dj, grid.ny); ++j)
+        for (int i = i0; i < std::min(i0 + di, grid.nx); ++i) {
+          const double force = pressure_[grid.index(i, j)] * grid.element_area();
+          load.normal += force;
+          load.x += force * grid.x(i);
+          load.y += force * grid.y(j);
+        }
+      if (!(load.normal > 0.0)) continue;
+      load.x /= load.normal;
+      load.y /= load.normal;
+      loads.push_back(load);
+    }
+  return loads;
+}
+
 /// The patches on grids that hold them up to a largest sinking.
 class SinkingWheel {
  public:
   SinkingWheel(const std::vector<Patch>& patches, double largest_sinking) : patches_(patches) {
     for (const Patch& patch : patches)
-      laws_.emplace_back(patch.scene, patch.up, patch.approach_at(largest_sinking));
+      laws_.emplace_back(patch, patch.approach_at(largest_sinking));
   }
 
   /// Presses every patch under what the others displace, in turn until all agree.

