@@ -1,10 +1,11 @@
 #include "app/case_scenes.hpp"
 
-#include <fmt/format.h>
-
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
 #include "track/placement/placement.hpp"
+
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 

@@ -5,8 +5,8 @@
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
 #include "postprocess/write/output.hpp"
-
 #include "track/motion/placed_scenes.hpp"
+
 #include <string>
 #include <utility>
 #include <vector>

@@ -13,10 +13,10 @@
 #include "contact/scene/derived_values.hpp"
 #include "postprocess/write/case_schema.hpp"
 #include "postprocess/write/output.hpp"
+#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 
-#include "theories/registry.hpp"
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -5,11 +5,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <fmt/format.h>
 
 #include "choice/laws.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <optional>

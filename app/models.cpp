@@ -4,10 +4,10 @@
 #include "app/fem_model.hpp"
 #include "app/hybrid_model.hpp"
 #include "contact/base/errors.hpp"
+#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 
-#include "theories/registry.hpp"
 #include <algorithm>
 
 namespace rollfem::app {

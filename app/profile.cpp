@@ -8,12 +8,12 @@
 #include "contact/case/case_reader.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/result_folder.hpp"
-
-#include <fmt/format.h>
-
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/profile_features.hpp"
 #include "profiles/profiles.hpp"
+
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <iostream>

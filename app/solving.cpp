@@ -6,11 +6,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
+#include "track/balance/result_check.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <fmt/format.h>
 
-#include "track/balance/result_check.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -12,10 +12,10 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/study/study.hpp"
+#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 
-#include "theories/registry.hpp"
 #include <algorithm>
 #include <iostream>
 #include <tuple>

@@ -1,11 +1,11 @@
 #include "app/table_grid.hpp"
 #include "app/table_source.hpp"
 #include "contact/base/errors.hpp"
+#include "track/balance/pressed_wheel.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <fmt/format.h>
 
-#include "track/balance/pressed_wheel.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -7,11 +7,11 @@
 #include "contact/case/case_reader.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
+#include "track/motion/placed_scenes.hpp"
+#include "track/motion/rigid_touch.hpp"
 
 #include <fmt/format.h>
 
-#include "track/motion/placed_scenes.hpp"
-#include "track/motion/rigid_touch.hpp"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

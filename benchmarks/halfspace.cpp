@@ -7,12 +7,12 @@
 #include "contact/solve/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
+#include "theories/fastsim.hpp"
+#include "theories/strip.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "tests/support/thesis_cases.hpp"
-#include "theories/fastsim.hpp"
-#include "theories/strip.hpp"
 #include <cmath>
 
 namespace {

@@ -4,7 +4,6 @@
 
 #include "contact/result/result.hpp"
 #include "contact/scene/scene.hpp"
-
 #include "track/search/contact_search.hpp"
 
 namespace rollfem::capi {

@@ -7,8 +7,8 @@
 #include "capi/traction_solver.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
-
 #include "track/search/contact_search.hpp"
+
 #include <array>
 #include <optional>
 #include <vector>

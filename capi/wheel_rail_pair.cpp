@@ -2,10 +2,10 @@
 
 #include "capi/patch_solution.hpp"
 #include "contact/base/errors.hpp"
+#include "track/balance/position.hpp"
 
 #include <fmt/format.h>
 
-#include "track/balance/position.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>

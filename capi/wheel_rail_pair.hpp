@@ -4,8 +4,8 @@
 
 #include "capi/quick_patch.hpp"
 #include "contact/case/case.hpp"
-
 #include "track/motion/placed_scenes.hpp"
+
 #include <array>
 #include <memory>
 #include <mutex>

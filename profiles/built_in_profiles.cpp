@@ -2,6 +2,7 @@
 
 #include "profiles/profile_pieces.hpp"
 #include "profiles/wheel_s1002.hpp"
+
 #include <cmath>
 #include <utility>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "profiles/profile_curve.hpp"
+
 #include <string>
 #include <vector>
 

@@ -1,10 +1,10 @@
 #include "profiles/formula_profiles.hpp"
 
 #include "contact/base/errors.hpp"
+#include "profiles/profile_pieces.hpp"
 
 #include <fmt/format.h>
 
-#include "profiles/profile_pieces.hpp"
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contact/case/track.hpp"
-
 #include "profiles/profile_curve.hpp"
+
 #include <string>
 
 namespace rollfem::profiles {

@@ -2,10 +2,10 @@
 // about it: size, side, order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Nothing is
 // mended unless told.
 #include "contact/base/errors.hpp"
+#include "profiles/profile_points.hpp"
 
 #include <fmt/format.h>
 
-#include "profiles/profile_points.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
 // What is refused comes with the least that would mend it.
 #include "contact/base/errors.hpp"
+#include "profiles/profile_points.hpp"
 
 #include <fmt/format.h>
 
-#include "profiles/profile_points.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "profiles/profile_curve.hpp"
+
 #include <optional>
 #include <vector>
 

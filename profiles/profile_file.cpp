@@ -3,10 +3,10 @@
 // not read, in whichever format.
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
+#include "profiles/profile_points.hpp"
 
 #include <fmt/format.h>
 
-#include "profiles/profile_points.hpp"
 #include <algorithm>
 #include <array>
 #include <cctype>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "profiles/profile_curve.hpp"
+
 #include <functional>
 
 namespace rollfem::profiles {

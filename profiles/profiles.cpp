@@ -1,13 +1,13 @@
 #include "profiles/profiles.hpp"
 
 #include "contact/base/errors.hpp"
-
-#include <fmt/format.h>
-
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_features.hpp"
 #include "profiles/profile_points.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-
 #include "profiles/profile_curve.hpp"
 #include "profiles/smoothing_spline.hpp"
+
 #include <optional>
 #include <string>
 

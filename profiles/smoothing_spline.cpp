@@ -1,8 +1,8 @@
 #include "profiles/smoothing_spline.hpp"
 
 #include "contact/base/root.hpp"
-
 #include "profiles/curvature_smoothing.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "profiles/profile_curve.hpp"
+
 #include <vector>
 
 namespace rollfem::profiles {

@@ -7,6 +7,7 @@
 
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/profile_pieces.hpp"
+
 #include <array>
 #include <cmath>
 #include <stdexcept>

@@ -2,8 +2,8 @@
 
 #include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
-
 #include "theories/elliptic_patch.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -3,8 +3,8 @@
 #include "contact/base/pi.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
-
 #include "theories/brush.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>

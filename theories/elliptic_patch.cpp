@@ -2,6 +2,7 @@
 
 #include "theories/hertz_model.hpp"
 #include "theories/registry.hpp"
+
 #include <chrono>
 #include <utility>
 

@@ -6,10 +6,10 @@
 #include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "theories/hertz_model.hpp"
 
 #include <fmt/format.h>
 
-#include "theories/hertz_model.hpp"
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,9 +1,9 @@
 #include "theories/linear_theory.hpp"
 
 #include "halfspace/closed_forms/kalker.hpp"
-
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
+
 #include <limits>
 
 namespace rollfem::theories {

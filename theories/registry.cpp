@@ -6,9 +6,6 @@
 #include "halfspace/model/model.hpp"
 #include "halfspace/model/refinements.hpp"
 #include "halfspace/patch/patch_search.hpp"
-
-#include <fmt/format.h>
-
 #include "theories/carter.hpp"
 #include "theories/equivalent_ellipse.hpp"
 #include "theories/fastsim.hpp"
@@ -18,6 +15,9 @@
 #include "theories/refinements.hpp"
 #include "theories/strip.hpp"
 #include "theories/vermeulen_johnson.hpp"
+
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace rollfem::halfspace {

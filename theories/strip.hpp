@@ -5,6 +5,7 @@
 
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
+
 #include <optional>
 #include <vector>
 

@@ -4,10 +4,10 @@
 #include "contact/base/pi.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/ridge.hpp"
+#include "theories/strip.hpp"
 
 #include <fmt/format.h>
 
-#include "theories/strip.hpp"
 #include <algorithm>
 #include <cmath>
 

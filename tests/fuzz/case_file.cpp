@@ -4,10 +4,10 @@
 #include "contact/case/plausibility.hpp"
 #include "contact/scene/derived_values.hpp"
 #include "contact/scene/scene.hpp"
-
-#include "fuzz/target.hpp"
 #include "theories/hertz_model.hpp"
 #include "theories/registry.hpp"
+
+#include "fuzz/target.hpp"
 
 using namespace rollfem;
 

@@ -4,12 +4,12 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
-#include "theories/registry.hpp"
 
 using namespace rollfem;
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "contact/result/quantities.hpp"
+#include "theories/registry.hpp"
 
 #include "tests/support/random_scenes.hpp"
-#include "theories/registry.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-
 #include "track/motion/placed_scenes.hpp"
+
 #include <cmath>
 #include <optional>
 #include <vector>

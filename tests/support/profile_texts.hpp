@@ -2,9 +2,9 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
-
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/profiles.hpp"
+
 #include "support/temporary_folder.hpp"
 #include <algorithm>
 #include <array>

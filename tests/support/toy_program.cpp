@@ -2,7 +2,6 @@
 // model". tests/cli/toy_model.cpp calls it.
 #include "app/models.hpp"
 #include "app/program.hpp"
-
 #include "theories/registry.hpp"
 
 namespace {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-
 #include "profiles/built_in_profiles.hpp"
 #include "track/search/contact_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

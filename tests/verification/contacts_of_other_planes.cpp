@@ -5,6 +5,9 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
+#include "track/balance/balance.hpp"
+#include "track/balance/position.hpp"
+#include "track/motion/wheelset_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +15,6 @@
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_wheels.hpp"
-#include "track/balance/balance.hpp"
-#include "track/balance/position.hpp"
-#include "track/motion/wheelset_motion.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

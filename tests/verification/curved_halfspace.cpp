@@ -3,13 +3,13 @@
 // CONTACT's extra slip and Persson's conforming cylinder.
 #include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
+#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
-#include "theories/registry.hpp"
 #include <cmath>
 #include <utility>
 

@@ -4,10 +4,10 @@
 // traction curves, from Cattaneo to Carter; and its solution of benchmark 9, run for this project.
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
+#include "theories/fastsim.hpp"
 
 #include <gtest/gtest.h>
 
-#include "theories/fastsim.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

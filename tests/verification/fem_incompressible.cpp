@@ -5,12 +5,12 @@
 #include "fem/model/contact_run.hpp"
 #include "fem/solver/cell_terms.hpp"
 #include "fem/solver/factorisation.hpp"
+#include "theories/registry.hpp"
 
 #include "support/fem_elastic_block.hpp"
 #include "support/fem_quarter_ring.hpp"
 #include "support/fem_test_support.hpp"
 #include "support/recorded.hpp"
-#include "theories/registry.hpp"
 #include <cmath>
 
 using namespace rollfem;

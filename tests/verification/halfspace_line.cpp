@@ -5,12 +5,12 @@
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/history.hpp"
 #include "contact/solve/prescribed_force.hpp"
+#include "theories/carter.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/line_compliance.hpp"
 #include "support/recorded.hpp"
-#include "theories/carter.hpp"
 #include <cmath>
 #include <memory>
 

@@ -4,11 +4,11 @@
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
 #include "hybrid/model.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/places.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include <cmath>
 #include <string>
 #include <vector>

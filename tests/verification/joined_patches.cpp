@@ -3,6 +3,8 @@
 #include "contact/result/patch_parts.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
+#include "track/balance/balance.hpp"
+#include "track/balance/result_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +12,6 @@
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_wheels.hpp"
-#include "track/balance/balance.hpp"
-#include "track/balance/result_check.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

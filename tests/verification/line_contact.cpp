@@ -5,13 +5,13 @@
 #include "contact/result/bars.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/closed_forms/line_hertz.hpp"
+#include "theories/carter.hpp"
+#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/recorded.hpp"
-#include "theories/carter.hpp"
-#include "theories/registry.hpp"
 #include <cmath>
 #include <string>
 #include <vector>

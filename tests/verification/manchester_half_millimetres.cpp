@@ -2,11 +2,11 @@
 // shipped results: the left wheel's of open version r2707, the right one's of r2447
 // (github.com/eve70a/CONTACT, examples/mbench_a22_left.ref_out and mbench_a22_right.ref_out).
 #include "halfspace/model/model.hpp"
+#include "track/balance/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/manchester.hpp"
-#include "track/balance/balance.hpp"
 #include <cmath>
 #include <vector>
 

@@ -3,10 +3,11 @@
 // flange backs 1360, rails 1:40, 10 kN, wheelset shifted to the right and yawed
 // (shared/reference/manchester_left.csv, some of its rows); and for 100 kN on a radius of 450 with
 // 2 mm shift (wheelrail_left_creep.csv, wheelrail_left_patch.csv).
+#include "track/motion/wheelset_motion.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/wheel_rail_cases.hpp"
-#include "track/motion/wheelset_motion.hpp"
 #include <cmath>
 
 namespace {

@@ -4,11 +4,11 @@
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/level.hpp"
+#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/thesis_cases.hpp"
-#include "theories/registry.hpp"
 
 namespace {
 

@@ -3,12 +3,12 @@
 #include "support/profile_patches.hpp"
 
 #include "halfspace/closed_forms/hertz.hpp"
+#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
-#include "theories/registry.hpp"
 
 using namespace rollfem;
 using contact::ModelResult;

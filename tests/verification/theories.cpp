@@ -2,15 +2,15 @@
 // c and e) and against the study of 2012.
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
-
-#include <gtest/gtest.h>
-
-#include "support/thesis_cases.hpp"
 #include "theories/carter.hpp"
 #include "theories/fastsim.hpp"
 #include "theories/linear_theory.hpp"
 #include "theories/strip.hpp"
 #include "theories/vermeulen_johnson.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/thesis_cases.hpp"
 #include <cmath>
 #include <vector>
 

@@ -3,12 +3,12 @@
 // transforms, differences and solvers that found the solution.
 #include "contact/result/contact_residual.hpp"
 #include "halfspace/elasticity/influence.hpp"
+#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
-#include "theories/registry.hpp"
 #include <algorithm>
 #include <cmath>
 

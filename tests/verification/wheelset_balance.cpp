@@ -3,12 +3,12 @@
 // load; and where there is no balance, that is said.
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
+#include "track/balance/balance.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/worn_wheels.hpp"
-#include "track/balance/balance.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include <cmath>
 #include <map>
 #include <string>

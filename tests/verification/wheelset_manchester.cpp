@@ -2,11 +2,11 @@
 // yawed, rolling without torque. Against CONTACT's shipped results for the left wheel (CONTACT user
 // guide, section 5.7, open version r2707): place, normal force, pressure and creepages.
 #include "halfspace/model/model.hpp"
+#include "track/balance/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/manchester.hpp"
-#include "track/balance/balance.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "track/balance/balance.hpp"
 
 #include "contact/base/errors.hpp"
+#include "track/balance/position.hpp"
 
 #include <fmt/format.h>
 
-#include "track/balance/position.hpp"
 #include <iterator>
 #include <utility>
 

@@ -6,8 +6,8 @@
 
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
-
 #include "track/motion/placed_scenes.hpp"
+
 #include <string>
 #include <vector>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
-
 #include "track/motion/wheelset_motion.hpp"
+
 #include <vector>
 
 namespace rollfem::track {

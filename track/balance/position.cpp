@@ -3,13 +3,13 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/refinement.hpp"
 #include "halfspace/patch/load_sharing.hpp"
-
-#include <fmt/format.h>
-
 #include "track/balance/patch_forces.hpp"
 #include "track/balance/root.hpp"
 #include "track/motion/placed_scenes.hpp"
 #include "track/motion/wheelset_motion.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "track/motion/placed_scenes.hpp"
+
 #include <vector>
 
 namespace rollfem::track {

@@ -2,10 +2,10 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
+#include "track/balance/position.hpp"
 
 #include <Eigen/LU>
 
-#include "track/balance/position.hpp"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -4,8 +4,8 @@
 
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
-
 #include "track/motion/placed_scenes.hpp"
+
 #include <vector>
 
 namespace rollfem::track {

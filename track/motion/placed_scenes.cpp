@@ -1,10 +1,10 @@
 #include "track/motion/placed_scenes.hpp"
 
 #include "contact/base/errors.hpp"
+#include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
 
-#include "profiles/profiles.hpp"
 #include <algorithm>
 #include <cmath>
 #include <memory>

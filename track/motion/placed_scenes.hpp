@@ -3,9 +3,9 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
-
 #include "track/motion/wheelset_motion.hpp"
 #include "track/search/contact_search.hpp"
+
 #include <vector>
 
 namespace rollfem::track {

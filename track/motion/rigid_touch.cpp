@@ -1,9 +1,9 @@
 #include "track/motion/rigid_touch.hpp"
 
 #include "contact/base/errors.hpp"
-
 #include "track/motion/conicity.hpp"
 #include "track/placement/vertical_gap.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

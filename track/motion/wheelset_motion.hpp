@@ -4,7 +4,6 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-
 #include "track/search/contact_search.hpp"
 
 namespace rollfem::track {

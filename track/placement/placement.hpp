@@ -6,7 +6,6 @@
 
 #include "contact/case/track.hpp"
 #include "contact/scene/patch_geometry.hpp"
-
 #include "profiles/profile_curve.hpp"
 
 namespace rollfem::track {

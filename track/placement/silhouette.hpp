@@ -5,8 +5,8 @@
 #pragma once
 
 #include "contact/scene/patch_geometry.hpp"
-
 #include "profiles/profile_curve.hpp"
+
 #include <vector>
 
 namespace rollfem::track {

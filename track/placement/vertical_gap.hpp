@@ -5,6 +5,7 @@
 
 #include "track/placement/placement.hpp"
 #include "track/placement/silhouette.hpp"
+
 #include <vector>
 
 namespace rollfem::track {

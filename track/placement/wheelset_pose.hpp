@@ -2,9 +2,9 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-
 #include "track/placement/placement.hpp"
 #include "track/placement/vertical_gap.hpp"
+
 #include <string>
 
 namespace rollfem::track {

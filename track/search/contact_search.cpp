@@ -1,9 +1,9 @@
 #include "track/search/contact_search.hpp"
 
 #include "contact/scene/geometry.hpp"
-
 #include "track/search/load_estimate.hpp"
 #include "track/search/patch_groups.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-
 #include "track/placement/wheelset_pose.hpp"
+
 #include <array>
 #include <limits>
 #include <optional>

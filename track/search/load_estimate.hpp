@@ -7,6 +7,7 @@
 #pragma once
 
 #include "track/placement/vertical_gap.hpp"
+
 #include <array>
 #include <vector>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "track/search/load_estimate.hpp"
+
 #include <array>
 #include <functional>
 #include <vector>

@@ -5,13 +5,13 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/records_in_memory.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include <algorithm>
 #include <cmath>
 

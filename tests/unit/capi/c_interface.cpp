@@ -2,12 +2,12 @@
 // sides, threads, refusals.
 #include "contact/case/case_reader.hpp"
 #include "halfspace/model/model.hpp"
+#include "track/balance/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include "rollfem/rollfem.h"
 #include "support/temporary_folder.hpp"
-#include "track/balance/balance.hpp"
 #include <cmath>
 #include <cstring>
 #include <memory>

@@ -1,9 +1,9 @@
 // Profiles of arcs and polynomials, and what a case makes of a profile.
 #include "contact/base/errors.hpp"
+#include "profiles/profiles.hpp"
 
 #include <gtest/gtest.h>
 
-#include "profiles/profiles.hpp"
 #include "support/profile_texts.hpp"
 #include <cmath>
 #include <string>

@@ -1,10 +1,10 @@
 // Every fault of a profile's file is refused with one message that names the line and the key that
 // mends it, and mended when told.
 #include "contact/base/errors.hpp"
+#include "profiles/profiles.hpp"
 
 #include <gtest/gtest.h>
 
-#include "profiles/profiles.hpp"
 #include "support/profile_texts.hpp"
 #include <functional>
 #include <ostream>

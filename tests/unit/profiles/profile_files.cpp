@@ -1,11 +1,11 @@
 // Files of profiles: every format read, steps bridged and noise smoothed.
 #include "contact/base/errors.hpp"
-
-#include <gtest/gtest.h>
-
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/profile_features.hpp"
 #include "profiles/profiles.hpp"
+
+#include <gtest/gtest.h>
+
 #include "support/profile_texts.hpp"
 #include "support/reference_folder.hpp"
 #include <array>

@@ -1,9 +1,10 @@
 // Profiles as instruments and programs write them: comments, headings, what is refused, and wheels
 // that are measured from the back of the flange.
+#include "profiles/profiles.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "profiles/profiles.hpp"
 #include "support/profile_texts.hpp"
 #include <regex>
 #include <string>

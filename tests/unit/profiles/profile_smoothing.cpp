@@ -1,8 +1,9 @@
 // The smoothing spline: through points, near points with noise, and what is left of the curvature.
-#include <gtest/gtest.h>
-
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/smoothing_spline.hpp"
+
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 #include <string>

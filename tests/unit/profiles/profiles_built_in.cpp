@@ -1,10 +1,11 @@
 // The built-in profiles against their formulas, against points of the Manchester benchmark's lists
 // and, where those files are at hand, against all of them.
-#include <gtest/gtest.h>
-
 #include "profiles/built_in_profiles.hpp"
 #include "profiles/profiles.hpp"
 #include "profiles/wheel_s1002.hpp"
+
+#include <gtest/gtest.h>
+
 #include "support/reference_folder.hpp"
 #include <array>
 #include <cmath>

@@ -2,11 +2,11 @@
 #include "theories/brush.hpp"
 
 #include "contact/base/errors.hpp"
+#include "theories/fastsim.hpp"
+#include "theories/vermeulen_johnson.hpp"
 
 #include <gtest/gtest.h>
 
-#include "theories/fastsim.hpp"
-#include "theories/vermeulen_johnson.hpp"
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -1,11 +1,11 @@
 // The ellipse that theories of elliptic patches are given for a patch of profiles.
 #include "contact/base/errors.hpp"
 #include "contact/result/patch_size.hpp"
+#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/profile_scenes.hpp"
-#include "theories/registry.hpp"
 #include <cmath>
 #include <string>
 

@@ -3,10 +3,10 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
+#include "theories/brush.hpp"
 
 #include <gtest/gtest.h>
 
-#include "theories/brush.hpp"
 #include <array>
 #include <cmath>
 #include <vector>

@@ -2,10 +2,10 @@
 #include "theories/strip.hpp"
 
 #include "contact/base/errors.hpp"
+#include "theories/vermeulen_johnson.hpp"
 
 #include <gtest/gtest.h>
 
-#include "theories/vermeulen_johnson.hpp"
 #include <cmath>
 
 namespace rollfem::theories {

@@ -4,12 +4,12 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/contact_residual.hpp"
 #include "contact/scene/geometry.hpp"
+#include "theories/hertz_model.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
 #include "support/hertz_line.hpp"
-#include "theories/hertz_model.hpp"
 #include <cmath>
 
 namespace rollfem::halfspace {

@@ -4,6 +4,7 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,6 @@
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_wheels.hpp"
-#include "track/motion/placed_scenes.hpp"
 
 using namespace rollfem;
 using halfspace::ExpectedPatch;

@@ -4,11 +4,11 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
+#include "track/balance/position.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/worn_wheels.hpp"
-#include "track/balance/position.hpp"
 #include <cmath>
 
 namespace {

@@ -1,10 +1,10 @@
 // Roots of several falling functions at once: found to the tolerance, and refused without a change
 // of sign.
 #include "contact/base/errors.hpp"
+#include "track/balance/root.hpp"
 
 #include <gtest/gtest.h>
 
-#include "track/balance/root.hpp"
 #include <cmath>
 
 using rollfem::track::falling_roots;

@@ -2,12 +2,12 @@
 #include "track/motion/rigid_touch.hpp"
 
 #include "contact/base/errors.hpp"
+#include "track/motion/conicity.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/worn_wheels.hpp"
-#include "track/motion/conicity.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include <cmath>
 
 using namespace rollfem;
