@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 #include <utility>
 
 namespace rollfem::convert {
@@ -118,41 +119,20 @@ void read_material(InputLines& lines, ContactCase& next) {
 }
 
 void read_potential_contact(InputLines& lines, ContactCase& next) {
+  // What follows MX, MY.
+  static const std::map<int, std::vector<std::string>> sizes{
+      {-6, {"AA", "BNEG", "BPOS", "SCALE"}}, {-5, {"AA", "BB", "SCALE"}},
+      {-4, {"A1", "BB", "SCALE"}},           {-3, {"AA", "BB", "SCALE"}},
+      {-2, {"A1", "AOB", "SCALE"}},          {-1, {"A1", "B1", "SCALE"}},
+      {1, {"XL", "YL", "DX", "DY"}},         {2, {"XL", "YL", "XH", "YH"}},
+      {3, {"XC1", "YC1", "DX", "DY"}},       {4, {"XC1", "YC1", "XCM", "YCM"}}};
   PotentialContact& area = next.potential;
   area.ipotcn = lines.whole(lines.numbers({"IPOTCN"}).front(), "IPOTCN", -6, 4);
+  const auto size = sizes.find(area.ipotcn);
+  if (size == sizes.end())
+    lines.fail("IPOTCN = 0; allowed: -6 to -1, 1 to 4", "look at the line above");
   std::vector<std::string> names{"MX", "MY"};
-  switch (area.ipotcn) {
-    case -1:
-      names.insert(names.end(), {"A1", "B1", "SCALE"});
-      break;
-    case -2:
-      names.insert(names.end(), {"A1", "AOB", "SCALE"});
-      break;
-    case -4:
-      names.insert(names.end(), {"A1", "BB", "SCALE"});
-      break;
-    case -3:
-    case -5:
-      names.insert(names.end(), {"AA", "BB", "SCALE"});
-      break;
-    case -6:
-      names.insert(names.end(), {"AA", "BNEG", "BPOS", "SCALE"});
-      break;
-    case 1:
-      names.insert(names.end(), {"XL", "YL", "DX", "DY"});
-      break;
-    case 2:
-      names.insert(names.end(), {"XL", "YL", "XH", "YH"});
-      break;
-    case 3:
-      names.insert(names.end(), {"XC1", "YC1", "DX", "DY"});
-      break;
-    case 4:
-      names.insert(names.end(), {"XC1", "YC1", "XCM", "YCM"});
-      break;
-    default:
-      lines.fail("IPOTCN = 0; allowed: -6 to -1, 1 to 4", "look at the line above");
-  }
+  names.insert(names.end(), size->second.begin(), size->second.end());
   const auto values = lines.numbers(names);
   area.mx = lines.whole(values[0], "MX", 1, largest_grid);
   area.my = lines.whole(values[1], "MY", 1, largest_grid);

@@ -9,8 +9,9 @@ import signal
 import subprocess
 import time
 
+from rollfem_figures.reader import read_json, read_result
+
 from . import style
-from rollfem_figures.reader import read_result
 
 
 def read_run(folder):
@@ -173,15 +174,13 @@ class Bench:
     def study(self, name, case, options=(), settings=None):
         """`rollfem study` of a case; study.json as a dict."""
         folder = self._program("study", name, [case], settings, [*options, "--no-report"])
-        with open(os.path.join(folder, "study.json"), encoding="utf-8") as file:
-            return json.load(file)
+        return read_json(folder, "study.json")
 
     def compare(self, name, cases, models):
         """`rollfem compare` of cases; (compare.json, {case name: Result})."""
         folder = self._program("compare", name, cases, None,
                                ["--model", ",".join(models), "--no-report"])
-        with open(os.path.join(folder, "compare.json"), encoding="utf-8") as file:
-            comparison = json.load(file)
+        comparison = read_json(folder, "compare.json")
         return comparison, {c["name"]: read_run(os.path.join(folder, c["name"]))
                             for c in comparison["cases"]}
 

@@ -9,11 +9,6 @@ from .outline import extent, loaded_runs
 from .seen import span
 
 
-def bar(point, quantity):
-    """The error bar of a quantity, 0 without one."""
-    return point.errors.get(quantity, 0.0)
-
-
 def _draw_published(figure, panel, result, models):
     """Values of others as points, where our curves are: a point far outside would shrink them."""
     own = [p["longitudinal_creepage"] for m in models for p in m.points]
@@ -34,8 +29,8 @@ def _coefficient(point, force):
 def _errors(points, force):
     """Bars of the coefficient."""
     if force == "lateral_force":
-        return [bar(p, force) / (abs(p["normal_force"]) or 1) for p in points]
-    return [bar(p, "traction_coefficient") for p in points]
+        return [(p.bar(force) or 0.0) / (abs(p["normal_force"]) or 1) for p in points]
+    return [p.bar("traction_coefficient") or 0.0 for p in points]
 
 
 def _draw_curve(figure, top, model, points, at, force):

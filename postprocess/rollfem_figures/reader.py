@@ -62,6 +62,10 @@ class Bodies(Mapping):
         return len(self._names)
 
 
+# Sizes whose error is twice that of another.
+TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
+
+
 @dataclass
 class Point:
     """One load point of one model.
@@ -89,6 +93,12 @@ class Point:
 
     def __getitem__(self, name):
         return self.scalars[name]
+
+    def bar(self, quantity):
+        """The error bar of a quantity; None where it has none."""
+        if quantity not in self.errors and TWICE.get(quantity) in self.errors:
+            return 2 * self.errors[TWICE[quantity]]
+        return self.errors.get(quantity)
 
     @property
     def creepages(self):

@@ -2,14 +2,13 @@
 
 Units mm, N, MPa. Global frame: x along rolling, y lateral, z into the wheel. Tension is positive.
 """
-import csv
 import json
 import os
 from dataclasses import dataclass
 
 import numpy as np
 
-from .reader import ResultError
+from .reader import ResultError, read_rows
 
 
 @dataclass
@@ -60,13 +59,12 @@ class StressResult:
 
 def _rows(path):
     """{(model key, load point, set, body): {column: array}} of stress.csv, columns without their units."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    names = [column.split(" [")[0] for column in rows[0]]
     groups = {}
-    for row in rows[1:]:
-        groups.setdefault((row[0], int(row[1]), row[2], row[3]), []).append([float(v) for v in row[4:]])
-    return {key: dict(zip(names[4:], np.array(values).T)) for key, values in groups.items()}
+    for row in read_rows(path)[1]:
+        (model, point, name, body), numbers = list(row.values())[:4], list(row.items())[4:]
+        for column, value in numbers:
+            groups.setdefault((model, int(point), name, body), {}).setdefault(column, []).append(float(value))
+    return {key: {name: np.array(values) for name, values in group.items()} for key, group in groups.items()}
 
 
 def read_stress(directory):

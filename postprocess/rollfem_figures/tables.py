@@ -3,7 +3,7 @@ import math
 import re
 from html import escape
 
-from . import curves, keys, looks, published, selection
+from . import keys, looks, published, selection
 from .reader import full_sliding, place_label
 
 
@@ -52,8 +52,8 @@ def barred(point, quantity, digits=5):
     """The value of a load point with its bar, or with why it has none."""
     if quantity not in point.scalars:
         return "–"
-    bar = _bar(point, quantity) if _has_bar(point, quantity) else point.no_bar.get(quantity, "")
-    return measured(point[quantity], bar, digits)
+    bar = point.bar(quantity)
+    return measured(point[quantity], point.no_bar.get(quantity, "") if bar is None else bar, digits)
 
 
 def with_bar(point, quantity, digits=5):
@@ -65,12 +65,15 @@ def with_bar(point, quantity, digits=5):
     return html
 
 
-def differing(difference, beyond):
-    """The difference to the reference in percent, bold where it is `beyond` both error bars."""
-    if difference is None:
+def against(point, base, quantity, scale):
+    """The difference to the reference in percent of a scale, bold where it is beyond both error bars (a theory without
+    an estimate has none); nothing without a scale."""
+    if not scale:
         return ""
-    text = f"<b>{percent(difference)}</b>" if beyond else percent(difference)
-    return f"<br><span class=d>{text}</span>"
+    difference = point[quantity] - base[quantity]
+    allowed = (point.bar(quantity) or 0.0) + (base.bar(quantity) or 0.0) + 1e-9 * abs(base[quantity])
+    text = percent(100 * difference / abs(scale))
+    return f"<br><span class=d>{f'<b>{text}</b>' if abs(difference) > allowed else text}</span>"
 
 
 # With so many columns a table is printed on a page that lies on its side (page.page).
@@ -90,11 +93,6 @@ def table(head, rows, kind=""):
         html.append("<tr><th scope=row>" + row[0] + "</th>" + "".join(f"<td>{c}</td>" for c in row[1:]) + "</tr>")
     html.append("</tbody></table></div>")
     return "".join(html)
-
-
-def _difference(value, reference, scale=None):
-    scale = reference if scale is None else scale
-    return 100 * (value - reference) / abs(scale) if scale else None
 
 
 # What the letters of the files look like on a page.
@@ -121,27 +119,6 @@ PATCH = ["max_pressure", "contact_length", "contact_width", "semi_axis_x", "semi
          "approach", "normal_force"]
 
 
-def _beyond(point, base, quantity):
-    """Whether a number differs from the reference by more than both bars; a theory without an
-    estimate has none."""
-    return (abs(point[quantity] - base[quantity])
-            > _bar(point, quantity) + _bar(base, quantity) + 1e-9 * abs(base[quantity]))
-
-
-# Sizes whose error is twice that of another.
-TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
-
-
-def _has_bar(point, quantity):
-    return quantity in point.errors or TWICE.get(quantity) in point.errors
-
-
-def _bar(point, quantity):
-    if quantity not in point.errors and quantity in TWICE:
-        return 2 * curves.bar(point, TWICE[quantity])
-    return curves.bar(point, quantity)
-
-
 def _tells(result, quantity):
     """Whether a row of the patch table says anything: a given force is the same in every model, and
     an ellipse has semi-axes, a patch of profiles a length and a width."""
@@ -162,13 +139,11 @@ def patch_table(result):
             continue
         row = [heading(result.quantities[quantity])]
         for model in models:
-            point = model.points[0]
-            against, beyond = None, False
+            cell = with_bar(model.points[0], quantity, 6)
             if model is not reference and reference and reference.points:
                 base = reference.points[0]
-                against = _difference(point[quantity], base[quantity])
-                beyond = _beyond(point, base, quantity)
-            row.append(with_bar(point, quantity, 6) + differing(against, beyond))
+                cell += against(model.points[0], base, quantity, base[quantity])
+            row.append(cell)
         rows.append(row)
     return table(["first load point"] + [escape(looks.label(m)) for m in models], rows)
 
@@ -228,15 +203,11 @@ def creepage_table(result, quantity):
         base = reference.at(creepages)
         for model in models:
             point = model.at(creepages)
-            if point is None:
-                row.append("–")
-            elif model is reference or base is None:
-                row.append(with_bar(point, quantity))
-            else:
+            cell = "–" if point is None else with_bar(point, quantity)
+            if point and model is not reference and base:
                 sliding = full_sliding(base, percent_of, result.case["friction_coefficient"])
-                row.append(with_bar(point, quantity)
-                           + differing(_difference(point[quantity], base[quantity], sliding or None),
-                                       _beyond(point, base, quantity)))
+                cell += against(point, base, quantity, sliding or base[quantity])
+            row.append(cell)
         rows.append(row)
     head = [", ".join(c[0] for c in columns)] + [escape(looks.label(m)) for m in models]
     return table(head, rows)
