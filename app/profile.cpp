@@ -209,10 +209,8 @@ fs::path folder_for(const ProfileRequest& request) {
 
 namespace {
 
-/// `pair`: the table of a wheel on its rail.
-void draw_and_tell(const fs::path& file, bool pair) {
-  const std::string problem =
-      postprocess::draw_profile(file.string(), script_directory().string(), pair);
+void draw_and_tell(const fs::path& file) {
+  const std::string problem = postprocess::make_report(file.string(), script_directory().string());
   if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
   std::cout << "table:  " << file.string() << '\n';
   if (problem.empty())
@@ -227,7 +225,7 @@ void tell_pair(const contact::Case& input, const fs::path& folder) {
   for (const auto& [name, table] : pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
     postprocess::replace_file(file, table);
-    draw_and_tell(file, true);
+    draw_and_tell(file);
   }
 }
 
@@ -245,7 +243,7 @@ void profile(const ProfileRequest& request) {
           file.string()));
     postprocess::replace_file(file, table(profile));
     std::cout << described(profile) << list(profile.curve);
-    draw_and_tell(file, false);
+    draw_and_tell(file);
   }
   if (fs::path(request.name).extension() == ".toml" && request.wheel == request.rail)
     tell_pair(contact::read_case(request.name), folder);

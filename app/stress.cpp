@@ -169,7 +169,8 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   files.commit();
   std::string problem;
   if (request.figures)
-    problem = postprocess::draw_stress(folder.string(), script_directory().string());
+    problem =
+        postprocess::make_report((folder / "stress.json").string(), script_directory().string());
   if (!left_out.empty()) std::cerr << "warning: left out: " << left_out << '\n';
   if (!problem.empty())
     std::cerr << "warning: stresses are written, but figures were not drawn: " << problem << '\n';

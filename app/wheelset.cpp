@@ -130,8 +130,7 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
     std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail, or its profile ends\n",
                              last);
   const fs::path table = folder / "wheelset.csv";
-  const std::string problem =
-      postprocess::draw_wheelset(table.string(), script_directory().string());
+  const std::string problem = postprocess::make_report(table.string(), script_directory().string());
   if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
   std::cout << "\ntable:  " << table.string() << '\n';
   if (problem.empty()) std::cout << "figure: " << (folder / "wheelset.svg").string() << '\n';

@@ -174,13 +174,13 @@ class Bench:
     def study(self, name, case, options=(), settings=None):
         """`rollfem study` of a case; study.json as a dict."""
         folder = self._program("study", name, [case], settings, [*options, "--no-report"])
-        return read_json(folder, "study.json")
+        return read_json(folder, "study")
 
     def compare(self, name, cases, models):
         """`rollfem compare` of cases; (compare.json, {case name: Result})."""
         folder = self._program("compare", name, cases, None,
                                ["--model", ",".join(models), "--no-report"])
-        comparison = read_json(folder, "compare.json")
+        comparison = read_json(folder, "compare")
         return comparison, {c["name"]: read_run(os.path.join(folder, c["name"]))
                             for c in comparison["cases"]}
 

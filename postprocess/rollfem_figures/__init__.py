@@ -5,9 +5,8 @@
     point = result.model("halfspace").nearest(longitudinal_creepage=0.002)
     point.fields["traction_x"]          # numpy array [ny, nx], MPa, on the wheel
 
-`python3 -m rollfem_figures DIR` draws DIR/figures/*.svg and writes DIR/report.html.
-`python3 -m rollfem_figures --stress DIR` does so for a folder of `rollfem stress`, which
-`read_stress(DIR)` reads. Needs numpy and h5py.
+`python3 -m rollfem_figures DIR` draws DIR/figures/*.svg and writes DIR/report.html. `read_stress(DIR)` reads a folder of
+`rollfem stress`. Needs numpy and h5py.
 """
 from .reader import Body, Model, Point, Result, ResultError, read_result
 from .stress_reader import StressModel, StressResult, StressSet, read_stress

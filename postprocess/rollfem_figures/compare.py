@@ -5,9 +5,9 @@ from html import escape
 import numpy as np
 
 from . import looks, page, report, tables
-from .build import build, draw_all
+from .build import build as build_run, draw_all
 from .figure import Figure, folder_of
-from .reader import ResultError, read_json
+from .reader import read_json
 
 
 def _models(cases):
@@ -150,7 +150,7 @@ def _case_section(comparison, case, directory):
     if not case["complete"]:
         return heading + _missing(case)
     folder = os.path.join(directory, case["name"])
-    result, figures = build(folder, comparison["reference"] or "halfspace")
+    result, figures = build_run(folder, comparison["reference"] or "halfspace")
     inner = report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
     inner += "<h2>Cost</h2>" + tables.cost_table(result) + report.notes(result)
     return "".join([heading, report.asked(result), _missing(case), report.lower(inner),
@@ -185,11 +185,9 @@ def _asked(comparison):
             f"<ul>{cases}</ul>")
 
 
-def build_comparison(directory):
+def build(directory):
     """Draws every case of the comparison in `directory` and writes compare.html."""
-    comparison = read_json(directory, "compare.json")
-    if comparison.get("kind") != "compare" or comparison.get("format") != 2:
-        raise ResultError(f"{directory}/compare.json is not a comparison that this program reads")
+    comparison = read_json(directory, "compare")
     looks.know(comparison.get("labels", {}))
     cases = [c for c in comparison["cases"] if c["complete"]]
     sections = [_case_section(comparison, c, directory) for c in comparison["cases"]]

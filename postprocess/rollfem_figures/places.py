@@ -77,7 +77,7 @@ def draw_pair(drawn, touching, title):
     return figure
 
 
-def draw_pair_file(path):
+def build(path):
     """Draws NAME.svg of a table NAME.csv that `rollfem profile CASE.toml` wrote."""
     title, rows = read_rows(path)
     drawn = {part: np.array([[float(row["y"]), float(row["z"])] for row in rows if row["part"] == part])

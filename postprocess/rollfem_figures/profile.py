@@ -51,6 +51,6 @@ def drawn(title, columns):
     return figure
 
 
-def draw(path):
+def build(path):
     """NAME.svg of a table NAME.csv that `rollfem profile` wrote."""
     drawn(*read_columns(path, "curvature")).save(os.path.splitext(path)[0] + ".svg")

@@ -16,6 +16,7 @@ import numpy as np
 from .seal import json_is_sound, results_are_sound
 
 FORMAT_VERSION = 2
+JSON_FORMATS = {"compare": ("comparison", 2), "study": ("study", 3)}
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
 
 
@@ -342,18 +343,22 @@ def read_columns(path, needed):
     return title, {name: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
 
 
-def read_json(directory, name):
-    """compare.json or study.json. Raises ResultError when its checksum does not match."""
-    path = os.path.join(directory, name)
+def read_json(directory, kind):
+    """compare.json or study.json, by its kind. Raises ResultError where it is damaged or of another format."""
+    path = os.path.join(directory, f"{kind}.json")
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read()
     if not json_is_sound(text):
         raise ResultError(f"{path} is truncated, damaged or changed: its checksum does not match; "
                           "run the command again")
     try:
-        return json.loads(text)
+        data = json.loads(text)
     except ValueError as error:
         raise ResultError(f"{path} is truncated or damaged: {error}; run the command again") from error
+    word, version = JSON_FORMATS[kind]
+    if (data.get("kind"), data.get("format")) != (kind, version):
+        raise ResultError(f"{path} is not a {word} that this program reads")
+    return data
 
 
 def read_result(path):

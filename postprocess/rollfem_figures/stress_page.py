@@ -65,8 +65,9 @@ def _verdicts(result):
     return "".join(html)
 
 
-def build(directory):
-    """Draws what the folder has to its figures/ and writes stress.html."""
+def build(path):
+    """Draws what stands with stress.json to figures/ beside it and writes stress.html."""
+    directory = os.path.dirname(os.path.abspath(path))
     result = read_stress(directory)
     looks.know({model.name: model.label for model in result.models})
     drawn = draw_all(figures(result), folder_of(directory))

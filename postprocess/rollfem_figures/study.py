@@ -7,7 +7,7 @@ import numpy as np
 from . import looks, page, report, tables
 from .build import draw_all
 from .figure import Figure, folder_of
-from .reader import Quantity, ResultError, read_json
+from .reader import Quantity, read_json
 from .words import math
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
@@ -252,11 +252,9 @@ def _place_parts(study, place, images):
     return [f"<details><summary>{title}</summary>", *parts, "</details>"]
 
 
-def build_study(directory):
+def build(directory):
     """Draws the study in `directory` and writes study.html."""
-    study = read_json(directory, "study.json")
-    if study.get("kind") != "study" or study.get("format") != 3:
-        raise ResultError(f"{directory}/study.json is not a study that this program reads")
+    study = read_json(directory, "study")
     looks.know(study.get("labels", {}))
     title = "Refinement study: " + escape(study["title"] or study["case_file"])
     parts = [report.verdict(study["verdict"]),

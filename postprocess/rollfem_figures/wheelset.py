@@ -57,14 +57,14 @@ def drawn(table, loaded=()):
         return [(*zip(*spots), {**look, "joined": False, "order": 5})] if spots else []
 
     figure = Figure(2)
-    radii = [line(difference, -difference), *markers(_radius_differences(loaded), marker="D", size=2.8)]
+    differences = _radius_differences(loaded)
+    radii = [line(difference, -difference), *markers(differences, marker="D", size=2.8)]
     angles = []
     for (side, colour, dash, marker), other in zip(BOTH, ("right", "left")):
         spots = sorted((p["lateral_shift"], numpy.degrees(p["contact_angle"])) for p in loaded if p["wheel"] == side)
         angles += [line(angle[side], angle[other], colour=colour, dash=dash), *markers(spots, colour=colour, marker=marker)]
-        if spots or not loaded:
-            figure.entry(f"{side} wheel" + UNDER_LOAD * bool(loaded), colour, dash, marker=marker if loaded else None)
-    if loaded:
+        figure.entry(f"{side} wheel" + UNDER_LOAD * bool(spots), colour, dash, marker=marker if spots else None)
+    if differences:
         figure.entry("right less left" + UNDER_LOAD, "ink", marker="D")
     for kind, colour, dash in KINDS:
         figure.entry(f"conicity, {kind}", colour, dash)
@@ -80,7 +80,7 @@ def drawn(table, loaded=()):
     return figure
 
 
-def draw(path):
+def build(path):
     """NAME.svg of a table NAME.csv that `rollfem wheelset` wrote."""
     drawn(read_columns(path, "conicity_wave")[1]).save(os.path.splitext(path)[0] + ".svg")
 

@@ -69,24 +69,13 @@ void check_directory(const std::string& directory);
 /// are not of rollfem's making stay. A number that is not finite throws std::logic_error.
 void write_results(const std::string& directory, const RunRecord& run);
 
-/// Runs the plotting program on a written folder: figures/*.svg and report.html. Returns one
-/// line on failure, empty on success; a longer text of the program goes to report.log in the
-/// folder; results stay whatever happens here. `script_directory` is the Python package
-/// rollfem_figures or the folder that holds it. Python is that of the environment variable
+/// Runs the plotting program on what rollfem has written: a result folder, or that of a comparison,
+/// a study or a table; stress.json; the table NAME.csv of a profile or a wheelset, whose figure is
+/// NAME.svg. Returns one line on failure, empty on success; a longer text of the program goes to
+/// report.log in the folder; results stay whatever happens here. `script_directory` is the Python
+/// package rollfem_figures or the folder that holds it. Python is that of the environment variable
 /// ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH; it takes no module from the current
 /// folder.
-std::string make_report(const std::string& directory, const std::string& script_directory);
-
-/// Draws the table of a profile (app/profile.hpp) as a figure beside it, NAME.csv as NAME.svg;
-/// `pair`: the table of a wheel on its rail (app/case_scenes.hpp). Otherwise as make_report.
-std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
-                         bool pair = false);
-
-/// Draws the table of `rollfem wheelset` as a figure beside it; otherwise as make_report.
-std::string draw_wheelset(const std::string& csv_file, const std::string& script_directory);
-
-/// Draws what `rollfem stress` wrote to a folder (stress.csv, stress.json) to its figures/;
-/// otherwise as make_report.
-std::string draw_stress(const std::string& directory, const std::string& script_directory);
+std::string make_report(const std::string& path, const std::string& script_directory);
 
 }  // namespace rollfem::postprocess

@@ -126,43 +126,21 @@ std::string python_path() {
   return "PYTHONPATH=" + kept;
 }
 
-/// Runs the package with these arguments, which name files by absolute paths; returns what went
-/// wrong, empty when nothing did. Python looks for modules in the folder where it is started before
-/// any other place: that is the package's, never the user's, where a numpy.py would be run.
-std::string draw(const fs::path& directory, const std::string& script_directory,
-                 const std::vector<std::string>& arguments) {
+}  // namespace
+
+std::string make_report(const std::string& path, const std::string& script_directory) {
   const fs::path parent = package_parent(script_directory);
   if (parent.empty())
     return fmt::format("no Python package rollfem_figures in {}", script_directory);
-  std::vector<std::string> call{find_python(), "-m", "rollfem_figures"};
-  call.insert(call.end(), arguments.begin(), arguments.end());
+  const fs::path what = fs::absolute(path);
+  // Python looks for modules in the folder where it is started before any other place: that is the
+  // package's, never the user's, where a numpy.py would be run.
   const std::string printed =
-      run(call,
+      run({find_python(), "-m", "rollfem_figures", what.string()},
           environment_with({python_path(), "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
                             "PYTHONIOENCODING=utf-8"}),
           parent.string());
-  return one_line(directory, printed);
-}
-
-}  // namespace
-
-std::string make_report(const std::string& directory, const std::string& script_directory) {
-  return draw(directory, script_directory, {fs::absolute(directory).string()});
-}
-
-std::string draw_profile(const std::string& csv_file, const std::string& script_directory,
-                         bool pair) {
-  const fs::path file = fs::absolute(csv_file);
-  return draw(file.parent_path(), script_directory, {pair ? "--pair" : "--profile", file.string()});
-}
-
-std::string draw_wheelset(const std::string& csv_file, const std::string& script_directory) {
-  const fs::path file = fs::absolute(csv_file);
-  return draw(file.parent_path(), script_directory, {"--wheelset", file.string()});
-}
-
-std::string draw_stress(const std::string& directory, const std::string& script_directory) {
-  return draw(directory, script_directory, {"--stress", fs::absolute(directory).string()});
+  return one_line(fs::is_regular_file(what) ? what.parent_path() : what, printed);
 }
 
 }  // namespace rollfem::postprocess
