@@ -91,6 +91,7 @@ class Point:
     bodies: Mapping = field(default_factory=dict)
     no_bar: dict = field(default_factory=dict)
     model_errors: dict = field(default_factory=dict)
+    richardson: dict = field(default_factory=dict)  # values extrapolated to elements of size 0
 
     def __getitem__(self, name):
         return self.scalars[name]
@@ -260,9 +261,9 @@ def _read_point(group, number, by_number, nodes):
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
              for _, part in sorted(group["subsurface"].items())] if "subsurface" in group else []
     said = {name: _attributes(group[name]) if name in group else {}
-            for name in ("error_estimate", "no_bar", "model_error")}
+            for name in ("error_estimate", "no_bar", "model_error", "richardson")}
     return Point(_attributes(group), fields, said["error_estimate"], number, by_number, below, _read_maxima(group),
-                 bodies, said["no_bar"], said["model_error"])
+                 bodies, said["no_bar"], said["model_error"], said["richardson"])
 
 
 def full_sliding(point, percent_of, friction):

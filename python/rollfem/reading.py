@@ -27,7 +27,7 @@ def _body(body):
 
 def _point(point):
     return {"scalars": point.scalars, "fields": point.fields, "error_estimate": point.errors, "no_bar": point.no_bar,
-            "model_error": point.model_errors, "richardson": getattr(point, "richardson", {}),
+            "model_error": point.model_errors, "richardson": point.richardson,
             "subsurface": point.subsurface, "stress_maxima": point.stress_maxima,
             "bodies": {name: _body(body) for name, body in point.bodies.items()}}
 

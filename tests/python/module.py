@@ -130,6 +130,7 @@ class Results(unittest.TestCase):
                 for name, values in here.fields.items():
                     np.testing.assert_array_equal(values, there.fields[name], name)
                 self.assertEqual(here.error_estimate, there.error_estimate)
+                self.assertEqual(here.richardson, there.richardson)
         self.assertEqual(summary["models"][0]["points"][1]["max_pressure"], result.points[1].max_pressure)
         self.assertEqual(of_program.case.with_(spin=1e-4)["rolling.spin"], 1e-4)
 
