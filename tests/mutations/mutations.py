@@ -243,7 +243,7 @@ MUTATIONS = [
              "sum(cross(arm, total), contact.normal, force.spin_moment)", "cross(arm, total)",
              "the moment of a patch about its normal does not turn the axle",
              ("unit_wheelset_motion", "verification_wheelset_balance")),
-    Mutation("friction_in_the_balance", "track/balance/patch_forces.cpp",
+    Mutation("friction_in_the_balance", "track/balance/position.cpp",
              "{point.longitudinal_force, point.lateral_force, point.normal_force, point.spin_moment}",
              "{point.longitudinal_force, -point.lateral_force, point.normal_force, point.spin_moment}",
              "the balance has the lateral force of the rail",

@@ -2,8 +2,8 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/refinement.hpp"
+#include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
-#include "track/balance/patch_forces.hpp"
 #include "track/balance/root.hpp"
 #include "track/motion/placed_scenes.hpp"
 #include "track/motion/wheelset_motion.hpp"
@@ -26,6 +26,20 @@ namespace {
 constexpr double load_tolerance = 1e-4;
 /// Torque below this part of mu F_z R is none.
 constexpr double torque_tolerance = 1e-5;
+/// Forces to about half a percent of mu F_z (docs/accuracy.md); what of it enters the balance is
+/// smaller by the sine of the contact angle, and the rotation feels it in both wheels alike.
+constexpr int elements_of_balance = 24;
+
+/// Tangential forces by the half-space on a coarse grid, one for each load point of the scene.
+std::vector<PatchForce> patch_forces(const contact::Scene& scene, int elements_across) {
+  const contact::ModelResult result =
+      halfspace::run_halfspace(halfspace::on_few_elements(scene, elements_across), {});
+  std::vector<PatchForce> forces;
+  for (const contact::PointResult& point : result.points)
+    forces.push_back(
+        {point.longitudinal_force, point.lateral_force, point.normal_force, point.spin_moment});
+  return forces;
+}
 
 struct Patch {
   PlacedScene placed;

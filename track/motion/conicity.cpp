@@ -77,13 +77,6 @@ std::optional<double> RadiusDifference::wave_length(double amplitude, double con
   return 4.0 * quarter * 0.5 * pi / quadrature_points;
 }
 
-std::optional<double> RadiusDifference::wave_conicity(double amplitude, double contact_distance,
-                                                      double rolling_radius) const {
-  const auto length = wave_length(amplitude, contact_distance, rolling_radius);
-  if (!length) return {};
-  return conicity_of_wave(*length, contact_distance, rolling_radius);
-}
-
 double conicity_of_wave(double wave_length, double contact_distance, double rolling_radius) {
   return 2.0 * pi * pi * contact_distance * rolling_radius / (wave_length * wave_length);
 }

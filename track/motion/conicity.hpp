@@ -29,9 +29,6 @@ class RadiusDifference {
   /// it does not swing back. (Klingel's equation with the real radii: UIC 519, EN 15302.)
   std::optional<double> wave_length(double amplitude, double contact_distance,
                                     double rolling_radius) const;
-  /// Of the cones with that wave length (conicity_of_wave).
-  std::optional<double> wave_conicity(double amplitude, double contact_distance,
-                                      double rolling_radius) const;
 
  private:
   std::size_t piece(double shift) const;
