@@ -9,6 +9,7 @@
 namespace rollfem::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
@@ -64,56 +65,41 @@ py::dict fields_of(const contact::ContactGrid& grid, const PointResult& point,
 py::list subsurface_of(const PointResult& point, const Shared& owner) {
   static const char* const kinds[] = {"point", "line", "plane", "surface"};
   py::list found;
-  for (const contact::SubsurfaceField& field : point.subsurface) {
-    py::dict one;
-    one["kind"] = kinds[static_cast<int>(field.request.kind)];
-    one["body"] = field.request.wheel ? "wheel" : "rail";
-    one["points"] = rows(field.points, owner);
-    one["displacement"] = rows(field.displacement, owner);
-    one["stress"] = rows(field.stress, owner);
-    found.append(one);
-  }
+  for (const contact::SubsurfaceField& field : point.subsurface)
+    found.append(py::dict("kind"_a = kinds[static_cast<int>(field.request.kind)],
+                          "body"_a = field.request.wheel ? "wheel" : "rail",
+                          "points"_a = rows(field.points, owner),
+                          "displacement"_a = rows(field.displacement, owner),
+                          "stress"_a = rows(field.stress, owner)));
   return found;
 }
 
 py::list maxima_of(const PointResult& point) {
   py::list found;
-  for (const contact::StressMaximum& maximum : point.stress_maxima) {
-    py::dict one;
-    one["body"] = maximum.body;
-    one["measure"] = maximum.measure;
-    one["value"] = maximum.value;
-    one["place"] = maximum.place;
-    found.append(one);
-  }
+  for (const contact::StressMaximum& maximum : point.stress_maxima)
+    found.append(py::dict("body"_a = maximum.body, "measure"_a = maximum.measure,
+                          "value"_a = maximum.value, "place"_a = maximum.place));
   return found;
 }
 
 py::dict bodies_of(const ModelResult& model, const PointResult& point, const Shared& owner) {
   py::dict found;
-  for (std::size_t b = 0; b < point.bodies.size() && b < model.bodies.size(); ++b) {
-    py::dict one;
-    one["points"] = rows(model.bodies[b].points, owner);
-    one["cells"] = rows(model.bodies[b].cells, owner);
-    one["displacement"] = rows(point.bodies[b].displacement, owner);
-    one["stress"] = rows(point.bodies[b].stress, owner);
-    found[model.bodies[b].name.c_str()] = one;
-  }
+  for (std::size_t b = 0; b < point.bodies.size() && b < model.bodies.size(); ++b)
+    found[model.bodies[b].name.c_str()] =
+        py::dict("points"_a = rows(model.bodies[b].points, owner),
+                 "cells"_a = rows(model.bodies[b].cells, owner),
+                 "displacement"_a = rows(point.bodies[b].displacement, owner),
+                 "stress"_a = rows(point.bodies[b].stress, owner));
   return found;
 }
 
 py::dict point_of(const ModelResult& model, const PointResult& point, const Shared& owner) {
-  py::dict found;
-  found["scalars"] = scalars_of(point);
-  found["fields"] = fields_of(model.grid, point, owner);
-  found["error_estimate"] = point.error_estimate;
-  found["no_bar"] = point.no_bar;
-  found["model_error"] = point.model_error;
-  found["richardson"] = point.richardson;
-  found["subsurface"] = subsurface_of(point, owner);
-  found["stress_maxima"] = maxima_of(point);
-  found["bodies"] = bodies_of(model, point, owner);
-  return found;
+  return py::dict("scalars"_a = scalars_of(point), "fields"_a = fields_of(model.grid, point, owner),
+                  "error_estimate"_a = point.error_estimate, "no_bar"_a = point.no_bar,
+                  "model_error"_a = point.model_error, "richardson"_a = point.richardson,
+                  "subsurface"_a = subsurface_of(point, owner),
+                  "stress_maxima"_a = maxima_of(point),
+                  "bodies"_a = bodies_of(model, point, owner));
 }
 
 py::object place_of(const ModelResult& model) {
@@ -128,29 +114,18 @@ py::object place_of(const ModelResult& model) {
 }
 
 py::dict model_of(const ModelResult& model, const Shared& owner) {
-  py::dict found;
-  found["name"] = model.name;
-  found["label"] = model.label;
-  found["key"] = model.key();
-  found["seconds"] = model.seconds;
-  found["unknowns"] = model.unknowns;
-  found["contact_elements"] = model.contact_elements;
-  found["notes"] = model.notes;
-  found["choice"] = model.choice;
-  found["shortfall"] = model.shortfall;
-  found["model_error_source"] = model.model_error_source;
-  found["dx"] = model.grid.dx;
-  found["dy"] = model.grid.dy;
   py::array_t<double> x(model.grid.nx), y(model.grid.ny);
   for (int i = 0; i < model.grid.nx; ++i) x.mutable_at(i) = model.grid.x(i);
   for (int j = 0; j < model.grid.ny; ++j) y.mutable_at(j) = model.grid.y(j);
-  found["x"] = x;
-  found["y"] = y;
-  found["place"] = place_of(model);
   py::list points;
   for (const PointResult& point : model.points) points.append(point_of(model, point, owner));
-  found["points"] = points;
-  return found;
+  return py::dict("name"_a = model.name, "label"_a = model.label, "key"_a = model.key(),
+                  "seconds"_a = model.seconds, "unknowns"_a = model.unknowns,
+                  "contact_elements"_a = model.contact_elements, "notes"_a = model.notes,
+                  "choice"_a = model.choice, "shortfall"_a = model.shortfall,
+                  "model_error_source"_a = model.model_error_source, "dx"_a = model.grid.dx,
+                  "dy"_a = model.grid.dy, "x"_a = x, "y"_a = y, "place"_a = place_of(model),
+                  "points"_a = points);
 }
 
 }  // namespace

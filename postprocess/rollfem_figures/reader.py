@@ -225,9 +225,9 @@ def place_label(place):
     """What tells a patch from the others of a run; empty without profiles."""
     if not place:
         return ""
-    text = f"{place['wheel']} wheel, position {place['position']:.0f}"
+    text = f"{place['wheel']} wheel, position {place['position']}"
     if place["patches"] > 1:
-        text += f", patch {place['patch']:.0f} of {place['patches']:.0f}"
+        text += f", patch {place['patch']} of {place['patches']}"
     return text
 
 
@@ -279,6 +279,8 @@ def _read_model(key, group, by_number):
     grid = group["grid"]
     name = _plain(group.attrs.get("model", key))
     place = _attributes(group["place"]) if "place" in group else None
+    for count in ("position", "patch", "patches") if place else ():
+        place[count] = int(place[count])
     nodes = group.get("bodies")
     # Hertz has one point whatever the case asks for.
     points = [_read_point(group["points"][key], number, by_number and name != "hertz", nodes)

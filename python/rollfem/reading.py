@@ -33,15 +33,11 @@ def _point(point):
 
 
 def _model(model):
-    place = dict(model.place) if model.place else None
-    for name in ("position", "patch", "patches"):
-        if place and name in place:
-            place[name] = int(place[name])
     return ModelResult({
         "name": model.name, "label": model.label, "key": model.key, "seconds": model.seconds,
         "unknowns": model.unknowns, "contact_elements": model.contact_elements, "notes": model.notes, "choice": "",
         "shortfall": "", "model_error_source": model.model_error_source, "dx": model.dx, "dy": model.dy, "x": model.x,
-        "y": model.y, "place": place, "points": [_point(point) for point in model.points]})
+        "y": model.y, "place": model.place, "points": [_point(point) for point in model.points]})
 
 
 def read(folder):
