@@ -4,9 +4,10 @@
 #include "contact/base/stopwatch.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
-#include "halfspace/curvature/curved_level.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/level.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/patch/scene_chart.hpp"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,9 @@ namespace {
 
 /// What is given, as the normal force, comes back so closely: no model error.
 constexpr double rounding = 1e-8;
+
+/// Before the stage names of progress events.
+constexpr const char* of_model_error = "model error: ";
 
 /// The surface that curved bodies meet on. A pressure that is given lies in the plane.
 contact::Scene on_common_surface(contact::Scene scene) {
@@ -43,13 +47,34 @@ std::map<std::string, double> changes(const contact::PrescribedForce& force,
   return result;
 }
 
+/// The contact problem on gently curved bodies: the common driver on CurvedCompliance, by defect
+/// correction on the half-space. All load points on the grid; none where a patch reaches its
+/// border.
+std::optional<contact::LevelResult> solve_curved_level(const contact::Scene& scene,
+                                                       const contact::ContactGrid& grid,
+                                                       const contact::Progress& progress) {
+  const contact::ChartedGeometry geometry = halfspace_geometry(scene);
+  contact::RunOptions options;
+  options.model = "halfspace";
+  options.stage_prefix = of_model_error;
+  options.force_accuracy = accuracy_of_force_search;
+  options.same_normal_block = false;
+  contact::ContactRun run(scene, geometry, options, progress, nullptr);
+  const bool inside = run.solve(grid, [&] {
+    return std::make_unique<PreconditionedElasticity>(
+        scene, grid, std::make_unique<CurvedCompliance>(scene, grid));
+  });
+  if (!inside) return {};
+  return run.take_result();
+}
+
 std::optional<ModelErrors> errors_of_few_elements(const contact::Scene& scene,
                                                   const contact::Progress& progress, int across) {
   const contact::Scene few = on_few_elements(scene, across);
   const PatchSearch area(few);
   const auto [length, width] = area.extent();
   const contact::LevelResult plain =
-      solve_level(few, area, length / across, width / across, nullptr, "model error: ", progress);
+      solve_level(few, area, length / across, width / across, nullptr, of_model_error, progress);
   return model_errors(few, plain, progress);
 }
 
@@ -59,7 +84,7 @@ std::optional<ModelErrors> model_errors(const contact::Scene& scene,
                                         const contact::LevelResult& plain,
                                         const contact::Progress& progress) {
   const contact::Scene curved = on_common_surface(scene);
-  const auto level = solve_curved_level(curved, plain.grid, "model error: ", progress);
+  const auto level = solve_curved_level(curved, plain.grid, progress);
   if (!level) return {};
   ModelErrors errors;
   for (std::size_t k = 0; k < plain.points.size(); ++k)

@@ -1,5 +1,5 @@
 // The model error of the half-space, estimated by solving the contact once more on bodies with
-// their true curvature (curved_level.hpp), across rolling on their common surface.
+// their true curvature (curved_compliance.hpp), across rolling on their common surface.
 #pragma once
 
 #include "contact/base/progress.hpp"
