@@ -2,6 +2,7 @@
 
 #include "postprocess/table/table_files.hpp"
 
+#include <array>
 #include <map>
 #include <pybind11/stl.h>
 #include <string>
@@ -10,6 +11,7 @@
 namespace rollfem::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
@@ -32,26 +34,33 @@ std::vector<Column> columns_of(std::size_t count, const Ask& ask) {
   return found;
 }
 
-std::map<std::string, double> interpolation_of(const CreepTableReader& reader) {
-  const postprocess::InterpolationError& error = reader.table().interpolation;
+/// The errors between the points of the grid.
+std::map<std::string, double> interpolation_of(const postprocess::InterpolationError& error) {
   std::map<std::string, double> found{{"points", error.points}, {"seed", error.seed}};
   for (const auto& [name, member] : postprocess::interpolation_errors) found[name] = error.*member;
   return found;
 }
 
-std::vector<Column> axes_of(const CreepTableReader& reader) {
-  const postprocess::CreepTable& table = reader.table();
-  return {table.places(), table.creepage[0], table.creepage[1], table.creepage[2]};
-}
-
 /// Of every shift.
-std::map<std::string, Column> wheels_of(const CreepTableReader& reader) {
+std::map<std::string, Column> wheels_of(const postprocess::CreepTable& table) {
   std::map<std::string, Column> found;
-  if (!reader.table().over_shifts()) return found;
   for (const postprocess::WheelColumn& column : postprocess::wheel_columns())
-    for (const postprocess::TableWheel& wheel : reader.table().wheels)
+    for (const postprocess::TableWheel& wheel : table.wheels)
       found[column.name].push_back(wheel.*column.member);
   return found;
+}
+
+/// All that the table holds.
+py::dict contents_of(const CreepTableReader& reader) {
+  const postprocess::CreepTable& table = reader.table();
+  const std::array axes{table.places(), table.creepage[0], table.creepage[1], table.creepage[2]};
+  return py::dict("title"_a = table.title, "case_text"_a = table.case_text,
+                  "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
+                  "shear_modulus"_a = table.shear_modulus,
+                  "friction_coefficient"_a = table.friction_coefficient,
+                  "wheels"_a = wheels_of(table), "along_normal"_a = table.along_normal,
+                  "axes"_a = axes, "interpolation"_a = interpolation_of(table.interpolation),
+                  "forces"_a = table.forces, "bars"_a = table.bars);
 }
 
 /// At any shifts.
@@ -71,25 +80,7 @@ void define_tables(py::module_& module) {
   py::class_<CreepTableReader>(module, "CreepTable")
       .def(py::init(
           [](const std::string& path) { return CreepTableReader(postprocess::read_table(path)); }))
-      .def_property_readonly("title", [](const CreepTableReader& r) { return r.table().title; })
-      .def_property_readonly("case_text",
-                             [](const CreepTableReader& r) { return r.table().case_text; })
-      .def_property_readonly("poisson_ratio",
-                             [](const CreepTableReader& r) { return r.table().poisson_ratio; })
-      .def_property_readonly("over_shifts",
-                             [](const CreepTableReader& r) { return r.table().over_shifts(); })
-      .def_property_readonly("shear_modulus",
-                             [](const CreepTableReader& r) { return r.table().shear_modulus; })
-      .def_property_readonly(
-          "friction_coefficient",
-          [](const CreepTableReader& r) { return r.table().friction_coefficient; })
-      .def_property_readonly("wheels", &wheels_of)
-      .def_property_readonly("along_normal",
-                             [](const CreepTableReader& r) { return r.table().along_normal; })
-      .def_property_readonly("axes", &axes_of)
-      .def_property_readonly("interpolation", &interpolation_of)
-      .def_property_readonly("forces", [](const CreepTableReader& r) { return r.table().forces; })
-      .def_property_readonly("bars", [](const CreepTableReader& r) { return r.table().bars; })
+      .def("contents", &contents_of)
       .def("scaled",
            [](const CreepTableReader& reader, const Column& ratio, const Column& xi,
               const Column& eta, const Column& phi) {

@@ -28,21 +28,21 @@ class Table:
 
     def __init__(self, path):
         self._core = _CreepTable(os.fspath(path))
-        found = self._core
-        self.title, self.case_text, self.poisson_ratio = found.title, found.case_text, found.poisson_ratio
-        first = "lateral_shift" if found.over_shifts else "axis_ratio"
-        self.axes = dict(zip((first, "longitudinal", "lateral", "spin"), map(np.array, found.axes)))
-        self.interpolation = dict(found.interpolation)
+        found = self._core.contents()
+        self.title, self.case_text, self.poisson_ratio = found["title"], found["case_text"], found["poisson_ratio"]
+        first = "lateral_shift" if found["over_shifts"] else "axis_ratio"
+        self.axes = dict(zip((first, "longitudinal", "lateral", "spin"), map(np.array, found["axes"])))
+        self.interpolation = found["interpolation"]
         shape = tuple(len(values) for values in self.axes.values())
-        forces = np.array(found.forces).reshape(*shape, 3)
-        bars = np.array(found.bars).reshape(*shape, 2)
+        forces = np.array(found["forces"]).reshape(*shape, 3)
+        bars = np.array(found["bars"]).reshape(*shape, 2)
         self.longitudinal_force, self.lateral_force, self.spin_moment = np.moveaxis(forces, -1, 0)
         self.force_bar, self.moment_bar = np.moveaxis(bars, -1, 0)
         self.wheels = self.force_along_normal = self.shear_modulus = self.friction_coefficient = None
-        if found.over_shifts:
-            self.wheels = {name: np.array(values) for name, values in found.wheels.items()}
-            self.force_along_normal = np.array(found.along_normal).reshape(shape)
-            self.shear_modulus, self.friction_coefficient = found.shear_modulus, found.friction_coefficient
+        if found["over_shifts"]:
+            self.wheels = {name: np.array(values) for name, values in found["wheels"].items()}
+            self.force_along_normal = np.array(found["along_normal"]).reshape(shape)
+            self.shear_modulus, self.friction_coefficient = found["shear_modulus"], found["friction_coefficient"]
 
     @property
     def shape(self):
