@@ -1,18 +1,18 @@
 #include "app/bench.hpp"
 
-#include "app/auto_model.hpp"
 #include "app/bench_cases.hpp"
-#include "app/machine_speed.hpp"
-#include "app/models.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/stopwatch.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
+#include "models/caches/machine_speed.hpp"
+#include "models/choice/forecast.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
 
 #include <fmt/format.h>
 
-#include "choice/forecast.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -71,8 +71,8 @@ std::string percent_of(const std::optional<double>& part) {
 
 class Bench {
  public:
-  Bench(const BenchRequest& request, const contact::ModelRegistry& models, const Solving& how,
-        std::filesystem::path keep_in, std::string made)
+  Bench(const BenchRequest& request, const contact::ModelRegistry& models,
+        const modelling::Solving& how, std::filesystem::path keep_in, std::string made)
       : request_(request),
         models_(models),
         how_(how),
@@ -162,15 +162,16 @@ class Bench {
   std::optional<double> predicted(const BenchCase& given, const std::string& model,
                                   int across) const {
     const contact::Scene scene(input_of(given, model, across));
-    for (const choice::Forecast& forecast : app::forecasts_of(scene, models_))
-      for (const choice::Level& level : forecast.levels)
+    for (const modelling::Forecast& forecast : modelling::forecasts_of(scene, models_))
+      for (const modelling::Level& level : forecast.levels)
         if (forecast.model == model && level.across == across) return level.seconds;
     return {};
   }
 
   contact::Case input_of(const BenchCase& given, const std::string& model, int across) const {
     const auto parsed = [&](const std::string& keys) {
-      return contact::parse_case(given.text + keys, "bench " + given.name, model_words(models_));
+      return contact::parse_case(given.text + keys, "bench " + given.name,
+                                 modelling::model_words(models_));
     };
     contact::Case input = parsed(fmt::format("[contact_grid]\nelements_across = {}\n", across));
     if (models_.at(model).keeps_bodies) {
@@ -187,7 +188,7 @@ class Bench {
     const contact::Case input = input_of(given, model, across);
     const contact::Stopwatch watch;
     const std::clock_t begin = std::clock();
-    const Solved found = solve(input, how_);
+    const modelling::Solved found = modelling::solve(input, how_);
     if (found.results.empty()) return {};
     Row row = row_of(given, found.results.front());
     row.seconds = watch.seconds();
@@ -210,14 +211,14 @@ class Bench {
         "runs){}\n",
         *speed_, repeats, busy_ ? "; other programs are running, so CPU time counts" : ""));
     if (request_.quick || !how_.first || keep_in_.empty()) return;
-    keep_machine_speed(keep_in_, {*speed_, made_});
+    modelling::keep_machine_speed(keep_in_, {*speed_, made_});
     print(fmt::format("stored in {}; rollfem check uses it for its predictions\n",
                       keep_in_.string()));
   }
 
   const BenchRequest& request_;
   const contact::ModelRegistry& models_;
-  Solving how_;
+  modelling::Solving how_;
   contact::Stopwatch watch_;
   std::optional<double> speed_;
   bool busy_ = false;
@@ -244,9 +245,9 @@ void bench(const BenchRequest& request, const contact::ModelRegistry& models) {
     std::cout << fmt::format(
         "rollfem bench: errors and seconds of the models on this machine, {} processors\n",
         std::thread::hardware_concurrency());
-  const std::filesystem::path keep_in = machine_speed_file();
+  const std::filesystem::path keep_in = modelling::machine_speed_file();
   setenv("ROLLFEM_CACHE", "", 1);  // corrections of earlier runs would take no time
-  frame.compute("rollfem bench", "cases", [&](const Solving& how) {
+  frame.compute("rollfem bench", "cases", [&](const modelling::Solving& how) {
     Bench(request, models, how, keep_in, frame.provenance().started).run();
   });
 }

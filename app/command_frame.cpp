@@ -1,13 +1,13 @@
 #include "app/command_frame.hpp"
 
-#include "app/auto_model.hpp"
 #include "app/interruption.hpp"
-#include "app/models.hpp"
-#include "app/processes.hpp"
-#include "app/program_folders.hpp"
-#include "app/provenance.hpp"
-#include "app/version.hpp"
 #include "contact/case/plausibility.hpp"
+#include "models/program/processes.hpp"
+#include "models/program/program_folders.hpp"
+#include "models/program/provenance.hpp"
+#include "models/program/version.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
 
 #include <fmt/format.h>
 
@@ -53,9 +53,9 @@ CommandFrame::CommandFrame(const ComputingRequest& request, const contact::Model
     : request_(request),
       known_(known),
       models_(std::move(models)),
-      first_(processes().first()),
-      parallel_(any_parallel(known, models_)),
-      processes_(processes().count),
+      first_(modelling::processes().first()),
+      parallel_(modelling::any_parallel(known, models_)),
+      processes_(modelling::processes().count),
       display_(request.quiet || !first_ ? ProgressDisplay::Mode::silent
                                         : ProgressDisplay::mode_of_stderr()),
       progress_([this](const contact::ProgressEvent& event) { display_.show(event); }) {}
@@ -70,7 +70,7 @@ void CommandFrame::say(const std::string& line) {
 }
 
 postprocess::Provenance CommandFrame::provenance() const {
-  postprocess::Provenance made = provenance_of(known_, request_.command);
+  postprocess::Provenance made = modelling::provenance_of(known_, request_.command);
   made.processes = parallel_ ? processes_ : 1;
   return made;
 }
@@ -98,8 +98,8 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   if (!first_) return nullptr;
   kept_.reset();  // one at a time: its lock goes with it
   kept_ = std::make_unique<postprocess::CheckpointFolder>(
-      directory.string(), input, fmt::format("{} ({})", version(), commit()), request_.resume,
-      [](const std::string& warning) { std::cerr << warning << '\n'; });
+      directory.string(), input, fmt::format("{} ({})", modelling::version(), modelling::commit()),
+      request_.resume, [](const std::string& warning) { std::cerr << warning << '\n'; });
   kept_->tell([this] { prepare_farewell(); });
   prepare_farewell();
   const std::string folder = fs::path(kept_->folder()).lexically_proximate(fs::current_path());
@@ -129,18 +129,19 @@ void CommandFrame::tell_of_kept(const std::string& kept) const {
 }
 
 void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
-                           const std::function<void(const Solving&)>& body) {
-  check_built(known_, models_, asked_by);
+                           const std::function<void(const modelling::Solving&)>& body) {
+  modelling::check_built(known_, models_, asked_by);
   prepare_farewell();
   const auto start = [&] {
     if (!session_)
-      session_ = std::make_unique<ParallelSession>(asked_by, request_.argc, request_.argv);
+      session_ =
+          std::make_unique<modelling::ParallelSession>(asked_by, request_.argc, request_.argv);
   };
   // A choice may end without finite elements, whose library takes longer to load than half-spaces
   // take to solve; several processes agree by it.
-  if (parallel_ && (processes_ > 1 || !any_choice(known_, models_))) start();
+  if (parallel_ && (processes_ > 1 || !modelling::any_choice(known_, models_))) start();
   try {
-    Solving how;
+    modelling::Solving how;
     how.need_session = start;
     how.models = &known_;
     how.session = session_.get();
@@ -171,7 +172,8 @@ void warn_of_doubts(const contact::Case& input) {
 }
 
 bool report_drawn(const std::string& directory) {
-  const std::string problem = postprocess::make_report(directory, script_directory().string());
+  const std::string problem =
+      postprocess::make_report(directory, modelling::script_directory().string());
   if (!problem.empty())
     std::cerr << "warning: the results were written, but the report was not drawn: " << problem
               << '\n';

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/progress_display.hpp"
-#include "app/session.hpp"
-#include "app/solving.hpp"
 #include "contact/solve/models.hpp"
+#include "models/fem/session.hpp"
+#include "models/solving/solving.hpp"
 #include "postprocess/write/checkpoint_folder.hpp"
 #include "postprocess/write/folder_owner.hpp"
 #include "postprocess/write/output.hpp"
@@ -66,7 +66,7 @@ class CommandFrame {
   /// are told of, and the session is left as it is: finalising MPI would wait for processes that
   /// may not have failed. `asked_by`: what named the models.
   void compute(const std::string& asked_by, const std::string& kept,
-               const std::function<void(const Solving&)>& body);
+               const std::function<void(const modelling::Solving&)>& body);
 
  private:
   void tell_of_kept(const std::string& kept) const;
@@ -80,7 +80,7 @@ class CommandFrame {
   int processes_ = 1;
   ProgressDisplay display_;
   contact::Progress progress_;
-  std::unique_ptr<ParallelSession> session_;
+  std::unique_ptr<modelling::ParallelSession> session_;
   std::vector<std::unique_ptr<postprocess::FolderOwner>> owned_;
   std::unique_ptr<postprocess::CheckpointFolder> kept_;
 };

@@ -1,8 +1,8 @@
-#include "app/auto_model.hpp"
 #include "app/commands.hpp"
-#include "app/models.hpp"
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ void settle_run(RunRequest& request, const contact::ModelRegistry& models) {
   }
   if (request.case_file.empty())
     throw contact::InputError("run: no case file is named; do: rollfem run CASE.toml");
-  request.models = checked_names(models, request.models, "--model");
+  request.models = modelling::checked_names(models, request.models, "--model");
 }
 
 /// The same where several case files may follow the models.
@@ -36,8 +36,8 @@ void settle_compare(CompareRequest& request, const contact::ModelRegistry& model
   if (request.case_files.empty())
     throw contact::InputError(
         "compare: no case file is named; do: rollfem compare CASE.toml [CASE.toml ...]");
-  request.models = checked_names(models, request.models, "--model");
-  refuse_choice(models, request.models, "compare");
+  request.models = modelling::checked_names(models, request.models, "--model");
+  modelling::refuse_choice(models, request.models, "compare");
   if (!request.reference.empty()) static_cast<void>(models.at(request.reference, "--reference"));
 }
 
@@ -52,8 +52,8 @@ void settle_study(StudyRequest& request, const contact::ModelRegistry& models) {
   if (request.case_file.empty())
     throw contact::InputError("study: no case file is named; do: rollfem study CASE.toml");
   if (request.models == std::vector<std::string>{"all"}) return;
-  request.models = checked_names(models, request.models, "--model");
-  refuse_choice(models, request.models, "study");
+  request.models = modelling::checked_names(models, request.models, "--model");
+  modelling::refuse_choice(models, request.models, "study");
 }
 
 /// "hertz, linear, ..."

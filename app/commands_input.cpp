@@ -1,16 +1,16 @@
 #include "app/cache.hpp"
-#include "app/case_scenes.hpp"
 #include "app/command_frame.hpp"
 #include "app/commands.hpp"
-#include "app/expected_choice.hpp"
-#include "app/models.hpp"
-#include "app/program_folders.hpp"
 #include "app/shell_words.hpp"
-#include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/scene/derived_values.hpp"
+#include "models/program/program_folders.hpp"
+#include "models/program/version.hpp"
+#include "models/registry.hpp"
+#include "models/solving/case_scenes.hpp"
+#include "models/solving/expected_choice.hpp"
 #include "postprocess/write/case_schema.hpp"
 #include "postprocess/write/output.hpp"
 #include "theories/registry.hpp"
@@ -27,14 +27,14 @@ namespace {
 
 void new_case(const std::string& file, const contact::ModelRegistry& models) {
   if (file.empty()) {
-    std::cout << contact::case_template(model_words(models));
+    std::cout << contact::case_template(modelling::model_words(models));
     return;
   }
   if (std::filesystem::exists(file))
     throw contact::InputError(
         fmt::format("new-case: {} already exists; do: name another file", file));
   std::ofstream stream(file);
-  stream << contact::case_template(model_words(models));
+  stream << contact::case_template(modelling::model_words(models));
   stream.close();
   if (!stream)
     throw contact::InputError(
@@ -68,7 +68,7 @@ void warn_of_hertz(const contact::Case& input) {
 
 void check_case(const std::string& file, const std::vector<std::string>& changes,
                 const contact::ModelRegistry& models) {
-  const contact::ModelWords words = model_words(models);
+  const contact::ModelWords words = modelling::model_words(models);
   const contact::Case input = contact::read_case(file, words, changes);
   std::cout << contact::describe(input, words) << contact::derived_values(input);
   warn_of_doubts(input);
@@ -76,8 +76,8 @@ void check_case(const std::string& file, const std::vector<std::string>& changes
   if (!input.has_profiles()) warn_of_hertz(input);
   if (input.has_profiles())
     std::cout << "\nwhere wheel and rail touch\n"
-              << contacts_text(input, track::search_scene_of(input));
-  std::cout << expected_choice(input, models);
+              << modelling::contacts_text(input, track::search_scene_of(input));
+  std::cout << modelling::expected_choice(input, models);
 }
 
 void draw_report(const std::string& directory) {
@@ -89,7 +89,8 @@ void draw_report(const std::string& directory) {
         fmt::format("report: {} holds no result; do: name a folder that rollfem run, compare, "
                     "study or table wrote",
                     directory));
-  const std::string problem = postprocess::make_report(directory, script_directory().string());
+  const std::string problem =
+      postprocess::make_report(directory, modelling::script_directory().string());
   if (!problem.empty()) throw contact::InputError("report: " + problem);
 }
 
@@ -97,11 +98,11 @@ std::string page_text(const std::string& page, const CLI::App& program,
                       const contact::ModelRegistry& models) {
   if (page == "bash") return bash_completion(program, models);
   if (page == "zsh") return zsh_completion(program, models);
-  if (page == "man") return manual_page(program, version());
-  if (page == "schema") return postprocess::case_schema(model_words(models));
-  if (page == "models") return models_markdown(models);
+  if (page == "man") return manual_page(program, modelling::version());
+  if (page == "schema") return postprocess::case_schema(modelling::model_words(models));
+  if (page == "models") return modelling::models_markdown(models);
   if (page == "quantities") return contact::quantities_markdown();
-  return contact::case_reference_markdown(model_words(models));
+  return contact::case_reference_markdown(modelling::model_words(models));
 }
 
 void add_convert_command(CLI::App& program, Call& call) {

@@ -1,10 +1,10 @@
 #include "app/compare.hpp"
 
-#include "app/models.hpp"
-#include "app/solving.hpp"
-#include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "models/program/version.hpp"
+#include "models/registry.hpp"
+#include "models/solving/solving.hpp"
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/checkpoint_folder.hpp"
@@ -85,8 +85,8 @@ bool is_done(const Task& task) {
   }
   const auto summary = nlohmann::json::parse(text, nullptr, false);
   if (!summary.is_object() || !summary.contains("program")) return false;
-  if (summary["program"].value("version", "") != version() ||
-      summary["program"].value("commit", "") != commit())
+  if (summary["program"].value("version", "") != modelling::version() ||
+      summary["program"].value("commit", "") != modelling::commit())
     return false;
   std::vector<std::string> there;
   for (const auto& model : summary["models"]) there.push_back(model.value("name", ""));
@@ -122,7 +122,7 @@ std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRe
   const auto before = nlohmann::json::parse(text, nullptr, false);
   for (const std::string& file : request.case_files) {
     Task task;
-    task.input = contact::read_case(file, model_words(known), request.changes);
+    task.input = contact::read_case(file, modelling::model_words(known), request.changes);
     task.input.models = models;
     task.name = fs::path(file).stem().string();
     task.folder = directory_of(request) / task.name;
@@ -156,7 +156,7 @@ std::string reason_alone(const std::string& message) {
 }
 
 /// Computes one case and writes its folder; what it has found, or why there is nothing.
-ComparedCase compare_case(CommandFrame& frame, const Task& task, Solving how) {
+ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solving how) {
   ComparedCase compared;
   compared.name = task.name;
   compared.title = task.input.title;
@@ -173,9 +173,9 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, Solving how) {
     postprocess::RunRecord record;
     record.input = task.input;
     record.provenance = frame.provenance();
-    Solved solved = solve(task.input, how);
+    modelling::Solved solved = modelling::solve(task.input, how);
     bool failed = false;
-    for (Missing& missing : solved.missing) {
+    for (modelling::Missing& missing : solved.missing) {
       failed = failed || missing.failed;
       compared.missing.push_back({missing.model,
                                   missing.failed ? missing.reason : reason_alone(missing.reason),
@@ -270,8 +270,9 @@ void refuse_failures(const postprocess::ComparisonRecord& record) {
 std::vector<std::string> models_of(const CompareRequest& request,
                                    const contact::ModelRegistry& known) {
   const std::vector<std::string> models =
-      request.models.empty() ? built_of(known, known.names(&contact::ModelInfo::in_compare))
-                             : request.models;
+      request.models.empty()
+          ? modelling::built_of(known, known.names(&contact::ModelInfo::in_compare))
+          : request.models;
   if (!request.reference.empty() &&
       std::find(models.begin(), models.end(), request.reference) == models.end())
     throw contact::InputError(
@@ -299,7 +300,7 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
   record.provenance = frame.provenance();
   record.models = models;
   record.reference = request.reference;
-  frame.compute("--model", "load points", [&](Solving how) {
+  frame.compute("--model", "load points", [&](modelling::Solving how) {
     how.go_on = true;
     for (const Task& task : tasks) {
       record.cases.push_back(compare_case(frame, task, how));

@@ -1,9 +1,9 @@
 #include "app/convert.hpp"
 
-#include "app/models.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
+#include "models/registry.hpp"
 
 #include <fmt/format.h>
 
@@ -95,7 +95,7 @@ void add(Refused& refused, const std::vector<std::string>& reasons, int number) 
 /// The case as `run` would read it, or why not.
 std::string why_not_read(const fs::path& path, const contact::ModelRegistry& models) {
   try {
-    contact::read_case(path.string(), model_words(models));
+    contact::read_case(path.string(), modelling::model_words(models));
   } catch (const contact::InputError& error) {
     return error.what();
   }

@@ -1,10 +1,10 @@
 #include "app/hybrid_stress.hpp"
 
-#include "app/case_scenes.hpp"
-#include "app/hybrid_model.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "hybrid/stresses.hpp"
+#include "models/fem/hybrid_model.hpp"
+#include "models/solving/case_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace {
 /// Of the patch that the result is of.
 contact::Scene scene_of(const contact::Case& input, const contact::ModelResult& model) {
   if (!model.place) return input;
-  for (const contact::Scene& scene : scenes_of(input, {}).list)
+  for (const contact::Scene& scene : modelling::scenes_of(input, {}).list)
     if (scene.place && scene.place->left == model.place->left &&
         scene.place->position == model.place->position && scene.place->patch == model.place->patch)
       return scene;
@@ -36,7 +36,7 @@ HybridStress hybrid_stress(const contact::Case& input, const contact::ModelResul
   scene.subsurface.clear();
   scene.output.stress_maxima = true;
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts parts = smooth_parts_finder()(scene, {});
+  const halfspace::SmoothParts parts = modelling::smooth_parts_finder()(scene, {});
   const hybrid::Stresses stresses(scene, parts);
   for (const NamedRequest& named : requests) {
     contact::SubsurfaceRequest request = named.request;

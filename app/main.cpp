@@ -1,6 +1,6 @@
-#include "app/models.hpp"
 #include "app/program.hpp"
+#include "models/registry.hpp"
 
 int main(int argc, char** argv) {
-  return rollfem::app::run_program(argc, argv, rollfem::app::built_in_models());
+  return rollfem::app::run_program(argc, argv, rollfem::modelling::built_in_models());
 }

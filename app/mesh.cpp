@@ -1,14 +1,14 @@
 #include "app/mesh.hpp"
 
-#include "app/case_scenes.hpp"
-#include "app/fem_library.hpp"
-#include "app/fem_model.hpp"
 #include "app/files_together.hpp"
-#include "app/models.hpp"
-#include "app/processes.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "fem/body/mesh_report.hpp"
+#include "models/fem/fem_library.hpp"
+#include "models/fem/fem_model.hpp"
+#include "models/program/processes.hpp"
+#include "models/registry.hpp"
+#include "models/solving/case_scenes.hpp"
 #include "postprocess/write/vtu.hpp"
 
 #include <fmt/format.h>
@@ -78,16 +78,16 @@ std::string table(const std::vector<MeshedBody>& bodies) {
 
 void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
   const contact::Case input =
-      contact::read_case(request.case_file, model_words(models), request.changes);
-  const std::vector<contact::Scene> scenes = scenes_of(input, {}).list;
-  for (const contact::Scene& scene : scenes) models.check(scene, fem_model().name);
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+  const std::vector<contact::Scene> scenes = modelling::scenes_of(input, {}).list;
+  for (const contact::Scene& scene : scenes) models.check(scene, modelling::fem_model().name);
   const fs::path folder =
       !request.directory.empty()
           ? fs::path(request.directory)
           : fs::path("results") / (fs::path(request.case_file).stem().string() + "_mesh");
   spare_input(input, folder);
 
-  const fem::Entry& entry = open_fem_library("mesh");
+  const fem::Entry& entry = modelling::open_fem_library("mesh");
   int argc = request.argc;
   char** argv = request.argv;
   entry.start(argc, argv);
@@ -97,7 +97,7 @@ void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
       body.name = name_of(scene, body.name);
       bodies.push_back(std::move(body));
     }
-  if (processes().first()) {
+  if (modelling::processes().first()) {
     FilesTogether files("mesh", folder);
     for (const MeshedBody& body : bodies) {
       files.write(body.name + ".msh", body.msh);

@@ -1,11 +1,11 @@
 #include "app/profile.hpp"
 
-#include "app/case_scenes.hpp"
-#include "app/program_folders.hpp"
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/nearest_name.hpp"
 #include "contact/case/case_reader.hpp"
+#include "models/program/program_folders.hpp"
+#include "models/solving/case_scenes.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/result_folder.hpp"
 #include "profiles/built_in_profiles.hpp"
@@ -210,7 +210,8 @@ fs::path folder_for(const ProfileRequest& request) {
 namespace {
 
 void draw_and_tell(const fs::path& file) {
-  const std::string problem = postprocess::make_report(file.string(), script_directory().string());
+  const std::string problem =
+      postprocess::make_report(file.string(), modelling::script_directory().string());
   if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
   std::cout << "table:  " << file.string() << '\n';
   if (problem.empty())
@@ -221,8 +222,8 @@ void draw_and_tell(const fs::path& file) {
 void tell_pair(const contact::Case& input, const fs::path& folder) {
   if (!input.has_profiles()) return;
   const track::SearchScene search = track::search_scene_of(input);
-  std::cout << "where wheel and rail touch\n" << contacts_text(input, search);
-  for (const auto& [name, table] : pair_tables(input, search)) {
+  std::cout << "where wheel and rail touch\n" << modelling::contacts_text(input, search);
+  for (const auto& [name, table] : modelling::pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
     postprocess::replace_file(file, table);
     draw_and_tell(file);

@@ -2,10 +2,10 @@
 
 #include "app/commands.hpp"
 #include "app/interruption.hpp"
-#include "app/processes.hpp"
-#include "app/version.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/nearest_name.hpp"
+#include "models/program/processes.hpp"
+#include "models/program/version.hpp"
 
 #include <fmt/format.h>
 
@@ -117,7 +117,8 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   call.mesh.argv = argv;
   CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
                    "rollfem");
-  program.set_version_flag("--version", fmt::format("rollfem {} ({})", version(), commit()));
+  program.set_version_flag(
+      "--version", fmt::format("rollfem {} ({})", modelling::version(), modelling::commit()));
   program.require_subcommand(1);
   add_computing_commands(program, call);
   add_stress_command(program, call);
@@ -141,11 +142,11 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
 /// Process 0 speaks; the others let it, and only if it is not about to (it would have ended this
 /// process through mpirun by then) say what happened here.
 [[noreturn]] void failed(int status, const std::string& what) {
-  const Processes here = processes();
+  const modelling::Processes here = modelling::processes();
   if (!here.first()) std::this_thread::sleep_for(std::chrono::seconds(3));
   const std::string where = here.first() ? "" : fmt::format("process {}: ", here.rank);
   std::cerr << fmt::format("rollfem: {}{}\n", where, what);
-  leave(status);
+  modelling::leave(status);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "app/run.hpp"
 
-#include "app/auto_model.hpp"
-#include "app/models.hpp"
 #include "app/run_table.hpp"
-#include "app/solving.hpp"
 #include "app/wheelset.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+#include "models/solving/solving.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
 
@@ -93,20 +93,21 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
 
 void run(const RunRequest& request, const contact::ModelRegistry& models) {
   postprocess::RunRecord record;
-  record.input = contact::read_case(request.case_file, model_words(models), request.changes);
+  record.input =
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
   const bool named = !request.models.empty();
   if (named) record.input.models = request.models;
   const std::string asked_by = named ? "--model" : request.case_file + ": models";
-  check_alone(models, record.input.models, asked_by);
+  modelling::check_alone(models, record.input.models, asked_by);
   CommandFrame frame(request, models, record.input.models);
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(record.input);
   if (frame.first()) check_before(request, record.input, models);
   frame.own(output_directory(request));
   record.provenance = frame.provenance();
-  frame.compute(asked_by, "load points", [&](Solving how) {
+  frame.compute(asked_by, "load points", [&](modelling::Solving how) {
     how.checkpoint = frame.keep_in(output_directory(request), record.input);
-    Solved solved = solve(record.input, how);
+    modelling::Solved solved = modelling::solve(record.input, how);
     if (!how.first) return;
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);

@@ -2,12 +2,12 @@
 
 #include "app/files_together.hpp"
 #include "app/hybrid_stress.hpp"
-#include "app/program_folders.hpp"
 #include "app/stress_choice.hpp"
 #include "app/stress_places.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
+#include "models/program/program_folders.hpp"
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/stress/stress_report.hpp"
 #include "postprocess/write/output.hpp"
@@ -169,8 +169,8 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   files.commit();
   std::string problem;
   if (request.figures)
-    problem =
-        postprocess::make_report((folder / "stress.json").string(), script_directory().string());
+    problem = postprocess::make_report((folder / "stress.json").string(),
+                                       modelling::script_directory().string());
   if (!left_out.empty()) std::cerr << "warning: left out: " << left_out << '\n';
   if (!problem.empty())
     std::cerr << "warning: stresses are written, but figures were not drawn: " << problem << '\n';

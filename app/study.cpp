@@ -1,16 +1,16 @@
 #include "app/study.hpp"
 
-#include "app/case_scenes.hpp"
-#include "app/expected_choice.hpp"
 #include "app/files_together.hpp"
-#include "app/models.hpp"
-#include "app/solving.hpp"
 #include "app/study_checkpoint.hpp"
 #include "app/study_checks.hpp"
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
+#include "models/registry.hpp"
+#include "models/solving/case_scenes.hpp"
+#include "models/solving/expected_choice.hpp"
+#include "models/solving/solving.hpp"
 #include "postprocess/study/study.hpp"
 #include "theories/registry.hpp"
 
@@ -78,7 +78,7 @@ StudyValues exact_values(const contact::Scene& scene) {
 
 /// What all series of a study share while they run.
 struct Work {
-  Solving how;
+  modelling::Solving how;
   postprocess::CheckpointFolder* kept = nullptr;  ///< of the first process
   std::vector<std::string> notes;                 ///< of the scenes
   std::function<void(const std::string&)> say;
@@ -101,13 +101,14 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
     return *kept;
   }
   LevelPoints points(work.kept, name);
-  Solving how = work.how;
+  modelling::Solving how = work.how;
   how.checkpoint = &points;
   how.progress = [&](contact::ProgressEvent event) {
     event.stage = wanted.label + ": " + event.stage;
     contact::report(work.how.progress, event);
   };
-  const contact::ModelResult result = solve_scene(plan.model, wanted.input, work.notes, how);
+  const contact::ModelResult result =
+      modelling::solve_scene(plan.model, wanted.input, work.notes, how);
   const auto total = result.seconds.find("total");
   level.unknowns = result.unknowns;
   level.contact_elements = result.contact_elements;
@@ -158,7 +159,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
 }
 
 /// The places of the case with what is known of them before any level is solved.
-std::vector<StudyPlace> places_of(const Scenes& scenes) {
+std::vector<StudyPlace> places_of(const modelling::Scenes& scenes) {
   std::vector<StudyPlace> places;
   for (const contact::Scene& scene : scenes.list) {
     StudyPlace place;
@@ -217,7 +218,7 @@ void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord&
 }
 
 postprocess::StudyRecord record_of(const StudyRequest& request, const contact::Case& input,
-                                   const Scenes& scenes, const CommandFrame& frame) {
+                                   const modelling::Scenes& scenes, const CommandFrame& frame) {
   postprocess::StudyRecord record;
   record.title = input.title;
   record.case_file = input.file;
@@ -246,16 +247,16 @@ void forget_empty(std::vector<StudyPlace>& places) {
 
 void study(const StudyRequest& request, const contact::ModelRegistry& known) {
   const contact::Case input =
-      contact::read_case(request.case_file, model_words(known), request.changes);
+      contact::read_case(request.case_file, modelling::model_words(known), request.changes);
   CommandFrame frame(request, known, named_models(request, known));
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(input);
   check_call(request, input, known);
   frame.own(directory_of(request));
-  const Scenes scenes = scenes_of(input, frame.progress());
+  const modelling::Scenes scenes = modelling::scenes_of(input, frame.progress());
   const std::vector<std::string> models = models_of(request, scenes, known);
   postprocess::StudyRecord record = record_of(request, input, scenes, frame);
-  frame.compute("--model", "levels", [&](const Solving& how) {
+  frame.compute("--model", "levels", [&](const modelling::Solving& how) {
     Work work;
     work.how = how;
     work.notes = scenes.notes;
@@ -267,7 +268,7 @@ void study(const StudyRequest& request, const contact::ModelRegistry& known) {
     if (!how.first) return;
     for (std::size_t k = 0; k < scenes.list.size(); ++k)
       if (!record.places[k].series.empty())
-        add_choice(scenes.list[k], how, record.friction, record.places[k]);
+        modelling::add_choice(scenes.list[k], how, record.friction, record.places[k]);
     forget_empty(record.places);
     const std::string failures = failures_of(record);
     write_and_tell(request, record);

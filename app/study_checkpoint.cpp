@@ -72,7 +72,7 @@ std::string level_record_name(const std::string& place_key, const postprocess::S
 }
 
 std::optional<StudyLevel> find_level(postprocess::CheckpointFolder* folder, const std::string& name,
-                                     const ParallelSession* everywhere) {
+                                     const modelling::ParallelSession* everywhere) {
   std::string bytes;
   if (folder != nullptr) bytes = folder->find(name).value_or("");
   if (everywhere != nullptr) bytes = everywhere->from_first(bytes);

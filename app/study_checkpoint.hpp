@@ -2,8 +2,8 @@
 // points of the current level, each with its seconds.
 #pragma once
 
-#include "app/session.hpp"
 #include "contact/base/checkpoint.hpp"
+#include "models/fem/session.hpp"
 #include "postprocess/study/study.hpp"
 #include "postprocess/write/checkpoint_folder.hpp"
 
@@ -43,7 +43,7 @@ std::string level_record_name(const std::string& place_key, const postprocess::S
 /// folder of process 0 counts; null: each process by itself.
 std::optional<postprocess::StudyLevel> find_level(postprocess::CheckpointFolder* folder,
                                                   const std::string& name,
-                                                  const ParallelSession* everywhere);
+                                                  const modelling::ParallelSession* everywhere);
 void keep_level(postprocess::CheckpointFolder* folder, const std::string& name,
                 const postprocess::StudyLevel& level);
 

@@ -1,10 +1,10 @@
 #include "app/study_checks.hpp"
 
-#include "app/models.hpp"
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/nearest_name.hpp"
 #include "contact/base/text_fields.hpp"
+#include "models/registry.hpp"
 
 #include <fmt/format.h>
 
@@ -157,7 +157,7 @@ std::vector<std::string> named_models(const StudyRequest& request,
   return all;
 }
 
-std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes,
+std::vector<std::string> models_of(const StudyRequest& request, const modelling::Scenes& scenes,
                                    const contact::ModelRegistry& known) {
   std::vector<std::string> able;
   for (const std::string& name : named_models(request, known)) try {

@@ -2,9 +2,9 @@
 // references.
 #pragma once
 
-#include "app/case_scenes.hpp"
 #include "app/study.hpp"
 #include "contact/case/case.hpp"
+#include "models/solving/case_scenes.hpp"
 #include "postprocess/study/study.hpp"
 
 #include <filesystem>
@@ -27,7 +27,7 @@ std::vector<std::string> named_models(const StudyRequest& request,
 
 /// Of these those that can take every scene. Throws contact::InputError for one that was named and
 /// cannot, and when none has something of --vary.
-std::vector<std::string> models_of(const StudyRequest& request, const Scenes& scenes,
+std::vector<std::string> models_of(const StudyRequest& request, const modelling::Scenes& scenes,
                                    const contact::ModelRegistry& known);
 
 /// Sets rule and given values from --reference. The places are there, with their creepages and

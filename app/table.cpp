@@ -1,10 +1,10 @@
 #include "app/table.hpp"
 
 #include "app/files_together.hpp"
-#include "app/models.hpp"
 #include "app/table_filling.hpp"
 #include "app/table_grid.hpp"
 #include "contact/case/case_reader.hpp"
+#include "models/registry.hpp"
 #include "postprocess/table/table_files.hpp"
 
 #include <fmt/format.h>
@@ -91,7 +91,7 @@ void write_and_tell(const TableRequest& request, const CreepTable& table, double
 
 void table(const TableRequest& request, const contact::ModelRegistry& models) {
   const contact::Case input =
-      contact::read_case(request.case_file, model_words(models), request.changes);
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
   CommandFrame frame(request, models, {"halfspace"});
   if (frame.idle()) return;
   CreepTable made = empty_table(input);
@@ -102,7 +102,7 @@ void table(const TableRequest& request, const contact::ModelRegistry& models) {
   postprocess::check_directory(table_directory(request).string());
   frame.own(table_directory(request));
   const auto begin = std::chrono::steady_clock::now();
-  frame.compute("table", "points", [&](const Solving& how) {
+  frame.compute("table", "points", [&](const modelling::Solving& how) {
     fill_table(made, input, how.progress, frame.keep_in(table_directory(request), input));
     frame.clear_line();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

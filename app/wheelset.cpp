@@ -1,10 +1,10 @@
 #include "app/wheelset.hpp"
 
 #include "app/files_together.hpp"
-#include "app/models.hpp"
-#include "app/program_folders.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "models/program/program_folders.hpp"
+#include "models/registry.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
 #include "track/motion/placed_scenes.hpp"
@@ -109,7 +109,7 @@ void add_rigid_wheelset(postprocess::RunRecord& record) {
 
 void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models) {
   const contact::Case input =
-      contact::read_case(request.case_file, model_words(models), request.changes);
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
   check(request, input);
   const std::vector<WheelsetRow> rows =
       track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);
@@ -130,7 +130,8 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
     std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail, or its profile ends\n",
                              last);
   const fs::path table = folder / "wheelset.csv";
-  const std::string problem = postprocess::make_report(table.string(), script_directory().string());
+  const std::string problem =
+      postprocess::make_report(table.string(), modelling::script_directory().string());
   if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
   std::cout << "\ntable:  " << table.string() << '\n';
   if (problem.empty()) std::cout << "figure: " << (folder / "wheelset.svg").string() << '\n';

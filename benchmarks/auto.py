@@ -20,7 +20,7 @@ from model_error import friction_of, whole_of
 # What accuracy_of asks for where a case does not say.
 QUANTITIES = ["max_pressure", "semi_axis_x", "semi_axis_y", "traction_coefficient"]
 GRIDS = [16, 24, 32, 48, 80]
-# Seconds of finite elements on the finest grid that auto takes over those on the grid for 1 % (choice/laws.cpp).
+# Seconds of finite elements on the finest grid that auto takes over those on the grid for 1 % (models/choice/laws.cpp).
 FINEST_OVER_ONE_PERCENT = (48 / 24) ** 1.5
 
 

@@ -1,4 +1,4 @@
-# Run at every build: writes app/version.cpp with the current commit, and touches it only when that
+# Run at every build: writes models/version.cpp with the current commit, and touches it only when that
 # changed. Wants SOURCE, OUTPUT and ROLLFEM_VERSION.
 find_program(GIT git)
 set(ROLLFEM_COMMIT "")
@@ -9,4 +9,4 @@ endif()
 if(NOT ROLLFEM_COMMIT)
   set(ROLLFEM_COMMIT "unknown")
 endif()
-configure_file(${SOURCE}/app/version.cpp.in ${OUTPUT} @ONLY)
+configure_file(${SOURCE}/models/program/version.cpp.in ${OUTPUT} @ONLY)

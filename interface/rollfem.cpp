@@ -1,13 +1,13 @@
 #include "rollfem/rollfem.hpp"
 
-#include "app/auto_model.hpp"
-#include "app/models.hpp"
-#include "app/program_folders.hpp"
-#include "app/provenance.hpp"
-#include "app/session.hpp"
-#include "app/solving.hpp"
-#include "app/version.hpp"
 #include "contact/case/case_reader.hpp"
+#include "models/fem/session.hpp"
+#include "models/program/program_folders.hpp"
+#include "models/program/provenance.hpp"
+#include "models/program/version.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+#include "models/solving/solving.hpp"
 
 #include <cstdlib>
 #include <memory>
@@ -18,7 +18,7 @@ namespace rollfem {
 namespace {
 
 const contact::ModelRegistry& registry() {
-  static const contact::ModelRegistry models = app::built_in_models();
+  static const contact::ModelRegistry models = modelling::built_in_models();
   return models;
 }
 
@@ -29,61 +29,61 @@ class Session {
     static Session session;
     return session;
   }
-  const app::ParallelSession* get() const { return session_.get(); }
+  const modelling::ParallelSession* get() const { return session_.get(); }
   void need() {
     if (session_) return;
     static char name[] = "rollfem";
     static char* arguments[] = {name, nullptr};
-    session_ = std::make_unique<app::ParallelSession>("models", 1, arguments);
+    session_ = std::make_unique<modelling::ParallelSession>("models", 1, arguments);
     // Before the libraries that it has opened are taken down.
     std::atexit([] { only().session_.reset(); });
   }
   std::mutex& mutex() { return mutex_; }
 
  private:
-  std::unique_ptr<app::ParallelSession> session_;
+  std::unique_ptr<modelling::ParallelSession> session_;
   std::mutex mutex_;
 };
 
 }  // namespace
 
 Case read_case(const std::string& file) {
-  return contact::read_case(file, app::model_words(registry()));
+  return contact::read_case(file, modelling::model_words(registry()));
 }
 
 Case parse_case(const std::string& text, const std::string& name) {
-  return contact::parse_case(text, name, app::model_words(registry()));
+  return contact::parse_case(text, name, modelling::model_words(registry()));
 }
 
 std::string describe(const Case& input) {
-  return contact::describe(input, app::model_words(registry()));
+  return contact::describe(input, modelling::model_words(registry()));
 }
 
 std::vector<std::string> models() {
-  return app::built_of(registry(), registry().names());
+  return modelling::built_of(registry(), registry().names());
 }
 
 Result solve(const Case& input, const std::vector<std::string>& models, const Progress& progress) {
   const contact::ModelRegistry& known = registry();
   Result result;
   result.input = input;
-  if (!models.empty()) result.input.models = app::checked_names(known, models, "models");
+  if (!models.empty()) result.input.models = modelling::checked_names(known, models, "models");
   const std::vector<std::string>& names = result.input.models;
-  app::check_alone(known, names, "models");
-  app::check_built(known, names, "models");
-  result.provenance = app::provenance_of(known, "rollfem::solve");
-  app::Solving how;
+  modelling::check_alone(known, names, "models");
+  modelling::check_built(known, names, "models");
+  result.provenance = modelling::provenance_of(known, "rollfem::solve");
+  modelling::Solving how;
   how.models = &known;
   how.progress = progress;
   std::unique_lock<std::mutex> one_at_a_time;
-  if (app::any_parallel(known, names)) {
+  if (modelling::any_parallel(known, names)) {
     Session& session = Session::only();
     one_at_a_time = std::unique_lock<std::mutex>(session.mutex());
     how.need_session = [&session] { session.need(); };
-    if (!app::any_choice(known, names)) session.need();
+    if (!modelling::any_choice(known, names)) session.need();
     how.session = session.get();
   }
-  app::Solved solved = app::solve(result.input, how);
+  modelling::Solved solved = modelling::solve(result.input, how);
   result.models = std::move(solved.results);
   result.pairs = std::move(solved.pairs);
   return result;
@@ -97,15 +97,15 @@ Result solve_file(const std::string& file, const std::vector<std::string>& model
 std::string write(const std::string& folder, const Result& result, bool report) {
   postprocess::check_directory(folder);
   postprocess::write_results(folder, result);
-  return report ? postprocess::make_report(folder, app::script_directory().string()) : "";
+  return report ? postprocess::make_report(folder, modelling::script_directory().string()) : "";
 }
 
 std::string figures_directory() {
-  return app::script_directory().string();
+  return modelling::script_directory().string();
 }
 
 std::string version() {
-  return app::version();
+  return modelling::version();
 }
 
 }  // namespace rollfem

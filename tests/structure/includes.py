@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Checks that includes between modules, and between the rooms of a module, run one way.
 
-contact <- halfspace <- fem; theories stand on halfspace; hybrid knows halfspace and is given what fem finds; choice
-knows results, and is given what solves; convert knows cases and closed forms; profiles and meshes know cases and
+contact <- halfspace <- fem; theories stand on halfspace; hybrid knows halfspace and is given what fem finds; convert knows cases and closed forms; profiles and meshes know cases and
 scenes, no solver; track places profiles, finds their contacts and balances loads and rotation over them, for which it
-knows halfspace; postprocess knows results, never solvers; app knows all; interface, which others build on, hands app on, and
+knows halfspace; postprocess knows results, never solvers; models registers what solves, opens fem at run time, and
+chooses among models (of which models/choice knows results only); app knows all; interface, which others build on, hands models on, and
 python stands on interface; capi, the C interface, knows what track knows, and tables; deal.II is seen in fem only.
 Inside contact: base <- case <- scene <- result <- solve; the order of the other modules' rooms: ROOMS.
 Call: includes.py SOURCE_DIR
@@ -31,12 +31,14 @@ ALLOWED = {
     "track": {"contact": ANY, "halfspace": ANY, "profiles": ANY},
     "fem": {"contact": ANY, "halfspace": ANY, "meshes": ANY},
     "hybrid": {"contact": ANY, "halfspace": ANY},
-    "choice": {"contact": {"base", "result"}},
+    "models/choice": {"contact": {"base", "result"}},
+    "models": {"contact": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY, "postprocess": ANY,
+               "fem": {"model"}},
     "convert": {"contact": {"base", "case", "scene"}, "halfspace": {"closed_forms"}},
-    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "choice": ANY, "convert": ANY, "meshes": ANY,
+    "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "models": ANY, "convert": ANY, "meshes": ANY,
             "profiles": ANY, "track": ANY, "postprocess": ANY,
             "theories": ANY, "fem": {"model", "body"}},
-    "interface": {"contact": ANY, "postprocess": ANY, "app": ANY},
+    "interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
     "python": {"contact": ANY, "postprocess": ANY},
     "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "postprocess": {"table"}},
 }
@@ -44,6 +46,7 @@ ALLOWED = {
 ROOMS = {
     "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature"],
     "track": ["placement", "search", "motion", "balance"],
+    "models": ["program", "caches", "fem", "choice", "solving", ""],
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")

@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-MODULES = ("contact", "halfspace", "theories", "profiles", "track", "meshes", "fem", "postprocess", "app", "interface", "capi", "python", "benchmarks", "tests")
+MODULES = ("contact", "halfspace", "theories", "profiles", "track", "meshes", "fem", "postprocess", "models", "app", "interface", "capi", "python", "benchmarks", "tests")
 MOST_LINES = 400
 MOST_IN_FUNCTION = 70
 

@@ -1,7 +1,7 @@
 // The command-line program with a model of its own: what docs/developing.md shows under "Add a
 // model". tests/cli/toy_model.cpp calls it.
-#include "app/models.hpp"
 #include "app/program.hpp"
+#include "models/registry.hpp"
 #include "theories/registry.hpp"
 
 namespace {
@@ -32,5 +32,5 @@ contact::ModelInfo stiff_model() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return app::run_program(argc, argv, app::built_in_models().add(stiff_model()));
+  return app::run_program(argc, argv, modelling::built_in_models().add(stiff_model()));
 }

@@ -1,9 +1,9 @@
 // The limits that `rollfem bench` measures errors by, solved for anew.
 #include "app/bench_cases.hpp"
 
-#include "app/models.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
+#include "models/registry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@ using namespace rollfem;
 namespace {
 
 contact::ModelResult solved(const app::BenchCase& given, const std::string& model, int across) {
-  const contact::ModelRegistry models = app::built_in_models();
+  const contact::ModelRegistry models = modelling::built_in_models();
   const contact::Case input = contact::parse_case(
       given.text + "[contact_grid]\nelements_across = " + std::to_string(across) + "\n", "bench",
-      app::model_words(models));
+      modelling::model_words(models));
   return models.run(model, contact::Scene(input), {});
 }
 

@@ -1,0 +1,20 @@
+// The smooth parts of wheel and rail (halfspace/elasticity/smooth_map.hpp) as
+// named values, for files and for other processes.
+#pragma once
+
+#include "halfspace/elasticity/smooth_map.hpp"
+#include "postprocess/write/named_values.hpp"
+
+#include <string>
+
+namespace rollfem::modelling {
+
+postprocess::NamedValues values_of(const halfspace::SmoothParts& parts);
+/// Throws std::runtime_error when something is missing or of another shape.
+halfspace::SmoothParts parts_of(const postprocess::NamedValues& values);
+
+/// All values as bytes of this machine.
+std::string packed(postprocess::NamedValues values);
+postprocess::NamedValues unpacked(const std::string& bytes);
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,285 @@
+#include "models/choice/choice.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/stopwatch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace rollfem::modelling {
+
+namespace {
+
+using contact::ModelResult;
+
+/// Where nothing is expected to meet the accuracy: a grid that comes as near as this to the best
+/// does, if it is cheaper.
+constexpr double near_enough = 1.25;
+
+/// Model errors are expected to a factor of two or three only: until one is found it counts as this
+/// part, so that a cheap model is not ruled out, nor its first grid made too fine, by a guess.
+constexpr double believed_of_expected = 1.0 / 3.0;
+
+/// Nobody who names no accuracy expects to wait longer, s by what is predicted: finer grids are for
+/// those who do.
+constexpr double longest_by_default = 120.0;
+
+std::string duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.0f} h", seconds / 3600.0);
+}
+
+/// What a model that is not taken would cost, or why it is none.
+/// `times`: seconds here for a predicted one.
+std::string not_taken(const Forecast& forecast, double accuracy, double times = 1.0) {
+  if (!forecast.cannot.empty()) return fmt::format("{}: {}", forecast.label, forecast.cannot);
+  if (const auto plan = cheapest({forecast}, accuracy))
+    return fmt::format("{} would take about {}", forecast.label,
+                       duration(times * forecast.levels[plan->level].seconds));
+  if (forecast.model_error > accuracy)
+    return fmt::format("{} {} {}", forecast.label,
+                       forecast.model_error_found ? "neglects" : "is expected to neglect about",
+                       percent(forecast.model_error));
+  return fmt::format("{} is not expected to suffice", forecast.label);
+}
+
+/// The last attempt of a candidate.
+struct Attempt {
+  int across = 0;
+  double seconds = 0.0;
+  Reached reached;
+};
+
+struct Best {
+  std::size_t model = 0;
+  ModelResult result;
+};
+
+class Choice {
+ public:
+  Choice(std::vector<Candidate> candidates, const Wanted& wanted)
+      : candidates_(std::move(candidates)),
+        wanted_(wanted),
+        accuracy_(*wanted.accuracy.relative),
+        attempts_(candidates_.size()),
+        failed_once_(candidates_.size(), false) {
+    for (const Candidate& candidate : candidates_) forecasts_.push_back(candidate.forecast);
+  }
+
+  ModelResult run() {
+    while (!met_) {
+      const std::optional<Plan> plan = next();
+      if (!plan) break;
+      attempt(*plan);
+    }
+    if (!best_) throw_why_none();
+    return finished();
+  }
+
+ private:
+  double reached_best() const { return attempts_[best_->model]->reached.together(); }
+
+  /// What is to be solved; none where what is there is the best that can be had.
+  std::optional<Plan> next() const {
+    std::vector<Forecast> hoped = forecasts_;
+    for (Forecast& forecast : hoped) {
+      if (wanted_.by_default) leave_out_slow(forecast.levels);
+      if (forecast.model_error_found) continue;
+      forecast.model_error *= believed_of_expected;
+      // Nor is a fine grid laid before it is known.
+      if (forecast.model_error <= accuracy_)
+        forecast.model_error = std::min(forecast.model_error, 0.5 * accuracy_);
+    }
+    if (const auto plan = cheapest(hoped, accuracy_, true)) return plan;
+    const double least = near_enough * least_error(hoped, true);
+    if (best_ && reached_best() <= least) return {};
+    return cheapest(hoped, least, true);
+  }
+
+  static void leave_out_slow(std::vector<Level>& levels) {
+    while (!levels.empty() && levels.back().seconds > longest_by_default) levels.pop_back();
+  }
+
+  void attempt(const Plan& plan) {
+    Forecast& forecast = forecasts_[plan.model];
+    const int across = forecast.levels[plan.level].across;
+    const contact::Stopwatch watch;
+    try {
+      ModelResult result = candidates_[plan.model].solve(across);
+      judge(plan, watch.seconds(), std::move(result));
+    } catch (const contact::UnfitGrid& error) {
+      leave_out_grid(plan, error.what());
+    } catch (const contact::SolveError& error) {
+      if (failed_once_[plan.model]) return leave_out(forecast, error.what());
+      failed_once_[plan.model] = true;
+      leave_out_grid(plan, error.what());  // another one may have a solution: a second chance
+    } catch (const contact::InputError& error) {
+      leave_out(forecast, error.what());
+    }
+  }
+
+  /// While an exception is handled.
+  void leave_out_grid(const Plan& plan, const std::string& why) {
+    std::vector<Level>& levels = forecasts_[plan.model].levels;
+    if (!wanted_.go_on) throw;
+    if (!failure_) failure_ = std::current_exception();
+    levels.erase(levels.begin() + static_cast<std::ptrdiff_t>(plan.level));
+    if (levels.empty()) leave_out(forecasts_[plan.model], why);
+  }
+
+  /// While an exception is handled.
+  void leave_out(Forecast& forecast, const std::string& why) {
+    if (!wanted_.go_on) throw;
+    forecast.cannot = why;
+    if (!failure_) failure_ = std::current_exception();
+  }
+
+  void judge(const Plan& plan, double seconds, ModelResult result) {
+    const Candidate& candidate = candidates_[plan.model];
+    Forecast& forecast = forecasts_[plan.model];
+    Reached reached = reached_by(result, wanted_.accuracy, wanted_.friction_coefficient,
+                                 !candidate.estimates_model_error || result.has_model_error());
+    if (candidate.largest_model_error > 0.0)
+      reached.set_largest_model(candidate.largest_model_error);
+    agree(reached);
+    calibrate(plan, seconds);
+    learn(forecast, plan.level, reached.most_discretisation, seconds);
+    if (candidate.estimates_model_error || candidate.largest_model_error > 0.0) {
+      forecast.model_error = reached.most_model;
+      forecast.model_error_found = true;
+    }
+    for (Forecast& other : forecasts_)
+      if (&other != &forecast) learn_from(other, forecast, plan.level);
+    const bool better = !best_ || reached.together() < reached_best();
+    attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, seconds, reached};
+    met_ = reached.together() <= accuracy_;
+    if (candidate.largest_model_error > 0.0)
+      result.model_error_source =
+          fmt::format("not estimated: at most {} by the size of the contact, {} requested",
+                      percent(candidate.largest_model_error), percent(accuracy_));
+    if (better || met_) best_ = Best{plan.model, std::move(result)};
+  }
+
+  /// Only the first of several processes has whole results.
+  void agree(Reached& reached) const {
+    if (!wanted_.agree) return;
+    const std::string text = wanted_.agree(fmt::format(
+        "{:.17g} {:.17g} {:.17g} {:.17g} {} {}", reached.discretisation, reached.model,
+        reached.most_discretisation, reached.most_model, reached.point, reached.quantity));
+    std::istringstream words(text);
+    const auto number = [&] {  // infinity is one, too
+      std::string word;
+      words >> word;
+      return std::strtod(word.c_str(), nullptr);
+    };
+    reached.discretisation = number();
+    reached.model = number();
+    reached.most_discretisation = number();
+    reached.most_model = number();
+    words >> reached.point;
+    reached.quantity.clear();
+    words >> reached.quantity;
+  }
+
+  /// The first failure is that of the simplest model, and says most.
+  [[noreturn]] void throw_why_none() const {
+    if (failure_) std::rethrow_exception(failure_);
+    std::string text;
+    for (const Forecast& forecast : forecasts_)
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", forecast.label, forecast.cannot);
+    throw contact::InputError("no model can solve it: " + text +
+                              "; do: change the case, or name a model");
+  }
+
+  /// What was taken.
+  std::string taken() const {
+    const Attempt& attempt = *attempts_[best_->model];
+    return fmt::format("{}, {} across, {}: {}", forecasts_[best_->model].label, attempt.across,
+                       duration(attempt.seconds),
+                       attempt.reached.text(candidates_[best_->model].no_model_error));
+  }
+
+  std::string left(std::size_t m) const {
+    const Forecast& forecast = forecasts_[m];
+    if (const auto& attempt = attempts_[m])
+      return fmt::format("{}, {} across, {}, has {}", forecast.label, attempt->across,
+                         duration(attempt->seconds), attempt->reached.text());
+    return not_taken(forecast, accuracy_, times_);
+  }
+
+  /// This machine, as busy as it is, against the one that seconds are predicted for. A corrected
+  /// model says nothing of it, whose correction may have been kept from an earlier run.
+  void calibrate(const Plan& plan, double seconds) {
+    constexpr double worth_it = 0.1;  // s; less is other things than solving
+    const double predicted = forecasts_[plan.model].levels[plan.level].seconds;
+    if (seconds > worth_it && predicted > worth_it && forecasts_[plan.model].corrects.empty())
+      times_ = seconds / predicted;
+  }
+
+  ModelResult finished() {
+    ModelResult result = std::move(best_->result);
+    result.choice = taken();
+    for (std::size_t m = 0; m < forecasts_.size(); ++m)
+      if (m != best_->model) result.choice += "; " + left(m);
+    result.notes.insert(result.notes.begin(),
+                        fmt::format("auto, for {}: {}", percent(accuracy_), result.choice));
+    if (!met_) fail(result);
+    return result;
+  }
+
+  void fail(ModelResult& result) const {
+    if (!wanted_.by_default) {
+      result.shortfall =
+          fmt::format("accuracy = {:g} was not reached: {}; do: request less accuracy", accuracy_,
+                      result.choice);
+      return;
+    }
+    result.notes.insert(
+        result.notes.begin(),
+        fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] aims for within {}, is "
+                    "not reached: {}; do: give `accuracy` to allow more time, or name a model",
+                    accuracy_, duration(longest_by_default), result.choice));
+  }
+
+  std::vector<Candidate> candidates_;
+  const Wanted& wanted_;
+  double accuracy_;
+  std::vector<Forecast> forecasts_;
+  std::vector<std::optional<Attempt>> attempts_;
+  std::vector<bool> failed_once_;
+  std::optional<Best> best_;
+  std::exception_ptr failure_;
+  double times_ = 1.0;
+  bool met_ = false;
+};
+
+}  // namespace
+
+ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted) {
+  return Choice(std::move(candidates), wanted).run();
+}
+
+std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, bool others) {
+  const std::optional<Plan> plan = cheapest(forecasts, accuracy);
+  std::string text = "nothing is expected to suffice";
+  if (plan) {
+    const Forecast& forecast = forecasts[plan->model];
+    const Level& level = forecast.levels[plan->level];
+    text = fmt::format("{}, {} across, {}{}: discretisation {}, model {}", forecast.label,
+                       level.across, level.solved ? "" : "about ", duration(level.seconds),
+                       percent(level.discretisation), percent(forecast.model_error));
+  }
+  for (std::size_t m = 0; others && m < forecasts.size(); ++m)
+    if (!plan || m != plan->model) text += "; " + not_taken(forecasts[m], accuracy);
+  return text;
+}
+
+}  // namespace rollfem::modelling

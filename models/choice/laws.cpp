@@ -1,0 +1,166 @@
+#include "models/choice/laws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::modelling {
+
+namespace {
+
+/// Errors of the half-space on 24 elements across: the largest bars of the thesis's cases, of the
+/// traction coefficient in mu, without friction of the pressure.
+constexpr int measured_across = 24;
+constexpr double error_with_friction = 0.006, error_without_friction = 0.0035;
+
+/// Of finite elements on 16 cells across.
+constexpr int measured_cells = 16;
+constexpr double fem_error_with_friction = 0.006, fem_error_without_friction = 0.003;
+
+// Seconds of one core of an idle machine at 2.5 GHz, -O3.
+/// Elements across the smallest patch that results must have (contact/result/validity.cpp), and one
+/// more, since the patch need not lie well among them.
+constexpr double fewest_across = 5.0;
+
+constexpr double start = 5e-3;          ///< whatever the grid
+constexpr double per_element = 9e-6;    ///< of the patch, and load point
+constexpr double of_model_error = 0.1;  ///< a load point, on `usual_elements`
+constexpr double hybrid_times = 9.0;    ///< what the hybrid takes where the half-space takes 1
+/// The hybrid's correction where it is not kept from an earlier run, of halved and of whole bodies,
+/// and by how much the patch is longer one way.
+constexpr double halved_correction = 6.5, halved_correction_of_length = 1.5;
+constexpr double whole_correction = 17.0, whole_correction_of_length = 6.0;
+constexpr double kept_correction = 0.01;
+/// Of finite elements, on 16 cells across, per 100 000 unknowns of halved bodies.
+constexpr double fem_start = 2.5, fem_point = 0.75, fem_whole_times = 1.5;
+constexpr double fem_power = 1.5;  ///< of cells across
+/// 100 000 unknowns on 16 cells across: a patch of the same length and width, and by how much the
+/// longer exceeds the shorter.
+constexpr double fem_unknowns = 1.7, fem_unknowns_of_length = 0.61;
+
+double elongation(const ContactSize& size) {
+  return std::max(size.half_length, size.half_width) / std::min(size.half_length, size.half_width);
+}
+
+double correction_seconds(const ContactSize& size) {
+  if (size.correction_kept) return kept_correction;
+  const double longer = elongation(size) - 1.0;
+  return 0.5 * size.meshed_bodies *
+         (size.symmetric ? halved_correction + halved_correction_of_length * longer
+                         : whole_correction + whole_correction_of_length * longer);
+}
+
+/// A grid on which the smallest patch has too few elements to be looked at at all.
+bool too_coarse(const ContactSize& size, int across) {
+  return across * size.smallest_part < fewest_across;
+}
+
+void leave_out_too_coarse(const ContactSize& size, Forecast& forecast) {
+  std::vector<Level>& levels = forecast.levels;
+  levels.erase(std::remove_if(levels.begin(), levels.end(),
+                              [&](const Level& level) { return too_coarse(size, level.across); }),
+               levels.end());
+  if (levels.empty())
+    forecast.cannot = fmt::format(
+        "its elements are too large for the patch of the smallest load, which is {:.2g} of the "
+        "largest",
+        size.smallest_part);
+}
+/// On fewer elements forces have up to 0.4 % of mu too much.
+constexpr int usual_elements = 32, few_elements = 20;
+/// Where that is a sixth of the accuracy.
+constexpr double accuracy_of_few = 0.025;
+
+/// Of 50 scenes none had more than 1.2 times what is expected (docs/choice.md).
+constexpr double at_most = 2.0;
+
+double elements(int across) {
+  constexpr double pi = 3.14159265358979323846;
+  return 0.25 * pi * across * across;
+}
+
+double law(double error, int at, double across) {
+  return error * std::pow(at / across, assumed_order);
+}
+
+Forecast on_grids(const ContactSize& size, double fixed, double times) {
+  Forecast forecast;
+  const double error = size.friction > 0.0 ? error_with_friction : error_without_friction;
+  for (const int across : grids_across())
+    forecast.levels.push_back({across, law(error, measured_across, across * size.smallest_part),
+                               fixed + times * per_element * elements(across) * elongation(size) *
+                                           static_cast<double>(size.load_points)});
+  leave_out_too_coarse(size, forecast);
+  return forecast;
+}
+
+}  // namespace
+
+const std::vector<int>& grids_across() {
+  static const std::vector<int> all{16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 160, 240, 320};
+  return all;
+}
+
+const std::vector<int>& cells_across() {
+  static const std::vector<int> all{16, 24, 32, 48};
+  return all;
+}
+
+double expected_model_error(const ContactSize& size) {
+  if (!size.bodies_known) return 0.0;
+  // First order of patch over radius; where bodies conform across the common surface is of second.
+  // Forces miss a part of the normal force, and percent are of friction times that.
+  const double along = size.half_length / size.rolling_radius;
+  const double across = size.half_width / size.radius_across;
+  const double of_along = size.friction > 0.0 ? 0.36 / size.friction : 0.05;
+  return of_along * along + 0.02 * across + 0.25 * across * across;
+}
+
+double largest_model_error(const ContactSize& size) {
+  return at_most * expected_model_error(size);
+}
+
+int elements_of_model_error(const ContactSize& size, double accuracy) {
+  if (!size.bodies_known || largest_model_error(size) <= 0.5 * accuracy) return 0;
+  const bool alike = size.smallest_part > 0.5;
+  return accuracy >= accuracy_of_few && alike ? few_elements : usual_elements;
+}
+
+Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
+  const double part = static_cast<double>(elements_of_model_error(size, accuracy)) / usual_elements;
+  const double estimate = of_model_error * part * part * static_cast<double>(size.load_points);
+  Forecast forecast = on_grids(size, start + estimate, 1.0);
+  forecast.model = "halfspace";
+  forecast.label = "half-space";
+  forecast.model_error = expected_model_error(size);
+  return forecast;
+}
+
+Forecast hybrid_forecast(const ContactSize& size) {
+  Forecast forecast = on_grids(size, correction_seconds(size), hybrid_times);
+  forecast.model = "hybrid";
+  forecast.label = "hybrid";
+  forecast.corrects = "halfspace";
+  forecast.uncertain_part = 0.1;
+  forecast.model_error = forecast.uncertain_part * expected_model_error(size);
+  return forecast;
+}
+
+Forecast fem_forecast(const ContactSize& size) {
+  Forecast forecast;
+  forecast.model = "fem";
+  forecast.label = "finite elements";
+  const double error = size.friction > 0.0 ? fem_error_with_friction : fem_error_without_friction;
+  const double unknowns = fem_unknowns + fem_unknowns_of_length * (elongation(size) - 1.0);
+  const double seconds = (size.symmetric ? 1.0 : fem_whole_times) * unknowns *
+                         (fem_start + fem_point * static_cast<double>(size.load_points));
+  for (const int across : cells_across())
+    forecast.levels.push_back(
+        {across, law(error, measured_cells, across * size.smallest_part),
+         seconds * std::pow(static_cast<double>(across) / measured_cells, fem_power)});
+  leave_out_too_coarse(size, forecast);
+  return forecast;
+}
+
+}  // namespace rollfem::modelling

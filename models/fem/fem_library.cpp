@@ -1,0 +1,67 @@
+#include "models/fem/fem_library.hpp"
+
+#include "contact/base/errors.hpp"
+#include "models/program/program_folders.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
+#include <string>
+
+namespace rollfem::modelling {
+
+namespace {
+
+#if ROLLFEM_WITH_FEM
+
+/// The two bodies are factorised side by side, one core each, and MPI processes share the cores:
+/// threads inside OpenBLAS would only get in the way. It reads this when it is loaded.
+void one_thread_for_blas() {
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
+}
+
+void* open_library() {
+  const std::filesystem::path program = program_directory(), code = code_directory();
+  std::string problems;
+  for (const auto& folder :
+       {program / ".." / "fem", program / ".." / ROLLFEM_LIBDIR, code / ".." / "fem", code}) {
+    const std::filesystem::path file = folder / ROLLFEM_FEM_LIBRARY;
+    // Global: MPI and PETSc open parts of themselves at run time, which look for these symbols.
+    if (void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL)) return library;
+    problems += fmt::format("\n  {}", dlerror());
+  }
+  throw contact::InputError(
+      "model fem: its library cannot be opened; do: build or install rollfem again" + problems);
+}
+
+#endif
+
+}  // namespace
+
+#if ROLLFEM_WITH_FEM
+
+const fem::Entry& open_fem_library(const std::string&) {
+  one_thread_for_blas();
+  void* library = open_library();
+  using EntryFunction = const fem::Entry* (*)();
+  const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "rollfem_fem_entry"));
+  if (entry == nullptr)
+    throw contact::InputError(
+        "model fem: its library has another version; do: build or install rollfem again");
+  return *entry();
+}
+
+#else
+
+const fem::Entry& open_fem_library(const std::string& asked_by) {
+  throw contact::InputError(
+      fmt::format("{}: this build has no finite elements, because it was made without deal.II; "
+                  "allowed: commands that need none; do: build with ROLLFEM_FEM=ON",
+                  asked_by));
+}
+
+#endif
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,10 @@
+// Registration of the model "fem", whose library is opened when it runs.
+#pragma once
+
+#include "contact/solve/model.hpp"
+
+namespace rollfem::modelling {
+
+contact::ModelInfo fem_model();
+
+}  // namespace rollfem::modelling

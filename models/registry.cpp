@@ -1,0 +1,104 @@
+#include "models/registry.hpp"
+
+#include "contact/base/errors.hpp"
+#include "models/fem/fem_model.hpp"
+#include "models/fem/hybrid_model.hpp"
+#include "models/solving/auto_model.hpp"
+#include "theories/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rollfem::modelling {
+
+using contact::ModelInfo;
+using contact::ModelRegistry;
+
+ModelRegistry built_in_models() {
+  ModelRegistry models;
+  models.add(auto_model());
+  for (const ModelInfo& model : halfspace::models().all()) models.add(model);
+  models.add(hybrid_model());
+  models.add(fem_model());
+  return models;
+}
+
+contact::ModelWords model_words(const ModelRegistry& models) {
+  return {models.names(), models.names(&ModelInfo::in_run)};
+}
+
+std::vector<std::string> checked_names(const ModelRegistry& models,
+                                       const std::vector<std::string>& names,
+                                       const std::string& option) {
+  std::vector<std::string> once;
+  for (const std::string& name : names) {
+    static_cast<void>(models.at(name, option));
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  }
+  return once;
+}
+
+std::vector<std::string> built_of(const ModelRegistry& models, std::vector<std::string> names) {
+  names.erase(std::remove_if(names.begin(), names.end(),
+                             [&](const std::string& name) { return !models.at(name).built; }),
+              names.end());
+  return names;
+}
+
+void check_built(const ModelRegistry& models, const std::vector<std::string>& names,
+                 const std::string& asked_by) {
+  for (const std::string& name : names)
+    if (!models.at(name).built)
+      throw contact::InputError(
+          fmt::format("{}: model {} is not in this build, which was made without deal.II; allowed: "
+                      "{}; do: choose from these with --model, or build with ROLLFEM_FEM=ON",
+                      asked_by.rfind("--", 0) == 0 ? asked_by + " " + name : asked_by, name,
+                      contact::listed(models.names(&ModelInfo::built))));
+}
+
+bool any_parallel(const ModelRegistry& models, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return models.at(name).parallel; });
+}
+
+std::string models_markdown(const ModelRegistry& models) {
+  std::string text =
+      "# Models\n\n<!-- Made by `rollfem docs models` from the registry; do not edit. -->\n\nThe "
+      "models that `--model` and `models` of a case file accept, cheapest first. [Which "
+      "model](choice.md)\nsays where each ends. *by default in*: used by that command if neither "
+      "call nor case names a model;\n*study*: what `rollfem study` refines, the first unless "
+      "`--vary` says otherwise.\n\n| model | in figures | what it is | by default in | study | "
+      "stress below the surface |\n|---|---|---|---|---|---|\n";
+  for (const ModelInfo& model : models.all()) {
+    std::vector<std::string> where;
+    if (model.in_run) where.emplace_back("run");
+    if (model.in_compare) where.emplace_back("compare");
+    std::vector<std::string> ways;
+    for (const contact::Refinement& way : model.refinements) ways.push_back(way.word);
+    text +=
+        fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", model.name, model.label, model.sentence,
+                    contact::listed(where), contact::listed(ways), model.has_stress ? "yes" : "");
+  }
+  text +=
+      "\nAll models accept longitudinal creepage, force or approach, and unlike materials. For "
+      "anything else a\nmodel that cannot solve the case refuses it (exit status 2) and names "
+      "those that can.\n\n| |";
+  std::vector<ModelInfo> solving;  // auto asks its own
+  for (const ModelInfo& model : models.all())
+    if (!model.chooses) solving.push_back(model);
+  for (const ModelInfo& model : solving) text += fmt::format(" `{}` |", model.name);
+  text += "\n|---|";
+  for (std::size_t k = 0; k < solving.size(); ++k) text += "---|";
+  for (const contact::Demand demand : contact::all_demands()) {
+    text += fmt::format("\n| {} |", contact::demand_words(demand));
+    for (const ModelInfo& model : solving) {
+      const auto& takes = model.takes;
+      const bool able = std::find(takes.begin(), takes.end(), demand) != takes.end();
+      text += able ? " x |" : " |";
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,266 @@
+#include "models/solving/auto_model.hpp"
+
+#include "contact/base/errors.hpp"
+#include "halfspace/curvature/curvature_error.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/patch/patch_search.hpp"
+#include "models/choice/laws.hpp"
+#include "models/fem/hybrid_model.hpp"
+#include "models/program/processes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace rollfem::modelling {
+
+namespace {
+
+using contact::ModelRegistry;
+using contact::Scene;
+
+/// Of a section of true profiles, from its slopes at both ends of the patch, mm.
+double mean_radius(const contact::HeightCurve& curve, double lower, double upper) {
+  return (upper - lower) / std::abs(curve.at(upper).slope - curve.at(lower).slope);
+}
+
+double radius_across(const Scene& scene) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  if (!surface.profiles)
+    return std::min(std::abs(surface.wheel_transverse_radius),
+                    std::abs(surface.rail_transverse_radius));
+  const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
+  return std::min(mean_radius(surface.profiles->rail(), patch.y_lower, patch.y_upper),
+                  mean_radius(surface.profiles->wheel(), patch.y_lower, patch.y_upper));
+}
+
+/// Of Hertz's patches: sizes go with the cube root of the force, the square root of the approach.
+double smallest_part(const Scene& scene) {
+  double least = contact::infinity, most = 0.0;
+  for (const contact::LoadPoint& point : scene.points) {
+    const contact::NormalLoad& load = point.load;
+    const double size =
+        load.force ? std::cbrt(*load.force) : std::sqrt(load.approach.value_or(0.0));
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  return least > 0.0 && most > 0.0 ? least / most : 1.0;
+}
+
+/// By the hybrid, which meshes neither rigid bodies nor flat ones.
+int meshed_bodies(const Scene& scene) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  const bool flat_rail = !surface.profiles && std::isinf(surface.rail_transverse_radius);
+  return (scene.wheel.material.rigid() ? 0 : 1) +
+         (scene.rail.material.rigid() || (flat_rail && !scene.asks_for_stress()) ? 0 : 1);
+}
+
+int elements_of_model_error(const Scene& scene, const ContactSize& size) {
+  if (scene.model_error && size.bodies_known) return halfspace::elements_of_model_error;
+  return modelling::elements_of_model_error(size, accuracy_of(scene.accuracy));
+}
+
+ContactSize size_of(const Scene& scene) {
+  const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
+  ContactSize size;
+  size.half_length = 0.5 * extent.length;
+  size.half_width = 0.5 * extent.width;
+  size.bodies_known = scene.geometry.has_surfaces();
+  if (size.bodies_known) {
+    size.rolling_radius = scene.geometry.surface.rolling_radius;
+    size.radius_across = radius_across(scene);
+  }
+  if (scene.friction() != nullptr) size.friction = scene.friction_coefficient();
+  size.smallest_part = smallest_part(scene);
+  size.load_points = std::max<std::size_t>(1, scene.points.size());
+  size.symmetric = scene.is_symmetric();
+  size.meshed_bodies = meshed_bodies(scene);
+  // Nor is it looked for where a half-space does anyway. Processes that looked might disagree.
+  if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
+    size.correction_kept = correction_is_kept(scene);
+  return size;
+}
+
+/// Why a model is out of the question for the scene; empty: it is not.
+std::string out_of_question(const contact::ModelInfo* model, const Scene& scene) {
+  if (model == nullptr || !model->built) return "not in this build";
+  if (const auto reason = model->cannot(scene)) return *reason;
+  if (scene.asks_for_stress() && !model->has_stress) return "it has no stress below the surface";
+  const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
+  const bool boxes = !scene.fem.mesh || *scene.fem.mesh == contact::MeshFamily::structured;
+  if (model->name == "hybrid" && (meshes || !boxes))
+    return "it meshes bodies only as boxes below their surface";
+  return "";
+}
+
+std::vector<Forecast> forecasts_of(const Scene& scene, const ContactSize& size,
+                                   const ModelRegistry& models) {
+  std::vector<Forecast> all{modelling::halfspace_forecast(size, accuracy_of(scene.accuracy)),
+                            modelling::hybrid_forecast(size), modelling::fem_forecast(size)};
+  for (Forecast& forecast : all) {
+    const std::string why = out_of_question(models.find(forecast.model), scene);
+    if (!why.empty()) forecast.cannot = why;
+  }
+  return all;
+}
+
+/// The scene on a grid of the choice's, for half-space and hybrid.
+Scene on_grid(Scene scene, int across) {
+  if (auto& cell = scene.contact_grid.cell_size) {
+    const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
+    const double given = std::min(extent.length / (*cell)[0], extent.width / (*cell)[1]);
+    for (double& side : *cell) side *= given / across;
+  } else {
+    scene.contact_grid.elements_across = across;
+  }
+  return scene;
+}
+
+Scene on_cells(Scene scene, int across) {
+  const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
+  scene.fem.cell_size = std::min(extent.length, extent.width) / across;
+  return scene;
+}
+
+/// Solves candidates, each passing the gate of its own model.
+class Solver {
+ public:
+  Solver(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint,
+         const Solving& how)
+      : asked_(scene),
+        scene_(scene),
+        size_(size_of(scene)),
+        progress_(progress),
+        checkpoint_(checkpoint),
+        how_(how) {
+    scene_.accuracy.relative.reset();
+    scene_.model_error = false;
+  }
+
+  const ContactSize& size() const { return size_; }
+
+  Candidate candidate(const Forecast& forecast) const {
+    Candidate made{forecast, {}, false, {}};
+    const std::string name = forecast.model;
+    if (name == "halfspace") {
+      const bool known = scene_.geometry.has_surfaces();
+      const int elements = elements_of_model_error(asked_, size_);
+      made.estimates_model_error = elements > 0;
+      if (!known)
+        made.no_model_error = "only the undeformed distance of the bodies is known";
+      else if (elements == 0)
+        made.largest_model_error = modelling::largest_model_error(size_);
+      made.solve = [this, elements](int across) {
+        contact::ModelResult result = run("halfspace", on_grid(scene_, across));
+        if (elements > 0) share_model_error(elements, result);
+        return result;
+      };
+    } else if (name == "hybrid") {
+      made.solve = [this](int across) { return run("hybrid", on_grid(scene_, across)); };
+    } else {
+      made.solve = [this, name](int across) { return run(name, on_cells(scene_, across)); };
+    }
+    return made;
+  }
+
+ private:
+  /// Finer grids change little of it: what the first has found is that of all.
+  void share_model_error(int elements, contact::ModelResult& result) const {
+    if (estimated_.empty()) {
+      halfspace::add_model_error(scene_, progress_, result, elements);
+      for (const contact::PointResult& point : result.points)
+        estimated_.push_back(point.model_error);
+      source_ = result.model_error_source;
+      return;
+    }
+    for (std::size_t k = 0; k < result.points.size(); ++k)
+      result.points[k].model_error = estimated_[k];
+    result.model_error_source = source_;
+  }
+
+  contact::ModelResult run(const std::string& name, const Scene& scene) const {
+    const contact::ModelInfo& model = how_.models->at(name);
+    if (model.parallel && how_.need_session) how_.need_session();
+    contact::ModelResult result = how_.models->run(name, scene, progress_, checkpoint_);
+    result.label = model.label;
+    return result;
+  }
+
+  const Scene& asked_;
+  Scene scene_;  ///< without an accuracy or estimates, which are here
+  ContactSize size_;
+  const contact::Progress& progress_;
+  contact::Checkpoint* checkpoint_;
+  const Solving& how_;
+  mutable std::vector<std::map<std::string, double>> estimated_;  ///< of the load points
+  mutable std::string source_;
+};
+
+}  // namespace
+
+contact::ModelInfo auto_model() {
+  contact::ModelInfo choice{
+      "auto", "auto",
+      "chooses the cheapest of halfspace, hybrid and fem whose total error is within `accuracy`"};
+  // There is nothing to choose for a line contact: the half-space alone solves it.
+  choice.takes = contact::all_demands_but({contact::Demand::line_contact});
+  choice.chooses = choice.in_run = true;
+  choice.parallel = ROLLFEM_WITH_FEM;
+  return choice;
+}
+
+bool any_choice(const ModelRegistry& models, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return models.at(name).chooses; });
+}
+
+void check_alone(const ModelRegistry& models, const std::vector<std::string>& names,
+                 const std::string& asked_by) {
+  if (names.size() < 2 || !any_choice(models, names)) return;
+  throw contact::InputError(
+      fmt::format("{}: auto cannot be combined with other models, because it chooses one of them; "
+                  "allowed: auto alone, or models by name; do: name one or the other",
+                  asked_by));
+}
+
+void refuse_choice(const ModelRegistry& models, const std::vector<std::string>& names,
+                   const std::string& command) {
+  if (!any_choice(models, names)) return;
+  std::vector<std::string> others;
+  for (const contact::ModelInfo& model : models.all())
+    if (!model.chooses) others.push_back(model.name);
+  throw contact::InputError(
+      fmt::format("{} --model auto: auto chooses one of the other models and cannot be compared "
+                  "with them; allowed: {}; do: name those, or use rollfem run --model auto",
+                  command, contact::listed(others)));
+}
+
+std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& models) {
+  return forecasts_of(scene, size_of(scene), models);
+}
+
+double accuracy_of(const contact::AccuracyRequest& asked) {
+  return asked.relative.value_or(modelling::default_accuracy);
+}
+
+contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress& progress,
+                                     contact::Checkpoint* checkpoint, const Solving& how) {
+  const Solver solver(scene, progress, checkpoint, how);
+  std::vector<Candidate> candidates;
+  for (const Forecast& forecast : forecasts_of(scene, solver.size(), *how.models))
+    candidates.push_back(solver.candidate(forecast));
+  Wanted wanted;
+  wanted.accuracy = scene.accuracy;
+  wanted.accuracy.relative = accuracy_of(scene.accuracy);
+  wanted.by_default = !scene.accuracy.relative;
+  wanted.friction_coefficient = scene.friction_coefficient();
+  wanted.go_on = how.together;
+  if (!how.together && how.session != nullptr)
+    wanted.agree = [&](const std::string& text) { return how.session->from_first(text); };
+  return modelling::choose(std::move(candidates), wanted);
+}
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,117 @@
+#include "models/solving/case_scenes.hpp"
+
+#include "track/balance/balance.hpp"
+#include "track/motion/placed_scenes.hpp"
+#include "track/placement/placement.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace rollfem::modelling {
+
+namespace {
+
+using contact::Case;
+
+/// Points of a curve for drawing, in the track frame, from the side frame (Y outward).
+std::vector<std::array<double, 2>> on_track(const profiles::ProfileCurve& curve, bool left) {
+  constexpr int pieces = 600;
+  std::vector<std::array<double, 2>> points;
+  for (int k = 0; k <= pieces; ++k) {
+    const auto at = curve.at(curve.first() + (curve.last() - curve.first()) * k / pieces);
+    points.push_back({track::side_sign(left) * at.y, at.z});
+  }
+  return points;
+}
+
+/// Section of the wheel through its axle, leaning as the axle does.
+std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
+                                                  const profiles::ProfileCurve& wheel,
+                                                  const track::WheelRailContact& contact) {
+  const bool left = contact.place.left;
+  const contact::Axle axle =
+      track::place_axle(contact.pose, input.wheelset, input.wheel.rolling_radius, left);
+  // Downwards from the axle, at a right angle to it.
+  const double length = std::hypot(axle.direction[1], axle.direction[2]);
+  const std::array<double, 2> along{axle.direction[1] / length, axle.direction[2] / length};
+  const std::array<double, 2> down{-along[1], along[0]};
+  constexpr int pieces = 800;
+  std::vector<std::array<double, 2>> points;
+  for (int k = 0; k <= pieces; ++k) {
+    const auto at = wheel.at(wheel.first() + (wheel.last() - wheel.first()) * k / pieces);
+    const double radius = input.wheel.rolling_radius + at.z;
+    const double y = axle.point[1] + along[0] * at.y + down[0] * radius;
+    const double z = axle.point[2] + along[1] * at.y + down[1] * radius;
+    points.push_back({track::side_sign(left) * y, z});
+  }
+  return points;
+}
+
+std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
+                                                 const track::SearchScene& search,
+                                                 const std::vector<track::PlacedScene>& scenes) {
+  std::vector<postprocess::PlacedPair> pairs;
+  for (const track::PlacedScene& scene : scenes) {
+    const contact::ContactPlace& place = scene.contact.place;
+    if (place.patch == 1)
+      pairs.push_back({place.left, place.position, on_track(search.rail, place.left),
+                       wheel_on_track(input, search.profiles.wheel, scene.contact)});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+Scenes scenes_of(const Case& input, const contact::Progress& progress) {
+  if (!input.has_profiles()) return {{contact::Scene(input)}, {}, {}};
+  track::BalancedCase balanced = track::balance(input, progress);
+  return {std::move(balanced.scenes), drawn_pairs(input, balanced.search, balanced.placed),
+          std::move(balanced.notes)};
+}
+
+std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
+                                                             const track::SearchScene& search) {
+  Case first = input;
+  first.wheelset.lateral_shift.resize(1);
+  first.wheelset.yaw.resize(1);
+  if (!first.wheelset.roll.empty()) first.wheelset.roll.resize(1);
+  const std::vector<track::PlacedScene> scenes = track::make_scenes(first, search);
+  std::vector<std::pair<std::string, std::string>> tables;
+  for (const postprocess::PlacedPair& pair : drawn_pairs(first, search, scenes)) {
+    const char* side = pair.left ? "left" : "right";
+    std::string text = fmt::format("# {} wheel, lateral shift {:g} mm\n", side,
+                                   first.wheelset.lateral_shift.front());
+    text += "part,y [mm],z [mm],angle [rad],radius [mm]\n";
+    for (const auto& [part, points] : {std::pair{"rail", &pair.rail}, {"wheel", &pair.wheel}})
+      for (const auto& point : *points)
+        text += fmt::format("{},{:.6f},{:.6f},,\n", part, point[0], point[1]);
+    for (const track::PlacedScene& scene : scenes) {
+      const contact::ContactPlace& place = scene.contact.place;
+      if (place.left == pair.left)
+        text += fmt::format("patch {},{:.6f},{:.6f},{:.8f},{:.6f}\n", place.patch, place.y_track,
+                            place.z_track, place.contact_angle, place.rolling_radius);
+    }
+    tables.emplace_back(fmt::format("pair_{}", side), std::move(text));
+  }
+  return tables;
+}
+
+std::string contacts_text(const Case& input, const track::SearchScene& search) {
+  std::string text =
+      fmt::format("{:<7}{:>9}{:>7}{:>11}{:>12}{:>12}{:>12}{:>11}{:>12}{:>15}\n", "wheel",
+                  "position", "patch", "roll mrad", "y track mm", "y rail mm", "y wheel mm",
+                  "angle rad", "radius mm", "separation mm");
+  for (const track::WheelRailContact& contact : track::place_wheels(input, search)) {
+    const contact::ContactPlace& at = contact.place;
+    text += fmt::format(
+        "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",
+        at.left ? "left" : "right", at.position,
+        at.patch > 0 ? std::to_string(at.patch) : std::string("near"), 1e3 * at.roll, at.y_track,
+        at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius, at.separation);
+  }
+  return text;
+}
+
+}  // namespace rollfem::modelling

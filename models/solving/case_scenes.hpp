@@ -1,0 +1,33 @@
+// The scenes of a case: the case itself or, with profiles, one scene for each
+// patch in balance; and the figures and text about them.
+#pragma once
+
+#include "contact/base/progress.hpp"
+#include "contact/case/case.hpp"
+#include "postprocess/write/output.hpp"
+#include "track/motion/placed_scenes.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rollfem::modelling {
+
+struct Scenes {
+  std::vector<contact::Scene> list;
+  std::vector<postprocess::PlacedPair> pairs;
+  std::vector<std::string> notes;
+};
+
+/// Throws contact::InputError and contact::SolveError.
+Scenes scenes_of(const contact::Case& input, const contact::Progress& progress);
+
+/// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
+/// of the table without ending, and its text. One for each wheel that the case asks for.
+std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input,
+                                                             const track::SearchScene& search);
+
+/// Where the wheels of a case with profiles touch their rails, as a table; nothing is solved.
+std::string contacts_text(const contact::Case& input, const track::SearchScene& search);
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,149 @@
+#include "models/solving/expected_choice.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/quantities.hpp"
+#include "halfspace/model/model.hpp"
+#include "models/caches/machine_speed.hpp"
+#include "models/choice/laws.hpp"
+#include "models/solving/auto_model.hpp"
+#include "track/motion/placed_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace rollfem::modelling {
+
+namespace {
+
+using contact::Scene;
+
+std::vector<Scene> first_scenes(const contact::Case& input) {
+  if (!input.has_profiles()) return {Scene(input)};
+  std::vector<Scene> scenes;
+  for (track::PlacedScene& placed : track::make_scenes(input))
+    if (placed.scene.place->position == 1) scenes.push_back(std::move(placed.scene));
+  return scenes;
+}
+
+/// The worst bar of a level among what accuracy is asked of, as part of value or mu.
+double worst_bar(const postprocess::StudyLevel& level, const contact::AccuracyRequest& asked,
+                 double friction) {
+  double worst = 0.0;
+  for (const auto& [key, bar] : level.bars) {
+    const std::string name = key.substr(0, key.find(':'));
+    if (std::find(asked.of.begin(), asked.of.end(), name) == asked.of.end()) continue;
+    const double whole =
+        postprocess::is_coefficient(key) ? friction : std::abs(level.values.at(key));
+    if (whole > 0.0) worst = std::max(worst, bar / whole);
+  }
+  return worst;
+}
+
+/// Elements across the smaller extent of a level of grids or cells.
+int elements_across(const postprocess::StudySeries& series, const postprocess::StudyLevel& level,
+                    const Scene& scene) {
+  const bool cells = series.vary != "grid" || scene.contact_grid.cell_size.has_value();
+  if (!cells) return static_cast<int>(level.parameter);
+  const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
+  return static_cast<int>(std::lround(std::min(extent.length, extent.width) / level.parameter));
+}
+
+/// What a study has solved of a model takes the place of what is expected.
+void take_levels(const postprocess::StudySeries& series, const Scene& scene, double friction,
+                 Forecast& forecast) {
+  if (series.levels.empty() || (series.vary != "grid" && series.vary != "cell")) return;
+  forecast.levels.clear();
+  for (const postprocess::StudyLevel& level : series.levels)
+    if (!level.bars.empty())
+      forecast.levels.push_back({elements_across(series, level, scene),
+                                 worst_bar(level, scene.accuracy, friction), level.seconds, true});
+}
+
+/// Of the half-space, on the few elements that its estimate takes anyway.
+void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
+  if (!scene.geometry.has_surfaces() || !how.first) return;
+  Scene few = scene;
+  few.contact_grid = {};
+  few.contact_grid.elements_across = modelling::grids_across().front();
+  few.accuracy.relative.reset();
+  few.subsurface.clear();
+  few.output.stress_maxima = false;
+  few.model_error = true;
+  try {
+    const contact::ModelResult result = how.models->run("halfspace", few, how.progress);
+    if (!result.has_model_error()) return;
+    half.model_error =
+        modelling::reached_by(result, scene.accuracy, scene.friction_coefficient(), true)
+            .most_model;
+    half.model_error_found = true;
+  } catch (const std::runtime_error&) {
+    // It stays what is expected.
+  }
+}
+
+/// With the seconds of this machine.
+std::vector<Forecast> here(std::vector<Forecast> forecasts,
+                           const std::optional<MachineSpeed>& speed) {
+  if (speed)
+    for (Forecast& forecast : forecasts)
+      for (Level& level : forecast.levels) level.seconds *= speed->times;
+  return forecasts;
+}
+
+}  // namespace
+
+std::string expected_choice(const contact::Case& input, const contact::ModelRegistry& models) {
+  std::string text;
+  const std::optional<MachineSpeed> speed = machine_speed();
+  try {
+    for (const Scene& scene : first_scenes(input)) {
+      const double accuracy = accuracy_of(scene.accuracy);
+      text +=
+          fmt::format("  {}for {}: {}\n", scene.patch_prefix(), modelling::percent(accuracy),
+                      modelling::verdict(here(forecasts_of(scene, models), speed), accuracy, true));
+    }
+  } catch (const contact::SolveError&) {
+    return "";  // what solves the case will say it
+  } catch (const contact::InputError&) {
+    return "";
+  }
+  return fmt::format(
+      "\nexpected choice of the model auto, from the size of the contact alone{}\n{}",
+      speed ? fmt::format("; times are for this machine, {:.2f} times those of the reference "
+                          "machine (rollfem bench, {})",
+                          speed->times, speed->made.substr(0, 10))
+            : "; times are for an idle 2.5 GHz core; rollfem bench calibrates them to this machine",
+      text);
+}
+
+void add_choice(const Scene& scene, const Solving& how, double friction,
+                postprocess::StudyPlace& place) {
+  std::vector<Forecast> forecasts;
+  try {
+    forecasts = forecasts_of(scene, *how.models);
+  } catch (const std::runtime_error&) {
+    return;  // no patch to expect anything of
+  }
+  Forecast& half = forecasts.front();
+  for (const postprocess::StudySeries& series : place.series)
+    for (Forecast& forecast : forecasts)
+      if (series.model == forecast.model) take_levels(series, scene, friction, forecast);
+  const bool solved = std::any_of(half.levels.begin(), half.levels.end(),
+                                  [](const Level& level) { return level.solved; });
+  if (solved && half.cannot.empty()) {
+    find_model_error(scene, how, half);
+    for (Forecast& other : forecasts)
+      if (other.corrects == half.model && half.model_error_found) {
+        other.model_error = other.uncertain_part * half.model_error;
+        other.model_error_found = true;
+      }
+  }
+  for (const double percent : {5.0, 1.0, 0.2})
+    place.choice.emplace_back(percent, modelling::verdict(forecasts, 0.01 * percent, true));
+}
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,184 @@
+#include "models/solving/solving.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/bars.hpp"
+#include "contact/result/patch_parts.hpp"
+#include "models/solving/auto_model.hpp"
+#include "models/solving/case_scenes.hpp"
+#include "models/solving/scene_checkpoint.hpp"
+#include "track/balance/result_check.hpp"
+#include "track/motion/placed_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::modelling {
+
+namespace {
+
+/// Progress says which model it is, which may use another, and which patch. A choice runs several,
+/// which say so.
+contact::Progress told(const contact::ModelInfo& model, const contact::Scene& scene,
+                       const contact::Progress& progress) {
+  const std::string patch = scene.place ? scene.place->label() + ": " : "";
+  const std::string name = model.chooses ? "" : model.name;
+  return [name, patch, progress](contact::ProgressEvent event) {
+    if (!name.empty()) event.model = name;
+    event.stage = patch + event.stage;
+    contact::report(progress, event);
+  };
+}
+
+/// Regions of one contact that share its load on one grid, at the first load point.
+std::string parts_note(const contact::ContactPlace& place, const contact::ModelResult& result) {
+  const auto parts = contact::patch_parts(result.grid, result.points.front().fields);
+  std::string text = fmt::format(
+      "{} patches on one grid share the load and interact elastically (first load point, the most "
+      "loaded first): ",
+      parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += fmt::format("{}y_track {:.3f} mm (y {:.3f}) {:.4g} by {:.4g} mm, F_n {:.5g} N",
+                        k > 0 ? "; " : "", track::track_y(place, parts[k].y), parts[k].y,
+                        parts[k].length, parts[k].width, parts[k].normal_force);
+  return text;
+}
+
+/// What one plane leaves out where its patches have other normals: their pressure along y. Empty
+/// where it is small.
+std::string normals_note(const contact::Scene& scene, const contact::ModelResult& result) {
+  constexpr double worth_a_note = 0.01;  // of the normal force
+  if (scene.follows_surface > 0.0 || result.name != "halfspace") return {};
+  const contact::HeightCurve& rail = scene.geometry.surface.profiles->rail();
+  double along_y = 0.0, least = contact::infinity, largest = -contact::infinity;
+  for (const auto& part : contact::patch_parts(result.grid, result.points.front().fields)) {
+    const double slope = rail.at(part.y).slope;
+    along_y -= part.normal_force * slope;
+    least = std::min(least, std::atan(slope));
+    largest = std::max(largest, std::atan(slope));
+  }
+  if (std::abs(along_y) <= worth_a_note * result.points.front().normal_force) return {};
+  return fmt::format(
+      "the normals of these patches differ by {:.3g} rad: treated separately, they would exert "
+      "{:.4g} N more along y than in one plane; do: run with halfspace.surface = \"curved\", which "
+      "uses their own normals",
+      largest - least, along_y);
+}
+
+/// With the bar that follows from those of the two forces; one that is given or exact has none, nor
+/// has the share that the wheelset's balance has found.
+void add_vertical_force(const contact::ContactPlace& place, contact::PointResult& point) {
+  point.vertical_force = track::vertical_force(point.normal_force, point.lateral_force, place);
+  const auto bar = [&](const char* name) {
+    const auto found = point.error_estimate.find(name);
+    return found == point.error_estimate.end() ? 0.0 : found->second;
+  };
+  if (place.patches > 1)
+    point.no_bar["vertical_force"] = contact::no_bar::balance;
+  else if (point.error_estimate.count("normal_force") +
+               point.error_estimate.count("lateral_force") >
+           0)
+    point.error_estimate["vertical_force"] =
+        std::abs(track::vertical_force(bar("normal_force"), 0.0, place)) +
+        std::abs(track::vertical_force(0.0, bar("lateral_force"), place));
+  else
+    point.no_bar["vertical_force"] = point.no_bar["lateral_force"];
+}
+
+/// What the result of a patch says beyond what the model knows.
+void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
+            contact::ModelResult& result) {
+  if (!scene.place) return;
+  result.place = scene.place;
+  result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+  if (!result.points.empty() && result.points.front().patch_count > 1) {
+    result.notes.push_back(parts_note(*scene.place, result));
+    if (const std::string note = normals_note(scene, result); !note.empty())
+      result.notes.push_back(note);
+  }
+  if (scene.place->patches > 1) {
+    std::string text =
+        "the contacts of this wheel lie in different planes: they share its load through a common "
+        "vertical approach of half-spaces, including their mutual displacement; friction for this "
+        "is taken from a solution with 24 elements across";
+    if (result.name != "halfspace")
+      text += "; this model neglects the mutual displacement of the contacts";
+    result.notes.push_back(std::move(text));
+  }
+  for (contact::PointResult& point : result.points) add_vertical_force(*scene.place, point);
+}
+
+/// Runs one model; an error that does not say so gets the name of the model.
+contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
+                               const Solving& how) {
+  const contact::ModelInfo& model = how.models->at(name);
+  SceneCheckpoint kept(how.checkpoint, scene.place);
+  contact::Checkpoint* keep = how.checkpoint != nullptr ? &kept : nullptr;
+  const contact::Progress progress = told(model, scene, how.progress);
+  const auto where = [&](const std::exception& error) {
+    return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), name, error.what());
+  };
+  try {
+    if (model.chooses) return solve_by_choice(scene, progress, keep, how);
+    return how.models->run(name, scene, progress, keep);
+  } catch (const contact::UnfitGrid& error) {
+    throw contact::UnfitGrid(where(error));
+  } catch (const contact::SolveError& error) {
+    throw contact::SolveError(where(error));
+  }
+}
+
+/// The models that can take every scene; of the others a sentence, or what the registry throws.
+std::vector<std::string> able_models(const contact::Case& input, const Scenes& scenes,
+                                     const Solving& how, std::vector<Missing>& missing) {
+  std::vector<std::string> able;
+  for (const std::string& name : input.models) try {
+      for (const contact::Scene& scene : scenes.list) how.models->check(scene, name);
+      able.push_back(name);
+    } catch (const contact::InputError& error) {
+      if (!how.go_on) throw;
+      missing.push_back({name, error.what(), false});
+    }
+  return able;
+}
+
+}  // namespace
+
+contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
+                                 const std::vector<std::string>& notes, const Solving& how) {
+  contact::ModelResult result = run_model(model, scene, how);
+  if (result.label.empty()) result.label = how.models->at(model).label;
+  finish(scene, notes, result);
+  return result;
+}
+
+Solved solve(const contact::Case& input, const Solving& how) {
+  Solved solved;
+  Scenes scenes = scenes_of(input, how.progress);
+  std::vector<std::string> able = able_models(input, scenes, how, solved.missing);
+  for (const contact::Scene& scene : scenes.list)
+    for (const std::string& name : std::vector<std::string>(able)) {
+      const bool parallel = how.models->at(name).parallel;
+      if (!parallel && !how.first) continue;
+      const auto miss = [&](const std::exception& error, bool failed) {
+        solved.missing.push_back({name, error.what(), failed});
+        able.erase(std::find(able.begin(), able.end(), name));
+      };
+      const bool must_throw = !how.go_on || (parallel && !how.together);
+      try {
+        solved.results.push_back(solve_scene(name, scene, scenes.notes, how));
+      } catch (const contact::SolveError& error) {
+        if (must_throw) throw;
+        miss(error, true);
+      } catch (const contact::InputError& error) {
+        if (must_throw) throw;
+        miss(error, false);
+      }
+    }
+  track::check_results(input, solved.results);
+  solved.pairs = std::move(scenes.pairs);
+  return solved;
+}
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,240 @@
+// The choice among toy models whose errors are given: which are solved, on which grids, and what is
+// said of it.
+#include "models/choice/choice.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+namespace {
+
+using namespace rollfem;
+using namespace rollfem::modelling;
+
+/// Errors of a toy on 16 elements across; they fall with 1/n^1.5.
+struct Toy {
+  double discretisation = 0.02;
+  double model_error = 0.0;
+  const char* fails = nullptr;
+};
+
+struct Toys {
+  Toy plain, corrected, full;
+  std::vector<std::pair<std::string, int>> solved;
+};
+
+contact::ModelResult result_of(const std::string& name, const Toy& toy, int across) {
+  contact::ModelResult result;
+  result.name = name;
+  result.model_error_source = "given";
+  contact::PointResult point;
+  point.max_pressure = 200.0;
+  point.error_estimate["max_pressure"] = 200.0 * toy.discretisation * std::pow(16.0 / across, 1.5);
+  point.model_error["max_pressure"] = 200.0 * toy.model_error;
+  result.points = {point};
+  return result;
+}
+
+/// Expectations are those of the toys as they are made, seconds 1, 10 and 100 times (n/16)^2.
+std::vector<Candidate> candidates(Toys& toys) {
+  std::vector<Candidate> all;
+  double times = 1.0;
+  for (const auto& [name, toy] : {std::pair<const char*, const Toy*>{"plain", &toys.plain},
+                                  {"corrected", &toys.corrected},
+                                  {"full", &toys.full}}) {
+    Candidate candidate;
+    candidate.forecast.model = candidate.forecast.label = name;
+    for (const int across : {16, 32, 64, 128})
+      candidate.forecast.levels.push_back(
+          {across, 0.02 * std::pow(16.0 / across, 1.5), times * across * across / 256.0});
+    candidate.solve = [&toys, name = std::string(name), toy = toy](int across) {
+      toys.solved.emplace_back(name, across);
+      if (toy->fails != nullptr) throw contact::SolveError(toy->fails);
+      return result_of(name, *toy, across);
+    };
+    times *= 10.0;
+    all.push_back(std::move(candidate));
+  }
+  all[0].estimates_model_error = true;
+  all[1].forecast.corrects = "plain";
+  all[1].forecast.uncertain_part = 0.1;
+  return all;
+}
+
+Wanted wanted(double accuracy) {
+  Wanted what;
+  what.accuracy = {accuracy, {"max_pressure"}};
+  return what;
+}
+
+using Solved = std::vector<std::pair<std::string, int>>;
+
+TEST(Choice, TakesTheCoarsestGridThatDoes) {
+  for (const auto& [accuracy, across] : {std::pair{0.05, 16}, {0.01, 32}, {0.002, 128}}) {
+    Toys toys;
+    const contact::ModelResult result = choose(candidates(toys), wanted(accuracy));
+    EXPECT_EQ(toys.solved, (Solved{{"plain", across}}));
+    EXPECT_EQ(result.name, "plain");
+    EXPECT_EQ(result.shortfall, "");
+  }
+}
+
+TEST(Choice, LaysNoFineGridForAModelErrorThatIsExpectedOnly) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  auto all = candidates(toys);
+  all[0].forecast.model_error = 0.029;  // a third of it would leave 0.03 % to the grid
+  EXPECT_EQ(choose(all, wanted(0.01)).name, "corrected");
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 64}, {"corrected", 64}}));
+  toys.solved.clear();
+  all[0].forecast.model_error = 0.031;  // and of this no third is within 1 %
+  choose(all, wanted(0.01));
+  EXPECT_EQ(toys.solved, (Solved{{"corrected", 32}}));
+}
+
+TEST(Choice, RefinesWhatIsWorseThanExpected) {
+  Toys toys;
+  toys.plain.discretisation = 0.05;  // 0.0177 on 32, 0.00625 on 64
+  choose(candidates(toys), wanted(0.01));
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 32}, {"plain", 64}}));
+}
+
+TEST(Choice, GoesOnWhereTheModelItselfLeavesOutTooMuch) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  const contact::ModelResult result = choose(candidates(toys), wanted(0.01));
+  // A tenth of 3 % is left of it: 0.7 % for the grid.
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 32}, {"corrected", 64}}));
+  EXPECT_EQ(result.name, "corrected");
+  EXPECT_NE(result.choice.find("corrected, 64 across"), std::string::npos) << result.choice;
+  EXPECT_NE(result.choice.find("plain, 32 across"), std::string::npos) << result.choice;
+  EXPECT_NE(result.choice.find("model 3 %"), std::string::npos) << result.choice;
+  EXPECT_NE(result.choice.find("full would take about 7 min"), std::string::npos) << result.choice;
+  EXPECT_EQ(result.notes.front(), "auto, for 1 %: " + result.choice);
+}
+
+TEST(Choice, LeavesOutWhatFailsOrCannot) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  toys.corrected.fails = "the bodies are none that it can take";
+  EXPECT_EQ(choose(candidates(toys), wanted(0.01)).name, "full");
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 32}, {"corrected", 64}, {"full", 32}}));
+  Toys others;
+  others.plain.model_error = 0.03;
+  auto all = candidates(others);
+  all[1].forecast.cannot = "not in this build";
+  const contact::ModelResult result = choose(all, wanted(0.01));
+  EXPECT_EQ(result.name, "full");
+  EXPECT_NE(result.choice.find("corrected: not in this build"), std::string::npos) << result.choice;
+}
+
+TEST(Choice, TriesOneMoreGridWhereOneFails) {
+  Toys toys;
+  auto all = candidates(toys);
+  all[0].solve = [&](int across) {
+    toys.solved.emplace_back("plain", across);
+    if (across == 32) throw contact::SolveError("single elements go round");
+    return result_of("plain", toys.plain, across);
+  };
+  EXPECT_EQ(choose(all, wanted(0.01)).name, "plain");
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 32}, {"plain", 64}}));
+}
+
+TEST(Choice, GivesTheBestWhereNothingDoesAndFailsWhereItWasAskedFor) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  auto all = candidates(toys);
+  all[1].forecast.cannot = all[2].forecast.cannot = "not in this build";
+  const contact::ModelResult asked = choose(all, wanted(0.01));
+  EXPECT_EQ(asked.name, "plain");
+  EXPECT_NE(asked.shortfall.find("accuracy = 0.01 was not reached"), std::string::npos)
+      << asked.shortfall;
+  Wanted what = wanted(0.01);
+  what.by_default = true;
+  const contact::ModelResult result = choose(all, what);
+  EXPECT_EQ(result.shortfall, "");
+  EXPECT_EQ(result.notes.front().rfind("warning: accuracy = 0.01", 0), 0U) << result.notes.front();
+}
+
+TEST(Choice, TakesNoMinutesThatNobodyAskedFor) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  auto all = candidates(toys);
+  all[1].forecast.cannot = "not in this build";
+  Wanted what = wanted(0.01);
+  what.by_default = true;
+  choose(all, what);  // "full" needs 100 s on 16 across, 400 on 32
+  EXPECT_EQ(toys.solved.back(), (std::pair<std::string, int>{"full", 16}));
+  choose(all, wanted(0.01));
+  EXPECT_EQ(toys.solved.back(), (std::pair<std::string, int>{"full", 32}));
+}
+
+TEST(Choice, WhatIsUnknownDoesNotDo) {
+  Toys toys;
+  auto all = candidates(toys);
+  all[0].solve = [&](int across) {
+    contact::ModelResult result = result_of("plain", toys.plain, across);
+    result.points[0].model_error.clear();
+    return result;
+  };
+  EXPECT_EQ(choose(all, wanted(0.01)).name, "corrected");
+  all[0].solve = [&](int across) {
+    contact::ModelResult result = result_of("plain", toys.plain, across);
+    result.points[0].error_estimate.clear();
+    result.points[0].no_bar["max_pressure"] = "one grid";
+    return result;
+  };
+  EXPECT_NE(choose(all, wanted(0.01)).name, "plain");
+}
+
+TEST(Choice, ThrowsWhatTheFirstThrewWhereAllFail) {
+  Toys toys;
+  toys.plain.fails = "nothing touches";
+  toys.corrected.fails = toys.full.fails = "no patch";
+  try {
+    choose(candidates(toys), wanted(0.01));
+    FAIL() << "no model has a result";
+  } catch (const contact::SolveError& error) {
+    EXPECT_STREQ(error.what(), "nothing touches");
+  }
+  auto none = candidates(toys);
+  for (Candidate& candidate : none) candidate.forecast.cannot = "it cannot handle this";
+  EXPECT_THROW(choose(none, wanted(0.01)), contact::InputError);
+  Wanted strict = wanted(0.01);
+  strict.go_on = false;
+  Toys second;
+  second.plain.fails = "nothing touches";
+  EXPECT_THROW(choose(candidates(second), strict), contact::SolveError);
+  EXPECT_EQ(second.solved.size(), 1U);
+}
+
+TEST(Choice, AgreesWithTheFirstProcess) {
+  Toys toys;
+  Wanted what = wanted(0.01);
+  int asked = 0;  // the first one has the plain model's error, this process nothing of it
+  what.agree = [&](const std::string&) {
+    return ++asked == 1 ? "0.001 0.03 0.001 0.03 1 max_pressure" : "0.001 0 0.001 0 1 max_pressure";
+  };
+  EXPECT_EQ(choose(candidates(toys), what).name, "corrected");
+  EXPECT_EQ(asked, 2);
+}
+
+TEST(Verdict, NamesWhatDoesAndWhatTheOthersCost) {
+  Toys toys;
+  std::vector<Forecast> all;
+  for (const Candidate& candidate : candidates(toys)) all.push_back(candidate.forecast);
+  all[0].model_error = 0.015;
+  EXPECT_EQ(verdict(all, 0.05, true),
+            "plain, 16 across, about 1 s: discretisation 2 %, model 1.5 %; corrected would take "
+            "about 10 s; full would take about 2 min");
+  EXPECT_EQ(verdict(all, 0.01, false),
+            "corrected, 32 across, about 40 s: discretisation 0.71 %, model 0 %");
+  EXPECT_EQ(verdict(all, 1e-5, true),
+            "nothing is expected to suffice; plain is expected to neglect about 1.5 %; corrected "
+            "is not expected to suffice; full is not expected to suffice");
+}
+
+}  // namespace

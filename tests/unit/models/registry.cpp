@@ -1,0 +1,128 @@
+// The models of the program: what each refuses, in one message that names those that can.
+#include "models/registry.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/case_examples.hpp"
+
+namespace {
+
+using namespace rollfem;
+using rollfem::testing::plus;
+using rollfem::testing::with;
+
+const contact::ModelRegistry& models() {
+  static const contact::ModelRegistry all = modelling::built_in_models();
+  return all;
+}
+
+std::string refusal(const contact::Scene& scene, const std::string& model) {
+  try {
+    models().check(scene, model);
+  } catch (const contact::InputError& error) {
+    return error.what();
+  }
+  return "able";
+}
+
+std::string refusal(const std::string& text, const std::string& model) {
+  return refusal(contact::parse_case(text, "case.toml"), model);
+}
+
+void expect_refusal(const std::string& text, const std::string& model, const std::string& part) {
+  EXPECT_NE(refusal(text, model).find(part), std::string::npos) << refusal(text, model);
+}
+
+const std::string fast = "[rolling]\nspeed = 5e4\n[fem]\ninertia = true\n";
+
+const std::string pressure = R"([friction]
+coefficient = 0.4
+[wheel]
+rolling_radius = 500.0
+[given_pressure]
+semi_axis_x = 6.0
+semi_axis_y = 4.0
+max_pressure = 1e3
+)";
+
+TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
+  const std::string shift =
+      plus("[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.1\n");
+  const std::string force = plus("[rolling]\nlongitudinal_force = 1.0\n");
+  for (const char* model : {"halfspace", "hybrid", "fem"}) {
+    EXPECT_EQ(refusal(shift, model), "able");
+    EXPECT_EQ(refusal(force, model), "able");
+    EXPECT_EQ(refusal(pressure, model) == "able", std::string(model) != "hybrid") << model;
+  }
+  for (const char* model : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
+    expect_refusal(shift, model,
+                   "allowed: hertz, halfspace, hybrid, fem; do: run with --model halfspace");
+    expect_refusal(force, model, "prescribed tangential force");
+    EXPECT_EQ(refusal(rollfem::testing::small_case, model), "able") << model;
+  }
+  EXPECT_EQ(refusal(pressure, "fastsim"), "able");
+  const std::string rigid = with("[rail]\n", "[rail]\nyoung_modulus = inf\n");
+  EXPECT_EQ(refusal(rigid, "fem"), "able");
+  const std::string point = "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n";
+  expect_refusal(rigid + point, "fem",
+                 "subsurface: it cannot handle the stress in a rigid body; allowed: hertz, linear");
+}
+
+TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
+  // A speed alone is no more than that, however high.
+  for (const char* model : {"hertz", "carter", "halfspace", "hybrid", "fem"})
+    EXPECT_EQ(refusal(plus("[rolling]\nspeed = 5e6\n"), model), "able") << model;
+  EXPECT_EQ(refusal(plus(fast), "fem"), "able");
+  for (const char* model : {"hertz", "carter", "halfspace", "hybrid"})
+    expect_refusal(plus(fast), model,
+                   "fem.inertia: it cannot handle the inertia of moving bodies; allowed: fem; do: "
+                   "run with --model fem");
+}
+
+TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
+  const std::string spin = plus("[rolling]\nspin = 1e-4\n");
+  expect_refusal(spin, "vermeulen-johnson",
+                 "rolling.spin: it cannot handle spin; allowed: hertz, linear, fastsim, strip, "
+                 "halfspace, hybrid, fem; do: run with --model halfspace");
+  expect_refusal(spin, "carter", "rolling.spin");
+  EXPECT_EQ(refusal(spin, "linear"), "able");
+  expect_refusal(plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",
+                 "rolling.lateral_creepage: it cannot handle lateral creepage; allowed: hertz, "
+                 "linear, vermeulen-johnson, fastsim, strip, halfspace, hybrid, fem");
+}
+
+TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
+  contact::Scene scene = contact::parse_case(rollfem::testing::small_case, "case.toml");
+  EXPECT_EQ(refusal(scene, "linear"), "able");
+  scene.geometry.extra_slip = contact::ExtraSlip::file;
+  scene.geometry.extra_slip_values = contact::Lattice{};
+  scene.geometry.extra_slip_values->file = "slip.csv";
+  EXPECT_NE(
+      refusal(scene, "linear")
+          .find("rolling.extra_slip: it cannot handle extra slip from a file; allowed: hertz, "
+                "carter, fastsim, strip, halfspace, hybrid, fem; do: run with --model halfspace"),
+      std::string::npos)
+      << refusal(scene, "linear");
+}
+
+TEST(ProgramModels, AreNamedOnlyWhereTheyTakeAllThatTheCaseAsksFor) {
+  // Others take the stress in a rigid body, but not the inertia that is asked for beside it.
+  expect_refusal(with("[rail]\n", fast + "[rail]\nyoung_modulus = inf\n") +
+                     "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n",
+                 "fem", "allowed: no model can solve all of this case");
+}
+
+TEST(ProgramModels, HalfSpacesEndAtTheirSurface) {
+  // Wheel of -40 mm across: its surface is 0.453 mm below z = 0 at y = 6.
+  std::string text = with("transverse_radius = inf", "transverse_radius = -40.0");
+  text.replace(text.find("2000.0"), 6, "35.0");
+  text += "[[subsurface.point]]\nat = [0, 6, -0.4]\n";
+  for (const char* model : {"hybrid", "fem"}) EXPECT_EQ(refusal(text, model), "able") << model;
+  for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model hybrid"})
+    expect_refusal(text, "halfspace", part);
+}
+
+}  // namespace
