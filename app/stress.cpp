@@ -76,7 +76,7 @@ void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
 
 StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size_t number,
                         const std::vector<NamedRequest>& asked, const StressRequest& request,
-                        bool bodies) {
+                        const contact::ModelRegistry& models) {
   const PointResult& point = model.points[number];
   std::vector<NamedRequest> requests = asked;
   if (request.depth_profile || asked.empty()) {
@@ -85,7 +85,9 @@ StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size
   }
   StressOfModel found;
   found.point = number;
-  if (model.name == "hybrid") {
+  const contact::ModelInfo* info = models.find(model.name);
+  const bool bodies = in_bodies(model.name, models);
+  if (info != nullptr && info->corrects_stress) {
     HybridStress hybrid = hybrid_stress(input, model, number, requests);
     found.sets = std::move(hybrid.sets);
     found.maxima = std::move(hybrid.maxima);
@@ -153,10 +155,9 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
         continue;
       }
       ModelResult model = whole;
-      const bool bodies = in_bodies(stored.name, models);
-      if (bodies) file.read_bodies(stored, point, model);
+      if (in_bodies(stored.name, models)) file.read_bodies(stored, point, model);
       report.models.push_back(
-          stress_of(file.input(), std::move(model), point, asked, request, bodies));
+          stress_of(file.input(), std::move(model), point, asked, request, models));
     }
   }
   if (report.models.empty()) throw InputError(left_out);

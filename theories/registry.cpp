@@ -183,7 +183,7 @@ contact::ModelRegistry make_models() {
   halfspace.refinements = {contact_grid()};
   halfspace.no_model_error =
       "not requested: halfspace.model_error = true estimates what half-spaces leave out";
-  halfspace.has_stress = halfspace.in_compare = true;
+  halfspace.has_stress = halfspace.in_compare = halfspace.joins_planes = true;
   models.add(halfspace);
   return models;
 }

@@ -88,10 +88,15 @@ struct ModelInfo {
   bool half_spaces = true;                   ///< its bodies are plane for the elasticity
   bool has_stress = false;    ///< solves the elastic problem, and has stress below the surface
   bool keeps_bodies = false;  ///< that stress is stored with the bodies, not summed from tractions
-  bool parallel = false;      ///< collective over MPI processes; needs a session (app/session.hpp)
-  bool built = true;          ///< this build has it
+  /// That stress is summed from tractions and corrected by what the bodies differ from half-spaces.
+  bool corrects_stress = false;
+  /// Contacts of other planes displace its surface, and it can follow one that joins the planes.
+  bool joins_planes = false;
+  bool parallel =
+      false;          ///< collective over MPI processes; needs a session (models/fem/session.hpp)
+  bool built = true;  ///< this build has it
   /// Takes one of the others, whose result and name it hands on: no run of its own; the program
-  /// chooses (app/auto_model.hpp).
+  /// chooses (models/solving/auto_model.hpp).
   bool chooses = false;
   bool in_run = false;      ///< `run` computes it where neither call nor case names models
   bool in_compare = false;  ///< the same for `compare`

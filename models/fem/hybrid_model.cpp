@@ -72,7 +72,7 @@ contact::ModelInfo hybrid_model() {
   };
   hybrid.refinements = {halfspace::contact_grid()};
   hybrid.half_spaces = false;
-  hybrid.has_stress = hybrid.parallel = true;
+  hybrid.has_stress = hybrid.corrects_stress = hybrid.parallel = true;
   hybrid.built = ROLLFEM_WITH_FEM;
   hybrid.no_model_error =
       "not estimated: the error estimates include a tenth of what the correction changes";

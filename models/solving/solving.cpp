@@ -47,9 +47,10 @@ std::string parts_note(const contact::ContactPlace& place, const contact::ModelR
 
 /// What one plane leaves out where its patches have other normals: their pressure along y. Empty
 /// where it is small.
-std::string normals_note(const contact::Scene& scene, const contact::ModelResult& result) {
+std::string normals_note(const contact::Scene& scene, const contact::ModelResult& result,
+                         bool joins_planes) {
   constexpr double worth_a_note = 0.01;  // of the normal force
-  if (scene.follows_surface > 0.0 || result.name != "halfspace") return {};
+  if (scene.follows_surface > 0.0 || !joins_planes) return {};
   const contact::HeightCurve& rail = scene.geometry.surface.profiles->rail();
   double along_y = 0.0, least = contact::infinity, largest = -contact::infinity;
   for (const auto& part : contact::patch_parts(result.grid, result.points.front().fields)) {
@@ -88,13 +89,14 @@ void add_vertical_force(const contact::ContactPlace& place, contact::PointResult
 
 /// What the result of a patch says beyond what the model knows.
 void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
-            contact::ModelResult& result) {
+            const contact::ModelRegistry& models, contact::ModelResult& result) {
   if (!scene.place) return;
+  const bool joins_planes = models.at(result.name).joins_planes;
   result.place = scene.place;
   result.notes.insert(result.notes.end(), notes.begin(), notes.end());
   if (!result.points.empty() && result.points.front().patch_count > 1) {
     result.notes.push_back(parts_note(*scene.place, result));
-    if (const std::string note = normals_note(scene, result); !note.empty())
+    if (const std::string note = normals_note(scene, result, joins_planes); !note.empty())
       result.notes.push_back(note);
   }
   if (scene.place->patches > 1) {
@@ -102,8 +104,7 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
         "the contacts of this wheel lie in different planes: they share its load through a common "
         "vertical approach of half-spaces, including their mutual displacement; friction for this "
         "is taken from a solution with 24 elements across";
-    if (result.name != "halfspace")
-      text += "; this model neglects the mutual displacement of the contacts";
+    if (!joins_planes) text += "; this model neglects the mutual displacement of the contacts";
     result.notes.push_back(std::move(text));
   }
   for (contact::PointResult& point : result.points) add_vertical_force(*scene.place, point);
@@ -149,7 +150,7 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
                                  const std::vector<std::string>& notes, const Solving& how) {
   contact::ModelResult result = run_model(model, scene, how);
   if (result.label.empty()) result.label = how.models->at(model).label;
-  finish(scene, notes, result);
+  finish(scene, notes, *how.models, result);
   return result;
 }
 
