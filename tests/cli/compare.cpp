@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
+#include "support/json_files.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -10,22 +11,14 @@ namespace {
 using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
-const std::string quick = small_case +
-                          "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                          "[contact_grid]\nelements_across = 10\n";
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-nlohmann::json read(const fs::path& file) {
-  return nlohmann::json::parse(contents(file));
-}
+const std::string quick_pair = small_case +
+                               "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
+                               "[contact_grid]\nelements_across = 10\n";
 
 TEST(Compare, LaysModelsOfSeveralCasesBesideEachOther) {
   const Folder folder;
-  const std::string one = folder.file("one.toml", quick);
-  const std::string two = folder.file("two.toml", quick);
+  const std::string one = folder.file("one.toml", quick_pair);
+  const std::string two = folder.file("two.toml", quick_pair);
   const Outcome outcome =
       call(folder, {"compare", one, two, "--model", "hertz", "fastsim", "halfspace"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -60,7 +53,7 @@ TEST(Compare, LaysModelsOfSeveralCasesBesideEachOther) {
 TEST(Compare, ModelsMayStandBeforeTheCaseAndTheReferenceIsChosen) {
   const Folder folder;
   const Outcome outcome = call(folder, {"compare", "--no-report", "--reference", "hertz", "--model",
-                                        "hertz", "halfspace", folder.file("one.toml", quick)});
+                                        "hertz", "halfspace", folder.file("one.toml", quick_pair)});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("error bars of hertz: "), std::string::npos) << outcome.out;
   EXPECT_TRUE(has(folder.made(), "results/compare_one/compare.json"));
@@ -98,7 +91,7 @@ TEST(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
                            "prescribed tangential force", "; do: name one"})
     EXPECT_NE(alone.err.find(part), std::string::npos) << alone.err;
   // Beside a case that they take: that one is written.
-  arguments.insert(arguments.begin() + 2, folder.file("good.toml", quick));
+  arguments.insert(arguments.begin() + 2, folder.file("good.toml", quick_pair));
   const Outcome both = call(folder, arguments);
   EXPECT_EQ(both.status, 2);
   EXPECT_NE(both.err.find("none of the models can solve forces"), std::string::npos) << both.err;
@@ -113,7 +106,7 @@ TEST(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
   const std::string bad = folder.file("bad.toml", "accuracy = 1e-5\n" + small_case +
                                                       "[rolling]\nlongitudinal_creepage = 0.001\n"
                                                       "[contact_grid]\nelements_across = 20\n");
-  const std::string good = folder.file("good.toml", quick);
+  const std::string good = folder.file("good.toml", quick_pair);
   const Outcome outcome = call(
       folder, {"compare", bad, good, "--no-report", "--model", "hertz", "halfspace", "-o", "out"});
   EXPECT_EQ(outcome.status, 1);
@@ -130,7 +123,7 @@ TEST(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
 
 TEST(Compare, AWrongCaseIsRefusedBeforeAnythingIsComputed) {
   const Folder folder;
-  const std::string good = folder.file("good.toml", quick);
+  const std::string good = folder.file("good.toml", quick_pair);
   const std::string bad = folder.file("bad.toml", small_case + "no_such_key = 0\n");
   expect_refused(call(folder, {"compare", good, bad, "--model", "hertz", "-o", "out"}),
                  "no_such_key");
@@ -139,8 +132,8 @@ TEST(Compare, AWrongCaseIsRefusedBeforeAnythingIsComputed) {
 
 TEST(Compare, ResumeKeepsWhatIsDone) {
   const Folder folder;
-  const std::string one = folder.file("one.toml", quick);
-  const std::string two = folder.file("two.toml", quick);
+  const std::string one = folder.file("one.toml", quick_pair);
+  const std::string two = folder.file("two.toml", quick_pair);
   const std::vector<std::string> models{"--model",     "hertz", "halfspace",
                                         "--no-report", "-o",    "out"};
   std::vector<std::string> first{"compare", one};
@@ -161,13 +154,13 @@ TEST(Compare, ResumeKeepsWhatIsDone) {
 
 TEST(Compare, RefusesWhatMakesNoSense) {
   const Folder folder;
-  const std::string one = folder.file("one.toml", quick);
+  const std::string one = folder.file("one.toml", quick_pair);
   expect_refused(call(folder, {"compare"}), "no case file is named");
   expect_refused(call(folder, {"compare", one, "--model", "hertzz"}), "no such model");
   expect_refused(call(folder, {"compare", one, "--model", "hertz", "--reference", "strip"}),
                  "not among the models compared");
   fs::create_directory(folder.output("other"));
-  std::ofstream(folder.output("other") / "one.toml") << quick;
+  std::ofstream(folder.output("other") / "one.toml") << quick_pair;
   expect_refused(call(folder, {"compare", one, (folder.output("other") / "one.toml").string(),
                                "--model", "hertz"}),
                  "would both be written to");

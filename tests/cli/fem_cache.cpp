@@ -85,7 +85,7 @@ bool notes(const Json& model, const std::string& part) {
   return false;
 }
 
-void expect_same_numbers(const Json& one, const Json& other, double tolerance) {
+void expect_same_point(const Json& one, const Json& other, double tolerance) {
   for (const char* name : {"max_pressure", "approach", "longitudinal_force", "semi_axis_x"}) {
     const double value = one["points"][0][name];
     EXPECT_NEAR(value, other["points"][0][name], tolerance * std::abs(value)) << name;
@@ -103,7 +103,7 @@ TEST(Cache, ServesAnotherLoadFrictionAndCreepage) {
   // The same as without: what is found does not depend on who has found it.
   const Json computed = cache.run("computed", other, "");
   EXPECT_FALSE(notes(computed, "from the cache"));
-  expect_same_numbers(found, computed, 1e-13);
+  expect_same_point(found, computed, 1e-13);
   EXPECT_LT(found["seconds"]["correction"].get<double>(),
             0.2 * computed["seconds"]["correction"].get<double>());
 }
@@ -150,7 +150,7 @@ TEST(Cache, ADamagedFileIsToldAndReplaced) {
   EXPECT_NE(cache.list("list").find("is damaged"), std::string::npos);
   const Json anew = cache.run("anew", text);
   EXPECT_TRUE(notes(anew, "is damaged; the correction was recomputed"));
-  expect_same_numbers(first, anew, 1e-13);
+  expect_same_point(first, anew, 1e-13);
   EXPECT_TRUE(notes(cache.run("again", text), "from the cache"));
 }
 
@@ -166,11 +166,11 @@ TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {
   const Json alone = cache.run("alone", text, "");
   const Json two = cache.run("two", text, "cache", 2);
   EXPECT_FALSE(notes(two, "from the cache"));
-  expect_same_numbers(alone, two, 1e-8);
+  expect_same_point(alone, two, 1e-8);
   EXPECT_EQ(cache.files().size(), 1u);
   const Json found = cache.run("found", text, "cache", 2);
   EXPECT_TRUE(notes(found, "from the cache"));
-  expect_same_numbers(two, found, 1e-13);
+  expect_same_point(two, found, 1e-13);
 }
 
 TEST(Cache, KeepsStressesForThoseWhoAskForThem) {

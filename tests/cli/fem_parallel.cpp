@@ -18,7 +18,7 @@ using namespace rollfem::testing;
 using Json = nlohmann::json;
 
 /// Case a on a coarse mesh with lateral creepage, so that whole bodies are modelled.
-std::string coarse_case(const std::string& solver) {
+std::string coarse_stress_case(const std::string& solver) {
   return "title = \"coarse\"\nmodels = [\"fem\"]\n"
          "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
          "[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n"
@@ -105,7 +105,7 @@ std::vector<std::string> mpirun(int processes, std::vector<std::string> argument
 
 TEST(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
   const Folder folder;
-  const std::string input = folder.file("coarse.toml", coarse_case("multigrid"));
+  const std::string input = folder.file("coarse.toml", coarse_stress_case("multigrid"));
   const auto one = folder.output("one");
   const auto two = folder.output("two");
   const Outcome serial = call(folder, {"run", input, "-o", one.string(), "--quiet", "--no-report"});
@@ -122,7 +122,8 @@ TEST(FemProgram, FactorisationAndMultigridGiveTheSameNumbers) {
   const Folder folder;
   std::vector<Json> points;
   for (const char* solver : {"factorisation", "multigrid"}) {
-    const std::string input = folder.file(std::string(solver) + ".toml", coarse_case(solver));
+    const std::string input =
+        folder.file(std::string(solver) + ".toml", coarse_stress_case(solver));
     const auto output = folder.output(solver);
     const Outcome outcome =
         call(folder, {"run", input, "-o", output.string(), "--quiet", "--no-report"});
@@ -134,7 +135,7 @@ TEST(FemProgram, FactorisationAndMultigridGiveTheSameNumbers) {
 
 TEST(FemProgram, AFactorisationOnTwoProcessesIsRefusedOnceWithStatusTwo) {
   const Folder folder;
-  const std::string input = folder.file("coarse.toml", coarse_case("factorisation"));
+  const std::string input = folder.file("coarse.toml", coarse_stress_case("factorisation"));
   const auto output = folder.output("out");
   const Outcome outcome =
       execute(folder, mpirun(2, {"run", input, "-o", output.string(), "--no-report"}));

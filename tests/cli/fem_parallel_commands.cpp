@@ -14,7 +14,7 @@ using namespace rollfem::testing;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-std::string coarse_case(const std::string& cell_size) {
+std::string coarse_flat_case(const std::string& cell_size) {
   return "title = \"coarse\"\n[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
          "[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n"
          "[rail]\ntransverse_radius = 500.0\n[rolling]\nlongitudinal_creepage = 0.001\n"
@@ -33,7 +33,7 @@ Outcome on_two(const Folder& folder, std::vector<std::string> arguments) {
 /// Runs the command on one process and on two; its JSON of both.
 std::array<Json, 2> both(const Folder& folder, const std::string& command,
                          const std::vector<std::string>& options) {
-  const std::string input = folder.file("coarse.toml", coarse_case("1.4"));
+  const std::string input = folder.file("coarse.toml", coarse_flat_case("1.4"));
   std::array<Json, 2> results;
   for (const int processes : {1, 2}) {
     const std::string output = "on_" + std::to_string(processes);
@@ -88,7 +88,7 @@ TEST(FemCommands, CompareOnTwoProcessesGivesTheNumbersOfOne) {
 TEST(FemCommands, AFailureOnTwoProcessesEndsTheCallAndWritesNothing) {
   const Folder folder;
   // More unknowns than any memory holds, which shows before a mesh is made.
-  const std::string input = folder.file("fine.toml", coarse_case("0.001"));
+  const std::string input = folder.file("fine.toml", coarse_flat_case("0.001"));
   for (const char* command : {"study", "compare"}) {
     const Outcome outcome =
         on_two(folder, {command, input, "-o", "out", "--no-report", "--model", "fem"});

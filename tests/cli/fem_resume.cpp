@@ -12,7 +12,7 @@ using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// Small bodies; `solver` decides whether two processes can take the case.
-std::string coarse_case(const std::string& solver, const std::string& creepages) {
+std::string coarse_creep_case(const std::string& solver, const std::string& creepages) {
   return "title = \"coarse\"\nmodels = [\"fem\"]\n"
          "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
          "[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n[rail]\ntransverse_radius = "
@@ -89,7 +89,7 @@ TEST(FemResume, TheHybridTakesUpLoadPointsAndItsCorrection) {
 TEST(FemResume, TheResultIsTheSameToTheLastBit) {
   const Folder folder;
   const std::string file =
-      folder.file("coarse.toml", coarse_case("factorisation", "[0.0, 0.001, 0.002]"));
+      folder.file("coarse.toml", coarse_creep_case("factorisation", "[0.0, 0.001, 0.002]"));
   ASSERT_EQ(execute(folder, run(1, file, "whole", false)).status, 0);
   const fs::path whole = folder.work() / "whole";
   // On the level of the error estimate, after one load point; in the middle of the curve.
@@ -99,7 +99,8 @@ TEST(FemResume, TheResultIsTheSameToTheLastBit) {
 
 TEST(FemResume, InTwoProcesses) {
   const Folder folder;
-  const std::string file = folder.file("coarse.toml", coarse_case("multigrid", "[0.0, 0.002]"));
+  const std::string file =
+      folder.file("coarse.toml", coarse_creep_case("multigrid", "[0.0, 0.002]"));
   ASSERT_EQ(execute(folder, run(2, file, "whole", false)).status, 0);
   expect_resumed_like(folder.work() / "whole", folder, file, 2, "fem-2.8mm", 2);
 }

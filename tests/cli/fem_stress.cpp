@@ -14,7 +14,7 @@ using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// Small bodies of case a.
-std::string coarse_case(const std::string& creepages, const std::string& output) {
+std::string coarse_output_case(const std::string& creepages, const std::string& output) {
   return "title = \"coarse\"\nmodels = [\"fem\"]\n"
          "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
          "[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n"
@@ -42,7 +42,7 @@ std::vector<double> numbers(const fs::path& folder) {
 class FemStress : public ::testing::Test {
  protected:
   void run(const std::string& name, const std::string& creepages, const std::string& output) {
-    const std::string file = folder.file(name + ".toml", coarse_case(creepages, output));
+    const std::string file = folder.file(name + ".toml", coarse_output_case(creepages, output));
     const Outcome outcome = call(folder, {"run", file, "-o", name, "-q", "--no-report"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
   }

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 // Load points are kept from half a second on: enough of them, and on a grid fine enough, for a
 // quick machine too.
-std::string slow_case(const std::string& rolling = "") {
+std::string slow_creepages(const std::string& rolling = "") {
   std::string creepages = "0.0003";
   for (int k = 2; k <= 20; ++k) creepages += ", " + std::to_string(0.0003 * k);
   return "models = [\"halfspace\"]\n" + small_case + "[rolling]\n" +
@@ -33,7 +33,7 @@ std::vector<std::string> run(const std::string& file, const std::string& directo
 const fs::path& whole() {
   static const Folder folder;
   static const fs::path result = [] {
-    EXPECT_EQ(execute(folder, run(folder.file("slow.toml", slow_case()), "whole")).status, 0);
+    EXPECT_EQ(execute(folder, run(folder.file("slow.toml", slow_creepages()), "whole")).status, 0);
     return folder.work() / "whole";
   }();
   return result;
@@ -61,7 +61,7 @@ void expect_resumed_like(const fs::path& whole, const Folder& folder, const std:
 
 TEST(Resume, AfterAKillTheResultIsTheSameToTheLastBit) {
   const Folder folder;
-  expect_resumed_like(whole(), folder, folder.file("slow.toml", slow_case()));
+  expect_resumed_like(whole(), folder, folder.file("slow.toml", slow_creepages()));
 }
 
 TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
@@ -69,16 +69,17 @@ TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
   std::string steps = "0.5";
   for (int k = 1; k < 60; ++k) steps += ", 0.5";
   const std::string file = folder.file(
-      "slow.toml", slow_case("problem = \"transient\"\nlongitudinal_creepage = 0.002\n[history]\n"
-                             "step_length = [" +
-                             steps + "]\n"));
+      "slow.toml",
+      slow_creepages("problem = \"transient\"\nlongitudinal_creepage = 0.002\n[history]\n"
+                     "step_length = [" +
+                     steps + "]\n"));
   ASSERT_EQ(execute(folder, run(file, "whole")).status, 0);
   expect_resumed_like(folder.work() / "whole", folder, file);
 }
 
 TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
   const Outcome outcome = execute(folder, run(file, "out"));
   EXPECT_EQ(outcome.status, 0);
@@ -90,9 +91,9 @@ TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
 
 TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   const int kept = leave_unfinished(folder, file, "out");
-  std::string changed = slow_case();
+  std::string changed = slow_creepages();
   changed.replace(changed.find("0.0003"), 6, "0.0004");
   folder.file("slow.toml", changed);
   const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
@@ -105,7 +106,7 @@ TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {
 
 TEST(Resume, ADamagedLoadPointIsComputedAgain) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
   for (const auto& entry : fs::directory_iterator(folder.work() / "out.unfinished"))
     if (entry.path().string().find("-0002.point") != std::string::npos)
@@ -119,7 +120,7 @@ TEST(Resume, ADamagedLoadPointIsComputedAgain) {
 TEST(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
   // What a kill could leave while a finished run cleaned up.
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
   fs::remove(folder.work() / "out.unfinished" / "about.txt");
   const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
@@ -130,7 +131,7 @@ TEST(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
 
 TEST(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   const Outcome outcome = execute(folder, run(file, "out", {"--resume", "-m", "hertz"}));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.err.find("no load points"), std::string::npos) << outcome.err;
@@ -138,7 +139,7 @@ TEST(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
 
 TEST(Resume, TwoRunsOfOneResultAtATimeAreRefused) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   const fs::path unfinished = folder.work() / "out.unfinished";
   Outcome second;
   const Killed first = kill_when(folder, run(file, "out"), [&] {
@@ -155,7 +156,7 @@ TEST(Resume, AFolderOfOtherThingsInTheWayIsRefused) {
   const Folder folder;
   fs::create_directory(folder.work() / "out.unfinished");
   std::ofstream(folder.work() / "out.unfinished" / "thesis.txt") << "years of work";
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   const Outcome outcome = execute(folder, run(file, "out"));
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("thesis.txt"), std::string::npos) << outcome.err;
@@ -163,7 +164,7 @@ TEST(Resume, AFolderOfOtherThingsInTheWayIsRefused) {
 
 TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_creepages());
   // Records need more than the limit, the files of the result less, except results.h5.
   const Outcome outcome =
       execute(folder, {"/bin/sh", "-c", "ulimit -f 200; exec \"$0\" \"$@\"", ROLLFEM_PROGRAM, "run",
@@ -181,7 +182,7 @@ TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
 
 TEST(Resume, WhatAKilledProcessLeftWhileWritingIsCleanedUpAndALivingOnesIsNot) {
   const Folder folder;
-  const std::string file = folder.file("quick.toml", slow_case());
+  const std::string file = folder.file("quick.toml", slow_creepages());
   const pid_t gone = fork();
   if (gone == 0) _exit(0);
   waitpid(gone, nullptr, 0);

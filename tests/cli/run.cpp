@@ -11,13 +11,9 @@ namespace {
 using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
-const std::string quick = "models = [\"hertz\", \"halfspace\"]\n" + small_case +
-                          "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                          "[contact_grid]\nelements_across = 10\n";
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+const std::string quick_run = "models = [\"hertz\", \"halfspace\"]\n" + small_case +
+                              "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
+                              "[contact_grid]\nelements_across = 10\n";
 
 bool has_control_characters(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](char c) {
@@ -27,16 +23,16 @@ bool has_control_characters(const std::string& text) {
 
 TEST(Run, LeavesResultsAndSaysWhere) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"run", folder.file("quick.toml", quick)});
+  const Outcome outcome = call(folder, {"run", folder.file("quick_run.toml", quick_run)});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
   const auto made = folder.made();
-  for (const char* name : {"results/quick/summary.json", "results/quick/results.h5",
-                           "results/quick/creep_curve.csv", "results/quick/report.html"})
+  for (const char* name : {"results/quick_run/summary.json", "results/quick_run/results.h5",
+                           "results/quick_run/creep_curve.csv", "results/quick_run/report.html"})
     EXPECT_TRUE(has(made, name)) << name;
-  EXPECT_NE(outcome.out.find("results: results/quick\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("results: results/quick_run\n"), std::string::npos) << outcome.out;
   const auto summary =
-      nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
+      nlohmann::json::parse(contents(folder.work() / "results" / "quick_run" / "summary.json"));
   ASSERT_EQ(summary.at("models").size(), 2u);
   EXPECT_EQ(summary.at("models")[0].at("name"), "hertz");
   EXPECT_EQ(summary.at("models")[1].at("name"), "halfspace");
@@ -59,7 +55,7 @@ TEST(Run, SaysWhichProblemIsSolved) {
             "longitudinal_shift = [0.001, 0.001]\n",
             "shift              2/2 ", "; shift without rolling"}}) {
     const Folder folder;
-    const std::string file = folder.file("quick.toml", small_case + row.problem + grid);
+    const std::string file = folder.file("quick_run.toml", small_case + row.problem + grid);
     const Outcome outcome = call(folder, {"run", file, "--model", "halfspace", "--no-report"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.err.find(row.stage), std::string::npos) << outcome.err;
@@ -72,7 +68,7 @@ TEST(Run, SaysWhichProblemIsSolved) {
 
 TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
   const Folder folder;
-  const std::string file = folder.file("quick.toml", quick);
+  const std::string file = folder.file("quick_run.toml", quick_run);
   const std::vector<std::vector<std::string>> calls{
       {"run", "--no-report", "--model", "hertz", file, "-q"},
       {"run", file, "-q", "--no-report", "-m", "hertz"},
@@ -83,15 +79,15 @@ TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
     const Outcome outcome = call(folder, arguments);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto summary =
-        nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
+        nlohmann::json::parse(contents(folder.work() / "results" / "quick_run" / "summary.json"));
     EXPECT_EQ(summary.at("models").size(), 1u);
   }
 }
 
 TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
   const Folder folder;
-  const Outcome outcome =
-      call(folder, {"run", "--no-report", folder.file("quick.toml", quick)}, {"TERM=xterm"});
+  const Outcome outcome = call(
+      folder, {"run", "--no-report", folder.file("quick_run.toml", quick_run)}, {"TERM=xterm"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.err)) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.out)) << outcome.out;
@@ -103,7 +99,8 @@ TEST(Run, WithoutAReportGetsItLater) {
   const Folder folder;
   const std::string result = folder.output("result").string();
   ASSERT_EQ(
-      call(folder, {"run", "--no-report", folder.file("quick.toml", quick), "-o", result}).status,
+      call(folder, {"run", "--no-report", folder.file("quick_run.toml", quick_run), "-o", result})
+          .status,
       0);
   EXPECT_FALSE(fs::exists(fs::path(result) / "report.html"));
   const Outcome outcome = call(folder, {"report", result});
@@ -117,7 +114,7 @@ TEST(Run, WithoutAReportGetsItLater) {
 TEST(Run, QuietPrintsNothing) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick)});
+      call(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick_run)});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "");
@@ -125,14 +122,14 @@ TEST(Run, QuietPrintsNothing) {
 
 TEST(Run, WritesToTheNamedFolder) {
   const Folder folder;
-  const std::string file = folder.file("q.toml", quick);
+  const std::string file = folder.file("q.toml", quick_run);
   ASSERT_EQ(call(folder, {"run", "-q", "--no-report", "-m", "hertz", "-o", "a/b", file}).status, 0);
   EXPECT_TRUE(has(folder.made(), "a/b/summary.json"));
 }
 
 TEST(Run, AFolderThatCannotBeMadeIsRefusedBeforeComputing) {
   const Folder folder;
-  const std::string file = folder.file("q.toml", quick);
+  const std::string file = folder.file("q.toml", quick_run);
   for (const std::string& directory : {file, file + "/below", std::string("/proc/no/such")}) {
     const Outcome outcome = call(folder, {"run", file, "-o", directory});
     EXPECT_EQ(outcome.status, 2) << directory << outcome.err;
@@ -143,7 +140,7 @@ TEST(Run, AFolderThatCannotBeMadeIsRefusedBeforeComputing) {
 
 TEST(Run, CtrlCLeavesNothing) {
   const Folder folder;
-  std::string slow = quick;
+  std::string slow = quick_run;
   slow.replace(slow.find("elements_across = 10"), 20, "elements_across = 400");
   const Outcome outcome = call(folder, {"run", folder.file("slow.toml", slow)}, {}, 300);
   EXPECT_EQ(outcome.status, 128 + SIGINT) << outcome.err;
@@ -152,7 +149,7 @@ TEST(Run, CtrlCLeavesNothing) {
 
 TEST(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
   const Folder folder;
-  std::string vast = quick;
+  std::string vast = quick_run;
   vast.replace(vast.find("elements_across = 10"), 20, "cell_size = [1e-5, 1e-5]");
   const Outcome outcome = call(folder, {"run", folder.file("vast.toml", vast)});
   EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << outcome.err;
@@ -162,7 +159,7 @@ TEST(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
 
 TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
   const Folder folder;
-  const std::string file = folder.file("q.toml", quick);
+  const std::string file = folder.file("q.toml", quick_run);
   const Outcome other =
       call(folder, {"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
   EXPECT_EQ(other.status, 0);
@@ -174,7 +171,7 @@ TEST(Run, AllTheoriesAreModelsWithTheirCurvesAndFigures) {
   const Folder folder;
   const std::vector<std::string> models{"hertz",   "linear", "vermeulen-johnson", "carter",
                                         "fastsim", "strip",  "halfspace"};
-  std::vector<std::string> arguments{"run", folder.file("q.toml", quick), "-m"};
+  std::vector<std::string> arguments{"run", folder.file("q.toml", quick_run), "-m"};
   arguments.insert(arguments.end(), models.begin(), models.end());
   const Outcome outcome = call(folder, arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -205,7 +202,7 @@ TEST(Run, AFolderOfOtherThingsIsRefusedBeforeComputing) {
   const Folder folder;
   fs::create_directory(folder.work() / "mine");
   std::ofstream(folder.work() / "mine" / "thesis.txt") << "years of work";
-  const Outcome outcome = call(folder, {"run", folder.file("q.toml", quick), "-o", "mine"});
+  const Outcome outcome = call(folder, {"run", folder.file("q.toml", quick_run), "-o", "mine"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err.find("normal"), std::string::npos) << outcome.err;  // no progress line
   EXPECT_NE(outcome.err.find("holds files that are not"), std::string::npos) << outcome.err;
@@ -214,7 +211,7 @@ TEST(Run, AFolderOfOtherThingsIsRefusedBeforeComputing) {
 
 TEST(Run, PointsBelowTheSurfaceComeOutAsATable) {
   const Folder folder;
-  const std::string below = quick +
+  const std::string below = quick_run +
                             "[[subsurface.line]]\nfrom = [0, 0, 0.5]\nto = [0, 0, 6]\npoints = 12\n"
                             "[[subsurface.plane]]\nbody = \"rail\"\nfrom = [-4, 0, -1]\n"
                             "to = [4, 0, -1]\nacross = [-4, 0, -5]\npoints = [9, 5]\n";

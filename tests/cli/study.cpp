@@ -3,23 +3,20 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
+#include "support/json_files.hpp"
 #include "support/program.hpp"
 
 namespace {
 
 using namespace rollfem::testing;
 
-const std::string quick = small_case +
-                          "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                          "[contact_grid]\nelements_across = 20\n";
-
-nlohmann::json read(const std::filesystem::path& file) {
-  return nlohmann::json::parse(contents(file));
-}
+const std::string quick_study = small_case +
+                                "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
+                                "[contact_grid]\nelements_across = 20\n";
 
 TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"study", folder.file("quick.toml", quick)});
+  const Outcome outcome = call(folder, {"study", folder.file("quick_study.toml", quick_study)});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
   const auto folder_of_study = folder.work() / "results" / "quick_study";
@@ -55,7 +52,7 @@ TEST(Study, AllModelsAndGivenReferences) {
     arguments.insert(arguments.end(), {"hertz", "linear", "fastsim", "strip", "halfspace"});
   else
     arguments.emplace_back("all");
-  arguments.push_back(folder.file("quick.toml", quick));
+  arguments.push_back(folder.file("quick_study.toml", quick_study));
   const Outcome outcome = call(folder, arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto all = read(folder.work() / "out" / "study.json");
@@ -73,7 +70,7 @@ TEST(Study, AllModelsAndGivenReferences) {
 
 TEST(Study, RefusesWhatMakesNoSense) {
   const Folder folder;
-  const std::string file = folder.file("quick.toml", quick);
+  const std::string file = folder.file("quick_study.toml", quick_study);
   expect_refused(call(folder, {"study"}), "no case file is named");
   expect_refused(call(folder, {"study", file, "--vary", "degrees"}), "cannot be refined");
   expect_refused(call(folder, {"study", file, "--vary", "domain"}), "no model of this study");

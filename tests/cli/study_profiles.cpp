@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/json_files.hpp"
 #include "support/program.hpp"
 #include <cmath>
 
@@ -22,10 +23,6 @@ std::string wheel_case(const std::string& side, const std::string& shifts,
          "\nroll = 0.0\n[rolling]\nlongitudinal_creepage = 0.001\n"
          "[contact_grid]\nelements_across = " +
          across + "\n";
-}
-
-nlohmann::json read(const fs::path& file) {
-  return nlohmann::json::parse(contents(file));
 }
 
 TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {

@@ -10,7 +10,7 @@ using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// Levels of 10, 20, 40 and 80 across; the last takes a second or so.
-std::string slow_case(const std::string& creepage = "0.0003") {
+std::string slow_study(const std::string& creepage = "0.0003") {
   return small_case + "[rolling]\nlongitudinal_creepage = [0.0, " + creepage +
          ", 0.0006, 0.0009, 0.0012, 0.0015, 0.002, 0.0025, 0.003, 0.004]\nspin = 1e-4\n"
          "[contact_grid]\nelements_across = 40\n";
@@ -65,7 +65,7 @@ void leave_unfinished(const Folder& folder, const std::string& file) {
 
 TEST(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_study());
   ASSERT_EQ(execute(folder, study(file, "whole")).status, 0);
   EXPECT_FALSE(fs::exists(folder.work() / "whole.unfinished"));
   leave_unfinished(folder, file);
@@ -85,8 +85,8 @@ TEST(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
 
 TEST(StudyResume, LevelsOfAChangedCaseAreRefused) {
   const Folder folder;
-  leave_unfinished(folder, folder.file("slow.toml", slow_case()));
-  const std::string file = folder.file("slow.toml", slow_case("0.0004"));
+  leave_unfinished(folder, folder.file("slow.toml", slow_study()));
+  const std::string file = folder.file("slow.toml", slow_study("0.0004"));
   const Outcome outcome = execute(folder, study(file, "out", {"--resume"}));
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("slow.toml (or a file that it names) has changed"), std::string::npos)
@@ -115,7 +115,7 @@ TEST(StudyResume, LevelsOfAChangedProfileAreRefused) {
 
 TEST(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
   const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
+  const std::string file = folder.file("slow.toml", slow_study());
   leave_unfinished(folder, file);
   std::vector<std::string> anew = study(file, "out");
   *std::find(anew.begin(), anew.end(), "4") = "2";

@@ -17,12 +17,13 @@ std::string table_case(const std::string& table) {
   return small_case + "[table]\n" + table;
 }
 
-const std::string quick = "points = [4, 3, 5]\nlargest = [2.0, 2.0, 2.0]\ncheck_points = 10\n";
+const std::string quick_table =
+    "points = [4, 3, 5]\nlargest = [2.0, 2.0, 2.0]\ncheck_points = 10\n";
 
 TEST(Table, IsWrittenWithItsErrorsAndAReport) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"table", folder.file("case.toml", table_case(quick)), "-o", "out"});
+      call(folder, {"table", folder.file("case.toml", table_case(quick_table)), "-o", "out"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   for (const char* text : {"60 points", "4 values of xi'", "interpolation at 10 random points"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
@@ -149,7 +150,8 @@ TEST(Table, WrongInputIsSaidInOneLine) {
   expect_refused(table_case("points = [1, 8, 11]\n"), "table.points");
   expect_refused(table_case("point = [8, 8, 11]\n"), "points");
   expect_refused(table_case("spin_values = [-1.0, 1.0]\n"), "table.spin_values");
-  expect_refused(table_case(quick) + "[undeformed_distance]\nfile = \"none.csv\"\n", "none.csv");
+  expect_refused(table_case(quick_table) + "[undeformed_distance]\nfile = \"none.csv\"\n",
+                 "none.csv");
   expect_refused(with("[rail]\n", "[rail]\npoisson_ratio = 0.4\n"), "unlike materials");
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
+#include "support/json_files.hpp"
 #include "support/places.hpp"
 #include "support/program.hpp"
 #include <cmath>
@@ -12,17 +13,13 @@ namespace {
 
 using namespace rollfem::testing;
 
-const std::string quick = small_case +
-                          "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                          "[contact_grid]\nelements_across = 10\n";
+const std::string quick_creep = small_case +
+                                "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
+                                "[contact_grid]\nelements_across = 10\n";
 
 Outcome toy(const Folder& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), ROLLFEM_TOY_PROGRAM);
   return execute(folder, arguments);
-}
-
-nlohmann::json read(const std::filesystem::path& file) {
-  return nlohmann::json::parse(contents(file));
 }
 
 void expect_in(const std::string& text, const std::string& part) {
@@ -31,7 +28,7 @@ void expect_in(const std::string& text, const std::string& part) {
 
 TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   const Folder folder;
-  const std::string file = folder.file("q.toml", "models = [\"stiff\"]\n" + quick);
+  const std::string file = folder.file("q.toml", "models = [\"stiff\"]\n" + quick_creep);
   for (const char* command : {"run", "compare", "study"})
     expect_in(toy(folder, {command, "--help"}).out, "the half-space, its compliance times 0.9");
   expect_in(toy(folder, {"docs", "models"}).out, "| `stiff` | stiff half-space |");
@@ -62,7 +59,7 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
 TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
   const Folder folder;
   const Outcome outcome =
-      toy(folder, {"run", folder.file("q.toml", quick), "-m", "hertz", "halfspace", "stiff"});
+      toy(folder, {"run", folder.file("q.toml", quick_creep), "-m", "hertz", "halfspace", "stiff"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
   expect_in(outcome.out, "stiff  ");
@@ -80,7 +77,7 @@ TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
 
 TEST(ToyModel, IsComparedAndMayBeTheReference) {
   const Folder folder;
-  const std::string file = folder.file("q.toml", quick);
+  const std::string file = folder.file("q.toml", quick_creep);
   const Outcome outcome = toy(folder, {"compare", file, "-m", "hertz", "halfspace", "stiff",
                                        "--reference", "stiff", "-o", "out"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -100,8 +97,8 @@ TEST(ToyModel, IsComparedAndMayBeTheReference) {
 
 TEST(ToyModel, IsStudiedAsTheHalfSpaceIs) {
   const Folder folder;
-  const Outcome outcome = toy(folder, {"study", folder.file("q.toml", quick), "-m", "halfspace",
-                                       "stiff", "--levels", "3", "-o", "out"});
+  const Outcome outcome = toy(folder, {"study", folder.file("q.toml", quick_creep), "-m",
+                                       "halfspace", "stiff", "--levels", "3", "-o", "out"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   expect_in(outcome.out, "stiff");
   const auto series = read(folder.work() / "out" / "study.json").at("places")[0].at("series");
@@ -113,7 +110,7 @@ TEST(ToyModel, IsStudiedAsTheHalfSpaceIs) {
 
 TEST(ToyModel, GoesOnFromItsCheckpointAndGivesStresses) {
   const Folder folder;
-  const std::string file = folder.file("q.toml", quick);
+  const std::string file = folder.file("q.toml", quick_creep);
   ASSERT_EQ(toy(folder, {"run", file, "-m", "stiff", "--no-report", "--resume"}).status, 0);
   const Outcome stress = toy(folder, {"stress", "results/q", "--at", "0,0,2", "--no-figures"});
   EXPECT_EQ(stress.status, 0) << stress.err;

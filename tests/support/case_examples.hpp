@@ -1,8 +1,14 @@
 // A small valid case file for the tests, and variations of it.
 #pragma once
 
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace rollfem::testing {
 
@@ -28,6 +34,25 @@ inline std::string with(const std::string& piece, const std::string& replacement
 /// The small case with lines added at the end.
 inline std::string plus(const std::string& lines) {
   return small_case + lines;
+}
+
+/// What is wrong with the text of a case file, in the words of the program.
+inline std::string error_of(const std::string& text) {
+  try {
+    contact::parse_case(text, "case.toml", {{"hertz", "halfspace", "fem"}, {}});
+  } catch (const contact::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// One line that says all parts and what to do.
+inline void expect_error(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string message = error_of(text);
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
+  EXPECT_NE(message.find("; do: "), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 }  // namespace rollfem::testing

@@ -1,6 +1,7 @@
 // Small hexahedral meshes for the tests.
 #pragma once
 
+#include "meshes/gmsh/cell_quality.hpp"
 #include "meshes/gmsh/msh_file.hpp"
 
 #include "support/temporary_folder.hpp"
@@ -52,6 +53,16 @@ inline meshes::HexMesh block(const std::vector<double>& x, const std::vector<dou
         }
       }
   return mesh;
+}
+
+inline double smallest_scaled_jacobian(const meshes::HexMesh& mesh) {
+  double smallest = 1.0;
+  for (const auto& cell : mesh.cells) {
+    std::array<std::array<double, 3>, 8> corners{};
+    for (int k = 0; k < 8; ++k) corners[k] = mesh.points[cell[k]];
+    smallest = std::min(smallest, meshes::cell_quality(corners).scaled_jacobian);
+  }
+  return smallest;
 }
 
 }  // namespace rollfem::testing

@@ -47,6 +47,10 @@ class Folder : public TemporaryFolder {
   }
 };
 
+inline bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// Runs a command in the folder, stdin empty, with NAME=value added to the environment, and without
 /// a cache unless that names one.
 /// `interrupt_after` > 0 sends Ctrl-C's signal after that many milliseconds.

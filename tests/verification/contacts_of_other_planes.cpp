@@ -1,6 +1,7 @@
 // Contacts of one wheel in different planes share its load and displace each other as patches of
 // one contact do. References: Hertz with a point load at the distance of the other contact, the
 // joint solution on one grid, and the curved surface, whose normals are those of every place.
+#include "contact/base/pi.hpp"
 #include "contact/result/patch_parts.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
@@ -21,10 +22,9 @@
 #include <vector>
 
 using namespace rollfem;
+using contact::pi;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// A contact of known bodies, `way` (mm) beside the first one along the surface.
 rollfem::testing::PatchCase hertzian(double rail_radius, double separation, double way) {

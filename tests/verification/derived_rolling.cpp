@@ -15,7 +15,7 @@ using namespace rollfem;
 namespace {
 
 /// Benchmark 9: circular patch a = 6, N = 82000, G = 82000, nu = 0.28.
-struct Rolling {
+struct RollingEllipse {
   contact::ContactGrid grid;
   halfspace::HalfspaceCompliance compliance;
   contact::Field pressure;
@@ -25,7 +25,7 @@ struct Rolling {
     return contact::combine(steel, steel);
   }
 
-  Rolling(int n, double nu)
+  RollingEllipse(int n, double nu)
       : grid(contact::ContactGrid::centred(n + 4, n + 4, 12.0 / n, 12.0 / n)),
         compliance(grid, material(nu)),
         pressure(grid.sample([](double x, double y) {
@@ -60,7 +60,7 @@ TEST(DerivedRolling, FrictionalPowerIsTheCreepagePower) {
   const contact::Creepage creepage{-1e-3, 5e-4, 1e-4};
   std::array<double, 2> difference{};
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    const Rolling rolling(k == 0 ? 20 : 40, 0.28);
+    const RollingEllipse rolling(k == 0 ? 20 : 40, 0.28);
     const auto point = rolling.solve(creepage, 0.3, contact::UpwindOrder::second);
     const auto balance = contact::power_balance(rolling.grid, point, 20e3);
     EXPECT_GT(balance.friction, 0.0);
@@ -84,7 +84,7 @@ TEST(DerivedRolling, FrictionalPowerIsTheCreepagePower) {
 TEST(DerivedRolling, ForcesAtSmallCreepageAreKalkersCoefficients) {
   // Table for a/b = 1, nu = 0.25: 4.12, 3.67, 1.47 (C32 = -C23); so much friction that nearly all
   // adheres. The table itself is good to about 1 %.
-  const Rolling rolling(40, 0.25);
+  const RollingEllipse rolling(40, 0.25);
   // Odd in the creepage, and linear where all adheres.
   const double step = 2e-5;
   const double unit = 82000.0 * 36.0 * step;

@@ -20,7 +20,7 @@ namespace {
 
 using namespace rollfem;
 
-contact::Case study_case(const std::string& name, std::vector<double> creepages) {
+contact::Case study_on_40(const std::string& name, std::vector<double> creepages) {
   contact::Case input =
       contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
   input.contact_grid.elements_across = 40;
@@ -67,7 +67,7 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
   // On a curved common surface it still adds something; with stresses below the surface it is
   // meshed. The bars hold a tenth of what is
   // added.
-  contact::Case input = study_case("b", {0.0});
+  contact::Case input = study_on_40("b", {0.0});
   input.wheel.transverse_radius = 100.0;
   input.wheel.material.young_modulus = contact::infinity;
   input.rail.transverse_radius = contact::infinity;
@@ -86,7 +86,7 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
 
 TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
   // With as many cells as quadratic ones, linear ones once had a fit that was not determined.
-  contact::Case input = study_case("b", {0.0});
+  contact::Case input = study_on_40("b", {0.0});
   input.rail.material.young_modulus = contact::infinity;
   input.fem.extent = 25.0;
   contact::Scene scene(input);
@@ -101,7 +101,7 @@ TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
 
 TEST(Hybrid, AddsNothingToBodiesThatAreHalfSpaces) {
   // Radii of 4 m under 0.05 N: patch over radius is 1e-5, and with it what curvature adds.
-  contact::Case input = study_case("a", {0.001});
+  contact::Case input = study_on_40("a", {0.001});
   input.wheel.rolling_radius = 4000.0;
   input.rail.transverse_radius = 4000.0;
   input.load.normal_force = 0.05;
@@ -116,7 +116,7 @@ TEST(Hybrid, AddsNothingToBodiesThatAreHalfSpaces) {
 TEST(Hybrid, HasTheStrainOfALoadedWheel) {
   // Case a: by a perturbation of the half-space 0.0030 at rest and 0.0023 above it at 0.1 %, where
   // finite elements on the same cells are 0.0035 above.
-  const contact::Case input = study_case("a", {0.0, 0.001});
+  const contact::Case input = study_on_40("a", {0.0, 0.001});
   const auto result = hybrid_of(input);
   const auto half = halfspace::run_halfspace(input, {});
   EXPECT_NEAR(result.points[0].traction_coefficient, 0.0030, 0.0002);
@@ -131,7 +131,7 @@ TEST(Hybrid, MeetsTheLimitOfFiniteElements) {
   // Case f: limits by benchmarks/hybrid_limits.py, good to 0.07 MPa and 0.0005 (0.0007 at 0.3 %).
   // Asked are 0.05 % of p0 and 0.1 % of mu. On forty elements across p0 is 0.055 % below its limit,
   // as the half-space's on the common surface is: 582.997 of 583.319 MPa.
-  const auto result = hybrid_of(study_case("f", {0.0, 0.001, 0.003}));
+  const auto result = hybrid_of(study_on_40("f", {0.0, 0.001, 0.003}));
   const double on_this_grid = 582.997 / 583.319;
   EXPECT_NEAR(result.points[0].max_pressure / (581.17 * on_this_grid), 1.0, 5e-4);
   EXPECT_NEAR(result.points[2].max_pressure / (580.20 * on_this_grid), 1.0, 5e-4);
@@ -145,7 +145,7 @@ TEST(Hybrid, HasTheSlipOfAnElasticSphere) {
   // a polynomial through Lur'e's series (benchmarks/book/elastic_sphere.py, fem_sphere.cpp).
   const auto exact = [](double x, double y) { return 0.24021 - 0.0464 * x * x - 0.1993 * y * y; };
   constexpr double radius = 405.0, semi_axis = 5.0868168, max_pressure = 922.6121;
-  contact::Case input = study_case("a", {0.0});
+  contact::Case input = study_on_40("a", {0.0});
   input.wheel.transverse_radius = radius;
   input.rail.transverse_radius = contact::infinity;
   contact::Scene scene(input);

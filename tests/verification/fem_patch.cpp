@@ -19,7 +19,7 @@ const dealii::Tensor<2, 3> gradient({{1e-3, 4e-4, -2e-4},
                                      {-3e-4, 7e-4, 5e-4},
                                      {6e-4, 1e-4, -9e-4}});
 
-dealii::Tensor<2, 3> stress_of(const contact::Material& material) {
+dealii::Tensor<2, 3> stress_of_patch(const contact::Material& material) {
   const double nu = material.poisson_ratio;
   const double mu = material.young_modulus / (2 * (1 + nu));
   dealii::Tensor<2, 3> stress = mu * (gradient + transpose(gradient));
@@ -62,7 +62,7 @@ TEST(PatchTest, LinearDisplacementIsInEquilibriumOnSkewCellsWithHangingNodes) {
     EXPECT_GT(checked, 50);
     EXPECT_LT(largest_inside, 1e-11 * largest);
     const double volume = options.size[0] * options.size[1] * options.size[2];
-    const double density = dealii::scalar_product(stress_of(problem.material), gradient);
+    const double density = dealii::scalar_product(stress_of_patch(problem.material), gradient);
     EXPECT_NEAR(energy / (density * volume), 1.0, 1e-11);
   }
 }
@@ -87,7 +87,7 @@ TEST(BodyField, RecoversAConstantStressOnRightHandedCells) {
     const auto field = fem::body_field(body, u, "body");
     ASSERT_EQ(field.points.size(), body.unknowns() / 3);
     ASSERT_EQ(field.cells.size(), 8 * body.dofs().get_triangulation().n_active_cells());
-    const auto stress = stress_of(material);
+    const auto stress = stress_of_patch(material);
     const std::array<double, 6> exact{stress[0][0], stress[1][1], stress[2][2],
                                       stress[0][1], stress[1][2], stress[0][2]};
     for (std::size_t p = 0; p < field.points.size(); ++p)

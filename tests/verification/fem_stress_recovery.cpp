@@ -67,14 +67,14 @@ double effectivity(const fem::Body& body, const Manufactured& exact, const fem::
          std::sqrt(dealii::Utilities::MPI::sum(squared, MPI_COMM_WORLD));
 }
 
-struct Errors {
+struct RecoveryErrors {
   double effectivity = 0;  ///< of the estimate in the energy norm
   double rms = 0;          ///< of all components, relative to the rms of the stress
   double surface = 0;      ///< the same at the points on the surface
   double largest = 0;      ///< of a component, relative to the same
 };
 
-Errors errors(const fem::SurfaceShape& shape, double cell) {
+RecoveryErrors errors(const fem::SurfaceShape& shape, double cell) {
   const fem::Body body(shape, manufactured_material, two_sizes(cell), MPI_COMM_WORLD);
   const Manufactured exact{shape};
   auto u = fem::make_vector(body.dofs());
@@ -86,7 +86,7 @@ Errors errors(const fem::SurfaceShape& shape, double cell) {
   const auto direct = points.values(stress.direct, {1, 1, 1});
   const auto shear = points.values(stress.shear, {-1, -1, 1});
   double all = 0, scale = 0, top = 0;
-  Errors result;
+  RecoveryErrors result;
   result.effectivity = effectivity(body, exact, u, stress);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto& p = points.place(k);
@@ -112,8 +112,8 @@ Errors errors(const fem::SurfaceShape& shape, double cell) {
 }
 
 void expect_order(const fem::SurfaceShape& shape) {
-  const Errors coarse = errors(shape, 1.0);
-  const Errors fine = errors(shape, 0.5);
+  const RecoveryErrors coarse = errors(shape, 1.0);
+  const RecoveryErrors fine = errors(shape, 0.5);
   EXPECT_GT(std::log2(coarse.rms / fine.rms), 2.0) << coarse.rms << " -> " << fine.rms;
   EXPECT_GT(std::log2(coarse.surface / fine.surface), 2.0)
       << coarse.surface << " -> " << fine.surface;

@@ -68,7 +68,7 @@ double force_on_higher(double lower, double force, double modulus, double distan
   return below;
 }
 
-struct Wheel {
+struct JoinedWheel {
   std::array<double, 3> force{};  ///< N
   int patches = 0;
 };
@@ -85,8 +85,8 @@ contact::Case at_the_root(double shift) {
   return input;
 }
 
-Wheel solved(const contact::Case& input) {
-  Wheel wheel;
+JoinedWheel solved(const contact::Case& input) {
+  JoinedWheel wheel;
   for (contact::Scene scene : track::balance(input).scenes) {
     scene.contact_grid.elements_across = 20;
     const contact::ModelResult result = halfspace::run_halfspace(scene, {});
@@ -104,21 +104,21 @@ struct Sweep {
   contact::Case (*at)(double shift);
   double load;  ///< N
 
-  Wheel operator()(double shift) const { return solved(at(shift)); }
+  JoinedWheel operator()(double shift) const { return solved(at(shift)); }
 
   /// The largest change of a force between two positions, relative to the load.
-  double change(const Wheel& a, const Wheel& b) const {
+  double change(const JoinedWheel& a, const JoinedWheel& b) const {
     double largest = 0.0;
     for (int d = 0; d < 3; ++d) largest = std::max(largest, std::abs(a.force[d] - b.force[d]));
     return largest / load;
   }
 
   /// From -> to between two positions, within a micrometre: where the number of patches changes.
-  std::array<Wheel, 2> across_event(double from, double to) const {
-    std::array<Wheel, 2> ends{(*this)(from), (*this)(to)};
+  std::array<JoinedWheel, 2> across_event(double from, double to) const {
+    std::array<JoinedWheel, 2> ends{(*this)(from), (*this)(to)};
     while (to - from > micrometre) {
       const double middle = 0.5 * (from + to);
-      const Wheel there = (*this)(middle);
+      const JoinedWheel there = (*this)(middle);
       const bool as_before = there.patches == ends[0].patches;
       (as_before ? from : to) = middle;
       ends[as_before ? 0 : 1] = there;
@@ -155,10 +155,10 @@ TEST(JoinedPatches, ForcesAreContinuousAsPatchesComeAndGo) {
   constexpr double step = 0.2;
   int events = 0;
   double at = -1.2;
-  Wheel last = sweep(at);
+  JoinedWheel last = sweep(at);
   for (int k = 0; k < 12; ++k) {
     const double next_at = at + step;
-    const Wheel next = sweep(next_at);
+    const JoinedWheel next = sweep(next_at);
     EXPECT_LT(sweep.change(next, sweep(next_at + Sweep::micrometre)), 1e-3) << next_at;
     if (next.patches != last.patches) {
       const auto [before, after] = sweep.across_event(at, next_at);

@@ -14,13 +14,13 @@ namespace {
 
 using namespace rollfem;
 
-struct Row {
+struct Position {
   double shift, yaw;  // mm, rad
   double y_track, angle, y_wheel, height, approach, eta, spin;
 };
 
 // y_ws, yaw, ycp_tr, deltcp, -ycp_wheel (positive to the field), z_ws, approach, ceta, cphi.
-const Row rows[] = {
+const Position positions[] = {
     {0.0, 0.0, -751.8726, 0.0290, 1.8726, 0.1981, 1.596e-2, 0.0, -6.302e-5},
     {1.0, 2.4e-3, -755.2440, 0.0176, 6.2694, 0.1840, 1.946e-2, 2.400e-3, -3.848e-5},
     {2.0, 4.8e-3, -756.5056, 0.0134, 8.5660, 0.1530, 2.054e-2, 4.798e-3, -2.947e-5},
@@ -30,10 +30,10 @@ const Row rows[] = {
     {10.0, 24.0e-3, -757.0975, 0.0115, 22.5401, -8.2662, 2.511e-2, 2.371e-2, -4.883e-5},
 };
 
-class Manchester : public ::testing::TestWithParam<Row> {};
+class Manchester : public ::testing::TestWithParam<Position> {};
 
 TEST_P(Manchester, ContactIsWhereContactFindsIt) {
-  const Row& row = GetParam();
+  const Position& row = GetParam();
   const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
   const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
@@ -47,7 +47,7 @@ TEST_P(Manchester, ContactIsWhereContactFindsIt) {
 
 TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
   // The estimate of the approach taken away, only the definition of the reference point is left.
-  const Row& row = GetParam();
+  const Position& row = GetParam();
   contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
   input.load = {};
   input.load.approach = row.approach;
@@ -59,7 +59,7 @@ TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
 }
 
 TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
-  const Row& row = GetParam();
+  const Position& row = GetParam();
   const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
   const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
   const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
@@ -69,7 +69,7 @@ TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
   EXPECT_NEAR(creepage.spin, row.spin, 0.02 * std::abs(row.spin) + 5e-7);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, Manchester, ::testing::ValuesIn(rows));
+INSTANTIATE_TEST_SUITE_P(Rows, Manchester, ::testing::ValuesIn(positions));
 
 TEST(ManchesterHeight, IsTheirsLessTheApproach) {
   // Height of the wheelset while the right wheel, which yields a little more, stands on its tread.

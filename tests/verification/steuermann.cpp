@@ -16,7 +16,7 @@ namespace {
 using contact::ContactGrid;
 using contact::Field;
 
-constexpr double semi_axis = 5.0;   // mm
+constexpr double half_width = 5.0;  // mm
 constexpr double steepness = 1e-3;  // h = 1e-3 mm at the edge
 constexpr double contact_modulus = 210e3 / (2.0 * 0.91);
 
@@ -30,17 +30,17 @@ Closed closed_form(int n) {
   // p = (32/9 pi) E* A s (a^2 + 2 r^2), s = sqrt(a^2 - r^2), largest at r^2 = a^2/2; and
   // (96/5 pi) E* A (s^5/5 + 2 r^2 s^3/3 + r^4 s), largest at r^4 = (3 a^4 + 4 a^2 r^2)/8.
   if (n == 2)
-    return {64.0 / 15.0 * unit * semi_axis, 8.0 / 3.0 * steepness,
-            32.0 / (9.0 * M_PI) * unit / semi_axis * std::sqrt(2.0),
-            32.0 / (9.0 * M_PI) * unit / semi_axis};
+    return {64.0 / 15.0 * unit * half_width, 8.0 / 3.0 * steepness,
+            32.0 / (9.0 * M_PI) * unit / half_width * std::sqrt(2.0),
+            32.0 / (9.0 * M_PI) * unit / half_width};
   const auto pressure = [&](double r2) {
     const double s = std::sqrt(1.0 - r2);
-    return 96.0 / (5.0 * M_PI) * unit / semi_axis *
+    return 96.0 / (5.0 * M_PI) * unit / half_width *
            (std::pow(s, 5) / 5.0 + 2.0 * r2 * std::pow(s, 3) / 3.0 + r2 * r2 * s);
   };
   double largest = 0.0;
   for (int k = 0; k < 10000; ++k) largest = std::max(largest, pressure(k * 1e-4));
-  return {192.0 / 35.0 * unit * semi_axis, 16.0 / 5.0 * steepness, largest, pressure(0.0)};
+  return {192.0 / 35.0 * unit * half_width, 16.0 / 5.0 * steepness, largest, pressure(0.0)};
 }
 
 struct Errors {
@@ -50,11 +50,11 @@ struct Errors {
 /// Errors with `across` elements over the diameter, relative.
 Errors errors(int n, int across) {
   const Closed exact = closed_form(n);
-  const double cell = 2.0 * semi_axis / across;
+  const double cell = 2.0 * half_width / across;
   const ContactGrid grid = ContactGrid::centred(across + 7, across + 7, cell, cell);
   contact::NormalProblem problem;
   problem.undeformed_distance = grid.sample([&](double x, double y) {
-    return steepness * std::pow((x * x + y * y) / (semi_axis * semi_axis), n);
+    return steepness * std::pow((x * x + y * y) / (half_width * half_width), n);
   });
   problem.normal_force = exact.force;
   const contact::Material steel{210e3, 0.3};
@@ -62,7 +62,7 @@ Errors errors(int n, int across) {
   const auto solution = contact::solve_normal(compliance.normal(), problem);
   const auto size = contact::patch_size(grid, solution.pressure);
   const int middle = grid.index(grid.nx / 2, grid.ny / 2);
-  return {0.5 * size.length / semi_axis - 1.0, solution.approach / exact.approach - 1.0,
+  return {0.5 * size.length / half_width - 1.0, solution.approach / exact.approach - 1.0,
           solution.pressure.maxCoeff() / exact.largest - 1.0,
           solution.pressure[middle] / exact.middle - 1.0};
 }

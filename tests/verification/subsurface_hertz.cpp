@@ -1,5 +1,6 @@
 // Stress below Hertzian contact: CONTACT's values of case a, the closed forms of the circle and of
 // the line, with the order at which the grid converges to them.
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
@@ -13,10 +14,9 @@ using contact::ContactGrid;
 using halfspace::Body;
 using halfspace::LoadedBody;
 using halfspace::SubsurfaceState;
+using rollfem::contact::pi;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Hertzian pressure with semi-axes a, b on n by n elements (average of 2 by 2 points each would
 /// not converge faster: the edge decides).

@@ -23,13 +23,13 @@ using contact::FreeRolling;
 using contact::WheelSide;
 
 constexpr double load = 60e3;
-constexpr double friction = 0.3;
+constexpr double mu = 0.3;
 
 Case scene_at(double shift, double yaw) {
   Case input;
   input.file = "wheelset";
   input.load.vertical_force = load;
-  input.friction_coefficient = friction;
+  input.friction_coefficient = mu;
   input.wheel.rolling_radius = 460.0;
   input.wheel.profile.name = "S1002";
   input.rail.profile.name = "60E1";
@@ -94,7 +94,7 @@ TEST(WheelsetBalance, FreeRollingHasNoTorqueOfTheWheelset) {
   Case input = scene_at(3.0, 0.004);
   input.wheelset.free_rolling = FreeRolling::torque;
   const auto wheels = solved(track::balance(input).scenes);
-  const double scale = friction * load * 460.0;
+  const double scale = mu * load * 460.0;
   // Each wheel alone has one: the radii differ.
   EXPECT_GT(std::abs(wheels.at(true).torque), 0.05 * scale);
   // Forces at 24 elements across, with which the rotation was found, are good to half a percent of
@@ -107,7 +107,7 @@ TEST(WheelsetBalance, FreeRollingByForceHasNoneOnEachWheel) {
   input.wheelset.free_rolling = FreeRolling::force;
   const track::BalancedCase balanced = track::balance(input);
   for (const auto& [left, wheel] : solved(balanced.scenes))
-    EXPECT_NEAR(wheel.torque, 0.0, 5e-3 * friction * load * 460.0) << left;
+    EXPECT_NEAR(wheel.torque, 0.0, 5e-3 * mu * load * 460.0) << left;
   EXPECT_NE(balanced.notes.back().find("half-space with 24 elements"), std::string::npos)
       << "whose free rolling it is";
 }

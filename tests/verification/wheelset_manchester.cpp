@@ -20,13 +20,13 @@ using rollfem::testing::manchester_wheelset;
 
 /// Columns of CONTACT's output for the left wheel. Its creepages are minus ours, and its lateral
 /// axis points to the right: eta and spin change their sign twice.
-struct Row {
+struct LeftRow {
   double shift;  // mm
   double y_track, angle, normal_force, max_pressure;
   double cksi, ceta, cphi;
 };
 
-const std::vector<Row> rows{
+const std::vector<LeftRow> left_table{
     {0.000, -751.8726, 0.0290, 9997.0, 338.3, -5.665E-05, 0.000, -6.302E-05},
     {1.000, -755.2440, 0.0176, 10050.0, 423.9, -6.297E-04, 2.400E-03, -3.848E-05},
     {2.000, -756.5056, 0.0134, 10040.0, 465.9, -8.651E-04, 4.798E-03, -2.947E-05},
@@ -72,7 +72,7 @@ struct RightRow {
   double cksi, ceta, cphi;
 };
 
-const std::vector<RightRow> right_rows{
+const std::vector<RightRow> right_table{
     {0, 751.8726, 0.0290, 9997, 0.2774, -253.7, 1.596e-2, 338.3, -5.665e-5, 0.0, 6.302e-5},
     {1, 741.9908, 0.0696, 9827, -814.3, -2832, 2.448e-2, 741.3, 6.943e-4, 2.407e-3, 1.510e-4},
     {2, 740.9147, 0.0806, 9799, -517.3, -2893, 2.480e-2, 744.8, 8.752e-4, 4.818e-3, 1.746e-4},
@@ -95,9 +95,9 @@ double longitudinal_creepage_at(double shift) {
 
 /// The figures of each row are copied rightly: pressure and friction carry the wheel's 10 kN.
 TEST(ManchesterBenchmark, RowsOfContactAddUpVertically) {
-  ASSERT_EQ(friction_across.size(), rows.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Row& row = rows[k];
+  ASSERT_EQ(friction_across.size(), left_table.size());
+  for (std::size_t k = 0; k < left_table.size(); ++k) {
+    const LeftRow& row = left_table[k];
     const double across = 0.3 * friction_across[k] * row.normal_force;
     EXPECT_NEAR(row.normal_force * std::cos(row.angle) + across * std::sin(row.angle), 10e3, 5.5)
         << row.shift;  // half of the fourth digit, and of the angle's
@@ -117,11 +117,11 @@ TEST(ManchesterBenchmark, RightWheelOfTwoPatchesCarriesAsContactFinds) {
 
 TEST(ManchesterBenchmark, LeftWheelAgreesWithContact) {
   const auto balanced =
-      rollfem::track::balance(manchester_wheelset(WheelSide::left, shifts_of(rows)));
-  ASSERT_EQ(balanced.scenes.size(), rows.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    SCOPED_TRACE(::testing::Message() << "shift " << rows[k].shift);
-    const Row& row = rows[k];
+      rollfem::track::balance(manchester_wheelset(WheelSide::left, shifts_of(left_table)));
+  ASSERT_EQ(balanced.scenes.size(), left_table.size());
+  for (std::size_t k = 0; k < left_table.size(); ++k) {
+    SCOPED_TRACE(::testing::Message() << "shift " << left_table[k].shift);
+    const LeftRow& row = left_table[k];
     rollfem::contact::Scene scene = balanced.scenes[k];
     scene.contact_grid.cell_size = {0.2, 0.2};
     const auto& place = *scene.place;
@@ -157,10 +157,10 @@ TEST(ManchesterBenchmark, RightWheelOfOnePatchAgreesWithContact) {
   // From 7 mm on it stands on its flange, 1.06 to 0.80 rad steep, on a patch of three or four
   // elements across.
   const auto balanced =
-      rollfem::track::balance(manchester_wheelset(WheelSide::right, shifts_of(right_rows)));
-  ASSERT_EQ(balanced.scenes.size(), right_rows.size());
-  for (std::size_t k = 0; k < right_rows.size(); ++k) {
-    const RightRow& row = right_rows[k];
+      rollfem::track::balance(manchester_wheelset(WheelSide::right, shifts_of(right_table)));
+  ASSERT_EQ(balanced.scenes.size(), right_table.size());
+  for (std::size_t k = 0; k < right_table.size(); ++k) {
+    const RightRow& row = right_table[k];
     SCOPED_TRACE(::testing::Message() << "shift " << row.shift);
     const bool flange = row.shift > 6.0;
     rollfem::contact::Scene scene = balanced.scenes[k];

@@ -31,7 +31,7 @@ contact::Case with_table(contact::Case input, std::vector<double> shifts, std::a
   return input;
 }
 
-CreepTable filled(const contact::Case& input, contact::Checkpoint* checkpoint = nullptr) {
+CreepTable filled_wheel(const contact::Case& input, contact::Checkpoint* checkpoint = nullptr) {
   CreepTable table = app::empty_table(input);
   app::fill_table(table, input, {}, checkpoint);
   return table;
@@ -46,7 +46,7 @@ contact::Case rim_case() {
 }
 
 const CreepTable& rim_table() {
-  static const CreepTable table = filled(rim_case());
+  static const CreepTable table = filled_wheel(rim_case());
   return table;
 }
 
@@ -88,12 +88,12 @@ TEST(WheelTable, PointsAreSingleSolutions) {
 
 TEST(WheelTable, TakenUpItIsTheSameToTheLastBit) {
   rollfem::testing::RecordsInMemory memory;
-  const CreepTable whole = filled(rim_case(), &memory);
+  const CreepTable whole = filled_wheel(rim_case(), &memory);
   EXPECT_EQ(whole.forces, rim_table().forces);
   const std::size_t all = memory.records.size();
   EXPECT_EQ(all, 3U + 2U);  // a part for each shift and each place between
   memory.forget_every_second();
-  const CreepTable again = filled(rim_case(), &memory);
+  const CreepTable again = filled_wheel(rim_case(), &memory);
   EXPECT_EQ(again.forces, whole.forces);
   EXPECT_EQ(again.interpolation.force_max, whole.interpolation.force_max);
   EXPECT_EQ(memory.records.size(), all);
@@ -122,7 +122,7 @@ TEST(WheelTable, OfCircularProfilesIsTheTableOfTheEllipse) {
   input.contact_grid.elements_across = 24;
   input.load = {};
   input.load.normal_force = 80e3;
-  const CreepTableReader wheel(filled(input));
+  const CreepTableReader wheel(filled_wheel(input));
   contact::Case radii;
   radii.load.normal_force = 80e3;
   radii.friction_coefficient = 0.3;
@@ -137,7 +137,7 @@ TEST(WheelTable, OfCircularProfilesIsTheTableOfTheEllipse) {
   EXPECT_NEAR(wheel.table().wheels[0].contact_angle, 0.0, 1e-6);
   radii.table.points = {3, 3, 5};
   radii.table.check_points = 0;
-  const CreepTableReader ellipse(filled(radii));
+  const CreepTableReader ellipse(filled_wheel(radii));
   // The same nodes but for the 1 % of the axes; a cylinder's rolling radius is the same everywhere.
   const double x = wheel.table().creepage[0][3], z = wheel.table().creepage[2][3];
   for (const Scaled& node :
@@ -178,7 +178,7 @@ TEST(WheelTable, OfTheOtherWheelIsTheMirrorImage) {
   contact::Case right = input;
   right.wheelset.side = contact::WheelSide::right;
   right.table.lateral_shift = {-1.0};
-  const CreepTable a = filled(input), b = filled(right);
+  const CreepTable a = filled_wheel(input), b = filled_wheel(right);
   EXPECT_NEAR(a.wheels[0].contact_angle, b.wheels[0].contact_angle, 1e-9);
   EXPECT_GT(difference(a, b, false), 0.1);
   EXPECT_LT(difference(a, b, true), 2e-4);  // the mirrored grid has its corner elsewhere
@@ -190,16 +190,16 @@ TEST(WheelTable, WithoutSlipOfItsSurfaceHoldsForAnyFriction) {
   input.table.check_points = 0;
   contact::Case slippery = input;
   slippery.friction_coefficient = 0.1;
-  EXPECT_GT(difference(filled(input), filled(slippery), false), 1e-3);
+  EXPECT_GT(difference(filled_wheel(input), filled_wheel(slippery), false), 1e-3);
   input.rolling.extra_slip = slippery.rolling.extra_slip = contact::ExtraSlip::none;
-  EXPECT_LT(difference(filled(input), filled(slippery), false), 1e-6);
+  EXPECT_LT(difference(filled_wheel(input), filled_wheel(slippery), false), 1e-6);
 }
 
 TEST(WheelTable, KnowsWhereAnotherContactComes) {
   // At -13.9 mm tread and root are two contacts, 0.01 mm further one.
   const contact::Case input =
       with_table(rollfem::testing::shallow_root(0.0), {-13.9, -13.89}, {2, 2, 2}, 10);
-  const CreepTableReader reader(filled(input));
+  const CreepTableReader reader(filled_wheel(input));
   const CreepTable& table = reader.table();
   ASSERT_EQ(table.wheels[0].contacts, 2.0);
   ASSERT_EQ(table.wheels[1].contacts, 1.0);

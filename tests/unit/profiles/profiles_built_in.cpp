@@ -19,7 +19,7 @@
 namespace rollfem::profiles {
 namespace {
 
-using Points = std::vector<std::array<double, 2>>;
+using PointList = std::vector<std::array<double, 2>>;
 
 ProfileCurve built_in(const std::string& name) {
   return find_built_in_profile(name)->make();
@@ -50,9 +50,9 @@ double distance_to(const ProfileCurve& curve, double y, double z) {
 }
 
 /// Points of one of the benchmark's files as listed; empty when the files are not here.
-Points reference_points(const std::string& file) {
+PointList reference_points(const std::string& file) {
   std::ifstream in(rollfem::testing::reference_folder() / file);
-  Points points;
+  PointList points;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
     if (line.find("point.end") != std::string::npos) inside = false;
@@ -95,17 +95,17 @@ TEST(BuiltInProfile, MirroredHasEveryHeightAndTheOppositeSlopeOnTheOtherSide) {
 
 TEST(BuiltInProfiles, S1002MeetsPointsOfTheManchesterList) {
   // MBench_S1002_v3.prw, y mirrored as its header says.
-  const Points points{{-69.612628, 13.485642},
-                      {-69.225256, 15.101756},
-                      {-66.126280, 21.511624},
-                      {-62.639932, 25.253725},
-                      {-57.604097, 27.714038}};
+  const PointList points{{-69.612628, 13.485642},
+                         {-69.225256, 15.101756},
+                         {-66.126280, 21.511624},
+                         {-62.639932, 25.253725},
+                         {-57.604097, 27.714038}};
   const ProfileCurve curve = built_in("S1002");
   for (const auto& [y, z] : points) EXPECT_NEAR(height_at(curve, y), z, list_tolerance_wheel);
 }
 
 TEST(BuiltInProfiles, S1002MeetsAllPointsOfTheManchesterList) {
-  const Points points = reference_points("MBench_S1002_v3.prw");
+  const PointList points = reference_points("MBench_S1002_v3.prw");
   if (points.empty()) GTEST_SKIP() << "the benchmark's files are not here";
   ASSERT_EQ(points.size(), 399u);
   const ProfileCurve curve = built_in("S1002");
@@ -128,7 +128,7 @@ TEST(BuiltInProfiles, S1002MeetsAllPointsOfTheManchesterList) {
 }
 
 TEST(BuiltInProfiles, RailOfTheBenchmarkMeetsItsList) {
-  const Points points = reference_points("MBench_UIC60_v3.prr");
+  const PointList points = reference_points("MBench_UIC60_v3.prr");
   if (points.empty()) GTEST_SKIP() << "the benchmark's files are not here";
   // In the list the rail is inclined 1:40, its crown at (-7.49170, 0.09371).
   const ProfileCurve curve =

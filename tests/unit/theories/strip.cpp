@@ -37,7 +37,7 @@ double two_humps(double y) {
   return std::pow((y * y - 400.0) / 800.0, 2);
 }
 
-contact::Case scene(double rail_radius) {
+contact::Case strip_scene(double rail_radius) {
   contact::Case input;
   input.load.normal_force = 50e3;
   input.friction_coefficient = 0.55;
@@ -134,7 +134,7 @@ TEST(StripNormal, SaysThatTheProfilesAreTooNarrow) {
 TEST(StripModel, OnAnEllipseIsVermeulenJohnson) {
   // A strip with a parabola of force mu P(y) slips over the same share of every strip, and the sum
   // is 1 - (1 - tau/3)^3: Vermeulen and Johnson's law, for any creepage without spin.
-  contact::Case input = scene(2000.0);
+  contact::Case input = strip_scene(2000.0);
   input.rolling.creepages = {{1e-4, 0, 0}, {1e-3, 0, 0}, {0, 3e-3, 0}, {0.02, 0, 0}};
   const contact::ModelResult strip = run_strip(input, {});
   const contact::ModelResult closed = run_vermeulen_johnson(input, {});
@@ -146,7 +146,7 @@ TEST(StripModel, OnAnEllipseIsVermeulenJohnson) {
 }
 
 TEST(StripModel, LargestTractionIsThreePiOverEightOfMuP0) {
-  contact::Case input = scene(2000.0);
+  contact::Case input = strip_scene(2000.0);
   input.rolling.creepages = {{0.02, 0, 0}};
   const contact::PointResult point = run_strip(input, {}).points[0];
   const double expected = 3.0 * std::acos(-1.0) / 8.0 * 0.55 * point.max_pressure;
@@ -154,7 +154,7 @@ TEST(StripModel, LargestTractionIsThreePiOverEightOfMuP0) {
 }
 
 TEST(StripModel, ForcesAreThoseOfItsFields) {
-  contact::Case input = scene(100.0);
+  contact::Case input = strip_scene(100.0);
   input.contact_grid.elements_across = 80;
   input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 1e-4}};
   const contact::ModelResult result = run_strip(input, {});
@@ -169,7 +169,7 @@ TEST(StripModel, ForcesAreThoseOfItsFields) {
 }
 
 TEST(StripModel, RunsForAGivenApproach) {
-  contact::Case input = scene(2000.0);
+  contact::Case input = strip_scene(2000.0);
   input.load.normal_force.reset();
   input.load.approach = 0.0473108;
   EXPECT_NEAR(run_strip(input, {}).points[0].normal_force, 50e3, 50.0);

@@ -14,18 +14,10 @@
 namespace {
 
 using namespace rollfem;
+using rollfem::testing::error_of;
 using rollfem::testing::plus;
 using rollfem::testing::small_case;
 using rollfem::testing::with;
-
-std::string error_of(const std::string& text) {
-  try {
-    contact::parse_case(text, "case.toml", {{"hertz", "halfspace", "fem"}, {}});
-  } catch (const contact::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string file_error(const std::string& path) {
   try {

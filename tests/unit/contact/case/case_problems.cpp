@@ -18,25 +18,10 @@ using namespace rollfem;
 using contact::Case;
 using contact::parse_case;
 using contact::Problem;
+using rollfem::testing::error_of;
+using rollfem::testing::expect_error;
 using rollfem::testing::plus;
 using rollfem::testing::with;
-
-std::string error_of(const std::string& text) {
-  try {
-    parse_case(text, "case.toml");
-  } catch (const contact::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-void expect_error(const std::string& text, const std::vector<std::string>& parts) {
-  const std::string message = error_of(text);
-  for (const std::string& part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
-  EXPECT_NE(message.find("; do: "), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-}
 
 const std::string pressure = R"([friction]
 coefficient = 0.3

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/case_examples.hpp"
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace {
 using namespace rollfem;
 using contact::Case;
 using contact::parse_case;
+using rollfem::testing::expect_error;
 
 const std::string pair = R"([load]
 vertical_force = 100e3
@@ -27,22 +29,9 @@ profile = "UIC60-manchester"
 inclination = "1:40"
 )";
 
-std::string with(const std::string& piece, const std::string& replacement) {
+std::string with_pair(const std::string& piece, const std::string& replacement) {
   std::string text = pair;
   return text.replace(text.find(piece), piece.size(), replacement);
-}
-
-void expect_error(const std::string& text, const std::vector<std::string>& parts) {
-  std::string message = "no error";
-  try {
-    parse_case(text, "case.toml");
-  } catch (const contact::InputError& error) {
-    message = error.what();
-  }
-  for (const std::string& part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
-  EXPECT_NE(message.find("; do: "), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 TEST(Track, DefaultsAreThoseOfStandardGauge) {
@@ -60,14 +49,14 @@ TEST(Track, DefaultsAreThoseOfStandardGauge) {
 }
 
 TEST(Track, InclinationsAreTangents) {
-  EXPECT_EQ(parse_case(with("1:40", "1:20"), "c.toml").track.inclination, 0.05);
-  EXPECT_EQ(parse_case(with("1:40", "none"), "c.toml").track.inclination, 0.0);
-  EXPECT_EQ(parse_case(with("1:40", "1:30"), "c.toml").track.inclination, 1.0 / 30.0);
-  const Case angle = parse_case(with("\"1:40\"", "0.05"), "c.toml");
+  EXPECT_EQ(parse_case(with_pair("1:40", "1:20"), "c.toml").track.inclination, 0.05);
+  EXPECT_EQ(parse_case(with_pair("1:40", "none"), "c.toml").track.inclination, 0.0);
+  EXPECT_EQ(parse_case(with_pair("1:40", "1:30"), "c.toml").track.inclination, 1.0 / 30.0);
+  const Case angle = parse_case(with_pair("\"1:40\"", "0.05"), "c.toml");
   EXPECT_DOUBLE_EQ(angle.track.inclination, std::tan(0.05));
   EXPECT_NE(describe(angle).find("inclination            0.05\n"), std::string::npos)
       << describe(angle);
-  EXPECT_DOUBLE_EQ(parse_case(with("\"1:40\"", "-0.01"), "c.toml").track.inclination,
+  EXPECT_DOUBLE_EQ(parse_case(with_pair("\"1:40\"", "-0.01"), "c.toml").track.inclination,
                    -std::tan(0.01));
 }
 
@@ -111,14 +100,14 @@ TEST(Track, IsSaidBackByCheck) {
 }
 
 TEST(TrackErrors, InclinationIsNotAssumed) {
-  expect_error(with("inclination = \"1:40\"\n", ""),
+  expect_error(with_pair("inclination = \"1:40\"\n", ""),
                {"case.toml:10:1: track.inclination: is missing", "\"none\", \"1:20\", \"1:40\""});
 }
 
 TEST(TrackErrors, InclinationIsAWordARatioOrAnAngle) {
   for (const char* wrong :
        {"\"1:x\"", "\"1:\"", "\"2:40\"", "\"1:0.5\"", "\"1:-40\"", "\"steep\"", "1.0", "true"})
-    expect_error(with("\"1:40\"", wrong),
+    expect_error(with_pair("\"1:40\"", wrong),
                  {"track.inclination",
                   "allowed: \"none\", a ratio such as \"1:40\", or an angle from "
                   "-0.5 to 0.5 rad"});
@@ -142,14 +131,14 @@ TEST(TrackErrors, TrackWheelsetAndVerticalForceNeedProfiles) {
 }
 
 TEST(TrackErrors, OneProfileNeedsTheOther) {
-  expect_error(with("profile = \"UIC60-manchester\"", "transverse_radius = 300.0"),
+  expect_error(with_pair("profile = \"UIC60-manchester\"", "transverse_radius = 300.0"),
                {"wheel.profile", "rail.profile is missing"});
 }
 
 TEST(TrackErrors, LoadIsGivenOnce) {
-  expect_error(with("vertical_force = 100e3", "vertical_force = 100e3\nnormal_force = 5e4"),
+  expect_error(with_pair("vertical_force = 100e3", "vertical_force = 100e3\nnormal_force = 5e4"),
                {"contradicts load.", "exactly one of normal_force, approach and vertical_force"});
-  expect_error(with("vertical_force = 100e3", ""),
+  expect_error(with_pair("vertical_force = 100e3", ""),
                {"is missing", "exactly one of normal_force, approach and vertical_force",
                 "vertical_force = 50e3"});
 }

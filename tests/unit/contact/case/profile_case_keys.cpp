@@ -23,15 +23,6 @@ rolling_radius = 460.0
 /// What profiles need besides; after the sections of the bodies.
 const std::string track = "[track]\ninclination = \"1:40\"\n";
 
-std::string refusal(const std::string& text) {
-  try {
-    contact::parse_case(rest + text, "case.toml");
-  } catch (const contact::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(ProfileKeys, AreReadOfBothBodies) {
   const contact::Case input = contact::parse_case(rest + R"(profile = "measured/wheel.csv"
 [rail]
@@ -112,13 +103,14 @@ TEST(ProfileKeys, WhatContradictsIsRefused) {
            {both + "[wheel_profile]\nsmoothing = -1\n", {"wheel_profile.smoothing = -1", "bounds"}},
            {both + "[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
             {"wheel.profile", "contradicts [undeformed_distance]"}}}) {
-    const std::string message = refusal(wrong.text);
+    const std::string message = rollfem::testing::error_of(rest + wrong.text);
     for (const std::string& part : wrong.parts)
       EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
     EXPECT_NE(message.find("; do: "), std::string::npos) << message;
   }
-  EXPECT_EQ(refusal(both + track), "no error");
-  EXPECT_EQ(refusal(both + track + "[wheel_profile]\nmirror = true\n"), "no error");
+  EXPECT_EQ(rollfem::testing::error_of(rest + both + track), "no error");
+  EXPECT_EQ(rollfem::testing::error_of(rest + both + track + "[wheel_profile]\nmirror = true\n"),
+            "no error");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "contact/result/derived.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
@@ -12,12 +13,9 @@
 using namespace rollfem;
 using contact::ContactGrid;
 using contact::SurfaceField;
+using rollfem::contact::pi;
 
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 TEST(Derived, ElasticEnergyOfHertzianPressure) {
   // Like bodies, sphere: work of the load P over the approach, delta ~ P^(2/3), is 2/5 P delta.

@@ -1,6 +1,7 @@
 // Regions of a contact: two semi-ellipsoids of pressure, whose forces and extents are known.
 #include "contact/result/patch_parts.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/result/result.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +11,7 @@
 using namespace rollfem::contact;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
+using rollfem::contact::pi;
 
 double ellipsoid(double x, double y, double a, double b) {
   const double rest = 1.0 - x * x / (a * a) - y * y / (b * b);

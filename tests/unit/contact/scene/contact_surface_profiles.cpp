@@ -14,8 +14,8 @@ using namespace rollfem::contact;
 using rollfem::testing::circle_pair;
 using rollfem::testing::sphere_on_circle;
 
-TangentialField rigid_slip_on(const ContactSurface& surface, const Creepage& creepage,
-                              const ContactGrid& grid) {
+TangentialField slip_of_the_surface(const ContactSurface& surface, const Creepage& creepage,
+                                    const ContactGrid& grid) {
   Geometry geometry;
   geometry.surface = surface;
   return ChartedGeometry(geometry, Chart::projected).rigid_slip(creepage, grid);
@@ -66,7 +66,8 @@ TEST(SurfaceOfProfiles, GivenAsCurvesIsThatOfTheRadii) {
     }
     const ContactGrid grid = ContactGrid::centred(3, 9, 1.0, 2.0);
     const Creepage creepage{0.002, 0.001, 3e-4};
-    EXPECT_NEAR((rigid_slip_on(curves, creepage, grid).x - rigid_slip_on(radii, creepage, grid).x)
+    EXPECT_NEAR((slip_of_the_surface(curves, creepage, grid).x -
+                 slip_of_the_surface(radii, creepage, grid).x)
                     .cwiseAbs()
                     .maxCoeff(),
                 0.0, 1e-11);
@@ -121,7 +122,7 @@ TEST(SlipOfProfiles, IsThatOfABodyThatTurnsAboutItsTiltedAxle) {
   const double xi = 0.003, omega = (1.0 - xi) / rolling;
   const Creepage creepage{xi, 0.0, omega * std::sin(tilt)};
   const ContactGrid grid = ContactGrid::centred(5, 9, 2.0, 2.0);
-  const TangentialField slip = rigid_slip_on(surface, creepage, grid);
+  const TangentialField slip = slip_of_the_surface(surface, creepage, grid);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const double x = grid.x(i), y = grid.y(j), climb = surface.climb(y);
@@ -144,7 +145,7 @@ TEST(SlipOfProfiles, HasTheGivenSpinAtTheOriginUnderAnyTilt) {
   const ContactGrid grid = ContactGrid::centred(3, 3, h, h);
   for (const double tilt : {0.0, 0.05, 1.2}) {
     const ContactSurface surface = surface_of(sphere_on_circle(460.0, 300.0, direction(tilt, 0.0)));
-    const TangentialField slip = rigid_slip_on(surface, creepage, grid);
+    const TangentialField slip = slip_of_the_surface(surface, creepage, grid);
     EXPECT_NEAR(slip.x[4], creepage.longitudinal, 1e-12);
     EXPECT_NEAR((slip.x[7] - slip.x[1]) / (2 * h), -creepage.spin, 1e-9);
     EXPECT_NEAR((slip.y[5] - slip.y[3]) / (2 * h), creepage.spin, 1e-9);

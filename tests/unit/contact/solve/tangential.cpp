@@ -13,9 +13,9 @@ namespace rollfem::contact {
 namespace {
 
 /// T = c I: every element on its own, the solution is p = -Proj(s / c).
-class Springs : public TangentialOperator {
+class SpringBed : public TangentialOperator {
  public:
-  Springs(const ContactGrid& grid, double c) : grid_(grid), c_(c) {}
+  SpringBed(const ContactGrid& grid, double c) : grid_(grid), c_(c) {}
   const ContactGrid& grid() const override { return grid_; }
   TangentialField apply(const TangentialField& p) const override { return {c_ * p.x, c_ * p.y}; }
   double diagonal() const override { return c_; }
@@ -32,7 +32,7 @@ class Springs : public TangentialOperator {
 
 TEST(SolveTangential, OfSpringsIsTheProjection) {
   const ContactGrid grid = ContactGrid::centred(5, 1, 1.0, 1.0);
-  const Springs springs(grid, 0.01);
+  const SpringBed springs(grid, 0.01);
   TangentialProblem problem;
   problem.friction = coulomb(1.0);
   problem.pressure = Field::Zero(5);
@@ -52,7 +52,7 @@ TEST(SolveTangential, OfSpringsIsTheProjection) {
 
 TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
   const ContactGrid grid = ContactGrid::centred(3, 2, 1.0, 1.0);
-  const Springs springs(grid, 0.01);
+  const SpringBed springs(grid, 0.01);
   TangentialProblem problem{
       Field::Constant(6, 2.0), {Field::Zero(6), Field::Zero(6)}, coulomb(1.0)};
   const TangentialSolution still = solve_tangential(springs, problem);
@@ -68,7 +68,7 @@ TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
 }
 
 TEST(SolveTangential, RefusesFieldsOfAnotherGridAndNan) {
-  const Springs springs(ContactGrid::centred(3, 1, 1.0, 1.0), 0.01);
+  const SpringBed springs(ContactGrid::centred(3, 1, 1.0, 1.0), 0.01);
   EXPECT_THROW(solve_tangential(springs, {Field::Ones(2), {Field::Ones(3), Field::Ones(3)}, {}}),
                SolveError);
   EXPECT_THROW(

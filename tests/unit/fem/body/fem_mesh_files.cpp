@@ -54,16 +54,6 @@ double area(const meshes::Section& section) {
   return sum;
 }
 
-double smallest_scaled_jacobian(const HexMesh& mesh) {
-  double smallest = 1.0;
-  for (const auto& cell : mesh.cells) {
-    std::array<Point, 8> corners{};
-    for (int k = 0; k < 8; ++k) corners[k] = mesh.points[cell[k]];
-    smallest = std::min(smallest, meshes::cell_quality(corners).scaled_jacobian);
-  }
-  return smallest;
-}
-
 HexMesh small_block() {
   return block({-1, 0, 1}, {-1, 0, 1}, {-2, -1, 0}, true);
 }

@@ -12,6 +12,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include "support/fem_test_support.hpp"
+#include "support/mesh_examples.hpp"
 #include "support/patch_examples.hpp"
 #include "support/profile_scenes.hpp"
 #include <cmath>
@@ -48,16 +49,6 @@ double volume_of(const fem::Body& body) {
     for (const auto q : values.quadrature_point_indices()) sum += values.JxW(q);
   }
   return sum;
-}
-
-double smallest_scaled_jacobian(const meshes::HexMesh& mesh) {
-  double smallest = 1.0;
-  for (const auto& cell : mesh.cells) {
-    std::array<std::array<double, 3>, 8> corners{};
-    for (int k = 0; k < 8; ++k) corners[k] = mesh.points[cell[k]];
-    smallest = std::min(smallest, meshes::cell_quality(corners).scaled_jacobian);
-  }
-  return smallest;
 }
 
 /// How far the wheel's section, cubics between knots 0.05 mm apart, is off its true one: nothing to

@@ -16,7 +16,7 @@ using namespace rollfem::testing;
 
 namespace {
 
-constexpr contact::Material steel{210e3, 0.3};
+constexpr contact::Material user_steel{210e3, 0.3};
 const std::vector<double> lateral_lines{-16, -7, -3, 1, 4, 8, 16};
 const std::vector<double> depth_lines{0, 2, 5, 12};
 
@@ -38,7 +38,7 @@ meshes::HexMesh turned_mesh(const fem::SurfaceShape& shape) {
 
 std::unique_ptr<fem::Body> turned_body(const fem::SurfaceShape& shape,
                                        MPI_Comm communicator = MPI_COMM_SELF) {
-  return std::make_unique<fem::Body>(shape, steel, small_options(), turned_mesh(shape),
+  return std::make_unique<fem::Body>(shape, user_steel, small_options(), turned_mesh(shape),
                                      communicator);
 }
 
@@ -189,7 +189,7 @@ TEST(GivenMesh, OfAnyChartIsAccepted) {
     const auto at = hole.place(p[0], p[1], -p[2]);
     return Point{at[0], at[1], at[2]};
   });
-  const fem::Body body(hole, steel, small_options(), mesh, MPI_COMM_SELF);
+  const fem::Body body(hole, user_steel, small_options(), mesh, MPI_COMM_SELF);
   const auto grid = contact::ContactGrid::centred(6, 4, 1.0, 1.0);
   const fem::SurfaceCoupling coupling(body, grid);
   // A displacement along the hole's own normal is sampled as such, to the curvature of a cell.
@@ -210,7 +210,7 @@ TEST(GivenMesh, TooCoarseForTheCellSizeIsRefused) {
   options.fine_half_length = options.fine_half_width = 0.1;
   const auto mesh = block({-16, 0, 16}, {-16, 0, 16}, {-16, 0}, true);
   EXPECT_NE(refusal<contact::InputError>([&] {
-              fem::Body(rail_shape(contact::infinity), steel, options, mesh, MPI_COMM_SELF);
+              fem::Body(rail_shape(contact::infinity), user_steel, options, mesh, MPI_COMM_SELF);
             }).find("too coarse"),
             std::string::npos);
 }
@@ -232,7 +232,7 @@ meshes::HexMesh moved(double scale, const Point& shift) {
   return mesh;
 }
 
-void expect_message(const std::string& message, const std::string& part) {
+void expect_user_message(const std::string& message, const std::string& part) {
   EXPECT_NE(message.find(part), std::string::npos) << message;
   EXPECT_EQ(message.find("rail.msh: "), 0u) << message;
   EXPECT_NE(message.find("do: "), std::string::npos) << message;
@@ -242,11 +242,11 @@ void expect_message(const std::string& message, const std::string& part) {
 
 TEST(UserMesh, IsPutOnTheSurfaceOrRefused) {
   EXPECT_EQ(refused(turned_mesh(rail_shape(20))), "");
-  expect_message(refused(moved(1e-3, {})), "coordinates in mm");  // metres
-  expect_message(refused(moved(1e6, {})), "coordinates in mm");
-  expect_message(refused(moved(1.0, {0, 0, -1})), "away from the surface");
-  expect_message(refused(turned_mesh(rail_shape(25))), "away from the surface");
-  expect_message(refused(moved(1.0, {25, 0, 0})), "the contact needs");
+  expect_user_message(refused(moved(1e-3, {})), "coordinates in mm");  // metres
+  expect_user_message(refused(moved(1e6, {})), "coordinates in mm");
+  expect_user_message(refused(moved(1.0, {0, 0, -1})), "away from the surface");
+  expect_user_message(refused(turned_mesh(rail_shape(25))), "away from the surface");
+  expect_user_message(refused(moved(1.0, {25, 0, 0})), "the contact needs");
   // Nodes that are a little off are moved.
   const TemporaryFolder folder;
   const std::string path = folder.file("rail.msh", meshes::msh_text(moved(1.0, {0, 0, -0.01})));
@@ -268,7 +268,7 @@ TEST(UserMesh, SymmetryGroupMeansTheHalfAboveZero) {
   };
   EXPECT_EQ(refused(block(x, y, z, true, surface, true)), "");
   const auto shifted = [&](const Point& p) { return surface({p[0], p[1] + 0.5, p[2]}); };
-  expect_message(refused(block(x, y, z, true, shifted, true)), "`symmetry` lies at y = 0.5");
+  expect_user_message(refused(block(x, y, z, true, shifted, true)), "`symmetry` lies at y = 0.5");
   const std::vector<double> other{0, -4, -16};
   auto wrong_side = block(x, {-16, -4, 0}, z, true, surface);
   for (auto& quad : wrong_side.sides) {
@@ -276,5 +276,5 @@ TEST(UserMesh, SymmetryGroupMeansTheHalfAboveZero) {
     for (const int c : quad.corners) on_plane = on_plane && wrong_side.points[c][1] == 0.0;
     if (on_plane) quad.side = meshes::Side::symmetry;
   }
-  expect_message(refused(wrong_side), "on the other side");
+  expect_user_message(refused(wrong_side), "on the other side");
 }

@@ -1,4 +1,5 @@
 // Displacement under Hertz's pressure: quadrature, the point load, the closed form of the circle.
+#include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -8,8 +9,8 @@
 
 namespace rollfem::halfspace {
 namespace {
+using rollfem::contact::pi;
 
-const double pi = std::acos(-1.0);
 constexpr double modulus = 115384.6;
 
 /// u = 1/(pi E*) times the integral of p/distance, over a polar grid about the point: the distance

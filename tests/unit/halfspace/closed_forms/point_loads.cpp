@@ -2,6 +2,8 @@
 // stress/cell_stress.cpp, and known values on the surface.
 #include "halfspace/closed_forms/point_loads.hpp"
 
+#include "contact/base/pi.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/cell_state.hpp"
@@ -9,8 +11,8 @@
 
 namespace rollfem::halfspace {
 namespace {
+using rollfem::contact::pi;
 
-const double pi = std::acos(-1.0);
 const ElasticHalfspace steel{80769.0, 0.3};
 constexpr double load = 1000.0;
 
