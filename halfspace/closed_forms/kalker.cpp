@@ -69,7 +69,7 @@ KalkerCoefficients asymptotes_long(double ratio, double nu) {
   return result;
 }
 
-void check(double a, double b, double nu) {
+void check_ellipse(double a, double b, double nu) {
   const bool sizes = a > 0.0 && b > 0.0 && std::isfinite(a) && std::isfinite(b);
   if (sizes && nu >= 0.0 && nu <= 0.5) return;
   throw contact::InputError(fmt::format(
@@ -82,7 +82,7 @@ void check(double a, double b, double nu) {
 
 KalkerCoefficients kalker_coefficients(double semi_axis_x, double semi_axis_y,
                                        double poisson_ratio) {
-  check(semi_axis_x, semi_axis_y, poisson_ratio);
+  check_ellipse(semi_axis_x, semi_axis_y, poisson_ratio);
   const bool is_short = semi_axis_x < semi_axis_y;
   const double ratio = is_short ? semi_axis_x / semi_axis_y : semi_axis_y / semi_axis_x;
   const KalkerTable& table = is_short ? kalker_table_short() : kalker_table_long();
