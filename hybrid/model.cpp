@@ -33,7 +33,6 @@ constexpr int elements_of_difference = 10;
 halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
   halfspace::GridElasticity elasticity;
   elasticity.model = "hybrid";
-  elasticity.same_normal_block = false;
   elasticity.make = [&parts](const Scene& scene, const contact::ChartedGeometry& geometry,
                              const ContactGrid& grid) -> std::unique_ptr<contact::Elasticity> {
     return std::make_unique<halfspace::PreconditionedElasticity>(

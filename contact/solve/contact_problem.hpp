@@ -23,9 +23,7 @@ struct ContactConditions {
   /// second order and tractions do not zigzag from row to row. false: the same difference
   /// everywhere.
   bool fit_leading_edge = true;
-  /// The elasticity has the stand-in's normal block, as unlike half-spaces have: pressure without
-  /// friction needs the stand-in alone, and says where the leading edge is.
-  bool same_normal_block = true;
+  bool same_normal_block = true;  ///< Elasticity
   /// The stand-in with the coupling of unlike materials; null: like ones, or the elasticity itself.
   const Compliance* coupled_standin = nullptr;
 };

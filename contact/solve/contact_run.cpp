@@ -70,20 +70,24 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   result_.points.clear();
   result_.relative_traction.clear();
   shape_ = geometry_.shape(grid);
-  elasticity_.reset();
   problem_.reset();
+  elasticity_.reset();
+  const Stopwatch setup;
+  elasticity_ = make();
+  result_.setup_seconds += setup.seconds();
   motion_ = std::make_unique<PointMotion>(scene_, geometry_, grid);
   state_ = {};
   bool taking_up = store_ != nullptr;
   for (std::size_t k = 0; k < scene_.points.size(); ++k) {
-    if (options_.same_normal_block) {
-      if (!problem_) prepare(make);
+    // Also at load points taken up, so that numbers stay the same to the last bit.
+    if (elasticity_->same_normal_block()) {
+      if (!problem_) prepare();
       if (!press(k)) return false;
     }
     taking_up = taking_up && take_up(k);
     if (!taking_up) {
       try {
-        if (!problem_) prepare(make);
+        if (!problem_) prepare();
         const Stopwatch watch;
         solve_point(k);
         result_.tangential_seconds += watch.seconds();
@@ -96,9 +100,9 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   return true;
 }
 
-void ContactRun::prepare(const MakeElasticity& make) {
+void ContactRun::prepare() {
   const Stopwatch setup;
-  elasticity_ = make();
+  elasticity_->prepare();
   ContactConditions conditions;
   if (scene_.given_pressure)
     conditions.given_pressure = pressure_field(*scene_.given_pressure, result_.grid);
@@ -110,13 +114,13 @@ void ContactRun::prepare(const MakeElasticity& make) {
   conditions.upwind_order = scene_.upwind_order;
   conditions.shape = shape_;
   conditions.fit_leading_edge = scene_.leading_edge == LeadingEdge::fitted;
-  conditions.same_normal_block = options_.same_normal_block;
+  conditions.same_normal_block = elasticity_->same_normal_block();
   conditions.coupled_standin = elasticity_->coupled_standin();
   problem_ = std::make_unique<ContactProblem>(elasticity_->whole(), elasticity_->standin(),
                                               std::move(conditions));
   motion_->set_extra(elasticity_->extra_slip());
   result_.setup_seconds += setup.seconds();
-  if (!options_.same_normal_block && result_.points.empty()) find_first_defect();
+  if (!elasticity_->same_normal_block() && result_.points.empty()) find_first_defect();
 }
 
 /// The frictionless solution: what the first load point begins with.
@@ -171,13 +175,13 @@ ContactState ContactRun::start_for(std::size_t k) {
       finer_tractions(coarser->grid, coarser->pressure, coarser->relative_traction[k], result_.grid,
                       traction_bound(friction_, start.normal.pressure));
   // The defect of these tractions, not of another load point.
-  if (options_.same_normal_block) start.defect = {};
+  if (elasticity_->same_normal_block()) start.defect = {};
   return start;
 }
 
 OuterCallback ContactRun::each_iteration(std::size_t k) {
   return [this, k](const CoupledSolution& state) {
-    if (options_.same_normal_block) return;
+    if (elasticity_->same_normal_block()) return;
     ProgressEvent event = event_of(k);
     event.iteration = state.outer_iterations;
     event.residual = state.residual;
@@ -254,7 +258,7 @@ void ContactRun::solve_point(std::size_t k) {
   const Stopwatch watch;
   const char* stage = stage_of(scene_.problem);
   ProgressEvent event = event_of(k);
-  if (options_.same_normal_block) {
+  if (elasticity_->same_normal_block()) {
     event.contact_elements = problem_->press(scene_.points[k].load).contact_elements;
     tell(event, stage, false);
   }
@@ -274,7 +278,7 @@ void ContactRun::solve_point(std::size_t k) {
   event.residual = state_.residual;
   event.contact_elements = state_.normal.contact_elements;
   event.adhesion_elements = count_adhesion(state_.tangential.state);
-  if (state_.tangential.krylov_iterations > 0 && options_.same_normal_block)
+  if (state_.tangential.krylov_iterations > 0 && elasticity_->same_normal_block())
     event.note = fmt::format("{} Krylov iterations", state_.tangential.krylov_iterations);
   tell(event, stage, true);
   result_.contact_elements = state_.normal.contact_elements;

@@ -20,6 +20,12 @@ namespace rollfem::contact {
 class Elasticity {
  public:
   virtual ~Elasticity() = default;
+  /// The stand-in has the normal block of the whole, as unlike half-spaces have, and costs little:
+  /// pressure without friction needs the stand-in alone and says where the leading edge is.
+  virtual bool same_normal_block() const { return false; }
+  /// Does what is costly, meshes and solvers, before the members below are called. A run that takes
+  /// up all its load points does without.
+  virtual void prepare() {}
   virtual const Compliance& whole() const = 0;
   /// The same object, or the half-space that preconditions it.
   virtual const SolvableCompliance& standin() const = 0;
@@ -65,14 +71,9 @@ struct RunOptions {
   ContactAccuracy force_accuracy;  ///< where a force is prescribed
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
-  /// The elasticity has the stand-in's normal block (ContactConditions) and costs little: pressure
-  /// without friction is solved at every load point, also at those taken up, so that numbers stay
-  /// the same to the last bit.
-  bool same_normal_block = true;
   Response first_defect;  ///< what an earlier run found without friction; empty: to be found
 };
 
-/// Made when it is needed: where pressure is not cheap, by the first load point not taken up.
 using MakeElasticity = std::function<std::unique_ptr<Elasticity>()>;
 
 class ContactRun {
@@ -92,7 +93,7 @@ class ContactRun {
 
  private:
   void tell(ProgressEvent event, const char* stage, bool finished) const;
-  void prepare(const MakeElasticity& make);
+  void prepare();
   bool take_up(std::size_t k);
   void find_first_defect();
   bool press(std::size_t k);

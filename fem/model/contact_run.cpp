@@ -86,7 +86,6 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   run_options.stage_prefix = options.stage_prefix;
   run_options.accuracy = run_options.force_accuracy = fem_accuracy;
   run_options.force_tolerance = force_tolerance;
-  run_options.same_normal_block = false;
   if (start_known) run_options.first_defect = start.defect;
 
   PointsInCheckpoint store(checkpoint, start_known);

@@ -30,6 +30,7 @@ class FemElasticity : public contact::Elasticity {
                 const RunLayout& layout, const LevelOptions& options,
                 const contact::Progress& progress, LevelStart& start, contact::ModelResult& result);
 
+  void prepare() override;
   const contact::Compliance& whole() const override { return *compliance_; }
   const contact::SolvableCompliance& standin() const override { return *half_; }
   const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
@@ -49,11 +50,13 @@ class FemElasticity : public contact::Elasticity {
 
  private:
   void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
-  void make_meshes(const RunLayout& layout);
-  void make_compliance(const RunLayout& layout, const contact::ChartedGeometry& geometry);
-  void spin_wheel(const contact::ChartedGeometry& geometry, const contact::ContactGrid& grid);
+  void make_meshes();
+  void make_compliance();
+  void spin_wheel();
 
   const Scene& scene_;
+  const contact::ChartedGeometry& geometry_;
+  const RunLayout& layout_;
   const LevelOptions& options_;
   const contact::Progress& progress_;
   LevelStart& start_;
@@ -72,12 +75,20 @@ FemElasticity::FemElasticity(const Scene& scene, const contact::ChartedGeometry&
                              const RunLayout& layout, const LevelOptions& options,
                              const contact::Progress& progress, LevelStart& start,
                              contact::ModelResult& result)
-    : scene_(scene), options_(options), progress_(progress), start_(start), result_(result) {
+    : scene_(scene),
+      geometry_(geometry),
+      layout_(layout),
+      options_(options),
+      progress_(progress),
+      start_(start),
+      result_(result) {}
+
+void FemElasticity::prepare() {
   const Stopwatch mesh_watch;
-  make_meshes(layout);
+  make_meshes();
   result_.seconds["mesh"] = mesh_watch.seconds();
   const Stopwatch solver_watch;
-  make_compliance(layout, geometry);
+  make_compliance();
   result_.seconds["factorisation"] = solver_watch.seconds();
 }
 
@@ -90,9 +101,9 @@ void FemElasticity::tell(contact::ProgressEvent event, const std::string& stage,
   contact::report(progress_, event);
 }
 
-void FemElasticity::make_meshes(const RunLayout& layout) {
+void FemElasticity::make_meshes() {
   tell({}, "mesh");
-  bodies_ = make_bodies(scene_, layout.bodies, MPI_COMM_WORLD);
+  bodies_ = make_bodies(scene_, layout_.bodies, MPI_COMM_WORLD);
   start_.reach = bodies_.reach;
   start_.notes = fmt::format("{}", fmt::join(bodies_.notes, "\n"));
   std::array<long, 2> unknowns{};
@@ -108,43 +119,41 @@ void FemElasticity::make_meshes(const RunLayout& layout) {
   start_.unknowns = unknowns[0] + unknowns[1];
   MemoryDemand demand =
       memory_demand(static_cast<double>(unknowns[0]), static_cast<double>(unknowns[1]),
-                    layout.bodies, options_.body_fields ? points_that_keep_bodies(scene_) : 0);
+                    layout_.bodies, options_.body_fields ? points_that_keep_bodies(scene_) : 0);
   demand.algebraic = algebraic;
   demand.factorisation = factorisation_ = takes_factorisation(scene_, demand);
   contact::ProgressEvent event;
   event.note = fmt::format("wheel {} + rail {} unknowns, {}", unknowns[0], unknowns[1],
                            memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
-  refuse_beyond_memory(demand, layout.bodies.cell_size, MPI_COMM_WORLD);
+  refuse_beyond_memory(demand, layout_.bodies.cell_size, MPI_COMM_WORLD);
 }
 
-void FemElasticity::make_compliance(const RunLayout& layout,
-                                    const contact::ChartedGeometry& geometry) {
+void FemElasticity::make_compliance() {
   tell({}, "linear solvers");
   solvers_ = make_solvers(scene_, bodies_.both(), factorisation_);
-  stresses_ = std::make_unique<StressOutput>(scene_, bodies_.both(), layout.grid,
+  stresses_ = std::make_unique<StressOutput>(scene_, bodies_.both(), layout_.grid,
                                              default_cell_size(scene_), options_.body_fields);
   start_.bodies = stresses_->bodies();
   compliance_ = std::make_unique<FemCompliance>(
       FemCompliance::Part{bodies_.wheel.get(), solvers_.wheel.get()},
       FemCompliance::Part{bodies_.rail.get(), solvers_.rail.get()}, scene_.geometry.surface,
-      layout.grid, far_boundary_of(scene_));
+      layout_.grid, far_boundary_of(scene_));
   start_.solver = (solvers_.wheel ? solvers_.wheel : solvers_.rail)->description();
   contact::ProgressEvent event;
   event.note = start_.solver;
   tell(event, "linear solvers", true);
-  if (scene_.feels_inertia() && bodies_.wheel) spin_wheel(geometry, layout.grid);
+  if (scene_.feels_inertia() && bodies_.wheel) spin_wheel();
   // The coupling of unlike materials is left to the defect: the stand-in need not know it.
   half_ =
-      std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene_.material.uncoupled());
+      std::make_unique<halfspace::HalfspaceCompliance>(layout_.grid, scene_.material.uncoupled());
   if (scene_.material.couples())
-    coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene_.material);
+    coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(layout_.grid, scene_.material);
 }
 
-void FemElasticity::spin_wheel(const contact::ChartedGeometry& geometry,
-                               const contact::ContactGrid& grid) {
-  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_.wheel, geometry.geometry().surface, grid,
-                               scene_.upwind_order);
+void FemElasticity::spin_wheel() {
+  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_.wheel, geometry_.geometry().surface,
+                               layout_.grid, scene_.upwind_order);
   result_.notes.push_back(
       fmt::format("rolling at {:.4g} mm/s: inertia of wheel and rail; rotation expands the wheel "
                   "by {:.3g} mm, which raises the axle and is subtracted from the approach",

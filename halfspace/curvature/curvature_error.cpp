@@ -58,7 +58,6 @@ std::optional<contact::LevelResult> solve_curved_level(const contact::Scene& sce
   options.model = "halfspace";
   options.stage_prefix = of_model_error;
   options.force_accuracy = accuracy_of_force_search;
-  options.same_normal_block = false;
   contact::ContactRun run(scene, geometry, options, progress, nullptr);
   const bool inside = run.solve(grid, [&] {
     return std::make_unique<PreconditionedElasticity>(

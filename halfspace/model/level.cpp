@@ -53,6 +53,7 @@ class HalfspaceElasticity : public contact::Elasticity {
       uncoupled_ = std::make_unique<HalfspaceCompliance>(grid, scene.material.uncoupled());
   }
 
+  bool same_normal_block() const override { return true; }
   const contact::Compliance& whole() const override { return *whole_; }
   const contact::SolvableCompliance& standin() const override {
     return uncoupled_ ? *uncoupled_ : *whole_;
@@ -147,7 +148,6 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
   const contact::ChartedGeometry geometry = halfspace_geometry(scene);
   contact::RunOptions options;
   options.model = elasticity.model;
-  options.same_normal_block = elasticity.same_normal_block;
   options.stage_prefix = stage_prefix;
   options.force_accuracy = accuracy_of_force_search;
   options.coarser = coarser;

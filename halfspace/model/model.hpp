@@ -21,7 +21,6 @@ std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& 
 /// preconditions.
 struct GridElasticity {
   std::string model = "halfspace";  ///< in progress events and names of records
-  bool same_normal_block = true;    ///< contact::RunOptions
   std::function<std::unique_ptr<contact::Elasticity>(
       const contact::Scene&, const contact::ChartedGeometry&, const contact::ContactGrid&)>
       make = halfspace_elasticity;

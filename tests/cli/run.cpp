@@ -23,7 +23,7 @@ bool has_control_characters(const std::string& text) {
 
 TEST(Run, LeavesResultsAndSaysWhere) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"run", folder.file("quick_run.toml", quick_run)});
+  const Outcome outcome = call(folder, {"run", folder.file("quick.toml", quick_run)});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
   const auto made = folder.made();
@@ -32,7 +32,7 @@ TEST(Run, LeavesResultsAndSaysWhere) {
     EXPECT_TRUE(has(made, name)) << name;
   EXPECT_NE(outcome.out.find("results: results/quick_run\n"), std::string::npos) << outcome.out;
   const auto summary =
-      nlohmann::json::parse(contents(folder.work() / "results" / "quick_run" / "summary.json"));
+      nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
   ASSERT_EQ(summary.at("models").size(), 2u);
   EXPECT_EQ(summary.at("models")[0].at("name"), "hertz");
   EXPECT_EQ(summary.at("models")[1].at("name"), "halfspace");
@@ -55,7 +55,7 @@ TEST(Run, SaysWhichProblemIsSolved) {
             "longitudinal_shift = [0.001, 0.001]\n",
             "shift              2/2 ", "; shift without rolling"}}) {
     const Folder folder;
-    const std::string file = folder.file("quick_run.toml", small_case + row.problem + grid);
+    const std::string file = folder.file("quick.toml", small_case + row.problem + grid);
     const Outcome outcome = call(folder, {"run", file, "--model", "halfspace", "--no-report"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.err.find(row.stage), std::string::npos) << outcome.err;
@@ -68,7 +68,7 @@ TEST(Run, SaysWhichProblemIsSolved) {
 
 TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
   const Folder folder;
-  const std::string file = folder.file("quick_run.toml", quick_run);
+  const std::string file = folder.file("quick.toml", quick_run);
   const std::vector<std::vector<std::string>> calls{
       {"run", "--no-report", "--model", "hertz", file, "-q"},
       {"run", file, "-q", "--no-report", "-m", "hertz"},
@@ -79,15 +79,15 @@ TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
     const Outcome outcome = call(folder, arguments);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto summary =
-        nlohmann::json::parse(contents(folder.work() / "results" / "quick_run" / "summary.json"));
+        nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
     EXPECT_EQ(summary.at("models").size(), 1u);
   }
 }
 
 TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
   const Folder folder;
-  const Outcome outcome = call(
-      folder, {"run", "--no-report", folder.file("quick_run.toml", quick_run)}, {"TERM=xterm"});
+  const Outcome outcome =
+      call(folder, {"run", "--no-report", folder.file("quick.toml", quick_run)}, {"TERM=xterm"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.err)) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.out)) << outcome.out;
@@ -98,10 +98,9 @@ TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
 TEST(Run, WithoutAReportGetsItLater) {
   const Folder folder;
   const std::string result = folder.output("result").string();
-  ASSERT_EQ(
-      call(folder, {"run", "--no-report", folder.file("quick_run.toml", quick_run), "-o", result})
-          .status,
-      0);
+  ASSERT_EQ(call(folder, {"run", "--no-report", folder.file("quick.toml", quick_run), "-o", result})
+                .status,
+            0);
   EXPECT_FALSE(fs::exists(fs::path(result) / "report.html"));
   const Outcome outcome = call(folder, {"report", result});
   EXPECT_EQ(outcome.status, 0) << outcome.err;

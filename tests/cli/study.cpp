@@ -16,7 +16,7 @@ const std::string quick_study = small_case +
 
 TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"study", folder.file("quick_study.toml", quick_study)});
+  const Outcome outcome = call(folder, {"study", folder.file("quick.toml", quick_study)});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
   const auto folder_of_study = folder.work() / "results" / "quick_study";
@@ -52,7 +52,7 @@ TEST(Study, AllModelsAndGivenReferences) {
     arguments.insert(arguments.end(), {"hertz", "linear", "fastsim", "strip", "halfspace"});
   else
     arguments.emplace_back("all");
-  arguments.push_back(folder.file("quick_study.toml", quick_study));
+  arguments.push_back(folder.file("quick.toml", quick_study));
   const Outcome outcome = call(folder, arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto all = read(folder.work() / "out" / "study.json");
@@ -70,7 +70,7 @@ TEST(Study, AllModelsAndGivenReferences) {
 
 TEST(Study, RefusesWhatMakesNoSense) {
   const Folder folder;
-  const std::string file = folder.file("quick_study.toml", quick_study);
+  const std::string file = folder.file("quick.toml", quick_study);
   expect_refused(call(folder, {"study"}), "no case file is named");
   expect_refused(call(folder, {"study", file, "--vary", "degrees"}), "cannot be refined");
   expect_refused(call(folder, {"study", file, "--vary", "domain"}), "no model of this study");

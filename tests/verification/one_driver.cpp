@@ -54,7 +54,6 @@ contact::LevelResult run(const Scene& scene, const contact::ContactGrid& grid, d
   options.accuracy = {1e-9, 1e-8, 100, 5};
   options.force_accuracy = options.accuracy;
   options.force_tolerance = 1e-9;
-  options.same_normal_block = standin == 0.0;
   const contact::Progress silent;
   contact::ContactRun run(scene, geometry, options, silent, nullptr);
   const bool inside = run.solve(grid, [&]() -> std::unique_ptr<contact::Elasticity> {
