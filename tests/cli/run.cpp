@@ -27,10 +27,10 @@ TEST(Run, LeavesResultsAndSaysWhere) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
   const auto made = folder.made();
-  for (const char* name : {"results/quick_run/summary.json", "results/quick_run/results.h5",
-                           "results/quick_run/creep_curve.csv", "results/quick_run/report.html"})
+  for (const char* name : {"results/quick/summary.json", "results/quick/results.h5",
+                           "results/quick/creep_curve.csv", "results/quick/report.html"})
     EXPECT_TRUE(has(made, name)) << name;
-  EXPECT_NE(outcome.out.find("results: results/quick_run\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("results: results/quick\n"), std::string::npos) << outcome.out;
   const auto summary =
       nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
   ASSERT_EQ(summary.at("models").size(), 2u);
