@@ -106,8 +106,9 @@ void check_side(const ProfilePoints& points, bool wheel) {
   constexpr double flange = 8.0;  // mm
   if (!wheel || below < flange) return;
   // Of several as high, the last.
-  const auto tip = std::find_if(points.list.rbegin(), points.list.rend(),
-                                [&](const ListedPoint& point) { return point.z == highest; });
+  const auto tip =
+      std::find_if(points.list.rbegin(), points.list.rend(),
+                   [top = highest](const ListedPoint& point) { return point.z == top; });
   const auto [left, right] = range(points, &ListedPoint::y);
   if (tip->y <= 0.5 * (left + right)) return;
   throw InputError(fmt::format(
