@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that a build keeps its lock when the launcher that began it is killed: the next call waits, and only then builds.
-ninja is a stand-in. Call: launcher.py SOURCE_DIR"""
+"""Checks that a build keeps its lock when the launcher that began it is killed (the next call waits, and only then
+builds), and that tests run on all cores, with one thread each. ninja and ctest are stand-ins. Call: launcher.py SOURCE_DIR"""
 
+import os
 import pathlib
 import shutil
 import signal
@@ -10,7 +11,7 @@ import sys
 import tempfile
 import time
 
-TOOLS = "bash flock nproc awk grep dirname readlink mkdir cat tail tr sleep".split()
+TOOLS = "bash flock nproc awk grep dirname env readlink mkdir cat tail tr sleep".split()
 NINJA = """#!/bin/bash
 for word; do if [ "$word" = -n ]; then echo Building; exit 0; fi; done
 echo begin >>"$WORK/log"
@@ -43,8 +44,11 @@ def main():
         (build / ".preset").write_text("halfspace-only \n")
         environment = {"PATH": str(work / "bin"), "WORK": name, "ROLLFEM_FEM": "OFF", "ROLLFEM_JOBS": "1"}
 
-        def call():
-            return subprocess.Popen(["/bin/bash", launcher, "build"], env=environment, stdin=subprocess.DEVNULL,
+        (work / "bin" / "ctest").write_text('#!/bin/bash\necho "$OMP_NUM_THREADS" "$@" >"$WORK/tests"\n')
+        (work / "bin" / "ctest").chmod(0o755)
+
+        def call(command="build"):
+            return subprocess.Popen(["/bin/bash", launcher, command], env=environment, stdin=subprocess.DEVNULL,
                                     stdout=subprocess.DEVNULL, stderr=said.open("w"))
 
         first = call()
@@ -59,7 +63,10 @@ def main():
             (work / "go").touch()
         assert second.wait(30) == 0, said.read_text()
         assert log.read_text() == "begin\nend\nbegin\nend\n", log.read_text()
-    print("a build keeps its lock")
+        assert call("test").wait(30) == 0, said.read_text()
+        tests = (work / "tests").read_text().split()
+        assert tests[0] == "1" and tests[tests.index("-j") + 1] == str(len(os.sched_getaffinity(0))), tests
+    print("a build keeps its lock; tests run on all cores")
 
 
 if __name__ == "__main__":
