@@ -57,7 +57,7 @@ std::string taken_by(const contact::Case& input, const contact::ModelRegistry& m
 /// What a result would be refused for or warned of, as far as the closed form tells.
 void warn_of_hertz(const contact::Case& input) {
   try {
-    for (const std::string& note : halfspace::run_model("hertz", input, {}).notes)
+    for (const std::string& note : theories::models().run("hertz", input, {}).notes)
       if (note.rfind("warning: ", 0) == 0) std::cerr << note << '\n';
   } catch (const contact::SolveError& error) {
     std::cerr << fmt::format("warning: {}: {}\n", input.file, error.what());

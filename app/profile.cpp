@@ -8,8 +8,8 @@
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/result_folder.hpp"
-#include "profiles/built_in_profiles.hpp"
-#include "profiles/profile_features.hpp"
+#include "profiles/formula_profiles.hpp"
+#include "profiles/profile_curve.hpp"
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>

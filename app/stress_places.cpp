@@ -2,7 +2,6 @@
 
 #include "contact/base/errors.hpp"
 #include "halfspace/stress/subsurface.hpp"
-#include "halfspace/stress/subsurface_fields.hpp"
 #include "postprocess/read/body_sampler.hpp"
 
 #include <fmt/format.h>

@@ -70,7 +70,7 @@ StudyValues bars_of(const contact::ModelResult& result, bool patch) {
 StudyValues exact_values(const contact::Scene& scene) {
   if (scene.has_profiles()) return {};
   try {
-    return values_of(halfspace::run_model("hertz", scene, {}), false);
+    return values_of(theories::models().run("hertz", scene, {}), false);
   } catch (const InputError&) {
     return {};
   }

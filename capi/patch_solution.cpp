@@ -7,7 +7,7 @@
 #include "contact/solve/normal.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/level.hpp"
-#include "halfspace/patch/scene_chart.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 
 #include <algorithm>
 #include <array>

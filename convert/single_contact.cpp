@@ -3,7 +3,6 @@
 #include "contact/base/material.hpp"
 #include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/closed_forms/line_hertz.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,6 @@
 #include "halfspace/stress/smooth_stress.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
-#include "halfspace/stress/subsurface_fields.hpp"
 
 #include <fmt/format.h>
 

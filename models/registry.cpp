@@ -18,7 +18,7 @@ using contact::ModelRegistry;
 ModelRegistry built_in_models() {
   ModelRegistry models;
   models.add(auto_model());
-  for (const ModelInfo& model : halfspace::models().all()) models.add(model);
+  for (const ModelInfo& model : theories::models().all()) models.add(model);
   models.add(hybrid_model());
   models.add(fem_model());
   return models;

@@ -1,11 +1,13 @@
 #include "profiles/formula_profiles.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "profiles/profile_pieces.hpp"
+#include "profiles/wheel_s1002.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -175,6 +177,141 @@ ProfileCurve polynomial_profile_curve(const ProfileSource& source, const std::st
         source.limits[k], source.limits[k + 1]);
   }
   return ProfileCurve(std::move(knots));
+}
+
+namespace {
+
+/// Angle of the side of the rail head, 1:20 off the vertical.
+const double side_angle = std::atan(20.0);
+constexpr double top_radius = 300.0, middle_radius = 80.0, corner_radius = 13.0;  // mm
+constexpr double deepest = 37.5;  // mm below the crown, where the side ends
+
+/// Head of tangent arcs 300, 80, 13 and the side 1:20, symmetric; angles of the two upper joints.
+ProfileCurve uic_head(double first, double second) {
+  const double y80 = (top_radius - middle_radius) * std::sin(first);
+  const double z80 = top_radius - (top_radius - middle_radius) * std::cos(first);
+  const double y13 = y80 + (middle_radius - corner_radius) * std::sin(second);
+  const double z13 = z80 - (middle_radius - corner_radius) * std::cos(second);
+  const double side_y = y13 + corner_radius * std::sin(side_angle);
+  const double side_z = z13 - corner_radius * std::cos(side_angle);
+  const double end_y = side_y + (deepest - side_z) / 20.0;
+  ProfileKnots knots;
+  append_line(knots, -end_y, deepest, -side_y, side_z);
+  append_arc(knots, -y13, z13, corner_radius, -side_angle, -second);
+  append_arc(knots, -y80, z80, middle_radius, -second, -first);
+  append_arc(knots, 0.0, top_radius, top_radius, -first, first);
+  append_arc(knots, y80, z80, middle_radius, first, second);
+  append_arc(knots, y13, z13, corner_radius, second, side_angle);
+  append_line(knots, side_y, side_z, end_y, deepest);
+  return ProfileCurve(std::move(knots));
+}
+
+/// Widths 20.456 and 52.053 of the bands of the radii 300 and 80 (Gensys, create_UIC60).
+ProfileCurve rail_60e1() {
+  const double first = std::asin(0.5 * 20.456 / top_radius);
+  const double y80 = (top_radius - middle_radius) * std::sin(first);
+  return uic_head(first, std::asin((0.5 * 52.053 - y80) / middle_radius));
+}
+
+/// Band of 21 mm at the top and the head 72 mm wide where the side begins: fits the benchmark's
+/// list of points within 4.4e-5 mm.
+ProfileCurve rail_uic60_manchester() {
+  const double first = std::asin(0.5 * 21.0 / top_radius);
+  const double y80 = (top_radius - middle_radius) * std::sin(first);
+  const double y13 = 0.5 * 72.0 - corner_radius * std::sin(side_angle);
+  return uic_head(first, std::asin((y13 - y80) / (middle_radius - corner_radius)));
+}
+
+}  // namespace
+
+const std::vector<BuiltInProfile>& built_in_profiles() {
+  static const std::vector<BuiltInProfile> profiles{
+      {"S1002", true, "wheel of EN 13715 and UIC 510-2, h 28, e 32.5", [] { return s1002(false); }},
+      {"S1002-smooth", true, "S1002 with zone C moved by up to 1.2e-4 mm to meet its neighbours",
+       [] { return s1002(true); }},
+      {"60E1", false, "rail head of EN 13674-1, not inclined", &rail_60e1},
+      {"UIC60", false, "the same as 60E1", &rail_60e1},
+      {"UIC60-manchester", false, "rail head of the Manchester contact benchmark, not inclined",
+       &rail_uic60_manchester},
+  };
+  return profiles;
+}
+
+const BuiltInProfile* find_built_in_profile(const std::string& name) {
+  for (const BuiltInProfile& profile : built_in_profiles())
+    if (profile.name == name) return &profile;
+  return nullptr;
+}
+
+namespace {
+
+/// Length of the piece between two parameters by Gauss's rule of five points.
+double arc_length(const std::function<PiecePoint(double)>& piece, double from, double to) {
+  constexpr std::array<double, 3> place{0.0, 0.5384693101056831, 0.9061798459386640};
+  constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665,
+                                         0.2369268850561891};
+  const double middle = 0.5 * (from + to);
+  const double half = 0.5 * (to - from);
+  const auto speed = [&](double t) {
+    const PiecePoint point = piece(middle + half * t);
+    return std::hypot(point.dy, point.dz);
+  };
+  double sum = weight[0] * speed(0.0);
+  for (std::size_t k = 1; k < place.size(); ++k)
+    sum += weight[k] * (speed(place[k]) + speed(-place[k]));
+  return std::abs(half) * sum;
+}
+
+void append(ProfileKnots& knots, double parameter, const PiecePoint& point, double direction) {
+  const double speed = direction * std::hypot(point.dy, point.dz);
+  knots.parameter.push_back(parameter);
+  knots.y.push_back(point.y);
+  knots.z.push_back(point.z);
+  knots.dy.push_back(point.dy / speed);
+  knots.dz.push_back(point.dz / speed);
+}
+
+}  // namespace
+
+void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& piece, double from,
+                  double to, double distance) {
+  const double direction = to > from ? 1.0 : -1.0;
+  if (knots.parameter.empty()) append(knots, 0.0, piece(from), direction);
+  double length = 0.0;
+  constexpr int parts = 16;
+  for (int k = 0; k < parts; ++k)
+    length +=
+        arc_length(piece, from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
+  const int steps =
+      std::max(2, contact::count_of(std::ceil(length / distance),
+                                    "points along a profile (ends, limits, coefficients)"));
+  double before = from;
+  for (int k = 1; k <= steps; ++k) {
+    const double here = k == steps ? to : from + (to - from) * k / steps;
+    append(knots, knots.parameter.back() + arc_length(piece, before, here), piece(here), direction);
+    before = here;
+  }
+}
+
+void append_arc(ProfileKnots& knots, double y, double z, double radius, double from, double to,
+                bool hollow) {
+  const double up = hollow ? -1.0 : 1.0;
+  append_piece(
+      knots,
+      [=](double angle) {
+        return PiecePoint{y + radius * std::sin(angle), z - up * radius * std::cos(angle),
+                          radius * std::cos(angle), up * radius * std::sin(angle)};
+      },
+      from, to);
+}
+
+void append_line(ProfileKnots& knots, double y0, double z0, double y1, double z1) {
+  append_piece(
+      knots,
+      [=](double t) {
+        return PiecePoint{y0 + t * (y1 - y0), z0 + t * (z1 - z0), y1 - y0, z1 - z0};
+      },
+      0.0, 1.0);
 }
 
 }  // namespace rollfem::profiles

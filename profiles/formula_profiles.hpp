@@ -4,7 +4,9 @@
 #include "contact/case/track.hpp"
 #include "profiles/profile_curve.hpp"
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace rollfem::profiles {
 
@@ -16,5 +18,49 @@ ProfileCurve arc_profile_curve(const contact::ProfileSource& source, bool wheel,
 /// Pieces z(y) that meet in value and slope. Throws contact::InputError.
 ProfileCurve polynomial_profile_curve(const contact::ProfileSource& source,
                                       const std::string& name);
+
+// Standard profiles from their analytic definitions: wheel S1002 (EN 13715, UIC 510-2), rail 60E1
+// (EN 13674-1) and the profiles of the Manchester contact benchmark.
+
+struct BuiltInProfile {
+  std::string name;
+  bool wheel = false;
+  std::string sentence;
+  ProfileCurve (*make)() = nullptr;
+};
+
+const std::vector<BuiltInProfile>& built_in_profiles();
+
+/// nullptr when there is none of that name.
+const BuiltInProfile* find_built_in_profile(const std::string& name);
+
+/// Height of S1002 by the formulas of its zones, mm, for -70 <= y <= 60, steps at the zone limits
+/// included: what the curve is checked against. Throws std::out_of_range elsewhere.
+double s1002_height(double y);
+
+// Builds profiles from exact pieces (arcs, lines, polynomials), with knots by arc length so
+// dense that the cubics between them represent the formula.
+
+/// Point of a piece at a parameter of its own, with derivatives by it.
+struct PiecePoint {
+  double y = 0.0, z = 0.0;
+  double dy = 0.0, dz = 0.0;
+};
+
+/// Distance of knots along the profile, mm: a circle of 10 mm is met within 1e-11 mm and its
+/// curvature within 2e-6.
+constexpr double knot_distance = 0.05;
+
+/// Adds a piece between two of its parameters; its start is the end of what is there already.
+void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& piece, double from,
+                  double to, double distance = knot_distance);
+
+/// Part of a circle about (`y`, `z`); angles in rad from the direction of -z (upwards), rising to
+/// +y: the top of a rail head is at 0. The tangent turns with the angle: (cos, sin). `hollow`: the
+/// circle lies above instead, at (y + R sin, z + R cos), and the tangent is (cos, -sin).
+void append_arc(ProfileKnots& knots, double y, double z, double radius, double from, double to,
+                bool hollow = false);
+
+void append_line(ProfileKnots& knots, double y0, double z0, double y1, double z1);
 
 }  // namespace rollfem::profiles

@@ -1,9 +1,8 @@
 #include "profiles/profiles.hpp"
 
 #include "contact/base/errors.hpp"
-#include "profiles/built_in_profiles.hpp"
 #include "profiles/formula_profiles.hpp"
-#include "profiles/profile_features.hpp"
+#include "profiles/profile_curve.hpp"
 #include "profiles/profile_points.hpp"
 
 #include <fmt/format.h>

@@ -5,8 +5,7 @@
 // continuous at its ends: no curvature worth the name (5e-6 /mm in zone C).
 #include "profiles/wheel_s1002.hpp"
 
-#include "profiles/built_in_profiles.hpp"
-#include "profiles/profile_pieces.hpp"
+#include "profiles/formula_profiles.hpp"
 
 #include <array>
 #include <cmath>

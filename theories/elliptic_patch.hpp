@@ -46,4 +46,10 @@ void set_largest_tractions(contact::PointResult& point);
 contact::ContactFields resting_fields(const contact::ContactGrid& grid,
                                       const contact::Field& pressure, double friction);
 
+// The model "hertz": the closed form put into the result record that all models share.
+
+/// The model "hertz": patch, pressure and approach; no friction. Tractions are sampled on the
+/// case's contact grid.
+contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progress& progress);
+
 }  // namespace rollfem::theories

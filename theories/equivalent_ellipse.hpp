@@ -2,6 +2,8 @@
 // extents of the half-space patch, about its centre of pressure.
 #pragma once
 
+#include "contact/result/result.hpp"
+#include "contact/scene/scene.hpp"
 #include "contact/solve/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 
@@ -34,5 +36,13 @@ contact::ModelResult run_hertz_of_patch(const contact::Scene& scene,
 /// loads differ, on one grid, so that a force along another direction than z is met with friction.
 contact::ModelResult run_each_load(const contact::Model& model, const contact::Scene& scene,
                                    const contact::Progress& progress);
+
+// The error of a theory relative to the half-space it approximates.
+
+/// Sets PointResult::model_error of a theory's values from a half-space solution of the same scene
+/// with 32 elements across: the difference, and half of that solution's own bar. `with_friction`:
+/// the theory has forces, too. Where the half-space has no result model_error_source says why.
+void estimate_model_error(const contact::Scene& scene, bool with_friction,
+                          contact::ModelResult& theory);
 
 }  // namespace rollfem::theories

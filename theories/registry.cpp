@@ -7,42 +7,75 @@
 #include "halfspace/model/refinements.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/carter.hpp"
+#include "theories/elliptic_patch.hpp"
 #include "theories/equivalent_ellipse.hpp"
 #include "theories/fastsim.hpp"
-#include "theories/hertz_model.hpp"
-#include "theories/linear_theory.hpp"
-#include "theories/model_error.hpp"
-#include "theories/refinements.hpp"
 #include "theories/strip.hpp"
 #include "theories/vermeulen_johnson.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
-namespace rollfem::halfspace {
+namespace rollfem::theories {
 
 using contact::Demand;
 using contact::Demands;
 using contact::ModelInfo;
+using contact::ModelInput;
 using contact::ModelResult;
 using contact::Progress;
+using contact::RefinedInput;
+using contact::Refinement;
 using contact::Scene;
 
 namespace {
+
+/// A count of the case at level k.
+int scaled(int count, int k) {
+  return std::max(1, count / 4) * (1 << k);
+}
+
+RefinedInput strips_level(int strips, ModelInput input) {
+  return {fmt::format("{} strips", strips), static_cast<double>(strips), std::move(input)};
+}
+
+RefinedInput carter_level(ModelInput input, int k, int /*n*/) {
+  input.carter.strips = scaled(input.carter.strips, k);
+  return strips_level(input.carter.strips, std::move(input));
+}
+
+RefinedInput fastsim_level(ModelInput input, int k, int /*n*/) {
+  input.fastsim.strips = scaled(input.fastsim.strips, k);
+  input.fastsim.strip_elements = scaled(input.fastsim.strip_elements, k);
+  return strips_level(input.fastsim.strips, std::move(input));
+}
+
+RefinedInput strip_level(ModelInput input, int k, int /*n*/) {
+  input.strip.strips = scaled(input.strip.strips, k);
+  input.strip.strip_elements = scaled(input.strip.strip_elements, k);
+  return strips_level(input.strip.strips, std::move(input));
+}
+
+/// How a study refines a theory: strips and their elements of the case are the third of five
+/// levels.
+Refinement strips_of(RefinedInput (*level)(ModelInput, int, int)) {
+  return {"grid", "", "strips", 2.0, 5, false, level};
+}
 
 /// Slip below this moves no force that a theory gives.
 constexpr double smallest_slip_worth_a_note = 1e-7;
 
 ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
-  return theories::run_fastsim(scene, progress, scene.fastsim);
+  return run_fastsim(scene, progress, scene.fastsim);
 }
 
 ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
                                            contact::Checkpoint* checkpoint) {
-  if (scene.model_error) check_bodies_known(scene);
-  ModelResult result = run_halfspace(scene, progress, checkpoint);
-  if (scene.model_error) add_model_error(scene, progress, result);
+  if (scene.model_error) halfspace::check_bodies_known(scene);
+  ModelResult result = halfspace::run_halfspace(scene, progress, checkpoint);
+  if (scene.model_error) halfspace::add_model_error(scene, progress, result);
   return result;
 }
 
@@ -58,7 +91,7 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
   Scene flat = scene;
   flat.geometry.extra_slip = contact::ExtraSlip::none;
   ModelResult result = theory(flat, progress);
-  const ExpectedPatch patch = PatchSearch(scene).patch();
+  const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
   if (largest > smallest_slip_worth_a_note)
     result.notes.push_back(
@@ -72,20 +105,20 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
 contact::Model elliptic(contact::Model theory, Leaves leaves = {}) {
   const contact::Model model = [theory = std::move(theory), leaves](const Scene& c,
                                                                     const Progress& p) {
-    return c.has_profiles() ? theories::run_on_ellipse(theory, c, p, leaves.spin) : theory(c, p);
+    return c.has_profiles() ? run_on_ellipse(theory, c, p, leaves.spin) : theory(c, p);
   };
   return [model, leaves](const Scene& c, const Progress& p) {
     if (!leaves.extra_slip || c.geometry.extra_slip != contact::ExtraSlip::automatic)
-      return theories::run_each_load(model, c, p);
+      return run_each_load(model, c, p);
     const contact::Model without = [model](const Scene& s, const Progress& q) {
       return run_without_extra_slip(model, s, q);
     };
-    return theories::run_each_load(without, c, p);
+    return run_each_load(without, c, p);
   };
 }
 
 ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
-  return theories::run_strip(
+  return run_strip(
       scene, progress,
       {scene.strip.strips, scene.strip.strip_elements, scene.strip.virtual_penetration});
 }
@@ -95,7 +128,7 @@ contact::ModelRun theory(contact::Model model, bool with_friction = true) {
   return [model = std::move(model), with_friction](const Scene& c, const Progress& p,
                                                    contact::Checkpoint*) {
     ModelResult result = model(c, p);
-    theories::estimate_model_error(c, with_friction, result);
+    estimate_model_error(c, with_friction, result);
     return result;
   };
 }
@@ -120,7 +153,7 @@ void add_theories(contact::ModelRegistry& models) {
                             Demand::extra_slip, Demand::extra_slip_on_profiles});
   hertz.run = theory(
       [](const Scene& c, const Progress& p) {
-        return c.has_profiles() ? theories::run_hertz_of_patch(c, p) : theories::run_hertz(c, p);
+        return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
       },
       false);
   hertz.bars = closed_form;
@@ -131,24 +164,23 @@ void add_theories(contact::ModelRegistry& models) {
                    "Kalker's linear theory: creep forces without a friction bound"};
   linear.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin});
   linear.bounded = false;
-  linear.run = theory(elliptic(theories::run_linear, {false, true}));
+  linear.run = theory(elliptic(run_linear, {false, true}));
   linear.bars = closed_form;
   models.add(linear);
 
   ModelInfo vermeulen{"vermeulen-johnson", "Vermeulen-Johnson",
                       "Vermeulen and Johnson's creep forces on an ellipse, without spin"};
   vermeulen.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage});
-  vermeulen.run = theory(elliptic(theories::run_vermeulen_johnson, {true, true}));
+  vermeulen.run = theory(elliptic(run_vermeulen_johnson, {true, true}));
   vermeulen.bars = closed_form;
   models.add(vermeulen);
 
   ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
   carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
-  carter.run = theory([](const Scene& c, const Progress& p) {
-    return theories::run_carter(c, p, c.carter.strips);
-  });
+  carter.run =
+      theory([](const Scene& c, const Progress& p) { return run_carter(c, p, c.carter.strips); });
   carter.bars = strips_on_ellipse;
-  carter.refinements = {theories::carter_strips()};
+  carter.refinements = {strips_of(carter_level)};
   models.add(carter);
 
   ModelInfo fastsim{"fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse"};
@@ -156,7 +188,7 @@ void add_theories(contact::ModelRegistry& models) {
       of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
   fastsim.run = theory(elliptic(run_fastsim_of_case));
   fastsim.bars = strips_on_ellipse;
-  fastsim.refinements = {theories::fastsim_strips()};
+  fastsim.refinements = {strips_of(fastsim_level)};
   fastsim.in_compare = true;
   models.add(fastsim);
 
@@ -164,10 +196,9 @@ void add_theories(contact::ModelRegistry& models) {
                   "strips along rolling, each with Hertzian pressure and brushes"};
   strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
                             Demand::extra_slip, Demand::extra_slip_on_profiles});
-  strip.run = theory([](const Scene& c, const Progress& p) {
-    return theories::run_each_load(run_strip_of_case, c, p);
-  });
-  strip.refinements = {theories::strip_strips()};
+  strip.run = theory(
+      [](const Scene& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); });
+  strip.refinements = {strips_of(strip_level)};
   strip.in_compare = true;
   models.add(strip);
 }
@@ -180,7 +211,7 @@ contact::ModelRegistry make_models() {
   halfspace.takes = contact::all_demands_but(
       {Demand::inertia, Demand::beyond_half_space, Demand::stress_of_line});
   halfspace.run = run_halfspace_with_model_error;
-  halfspace.refinements = {contact_grid()};
+  halfspace.refinements = {halfspace::contact_grid()};
   halfspace.no_model_error =
       "not requested: halfspace.model_error = true estimates what half-spaces leave out";
   halfspace.has_stress = halfspace.in_compare = halfspace.joins_planes = true;
@@ -195,9 +226,4 @@ const contact::ModelRegistry& models() {
   return all;
 }
 
-ModelResult run_model(const std::string& name, const Scene& scene, const Progress& progress,
-                      contact::Checkpoint* checkpoint) {
-  return models().run(name, scene, progress, checkpoint);
-}
-
-}  // namespace rollfem::halfspace
+}  // namespace rollfem::theories

@@ -2,6 +2,7 @@
 // Kalker's coefficients for the initial slope: the model "vermeulen-johnson".
 #pragma once
 
+#include "contact/solve/model.hpp"
 #include "theories/elliptic_patch.hpp"
 
 namespace rollfem::theories {
@@ -29,5 +30,13 @@ double vermeulen_johnson_traction(const VermeulenJohnson& solution, double semi_
 /// contact::InputError for spin or extra rigid slip.
 contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
                                            const contact::Progress& progress);
+
+// The model "linear": Kalker's linear theory of rolling contact
+// (halfspace/closed_forms/kalker.hpp). No slip, no friction bound.
+
+/// The model "linear". Its forces are those of the coefficients, without a bound; its tractions are
+/// those of the simplified theory without slip, which give the same F_x and F_y. Throws
+/// contact::InputError for extra rigid slip.
+contact::ModelResult run_linear(const contact::Scene& scene, const contact::Progress& progress);
 
 }  // namespace rollfem::theories

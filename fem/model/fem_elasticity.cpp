@@ -9,7 +9,7 @@
 #include "fem/solver/solver_choice.hpp"
 #include "fem/stress/stress_output.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/tangential_stiffness.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "fem/stress/energy_error.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/stress/surface_stress.hpp"
-#include "halfspace/stress/subsurface_fields.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

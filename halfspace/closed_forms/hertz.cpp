@@ -4,7 +4,6 @@
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 #include "contact/scene/geometry.hpp"
-#include "halfspace/closed_forms/line_hertz.hpp"
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
@@ -16,10 +15,9 @@ namespace rollfem::halfspace {
 
 using boost::math::ellint_rd;
 using boost::math::ellint_rf;
+using contact::pi;
 
 namespace {
-
-using contact::pi;
 
 // Carlson's symmetric integrals in place of Legendre's K and E: they know no major and minor axis
 // and lose no digits at the circle. With k = b/a, for any k > 0 [Johnson 1985, eqs. 4.26, 4.27]:
@@ -170,6 +168,32 @@ double hertz_displacement(const HertzContact& contact, double contact_modulus, d
       contact.semi_axis_x * contact.semi_axis_y * contact.max_pressure / contact_modulus;
   return scale * (ellint_rf(l, a2 + l, b2 + l) - x * x / 3.0 * ellint_rd(l, b2 + l, a2 + l) -
                   y * y / 3.0 * ellint_rd(l, a2 + l, b2 + l));
+}
+
+LineHertz line_hertz(double radius, double contact_modulus, double force_per_length,
+                     double reference) {
+  for (const double value : {radius, contact_modulus, force_per_length, reference})
+    if (!(value > 0.0) || !std::isfinite(value))
+      throw contact::InputError(fmt::format(
+          "Hertz's line contact: radius {:g} mm, contact modulus {:g} MPa, force {:g} N/mm, "
+          "reference distance {:g} mm; allowed: all above 0 and finite; do: correct the case",
+          radius, contact_modulus, force_per_length, reference));
+  LineHertz hertz;
+  hertz.half_width = 2.0 * std::sqrt(force_per_length * radius / (pi * contact_modulus));
+  hertz.max_pressure = 2.0 * force_per_length / (pi * hertz.half_width);
+  hertz.approach = 2.0 * force_per_length / (pi * contact_modulus) *
+                   (std::log(2.0 * reference / hertz.half_width) + 0.5);
+  return hertz;
+}
+
+/// Beyond the contact the slope is -(2 p0/E*) (t - sqrt(t^2 - 1)), t = x/a.
+double line_displacement(const LineHertz& contact, double contact_modulus, double x) {
+  const double a = contact.half_width;
+  const double t = std::abs(x) / a;
+  const double scale = contact.max_pressure * a / contact_modulus;
+  if (t <= 1.0) return contact.approach - scale * t * t;
+  const double root = std::sqrt((t - 1.0) * (t + 1.0));
+  return contact.approach - scale * (t * t - t * root + std::log(t + root));
 }
 
 }  // namespace rollfem::halfspace

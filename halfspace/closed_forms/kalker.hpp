@@ -4,6 +4,8 @@
 
 #include "contact/scene/geometry.hpp"
 
+#include <array>
+
 namespace rollfem::halfspace {
 
 /// Creepage coefficients (Kalker 1967; Kalker 1990, table E.3); C32 = -C23.
@@ -33,5 +35,17 @@ struct CreepForces {
 /// c = sqrt(a b) and the combined shear modulus G in MPa.
 CreepForces linear_creep_forces(double semi_axis_x, double semi_axis_y, double shear_modulus,
                                 double poisson_ratio, const contact::Creepage& creepage);
+
+// Kalker's table of creepage coefficients at the ratios 0.1, 0.2, ... 1 and nu = 0, 1/4, 1/2.
+
+/// Coefficients at nu = 0, 1/4, 1/2.
+using KalkerRow = std::array<KalkerCoefficients, 3>;
+/// Rows for the ratios 0.1, 0.2, ..., 1.
+using KalkerTable = std::array<KalkerRow, 10>;
+
+/// Ratio a/b: patches wider than long.
+const KalkerTable& kalker_table_short();
+/// Ratio b/a: patches longer than wide. The last row is that of the other table.
+const KalkerTable& kalker_table_long();
 
 }  // namespace rollfem::halfspace

@@ -7,7 +7,7 @@
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/level.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/patch/scene_chart.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/format.h>
 

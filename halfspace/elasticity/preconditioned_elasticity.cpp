@@ -1,11 +1,17 @@
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 
-#include "halfspace/elasticity/loads_beside.hpp"
-#include "halfspace/elasticity/tangential_stiffness.hpp"
+#include "contact/base/pi.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace rollfem::halfspace {
+
+using contact::CombinedMaterial;
+using contact::PatchSize;
+using Eigen::Vector2d;
 
 PreconditionedElasticity::PreconditionedElasticity(const contact::Scene& scene,
                                                    const contact::ContactGrid& grid,
@@ -29,6 +35,30 @@ Eigen::Vector2d PreconditionedElasticity::rolling_stiffness(const contact::Patch
 
 Eigen::Vector2d PreconditionedElasticity::shift_stiffness(const contact::PatchSize& patch) const {
   return halfspace::shift_stiffness(patch, scene_.material);
+}
+
+Vector2d rolling_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
+  const double a = 0.5 * patch.length;
+  const double b = 0.5 * patch.width;
+  const KalkerCoefficients kalker = kalker_coefficients(a, b, material.poisson_ratio);
+  return material.shear_modulus * a * b * Vector2d(kalker.c11, kalker.c22);
+}
+
+Vector2d shift_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
+  const double c = 0.5 * std::sqrt(patch.length * patch.width);
+  return Vector2d::Constant(4.0 * c * material.shear_modulus / (2.0 - material.poisson_ratio));
+}
+
+Vector2d line_rolling_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
+  const double antiplane = 0.25 * contact::pi * material.shear_modulus * patch.length * patch.width;
+  return {antiplane / (1.0 - material.poisson_ratio), antiplane};
+}
+
+Vector2d line_shift_stiffness(const PatchSize& patch, double reference,
+                              const CombinedMaterial& material) {
+  const double antiplane = 0.5 * contact::pi * material.shear_modulus * patch.width /
+                           (std::log(4.0 * reference / patch.length) + 0.5);
+  return {antiplane / (1.0 - material.poisson_ratio), antiplane};
 }
 
 }  // namespace rollfem::halfspace

@@ -5,12 +5,12 @@
 #include "contact/scene/flanks.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/loads_beside.hpp"
-#include "halfspace/elasticity/tangential_stiffness.hpp"
+#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/coverage.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "halfspace/patch/scene_chart.hpp"
 
 #include <fmt/format.h>
 

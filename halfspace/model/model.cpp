@@ -10,7 +10,7 @@
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
-#include "halfspace/stress/subsurface_fields.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
 #include <fmt/format.h>
 

@@ -26,4 +26,10 @@ std::string correction_key(const contact::Scene& correction);
 /// The bodies in a line, for lists.
 std::string correction_words(const contact::Scene& correction);
 
+// What a contact grid of half-spaces lies on: the plane of the patch or the common surface.
+
+/// The scene as the contact grid of the model lies on it. Throws contact::InputError where the
+/// common surface is asked for and not known.
+contact::ChartedGeometry halfspace_geometry(const contact::Scene& scene);
+
 }  // namespace rollfem::halfspace

@@ -3,7 +3,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
-#include "halfspace/elasticity/loads_beside.hpp"
+#include "halfspace/elasticity/influence.hpp"
 #include "halfspace/patch/ridge.hpp"
 
 #include <fmt/format.h>

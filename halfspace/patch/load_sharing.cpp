@@ -7,9 +7,9 @@
 #include "contact/solve/compliance.hpp"
 #include "contact/solve/standin.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/loads_beside.hpp"
+#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/ridge.hpp"
-#include "halfspace/patch/scene_chart.hpp"
 
 #include <fmt/format.h>
 

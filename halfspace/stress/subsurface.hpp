@@ -9,6 +9,7 @@
 
 #include "contact/base/grid.hpp"
 #include "contact/case/case.hpp"
+#include "contact/result/result.hpp"
 #include "contact/result/stress_measures.hpp"
 
 #include <array>
@@ -69,5 +70,18 @@ std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
                                             const contact::ContactGrid& points,
                                             const std::vector<double>& depths,
                                             Summation summation = Summation::automatic);
+
+// Stresses of half-spaces at the [[subsurface.*]] points of a case.
+
+/// Points of a request, mm in the global frame, the first side fastest; those that follow the
+/// surface on the plane z = 0 or as far below it as asked.
+std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRequest& request);
+
+/// Displacement and stress at the points of every request of the case, from tractions on the wheel.
+/// Each body has its own material and, on the rail, the opposite tractions. Without displacement in
+/// a rigid body.
+std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Scene& scene,
+                                                        const contact::ContactGrid& grid,
+                                                        const contact::SurfaceField& traction);
 
 }  // namespace rollfem::halfspace

@@ -6,7 +6,7 @@
 #include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/scene_checkpoint.hpp"
-#include "track/balance/result_check.hpp"
+#include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <fmt/format.h>

@@ -40,8 +40,8 @@ struct RigidWheelset {
   double radius_left = 0.0, radius_right = 0.0;    ///< mm, rolling radii
   double angle_left = 0.0, angle_right = 0.0;      ///< rad, contact angles
   double y_wheel_left = 0.0, y_wheel_right = 0.0;  ///< mm, of the wheel's profile
-  /// Equivalent conicity at the amplitude of the shift (track/motion/conicity.hpp), and the length
-  /// of the wave in mm.
+  /// Equivalent conicity at the amplitude of the shift (track/motion/wheelset_motion.hpp), and the
+  /// length of the wave in mm.
   std::optional<double> conicity_harmonic = {}, conicity_wave = {}, wave_length = {};
   double radius_difference() const { return radius_right - radius_left; }  ///< mm
 };

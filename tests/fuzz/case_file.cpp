@@ -4,7 +4,7 @@
 #include "contact/case/plausibility.hpp"
 #include "contact/scene/derived_values.hpp"
 #include "contact/scene/scene.hpp"
-#include "theories/hertz_model.hpp"
+#include "theories/elliptic_patch.hpp"
 #include "theories/registry.hpp"
 
 #include "fuzz/target.hpp"
@@ -13,7 +13,7 @@ using namespace rollfem;
 
 std::string outcome_of(const std::string& input) {
   try {
-    const contact::ModelRegistry& models = halfspace::models();
+    const contact::ModelRegistry& models = theories::models();
     contact::ModelWords words;
     for (const contact::ModelInfo& model : models.all()) words.known.push_back(model.name);
     words.by_default = {"halfspace"};

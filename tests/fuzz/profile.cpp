@@ -1,7 +1,7 @@
 // A profile: the first line is the name of the file, with `wheel` or `rail` before it and keys that
 // mend behind it; the rest is the file. Read, mended, checked, made a curve.
 #include "contact/base/errors.hpp"
-#include "profiles/profile_features.hpp"
+#include "profiles/profile_curve.hpp"
 #include "profiles/profiles.hpp"
 
 #include "fuzz/target.hpp"

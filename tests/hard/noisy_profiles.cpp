@@ -1,7 +1,7 @@
 // Contact of measured profiles: S1002 on 60E1 with noise of 0.01 mm across both, smoothed with that
 // scatter, against the same contact of the true profiles.
 #include "halfspace/model/model.hpp"
-#include "profiles/built_in_profiles.hpp"
+#include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
 #include "track/motion/placed_scenes.hpp"
 

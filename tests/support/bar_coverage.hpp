@@ -111,7 +111,7 @@ inline void add_samples(const contact::PointResult& point, const contact::PointR
 inline void add_scene(const RandomScene& random, int across, bool stresses, BarSamples& samples) {
   const auto run = [&](int elements) {
     const contact::Scene scene = random.across(elements);
-    return halfspace::run_model("halfspace", stresses ? with_stresses(scene, random) : scene, {});
+    return theories::models().run("halfspace", stresses ? with_stresses(scene, random) : scene, {});
   };
   const contact::ModelResult coarse = run(across);
   const contact::ModelResult fine = run(4 * across);

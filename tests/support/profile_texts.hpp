@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
-#include "profiles/built_in_profiles.hpp"
+#include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
 
 #include "support/temporary_folder.hpp"

@@ -8,7 +8,7 @@
 #include "contact/solve/interpolation.hpp"
 #include "contact/solve/prescribed_force.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/tangential_stiffness.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/level.hpp"
 
 #include "tests/support/random_draws.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-#include "profiles/built_in_profiles.hpp"
+#include "profiles/formula_profiles.hpp"
 #include "track/search/contact_search.hpp"
 
 #include <algorithm>

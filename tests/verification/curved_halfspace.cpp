@@ -21,7 +21,7 @@ using contact::SurfaceForm;
 namespace {
 
 PointResult run(const rollfem::testing::PatchCase& input) {
-  return halfspace::run_model("halfspace", input, {}).points.front();
+  return theories::models().run("halfspace", input, {}).points.front();
 }
 
 /// Cases e and f: a convex rail in a hollow wheel.

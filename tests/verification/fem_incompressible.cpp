@@ -212,7 +212,7 @@ TEST(NearlyIncompressible, RubberBallPressesAndRollsAsTheHalfSpaceSays) {
   auto input = rubber_ball();
   input.output.body_fields = contact::BodyFields::last;
   const auto level = fem::run_level(input, {0.1, "", true}, {});
-  const auto half = halfspace::run_model("halfspace", input, {});
+  const auto half = theories::models().run("halfspace", input, {});
   const double p0 = half.points[0].max_pressure;
   EXPECT_NEAR(level.points[0].max_pressure / p0, 1, 0.01);
   for (int k = 0; k < 2; ++k)

@@ -4,7 +4,6 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 #include "track/balance/balance.hpp"
-#include "track/balance/result_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/scene/scene.hpp"
-#include "halfspace/closed_forms/line_hertz.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 #include "theories/carter.hpp"
 #include "theories/registry.hpp"
 
@@ -35,7 +35,7 @@ std::string steel(const std::string& rolling, const std::string& more = "") {
 }
 
 ModelResult run(const std::string& text, const std::string& model = "halfspace") {
-  return halfspace::run_model(model, contact::Scene(contact::parse_case(text, "line.toml")), {});
+  return theories::models().run(model, contact::Scene(contact::parse_case(text, "line.toml")), {});
 }
 
 const std::vector<double> parts{0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.1};  // of saturation

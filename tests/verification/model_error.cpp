@@ -116,17 +116,17 @@ TEST(ModelError, BodiesMustBeKnown) {
   scene.geometry.quadratic = std::array<double, 2>{1e-3, 1e-3};
   EXPECT_THROW(halfspace::model_errors(scene, half, {}), contact::InputError);
   scene.model_error = true;
-  EXPECT_THROW(halfspace::run_model("halfspace", scene, {}), contact::InputError);
+  EXPECT_THROW(theories::models().run("halfspace", scene, {}), contact::InputError);
 }
 
 TEST(ModelError, IsInResultsWhereAskedFor) {
   Case input = thesis('b');
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
   input.contact_grid.elements_across = 12;
-  const auto without = halfspace::run_model("halfspace", input, {});
+  const auto without = theories::models().run("halfspace", input, {});
   EXPECT_TRUE(without.points.front().model_error.empty());
   input.halfspace.model_error = true;
-  const auto with = halfspace::run_model("halfspace", input, {});
+  const auto with = theories::models().run("halfspace", input, {});
   const auto& point = with.points.front();
   EXPECT_EQ(point.max_pressure, without.points.front().max_pressure);
   const auto expected = errors_of(input, halfspace::elements_of_model_error).front();

@@ -5,7 +5,7 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/level.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/patch/scene_chart.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@ using contact::PointResult;
 namespace {
 
 ModelResult run(const std::string& model, const rollfem::testing::PatchCase& input) {
-  return halfspace::run_model(model, input, {});
+  return theories::models().run(model, input, {});
 }
 
 rollfem::testing::PatchCase with_circles(char name) {

@@ -4,7 +4,6 @@
 #include "halfspace/model/model.hpp"
 #include "theories/carter.hpp"
 #include "theories/fastsim.hpp"
-#include "theories/linear_theory.hpp"
 #include "theories/strip.hpp"
 #include "theories/vermeulen_johnson.hpp"
 

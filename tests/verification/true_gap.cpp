@@ -31,7 +31,7 @@ PatchCase case_b(int across) {
 }
 
 ModelResult solve(const PatchCase& input) {
-  return halfspace::run_model("halfspace", input, {});
+  return theories::models().run("halfspace", input, {});
 }
 
 /// Love's displacement under a uniform pressure of 1 MPa on a rectangle, of both bodies: the

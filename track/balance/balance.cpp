@@ -5,13 +5,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace rollfem::track {
 
 using contact::Case;
 using contact::FreeRolling;
+using contact::ModelResult;
+using contact::PointResult;
 using contact::WheelSide;
 
 namespace {
@@ -92,6 +98,109 @@ BalancedCase balance(const Case& input, const contact::Progress& progress) {
     if (event.finished) contact::report(progress, event);
   }
   return result;
+}
+
+namespace {
+
+/// Relative to the load. Models balance their own load to 1e-6; shares of a wheel are rounded once
+/// more.
+constexpr double sum_tolerance = 1e-5;
+
+[[noreturn]] void refuse(const contact::Case& input, const ModelResult& result,
+                         const std::string& what) {
+  throw contact::SolveError(fmt::format(
+      "{}: {}: model {}: {}: this is not a valid result; do: please report the case as a defect of "
+      "the program",
+      input.file.empty() ? "case" : input.file, result.place->label(), result.name, what));
+}
+
+/// From the first to the last element with pressure, mm of the grid's y.
+std::array<double, 2> loaded_rows(const ModelResult& result, const PointResult& point) {
+  std::array<double, 2> rows{contact::infinity, -contact::infinity};
+  const contact::ContactGrid& grid = result.grid;
+  const contact::Field& pressure = point.fields.traction.n;
+  if (pressure.size() != grid.size()) return rows;
+  for (int j = 0; j < grid.ny; ++j) {
+    if (!(pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0)) continue;
+    rows[0] = std::min(rows[0], grid.y(j) - 0.5 * grid.dy);
+    rows[1] = std::max(rows[1], grid.y(j) + 0.5 * grid.dy);
+  }
+  return rows;
+}
+
+/// The same across the track, from the middle outward; elements of the border count half, for a
+/// contact ends within them.
+std::array<double, 2> across_track(const ModelResult& result, const PointResult& point) {
+  const auto rows = loaded_rows(result, point);
+  // y of the patch frame points to the field on the left and to the middle on the right.
+  const double outward = result.place->left ? 1.0 : -1.0;
+  const double cosine = std::cos(result.place->contact_angle);
+  const double origin = std::abs(result.place->y_track);
+  const double a = origin + outward * cosine * (rows[0] + 0.5 * result.grid.dy);
+  const double b = origin + outward * cosine * (rows[1] - 0.5 * result.grid.dy);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+void check_alone(const contact::Case& input, const ModelResult& result) {
+  const contact::ContactGrid& grid = result.grid;
+  const auto holds = [](double first, double cell, int count) {
+    return first - 0.5 * cell <= 1e-9 && first + (count - 0.5) * cell >= -1e-9;
+  };
+  if (grid.size() > 0 &&
+      !(holds(grid.x_first, grid.dx, grid.nx) && holds(grid.y_first, grid.dy, grid.ny)))
+    refuse(
+        input, result,
+        fmt::format("its grid, from y = {:.4g} to {:.4g} mm, does not contain its reference point",
+                    grid.y_first, grid.y(grid.ny - 1)));
+  for (const PointResult& point : result.points)
+    if (!(point.approach >= 0.0))
+      refuse(input, result, fmt::format("the approach is {:.4g} mm", point.approach));
+}
+
+void check_wheel(const contact::Case& input, const std::vector<const ModelResult*>& contacts) {
+  const ModelResult& first = *contacts.front();
+  for (std::size_t k = 0; k < first.points.size(); ++k) {
+    double vertical = 0.0;
+    bool known = true;
+    for (const ModelResult* result : contacts) {
+      if (k >= result->points.size()) return;
+      known = known && result->points[k].vertical_force.has_value();
+      vertical += result->points[k].vertical_force.value_or(0.0);
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      for (std::size_t j = i + 1; j < contacts.size(); ++j) {
+        const auto a = across_track(*contacts[i], contacts[i]->points[k]);
+        const auto b = across_track(*contacts[j], contacts[j]->points[k]);
+        if (std::max(a[0], b[0]) < std::min(a[1], b[1]))
+          refuse(
+              input, *contacts[j],
+              fmt::format("it overlaps {}: both press between {:.3f} and {:.3f} mm from the "
+                          "middle of the track",
+                          contacts[i]->place->label(), std::max(a[0], b[0]), std::min(a[1], b[1])));
+      }
+    if (known && input.load.vertical_force &&
+        std::abs(vertical - *input.load.vertical_force) >
+            sum_tolerance * *input.load.vertical_force)
+      refuse(
+          input, first,
+          fmt::format("the vertical forces of {} contacts add up to {:.6g} N, the load is {:g} N",
+                      contacts.size(), vertical, *input.load.vertical_force));
+  }
+}
+
+}  // namespace
+
+void check_results(const contact::Case& input, const std::vector<ModelResult>& results) {
+  for (const ModelResult& result : results) {
+    if (!result.place) continue;
+    check_alone(input, result);
+    std::vector<const ModelResult*> wheel;
+    for (const ModelResult& other : results)
+      if (other.place && other.name == result.name && other.place->left == result.place->left &&
+          other.place->position == result.place->position)
+        wheel.push_back(&other);
+    if (wheel.front() == &result) check_wheel(input, wheel);
+  }
 }
 
 }  // namespace rollfem::track

@@ -6,6 +6,7 @@
 
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
+#include "contact/result/result.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <string>
@@ -29,5 +30,12 @@ std::vector<WheelRailContact> place_wheels(const contact::Case& input, const Sea
 /// Throws contact::SolveError when there is no balance (friction that would lift the wheel, no
 /// rotation without torque).
 BalancedCase balance(const contact::Case& input, const contact::Progress& progress = {});
+
+// Checks of the results of one wheel: patches must not overlap, each on a grid that holds its
+// reference point, with positive approaches and shares that add up to the load.
+
+/// `results`: of one model, all contacts of all wheels at all positions; results without a place
+/// are not looked at. Throws contact::SolveError with what is wrong.
+void check_results(const contact::Case& input, const std::vector<contact::ModelResult>& results);
 
 }  // namespace rollfem::track

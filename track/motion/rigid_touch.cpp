@@ -1,7 +1,7 @@
 #include "track/motion/rigid_touch.hpp"
 
 #include "contact/base/errors.hpp"
-#include "track/motion/conicity.hpp"
+#include "track/motion/wheelset_motion.hpp"
 #include "track/placement/vertical_gap.hpp"
 
 #include <algorithm>

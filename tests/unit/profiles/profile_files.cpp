@@ -1,7 +1,7 @@
 // Files of profiles: every format read, steps bridged and noise smoothed.
 #include "contact/base/errors.hpp"
-#include "profiles/built_in_profiles.hpp"
-#include "profiles/profile_features.hpp"
+#include "profiles/formula_profiles.hpp"
+#include "profiles/profile_curve.hpp"
 #include "profiles/profiles.hpp"
 
 #include <gtest/gtest.h>

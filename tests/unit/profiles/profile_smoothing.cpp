@@ -1,5 +1,5 @@
 // The smoothing spline: through points, near points with noise, and what is left of the curvature.
-#include "profiles/built_in_profiles.hpp"
+#include "profiles/formula_profiles.hpp"
 #include "profiles/smoothing_spline.hpp"
 
 #include <gtest/gtest.h>

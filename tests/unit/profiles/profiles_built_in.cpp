@@ -1,6 +1,6 @@
 // The built-in profiles against their formulas, against points of the Manchester benchmark's lists
 // and, where those files are at hand, against all of them.
-#include "profiles/built_in_profiles.hpp"
+#include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
 #include "profiles/wheel_s1002.hpp"
 

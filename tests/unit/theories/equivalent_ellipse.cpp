@@ -17,7 +17,7 @@ TEST(EquivalentEllipse, LiesWithinTheGridThoughThePatchEndsEarlierOnOneSide) {
   // 2 mm away from its rail's gauge side: a patch with a tail, whose centre of pressure is far from
   // its middle.
   const contact::Scene scene = rollfem::testing::left_wheel_scenes(-2.0, {1e-3}).at(0);
-  const contact::ModelResult result = halfspace::run_model("fastsim", scene, {});
+  const contact::ModelResult result = theories::models().run("fastsim", scene, {});
   const contact::Field& pressure = result.points.front().fields.traction.n;
   EXPECT_GT(pressure.maxCoeff(), 0.0);
   EXPECT_FALSE(contact::touches_border(result.grid, pressure));
@@ -34,12 +34,12 @@ TEST(EquivalentEllipse, FrictionWithoutABoundDoesNotCarryTheWheel) {
   scene.points[0].load.direction = {std::sin(0.8), std::cos(0.8)};
   scene.points[0].creepage.lateral = -0.01;
   const contact::PointResult bounded =
-      halfspace::run_model("vermeulen-johnson", scene, {}).points.at(0);
+      theories::models().run("vermeulen-johnson", scene, {}).points.at(0);
   EXPECT_NEAR(bounded.normal_force * std::cos(0.8) + bounded.lateral_force * std::sin(0.8),
               *scene.points[0].load.force, 1e-6 * *scene.points[0].load.force);
   for (const double eta : {-0.01, -0.02}) try {
       scene.points[0].creepage.lateral = eta;
-      halfspace::run_model("linear", scene, {});
+      theories::models().run("linear", scene, {});
       FAIL() << eta << " accepted";
     } catch (const contact::SolveError& error) {
       EXPECT_NE(std::string(error.what()).find("this theory does not bound"), std::string::npos)
@@ -47,7 +47,7 @@ TEST(EquivalentEllipse, FrictionWithoutABoundDoesNotCarryTheWheel) {
     }
   // Where it hardly matters the theory's forces are its own.
   scene.points[0].load.direction = {std::sin(0.005), std::cos(0.005)};
-  EXPECT_NO_THROW(halfspace::run_model("linear", scene, {}));
+  EXPECT_NO_THROW(theories::models().run("linear", scene, {}));
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // Kalker's coefficients: the table, between its entries, beyond it; the forces that follow.
-#include "theories/linear_theory.hpp"
-
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
+#include "theories/vermeulen_johnson.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/stress/subsurface_fields.hpp"
+#include "halfspace/stress/subsurface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@ const std::string curve =
 
 TEST(Registry, EveryModelRunsThesisCaseA) {
   const Case input = parse_case(plus(curve), "a.toml");
-  for (const std::string& name : halfspace::models().names()) {
-    const contact::ModelResult result = halfspace::run_model(name, input, {});
+  for (const std::string& name : theories::models().names()) {
+    const contact::ModelResult result = theories::models().run(name, input, {});
     EXPECT_EQ(result.name, name);
     ASSERT_FALSE(result.points.empty()) << name;
     EXPECT_NEAR(result.points[0].normal_force, 50e3, 50.0) << name;
@@ -40,12 +40,12 @@ TEST(Registry, EveryModelRunsThesisCaseA) {
     else
       EXPECT_NEAR(first, 0.21565, 0.05 * 0.21565) << name;
   }
-  EXPECT_THROW(halfspace::run_model("abaqus", input, {}), contact::InputError);
+  EXPECT_THROW(theories::models().run("abaqus", input, {}), contact::InputError);
 }
 
 TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto coefficient = [](const std::string& model, const std::string& section) {
-    return halfspace::run_model(model, parse_case(plus(curve + section), "a.toml"), {})
+    return theories::models().run(model, parse_case(plus(curve + section), "a.toml"), {})
         .points[1]
         .traction_coefficient;
   };
@@ -63,7 +63,7 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto with_spin = [&](const std::string& section) {
     std::string text = curve;
     text.insert(text.find("[contact_grid]"), spin);
-    return halfspace::run_model("fastsim", parse_case(plus(text + section), "a.toml"), {})
+    return theories::models().run("fastsim", parse_case(plus(text + section), "a.toml"), {})
         .points[1]
         .lateral_force;
   };
@@ -91,8 +91,8 @@ TEST(GivenPressure, TheoriesOfTheEllipseAreTheSameByEitherWay) {
   given.given_pressure =
       contact::GivenPressure{hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure};
   for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
-    const auto a = halfspace::run_model(name, bodies, {}).points[1];
-    const auto b = halfspace::run_model(name, given, {}).points[1];
+    const auto a = theories::models().run(name, bodies, {}).points[1];
+    const auto b = theories::models().run(name, given, {}).points[1];
     EXPECT_NEAR(b.longitudinal_force / a.longitudinal_force, 1.0, 1e-9) << name;
   }
 }
@@ -102,8 +102,8 @@ TEST(QuadraticDistance, OfTheRadiiGivesTheSameResult) {
   Case quadratic = radii;
   quadratic.undeformed_distance.quadratic = {0.5 / 405.0, 0.5 / 2000.0};
   for (const char* name : {"hertz", "fastsim", "halfspace"}) {
-    const auto a = halfspace::run_model(name, radii, {}).points.back();
-    const auto b = halfspace::run_model(name, quadratic, {}).points.back();
+    const auto a = theories::models().run(name, radii, {}).points.back();
+    const auto b = theories::models().run(name, quadratic, {}).points.back();
     EXPECT_NEAR(b.max_pressure, a.max_pressure, 1e-9 * a.max_pressure) << name;
     EXPECT_NEAR(b.longitudinal_force, a.longitudinal_force, 1e-6) << name;
   }
@@ -118,12 +118,12 @@ TEST(DistancePointByPoint, OfTheSameParabolaGivesTheSameContact) {
       lattice.values[0].push_back(std::pow(lattice.x_first + i * lattice.dx, 2) / 810.0 +
                                   std::pow(lattice.y_first + j * lattice.dy, 2) / 4000.0);
   points.undeformed_distance.values = lattice;
-  const auto a = halfspace::run_model("halfspace", radii, {}).points.front();
-  const auto b = halfspace::run_model("halfspace", points, {}).points.front();
+  const auto a = theories::models().run("halfspace", radii, {}).points.front();
+  const auto b = theories::models().run("halfspace", points, {}).points.front();
   // Not the same elements, so only as equal as the grid is good.
   EXPECT_NEAR(b.max_pressure / a.max_pressure, 1.0, 5e-3);
   EXPECT_NEAR(b.approach / a.approach, 1.0, 5e-3);
-  EXPECT_THROW(halfspace::run_model("hertz", points, {}), contact::InputError);
+  EXPECT_THROW(theories::models().run("hertz", points, {}), contact::InputError);
 }
 
 TEST(SubsurfacePoints, LieOnPointsLinesAndPlanes) {
@@ -147,7 +147,7 @@ TEST(SubsurfaceFields, BelowTheMiddleAreHertzsAxisStress) {
                                      "points = 8\n"),
                                 "a.toml");
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(input);
-  const auto result = halfspace::run_model("halfspace", input, {});
+  const auto result = theories::models().run("halfspace", input, {});
   const auto& fields = result.points.front().subsurface;
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_GT(result.seconds.at("subsurface"), 0.0);
@@ -173,7 +173,7 @@ TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
       "transverse_radius = 405.0\n[rolling]\nproblem = \"frictionless\"\n[contact_grid]\n"
       "elements_across = 24\n[output]\nstress_maxima = true\n",
       "circle.toml");
-  const contact::PointResult point = halfspace::run_model("halfspace", input, {}).points.front();
+  const contact::PointResult point = theories::models().run("halfspace", input, {}).points.front();
   ASSERT_EQ(point.stress_maxima.size(), 8u);
   int found = 0;
   for (const contact::StressMaximum& maximum : point.stress_maxima) {

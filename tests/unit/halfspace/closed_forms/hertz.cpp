@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/contact_residual.hpp"
 #include "contact/scene/geometry.hpp"
-#include "theories/hertz_model.hpp"
+#include "theories/elliptic_patch.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
 // What loads beside a contact displace under it. References: the point loads of Boussinesq and
 // Cerruti on two like bodies, and differences of them.
-#include "halfspace/elasticity/loads_beside.hpp"
-
 #include "halfspace/closed_forms/point_loads.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
 // Results that are none do not leave the program: overlapping patches, a grid without its
 // reference, shares that do not add up, an approach that parts the bodies.
-#include "track/balance/result_check.hpp"
-
 #include "contact/base/errors.hpp"
+#include "track/balance/balance.hpp"
 
 #include <gtest/gtest.h>
 

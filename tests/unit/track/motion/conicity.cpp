@@ -1,5 +1,5 @@
 // Equivalent conicity of radius differences whose waves are known in closed form.
-#include "track/motion/conicity.hpp"
+#include "track/motion/wheelset_motion.hpp"
 
 #include <gtest/gtest.h>
 

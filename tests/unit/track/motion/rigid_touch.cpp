@@ -2,8 +2,8 @@
 #include "track/motion/rigid_touch.hpp"
 
 #include "contact/base/errors.hpp"
-#include "track/motion/conicity.hpp"
 #include "track/motion/placed_scenes.hpp"
+#include "track/motion/wheelset_motion.hpp"
 
 #include <gtest/gtest.h>
 
