@@ -17,9 +17,8 @@ std::string with_accuracy(const std::string& accuracy) {
 TEST(Accuracy, IsReachedByAsManyElementsAsItTakes) {
   const Folder folder;
   const std::string file = folder.file("case.toml", with_accuracy("0.005"));
-  const Outcome outcome = call(folder, {"run", file, "-o", "out", "--no-report"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto summary = nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"));
+  done(folder, {"run", file, "-o", "out", "--no-report"});
+  const auto summary = folder.json("out/summary.json");
   const auto& point = summary["models"][0]["points"][0];
   const auto& errors = point["error_estimate"];
   for (const char* name : {"max_pressure", "semi_axis_x", "semi_axis_y"})
@@ -33,11 +32,9 @@ TEST(Accuracy, NotReachedIsAFailureWhoseResultsAreThere) {
   const std::string file = folder.file("case.toml", with_accuracy("1e-5"));
   const Outcome outcome = call(folder, {"run", file, "-o", "out", "--no-report", "-q"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("the results were written, but model halfspace: accuracy = 1e-05"),
-            std::string::npos)
-      << outcome.err;
-  EXPECT_TRUE(std::filesystem::exists(folder.work() / "out" / "summary.json"));
-  EXPECT_FALSE(std::filesystem::exists(folder.work() / "out.unfinished"));
+  EXPECT_TRUE(says(outcome.err, "the results were written, but model halfspace: accuracy = 1e-05"));
+  EXPECT_TRUE(folder.holds("out/summary.json"));
+  EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
 TEST(Accuracy, OfWhatIsNotAQuantityIsAnInputError) {
@@ -46,7 +43,7 @@ TEST(Accuracy, OfWhatIsNotAQuantityIsAnInputError) {
       folder.file("case.toml", "accuracy = 0.01\naccuracy_of = [\"beauty\"]\n" + small_case);
   const Outcome outcome = call(folder, {"check", file});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("accuracy_of"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "accuracy_of"));
 }
 
 }  // namespace

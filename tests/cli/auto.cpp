@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
-#include "support/places.hpp"
-#include "support/program.hpp"
 #include "support/resume.hpp"
 #include <cmath>
 
@@ -19,7 +17,7 @@ nlohmann::json model_of(const Folder& folder, const std::string& text, int statu
   const Outcome outcome =
       call(folder, {"run", folder.file("case.toml", text), "-o", "out", "--no-report", "-q"});
   EXPECT_EQ(outcome.status, status) << outcome.err;
-  return nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"))["models"][0];
+  return folder.json("out/summary.json")["models"][0];
 }
 
 void expect_within(const nlohmann::json& model, double accuracy) {
@@ -49,11 +47,9 @@ TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
     EXPECT_EQ(model["choice"].get<std::string>().rfind("half-space, ", 0), 0U) << model["choice"];
     // At 5 % the size of the contact tells that the half-space does, and nothing is solved for it.
     const std::string left_out = accuracy == 0.01 ? "model 0." : "model at most ";
-    EXPECT_NE(model["choice"].get<std::string>().find(left_out), std::string::npos)
-        << model["choice"];
+    EXPECT_TRUE(says(model["choice"], left_out));
     EXPECT_EQ(model["points"][0].contains("model_error"), accuracy == 0.01);
-    EXPECT_NE(model["notes"][0].get<std::string>().find(model["choice"].get<std::string>()),
-              std::string::npos);
+    EXPECT_TRUE(says(model["notes"][0], model["choice"].get<std::string>()));
     expect_within(model, accuracy);
     EXPECT_GT(model["contact_elements"].get<int>(), elements);
     elements = model["contact_elements"].get<int>();
@@ -63,11 +59,8 @@ TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
 TEST(Auto, SaysWhatItTookOnTheScreen) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"run", folder.file("case.toml", quick), "--model", "auto", "--no-report"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("halfspace: auto, for 1 %: half-space, "), std::string::npos)
-      << outcome.out;
-  EXPECT_NE(outcome.out.find("finite elements"), std::string::npos) << outcome.out;
+      done(folder, {"run", folder.file("case.toml", quick), "--model", "auto", "--no-report"});
+  EXPECT_TRUE(says(outcome.out, "halfspace: auto, for 1 %: half-space, ", "finite elements"));
 }
 
 TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
@@ -77,14 +70,12 @@ TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
   const nlohmann::json model = model_of(folder, strict);
   EXPECT_EQ(model["name"], "hybrid");
   expect_within(model, 0.003);
-  EXPECT_NE(model["choice"].get<std::string>().find("; half-space, "), std::string::npos)
-      << model["choice"];
+  EXPECT_TRUE(says(model["choice"], "; half-space, "));
 #else
   // The best that there is, and a failure; without an accuracy in the case a warning.
   const nlohmann::json model = model_of(folder, strict, 1);
   EXPECT_EQ(model["name"], "halfspace");
-  EXPECT_NE(model["choice"].get<std::string>().find("hybrid: not in this build"), std::string::npos)
-      << model["choice"];
+  EXPECT_TRUE(says(model["choice"], "hybrid: not in this build"));
 #endif
 }
 
@@ -103,14 +94,12 @@ TEST(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
   const Folder folder;
   const std::string file = folder.file("case.toml", quick);
   const Outcome check = call(folder, {"check", file});
-  EXPECT_NE(check.out.find("for 1 %: half-space, "), std::string::npos) << check.out;
-  const Outcome study = call(folder, {"study", file, "--levels", "3", "-o", "s", "--no-report"});
-  ASSERT_EQ(study.status, 0) << study.err;
+  EXPECT_TRUE(says(check.out, "for 1 %: half-space, "));
+  const Outcome study = done(folder, {"study", file, "--levels", "3", "-o", "s", "--no-report"});
   // 0.2 % is beyond any half-space.
-  EXPECT_NE(study.out.find("\nfor 5 %: half-space, "), std::string::npos) << study.out;
-  EXPECT_NE(study.out.find("\nfor 1 %: half-space, "), std::string::npos) << study.out;
-  EXPECT_NE(study.out.find("; half-space neglects 0."), std::string::npos) << study.out;
-  const auto json = nlohmann::json::parse(contents(folder.work() / "s" / "study.json"));
+  EXPECT_TRUE(says(study.out, "\nfor 5 %: half-space, ", "\nfor 1 %: half-space, ",
+                   "; half-space neglects 0."));
+  const auto json = folder.json("s/study.json");
   EXPECT_EQ(json["places"][0]["choice"].size(), 3U);
 }
 
@@ -122,17 +111,11 @@ TEST(Auto, TakesUpWhatAnInterruptedRunHasSolved) {
   const std::string file = folder.file("case.toml", curve);
   const nlohmann::json whole = model_of(folder, curve);
   const auto unfinished = folder.work() / "killed.unfinished";
-  const std::vector<std::string> run{ROLLFEM_PROGRAM, "run", file, "-o", "killed", "--no-report"};
-  const Killed killed =
-      kill_when(folder, run, [&] { return records(unfinished, "halfspace") > 2; });
-  ASSERT_TRUE(killed.killed) << killed.err;
-  std::vector<std::string> again = run;
-  again.emplace_back("--resume");
-  const Outcome outcome = execute(folder, again);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("solutions of an earlier run"), std::string::npos) << outcome.err;
-  const nlohmann::json resumed =
-      nlohmann::json::parse(contents(folder.work() / "killed" / "summary.json"))["models"][0];
+  const std::vector<std::string> run{"run", file, "-o", "killed", "--no-report"};
+  kill_when(folder, command_of(run), [&] { return records(unfinished, "halfspace") > 2; });
+  const Outcome outcome = done(folder, joined(run, {"--resume"}));
+  EXPECT_TRUE(says(outcome.err, "solutions of an earlier run"));
+  const nlohmann::json resumed = folder.json("killed/summary.json")["models"][0];
   EXPECT_EQ(resumed["name"], whole["name"]);
   for (std::size_t k = 0; k < 4; ++k)
     for (const char* name : {"max_pressure", "traction_coefficient"})
@@ -145,10 +128,8 @@ TEST(Auto, TakesBodiesThatAreNotKnownAsHalfSpaces) {
       "[load]\nnormal_force = 1e3\n[friction]\ncoefficient = 0.3\n[wheel]\n[rail]\n"
       "[undeformed_distance]\nquadratic = [0.001, 0.002]\n[rolling]\nproblem = \"frictionless\"\n";
   const nlohmann::json model = model_of(folder, plain);
-  EXPECT_NE(model["choice"].get<std::string>().find(
-                "model unknown: only the undeformed distance of the bodies is known"),
-            std::string::npos)
-      << model["choice"];
+  EXPECT_TRUE(says(model["choice"].get<std::string>(),
+                   "model unknown: only the undeformed distance of the bodies is known"));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "support/places.hpp"
 #include "support/program.hpp"
 #include <cmath>
-#include <fstream>
 #include <set>
 
 namespace {
@@ -25,15 +24,12 @@ const std::set<std::string> words{contact::no_bar::exact,         contact::no_ba
                                   contact::no_bar::measured,      contact::no_bar::one_grid,
                                   contact::no_bar::not_estimated, contact::no_bar::balance};
 
-json summary_of(const std::string& text, const std::string& models) {
+json summary_of(const std::string& text, const std::vector<std::string>& models) {
   const Folder folder;
-  std::vector<std::string> call_line{
-      "run", folder.file("case.toml", text), "-o", "out", "-q", "--no-report"};
-  if (!models.empty()) call_line.insert(call_line.end(), {"-m", models});
-  const Outcome outcome = call(folder, call_line);
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  if (outcome.status != 0) return {{"models", json::array()}};
-  return json::parse(contents(folder.work() / "out" / "summary.json"));
+  done(folder,
+       joined({"run", folder.file("case.toml", text), "-o", "out", "-q", "--no-report", "-m"},
+              models));
+  return folder.json("out/summary.json");
 }
 
 /// Each number has a bar that is one, or a word of the list; not both.
@@ -70,7 +66,8 @@ const json& model_of(const json& summary, const std::string& name) {
   throw std::runtime_error("no model " + name);
 }
 
-const std::string theories = "hertz,linear,vermeulen-johnson,carter,fastsim,strip,halfspace";
+const std::vector<std::string> theories{"hertz",   "linear", "vermeulen-johnson", "carter",
+                                        "fastsim", "strip",  "halfspace"};
 const std::string rolling = small_case +
                             "[contact_grid]\nelements_across = 20\n"
                             "[rolling]\nlongitudinal_creepage = [0.0, 0.001, 0.02]\n";
@@ -117,7 +114,7 @@ TEST(Bars, AreSaidOfWhatIsFoundForAForce) {
   const json summary = summary_of(small_case +
                                       "[contact_grid]\nelements_across = 20\n"
                                       "[rolling]\nlongitudinal_force = -10e3\n",
-                                  "hertz,halfspace");
+                                  {"hertz", "halfspace"});
   expect_all_said(summary);
   // Without friction there is no force to find.
   EXPECT_GT(model_of(summary, "hertz")["points"][0]["model_error"]["max_pressure"], 0.0);
@@ -130,17 +127,16 @@ TEST(Bars, AreSaidInOtherProblems) {
   expect_all_said(summary_of(with("normal_force = 50e3", "approach = 0.05") +
                                  "[contact_grid]\nelements_across = 12\n"
                                  "[output]\nstress_maxima = true\n",
-                             "hertz,halfspace"));
+                             {"hertz", "halfspace"}));
   expect_all_said(summary_of(
       small_case + "[contact_grid]\nelements_across = 12\n"
                    "[rolling]\nproblem = \"shift\"\n[history]\nlongitudinal_shift = 0.001\n",
-      "hertz,halfspace"));
+      {"hertz", "halfspace"}));
 }
 
 /// The right wheel of S1002 on UIC60 on few elements, with a line in place of its creepages.
 std::string wheel_with(const std::string& line) {
-  std::ifstream file(std::string(ROLLFEM_SOURCE_DIR) + "/cases/s1002_uic60_right.toml");
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text = contents(std::string(ROLLFEM_SOURCE_DIR) + "/cases/s1002_uic60_right.toml");
   const auto replace = [&](const std::string& piece, const std::string& by) {
     const std::size_t at = text.find(piece);
     if (at == std::string::npos) throw std::logic_error("no '" + piece + "' in the case");
@@ -153,7 +149,7 @@ std::string wheel_with(const std::string& line) {
 }
 
 TEST(Bars, AreSaidOfPatchesOfProfiles) {
-  const json summary = summary_of(wheel_with(""), "hertz,fastsim,strip,halfspace");
+  const json summary = summary_of(wheel_with(""), {"hertz", "fastsim", "strip", "halfspace"});
   expect_all_said(summary);
   for (const json& model : summary["models"])
     EXPECT_TRUE(model["points"][0].contains("vertical_force"));
@@ -163,7 +159,7 @@ TEST(Bars, AreSaidOfPatchesOfProfiles) {
 }
 
 TEST(Bars, AreSaidOfWhatTheBalanceOfAWheelsetFinds) {
-  const json summary = summary_of(wheel_with("free_rolling = \"force\""), "halfspace");
+  const json summary = summary_of(wheel_with("free_rolling = \"force\""), {"halfspace"});
   expect_all_said(summary);
   const json& point = summary["models"][0]["points"][0];
   const double error = point["error_estimate"]["longitudinal_creepage"].get<double>();
@@ -177,7 +173,7 @@ TEST(Bars, AreSaidOfFiniteElements) {
       summary_of(small_case +
                      "[fem]\ncell_size = 2.0\nextent = 40.0\n"
                      "[rolling]\nlongitudinal_creepage = 0.001\n[output]\nfields = false\n",
-                 "fem");
+                 {"fem"});
   expect_all_said(summary);
   EXPECT_GT(summary["models"][0]["points"][0]["error_estimate"]["max_pressure"].get<double>(), 0.0);
 }

@@ -1,32 +1,13 @@
 // rollfem bench: errors and seconds of the models, and the machine's speed that check predicts by.
 #include <gtest/gtest.h>
 
+#include "support/case_examples.hpp"
 #include "support/program.hpp"
 #include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <vector>
-
-using rollfem::testing::call;
-using rollfem::testing::expect_refused;
-using rollfem::testing::Folder;
-using rollfem::testing::Outcome;
 
 namespace {
 
-const std::string ball_on_plane = R"(
-[load]
-normal_force = 10e3
-[friction]
-coefficient = 0.3
-[wheel]
-rolling_radius = 400.0
-transverse_radius = inf
-[rail]
-transverse_radius = 300.0
-[rolling]
-longitudinal_creepage = 0.001
-)";
+using namespace rollfem::testing;
 
 /// The last number but one (the error of the force) of the line that begins so.
 double force_error(const std::string& text, const std::string& beginning) {
@@ -42,31 +23,27 @@ double force_error(const std::string& text, const std::string& beginning) {
 
 TEST(Bench, QuicklySaysErrorsAndSecondsOfTheModels) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"bench", "--quick"}, {"ROLLFEM_CACHE=cache"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* text :
-       {"seconds", "\nhertz ", "\nlinear ", "\nstrip ", "times the predicted seconds"})
-    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
+  const Outcome outcome = done(folder, {"bench", "--quick"}, {"ROLLFEM_CACHE=cache"});
+  EXPECT_TRUE(says(outcome.out, "seconds", "\nhertz ", "\nlinear ", "\nstrip ",
+                   "times the predicted seconds"));
   // Errors fall with the grid; theories are off by what they leave out.
   const double coarse = std::abs(force_error(outcome.out, "halfspace                 24"));
   const double fine = std::abs(force_error(outcome.out, "halfspace                 40"));
   EXPECT_LT(coarse, 0.6);
   EXPECT_LT(fine, 0.25);
   EXPECT_GT(std::abs(force_error(outcome.out, "linear ")), 5.0);
-  EXPECT_FALSE(std::filesystem::exists(folder.work() / "cache")) << "nothing is kept";
+  EXPECT_FALSE(folder.holds("cache")) << "nothing is kept";
 }
 
 TEST(Bench, SpeedOfTheMachineIsWhatCheckPredictsBy) {
   const Folder folder;
   const std::vector<std::string> cache{"ROLLFEM_CACHE=cache"};
-  const std::string file = folder.file("case.toml", ball_on_plane);
+  const std::string file = folder.file("case.toml", small_case);
   const Outcome before = call(folder, {"check", file}, cache);
-  EXPECT_NE(before.out.find("rollfem bench calibrates them"), std::string::npos);
-  const Outcome outcome = call(folder, {"bench", "--seconds", "0.1"}, cache);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("stored in cache/bench_"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\nspin: "), std::string::npos) << outcome.out;
+  EXPECT_TRUE(says(before.out, "rollfem bench calibrates them"));
+  const Outcome outcome = done(folder, {"bench", "--seconds", "0.1"}, cache);
+  EXPECT_TRUE(says(outcome.out, "stored in cache/bench_", "\nspin: "));
   const Outcome after = call(folder, {"check", file}, cache);
-  EXPECT_NE(after.out.find("times are for this machine, "), std::string::npos) << after.out;
+  EXPECT_TRUE(says(after.out, "times are for this machine, "));
   expect_refused(call(folder, {"bench", "--seconds", "-1"}), "--seconds -1: allowed: above 0");
 }

@@ -15,12 +15,11 @@ using namespace rollfem::testing;
 TEST(Convert, PushedBallHasTheShiftOfCattaneoAndMindlin) {
   const Folder folder;
   const std::string file = folder.file("ball.inp", pushed_ball);
-  const Outcome made = call(folder, {"convert", file});
-  ASSERT_EQ(made.status, 0) << made.err;
+  const Outcome made = done(folder, {"convert", file});
   EXPECT_EQ(made.err, "");
   EXPECT_EQ(made.out.rfind("ball_cases/ball.toml: case 1\n", 0), 0u) << made.out;
-  ASSERT_EQ(call(folder, {"run", "ball_cases/ball.toml", "-o", "out", "--no-report"}).status, 0);
-  const auto summary = nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"));
+  done(folder, {"run", "ball_cases/ball.toml", "-o", "out", "--no-report"});
+  const auto summary = folder.json("out/summary.json");
   const auto& point = summary["models"][0]["points"][0];
   // Hertz: R = 25 mm, E* = G / (1 - nu). Mindlin: shift for a force of half of mu F_z.
   const double force = 20.0, G = 300.0, nu = 0.25, mu = 0.3;
@@ -39,19 +38,16 @@ TEST(Convert, WritesTheOthersWhenToldTo) {
                           " 3\n 203100\n 000000\n 0101341\n 40000. 0.002 0. 0.\n 0.4 0.3\n 0\n"));
   const Outcome refused = call(folder, {"convert", file, "-o", "made"});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("case 4: no equivalent: FSTAT = 0.4 and FKIN = 0.3 differ"),
-            std::string::npos)
-      << refused.err;
-  EXPECT_NE(refused.err.find("convert the others with --partial"), std::string::npos);
+  EXPECT_TRUE(says(refused.err, "case 4: no equivalent: FSTAT = 0.4 and FKIN = 0.3 differ",
+                   "convert the others with --partial"));
   EXPECT_TRUE(folder.made().empty());
-  const Outcome made = call(folder, {"convert", file, "-o", "made", "--partial"});
-  EXPECT_EQ(made.status, 0) << made.err;
+  const Outcome made = done(folder, {"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(folder.made(), (std::vector<std::string>{"made", "made/two_1.toml"}));
-  EXPECT_EQ(call(folder, {"check", "made/two_1.toml"}).status, 0);
+  done(folder, {"check", "made/two_1.toml"});
   // Never over another.
   const Outcome again = call(folder, {"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(again.status, 2);
-  EXPECT_NE(again.err.find("made/two_1.toml exists already"), std::string::npos) << again.err;
+  EXPECT_TRUE(says(again.err, "made/two_1.toml exists already"));
   EXPECT_EQ(folder.made().size(), 2U);
 }
 
@@ -59,10 +55,9 @@ TEST(Convert, PointwiseDistanceIsRead) {
   const Folder folder;
   const std::string file = folder.file(
       "turned.inp", replaced(pushed_ball, "0.02 0.0 0.02\n 0.0 0.0", "0.02 0.004 0.02\n 0.0 0.0"));
-  const Outcome made = call(folder, {"convert", file, "-o", "."});
-  ASSERT_EQ(made.status, 0) << made.err;
-  ASSERT_EQ(call(folder, {"run", "turned.toml", "-o", "out", "--no-report"}).status, 0);
-  const auto summary = nlohmann::json::parse(contents(folder.work() / "out" / "summary.json"));
+  done(folder, {"convert", file, "-o", "."});
+  done(folder, {"run", "turned.toml", "-o", "out", "--no-report"});
+  const auto summary = folder.json("out/summary.json");
   // An ellipse at 45 degrees: the principal curvatures are those on the diagonals.
   const double expected =
       rollfem::halfspace::hertz_from_force(0.022, 0.018, 300.0 / 0.75, 20.0).max_pressure;
@@ -73,10 +68,9 @@ TEST(Convert, PointwiseDistanceIsRead) {
 TEST(Convert, ProfilesThatAreNotThereAreWarnedOf) {
   const Folder folder;
   const std::string file = folder.file("wheel.inp", left_wheel);
-  const Outcome made = call(folder, {"convert", file});
-  EXPECT_EQ(made.status, 0) << made.err;
-  EXPECT_NE(made.err.find("warning: the profile rail.csv does not exist"), std::string::npos);
-  EXPECT_NE(made.err.find("warning: the profile wheel.csv does not exist"), std::string::npos);
+  const Outcome made = done(folder, {"convert", file});
+  EXPECT_TRUE(says(made.err, "warning: the profile rail.csv does not exist",
+                   "warning: the profile wheel.csv does not exist"));
 }
 
 TEST(Convert, FilesThatAreNoInputAreRefused) {

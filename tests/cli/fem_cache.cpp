@@ -1,15 +1,8 @@
 // The corrections that the model hybrid keeps for other runs: found again for what has the same
 // ones, never for other bodies, whole or not at all, listed and cleared.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "support/places.hpp"
 #include "support/program.hpp"
 #include <cmath>
-#include <filesystem>
 #include <fstream>
-#include <string>
-#include <vector>
 
 namespace {
 
@@ -18,15 +11,13 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 /// On a few hundred finite elements.
-std::string coarse_case(double radius, double force, double friction, double creepage) {
-  const auto text = [](double value) { return std::to_string(value); };
-  return "title = \"coarse\"\nmodels = [\"hybrid\"]\n[load]\nnormal_force = " + text(force) +
-         "\n[friction]\ncoefficient = " + text(friction) +
-         "\n[wheel]\nrolling_radius = " + text(radius) +
-         "\ntransverse_radius = inf\n[rail]\ntransverse_radius = "
-         "500.0\n[rolling]\nlongitudinal_creepage = " +
-         text(creepage) +
-         "\n[contact_grid]\nelements_across = 12\n[fem]\ndegree = 1\nextent = 30\n";
+std::string coarse_case(const std::string& radius, const std::string& force,
+                        const std::string& friction, const std::string& creepage) {
+  return "models = [\"hybrid\"]\n[load]\nnormal_force = " + force +
+         "\n[friction]\ncoefficient = " + friction + "\n[wheel]\nrolling_radius = " + radius +
+         "\ntransverse_radius = inf\n[rail]\ntransverse_radius = 500.0\n[rolling]\n"
+         "longitudinal_creepage = " +
+         creepage + "\n[contact_grid]\nelements_across = 12\n[fem]\ndegree = 1\nextent = 30\n";
 }
 
 class Cache {
@@ -35,37 +26,25 @@ class Cache {
   Json run(const std::string& name, const std::string& text, const std::string& folder = "cache",
            int processes = 1) {
     const std::string file = folder_.file(name + ".toml", text);
-    std::vector<std::string> command;
-    if (processes > 1)
-      command = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
-                 std::to_string(processes)};
-    for (const char* argument : {ROLLFEM_PROGRAM, "run"}) command.emplace_back(argument);
-    command.insert(command.end(), {file, "-o", name, "--no-report", "-q"});
-    const Outcome outcome = execute(folder_, command, {"ROLLFEM_CACHE=" + folder});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return Json::parse(contents(folder_.work() / name / "summary.json"))["models"][0];
+    checked(execute(folder_, command_of({"run", file, "-o", name, "--no-report", "-q"}, processes),
+                    {"ROLLFEM_CACHE=" + folder}));
+    return folder_.json(name + "/summary.json")["models"][0];
   }
 
   /// What `check` prints.
   std::string check(const std::string& name, const std::string& text) {
-    const Outcome outcome =
-        call(folder_, {"check", folder_.file(name + ".toml", text)}, {"ROLLFEM_CACHE=cache"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return outcome.out;
+    return done(folder_, {"check", folder_.file(name + ".toml", text)}, {"ROLLFEM_CACHE=cache"})
+        .out;
   }
 
   /// stress.json of a stored result.
   Json stress(const std::string& name) {
-    const Outcome outcome =
-        call(folder_, {"stress", name, "--no-figures", "-o", "stress"}, {"ROLLFEM_CACHE=cache"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return Json::parse(contents(folder_.work() / "stress" / "stress.json"));
+    done(folder_, {"stress", name, "--no-figures", "-o", "stress"}, {"ROLLFEM_CACHE=cache"});
+    return folder_.json("stress/stress.json");
   }
 
   std::string list(const std::string& action) {
-    const Outcome outcome = call(folder_, {"cache", action}, {"ROLLFEM_CACHE=cache"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return outcome.out;
+    return done(folder_, {"cache", action}, {"ROLLFEM_CACHE=cache"}).out;
   }
 
   std::vector<fs::path> files() const {
@@ -81,7 +60,7 @@ class Cache {
 
 bool notes(const Json& model, const std::string& part) {
   for (const Json& note : model["notes"])
-    if (note.get<std::string>().find(part) != std::string::npos) return true;
+    if (says(note, part)) return true;
   return false;
 }
 
@@ -96,8 +75,9 @@ void expect_same_point(const Json& one, const Json& other, double tolerance) {
 
 TEST(Cache, ServesAnotherLoadFrictionAndCreepage) {
   Cache cache;
-  EXPECT_FALSE(notes(cache.run("first", coarse_case(405.0, 50e3, 0.55, 0.001)), "from the cache"));
-  const std::string other = coarse_case(405.0, 47e3, 0.3, 0.002);
+  EXPECT_FALSE(
+      notes(cache.run("first", coarse_case("405", "50e3", "0.55", "0.001")), "from the cache"));
+  const std::string other = coarse_case("405", "47e3", "0.3", "0.002");
   const Json found = cache.run("found", other);
   EXPECT_TRUE(notes(found, "from the cache"));
   // The same as without: what is found does not depend on who has found it.
@@ -110,20 +90,21 @@ TEST(Cache, ServesAnotherLoadFrictionAndCreepage) {
 
 TEST(Cache, IsOfTheBodiesThatItWasFoundFor) {
   Cache cache;
-  EXPECT_NE(cache.list("list").find("0 corrections"), std::string::npos);
-  cache.run("one", coarse_case(405.0, 50e3, 0.55, 0.001));
-  EXPECT_FALSE(notes(cache.run("wheel", coarse_case(406.0, 50e3, 0.55, 0.001)), "from the cache"));
-  EXPECT_FALSE(notes(cache.run("load", coarse_case(405.0, 80e3, 0.55, 0.001)), "from the cache"));
+  EXPECT_TRUE(says(cache.list("list"), "0 corrections"));
+  cache.run("one", coarse_case("405", "50e3", "0.55", "0.001"));
+  EXPECT_FALSE(
+      notes(cache.run("wheel", coarse_case("406", "50e3", "0.55", "0.001")), "from the cache"));
+  EXPECT_FALSE(
+      notes(cache.run("load", coarse_case("405", "80e3", "0.55", "0.001")), "from the cache"));
   const std::string listed = cache.list("list");
-  EXPECT_NE(listed.find("wheel 406, across inf; rail across 500"), std::string::npos) << listed;
-  EXPECT_NE(listed.find("3 corrections"), std::string::npos) << listed;
-  EXPECT_NE(cache.list("clear").find("removed 3 corrections"), std::string::npos);
+  EXPECT_TRUE(says(listed, "wheel 406, across inf; rail across 500", "3 corrections"));
+  EXPECT_TRUE(says(cache.list("clear"), "removed 3 corrections"));
   EXPECT_TRUE(cache.files().empty());
 }
 
 TEST(Cache, IsKnownToTheModelAuto) {
   Cache cache;
-  const std::string text = coarse_case(405.0, 50e3, 0.55, 0.001);
+  const std::string text = coarse_case("405", "50e3", "0.55", "0.001");
   const auto seconds = [&](const std::string& name) {
     const std::string told = cache.check(name, "accuracy = 0.002\n" + text);
     const auto at = told.find("hybrid, ");
@@ -138,7 +119,7 @@ TEST(Cache, IsKnownToTheModelAuto) {
 
 TEST(Cache, ADamagedFileIsToldAndReplaced) {
   Cache cache;
-  const std::string text = coarse_case(405.0, 50e3, 0.55, 0.001);
+  const std::string text = coarse_case("405", "50e3", "0.55", "0.001");
   const Json first = cache.run("first", text);
   const auto files = cache.files();
   ASSERT_EQ(files.size(), 1u);
@@ -147,7 +128,7 @@ TEST(Cache, ADamagedFileIsToldAndReplaced) {
     file.seekp(static_cast<std::streamoff>(fs::file_size(files[0]) / 2));
     file.write("damage", 6);
   }
-  EXPECT_NE(cache.list("list").find("is damaged"), std::string::npos);
+  EXPECT_TRUE(says(cache.list("list"), "is damaged"));
   const Json anew = cache.run("anew", text);
   EXPECT_TRUE(notes(anew, "is damaged; the correction was recomputed"));
   expect_same_point(first, anew, 1e-13);
@@ -156,13 +137,14 @@ TEST(Cache, ADamagedFileIsToldAndReplaced) {
 
 TEST(Cache, AFolderThatCannotBeWrittenIsNoFailure) {
   Cache cache;
-  const Json model = cache.run("case", coarse_case(405.0, 50e3, 0.55, 0.001), "/dev/null/nowhere");
+  const Json model =
+      cache.run("case", coarse_case("405", "50e3", "0.55", "0.001"), "/dev/null/nowhere");
   EXPECT_TRUE(notes(model, "could not be stored for other runs"));
 }
 
 TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {
   Cache cache;
-  const std::string text = coarse_case(405.0, 50e3, 0.55, 0.001);
+  const std::string text = coarse_case("405", "50e3", "0.55", "0.001");
   const Json alone = cache.run("alone", text, "");
   const Json two = cache.run("two", text, "cache", 2);
   EXPECT_FALSE(notes(two, "from the cache"));
@@ -175,7 +157,7 @@ TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {
 
 TEST(Cache, KeepsStressesForThoseWhoAskForThem) {
   Cache cache;
-  const std::string plain = coarse_case(450.0, 50e3, 0.3, 0.001);
+  const std::string plain = coarse_case("450", "50e3", "0.3", "0.001");
   const std::string asking = plain + "[output]\nstress_maxima = true\n";
   cache.run("none", plain);
   const Json anew = cache.run("anew", asking);

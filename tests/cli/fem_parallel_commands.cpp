@@ -1,9 +1,6 @@
 // compare and study on several processes: the numbers of one process, files of the first alone, and
 // a failure that ends the call with nothing half-written.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "support/places.hpp"
+#include "support/case_examples.hpp"
 #include "support/program.hpp"
 #include <array>
 #include <cmath>
@@ -12,22 +9,12 @@ namespace {
 
 using namespace rollfem::testing;
 using Json = nlohmann::json;
-namespace fs = std::filesystem;
 
 std::string coarse_flat_case(const std::string& cell_size) {
-  return "title = \"coarse\"\n[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n"
-         "[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n"
-         "[rail]\ntransverse_radius = 500.0\n[rolling]\nlongitudinal_creepage = 0.001\n"
-         "[contact_grid]\nelements_across = 20\n"
+  return with("2000.0", "500.0") +
+         "[rolling]\nlongitudinal_creepage = 0.001\n[contact_grid]\nelements_across = 20\n"
          "[fem]\nextent = 30\nfine_extent = 1.0\nlinear_solver = \"multigrid\"\ncell_size = " +
          cell_size + "\n[output]\nfields = false\n";
-}
-
-Outcome on_two(const Folder& folder, std::vector<std::string> arguments) {
-  std::vector<std::string> all{"mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
-                               "2",      ROLLFEM_PROGRAM};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  return execute(folder, all);
 }
 
 /// Runs the command on one process and on two; its JSON of both.
@@ -37,16 +24,14 @@ std::array<Json, 2> both(const Folder& folder, const std::string& command,
   std::array<Json, 2> results;
   for (const int processes : {1, 2}) {
     const std::string output = "on_" + std::to_string(processes);
-    std::vector<std::string> arguments{command, input, "-o", output, "-q", "--no-report"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = processes == 1 ? call(folder, arguments) : on_two(folder, arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = checked(execute(
+        folder, command_of(joined({command, input, "-o", output, "-q", "--no-report"}, options),
+                           processes)));
     EXPECT_EQ(outcome.out, "");
     results[static_cast<std::size_t>(processes - 1)] =
-        Json::parse(contents(folder.work() / output / (command + ".json")));
+        folder.json(output + "/" + command + ".json");
   }
-  for (const std::string& name : folder.made())
-    EXPECT_EQ(name.find("partial"), std::string::npos) << name;
+  for (const std::string& name : folder.made()) EXPECT_FALSE(says(name, "partial"));
   return results;
 }
 
@@ -91,9 +76,9 @@ TEST(FemCommands, AFailureOnTwoProcessesEndsTheCallAndWritesNothing) {
   const std::string input = folder.file("fine.toml", coarse_flat_case("0.001"));
   for (const char* command : {"study", "compare"}) {
     const Outcome outcome =
-        on_two(folder, {command, input, "-o", "out", "--no-report", "--model", "fem"});
+        execute(folder, command_of({command, input, "-o", "out", "--no-report", "-m", "fem"}, 2));
     EXPECT_EQ(outcome.status, 1) << outcome.err;
-    EXPECT_NE(outcome.err.find("model fem"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(says(outcome.err, "model fem"));
     EXPECT_TRUE(folder.made().empty()) << command;
   }
 }

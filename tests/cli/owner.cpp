@@ -15,21 +15,15 @@ std::string slow_case() {
          "0.0025, 0.003, 0.004]\nspin = 1e-4\n[contact_grid]\nelements_across = 100\n";
 }
 
-std::vector<std::string> program(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), ROLLFEM_PROGRAM);
-  return arguments;
-}
-
 /// Runs `second` while `first` has just begun, then lets `first` be killed.
 Outcome second_of(const Folder& folder, const std::vector<std::string>& first,
                   const std::string& lock, const std::vector<std::string>& second) {
   Outcome outcome;
-  const Killed killed = kill_when(folder, program(first), [&] {
-    if (contents(folder.work() / lock).empty()) return false;
-    outcome = execute(folder, program(second));
+  kill_when(folder, command_of(first), [&] {
+    if (folder.text(lock).empty()) return false;
+    outcome = call(folder, second);
     return true;
   });
-  EXPECT_TRUE(killed.killed) << killed.err;
   return outcome;
 }
 
@@ -39,14 +33,12 @@ TEST(Owner, ASecondRunIsRefusedAtOnceAndToldByWhom) {
   const std::vector<std::string> run{"run", file, "-o", "out", "--no-report"};
   const Outcome second = second_of(folder, run, "out.lock", run);
   expect_refused(second, "another run is writing this result: process ");
-  EXPECT_NE(second.err.find(", started 20"), std::string::npos) << second.err;
-  EXPECT_NE(second.err.find("run " + file + " -o out"), std::string::npos) << second.err;
+  EXPECT_TRUE(says(second.err, ", started 20"));
+  EXPECT_TRUE(says(second.err, "run " + file + " -o out"));
   // The first was killed and has left its file: the next run takes it over and removes it.
-  EXPECT_TRUE(fs::exists(folder.work() / "out.lock"));
-  const Outcome third =
-      execute(folder, program({"run", file, "-o", "out", "--no-report", "-m", "hertz", "--quiet"}));
-  EXPECT_EQ(third.status, 0) << third.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out.lock"));
+  EXPECT_TRUE(folder.holds("out.lock"));
+  done(folder, {"run", file, "-o", "out", "--no-report", "-m", "hertz", "--quiet"});
+  EXPECT_FALSE(folder.holds("out.lock"));
 }
 
 TEST(Owner, OtherCommandsOwnTheirFoldersToo) {
@@ -65,8 +57,8 @@ TEST(Owner, AFileOfTheUserInTheWayIsSpared) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_case());
   folder.file("work/out.lock", "my notes");
-  expect_refused(execute(folder, program({"run", file, "-o", "out"})), "is in the way");
-  EXPECT_EQ(contents(folder.work() / "out.lock"), "my notes");
+  expect_refused(call(folder, {"run", file, "-o", "out"}), "is in the way");
+  EXPECT_EQ(folder.text("out.lock"), "my notes");
 }
 
 TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
@@ -84,20 +76,17 @@ TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
                  ROLLFEM_PROGRAM, file});
     if (std::string(signal) == "TERM") {
       EXPECT_EQ(outcome.status, status) << outcome.err;
-      EXPECT_NE(outcome.err.find("rollfem: interrupted: "), std::string::npos) << outcome.err;
-      EXPECT_NE(outcome.err.find("finished solutions are kept in "), std::string::npos);
-      EXPECT_NE(outcome.err.find("--resume continues from them"), std::string::npos) << outcome.err;
-      EXPECT_FALSE(fs::exists(folder.work() / "out.lock"));
+      EXPECT_TRUE(says(outcome.err, "rollfem: interrupted: ", "finished solutions are kept in ",
+                       "--resume continues from them"));
+      EXPECT_FALSE(folder.holds("out.lock"));
     } else {
       // A shell starts what is in the background with Ctrl-C ignored, and so it stays.
       EXPECT_EQ(outcome.status, 0) << outcome.err;
       fs::remove_all(folder.work() / "out");
     }
   }
-  const Outcome resumed =
-      execute(folder, program({"run", file, "-o", "out", "--no-report", "--resume"}));
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
-  EXPECT_NE(resumed.err.find("solutions of an earlier run"), std::string::npos) << resumed.err;
+  const Outcome resumed = done(folder, {"run", file, "-o", "out", "--no-report", "--resume"});
+  EXPECT_TRUE(says(resumed.err, "solutions of an earlier run"));
   EXPECT_FALSE(fs::exists(unfinished));
 }
 
@@ -105,11 +94,10 @@ TEST(Interruption, OfNothingKeptSaysSo) {
   const Folder folder;
   std::string text = slow_case();
   text.replace(text.find("= 100\n"), 6, "= 400\n");
-  const Outcome outcome =
-      call(folder, {"run", folder.file("slow.toml", text), "-o", "deep/out"}, {}, 300);
+  const Outcome outcome = call(folder, {"run", folder.file("slow.toml", text), "-o", "deep/out"},
+                               {}, interrupt_after(300));
   EXPECT_EQ(outcome.status, 130) << outcome.err;
-  EXPECT_NE(outcome.err.find("interrupted: no finished work was kept"), std::string::npos)
-      << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "interrupted: no finished work was kept"));
   EXPECT_TRUE(folder.made().empty());
 }
 
@@ -124,12 +112,12 @@ TEST(ClosedOutput, IsNoFailure) {
                            "\"$0\" run \"$1\" -m hertz -o out --no-report >&-"}) {
     const Outcome outcome = shell(line);
     EXPECT_EQ(outcome.status, 0) << line << ": " << outcome.err;
-    EXPECT_EQ(outcome.err.find("rollfem: "), std::string::npos) << line << outcome.err;
+    EXPECT_FALSE(says(outcome.err, "rollfem: ")) << line;
   }
-  EXPECT_TRUE(fs::exists(folder.work() / "out" / "summary.json"));
+  EXPECT_TRUE(folder.holds("out/summary.json"));
   const Outcome full = shell("\"$0\" check \"$1\" >/dev/full");
   EXPECT_EQ(full.status, 2);
-  EXPECT_NE(full.err.find("standard output cannot be written"), std::string::npos) << full.err;
+  EXPECT_TRUE(says(full.err, "standard output cannot be written"));
 }
 
 }  // namespace

@@ -21,8 +21,7 @@ std::string with_s1002(const std::string& rail) {
 
 TEST(Profile, TellsWhatTheStandardSaysOfS1002) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"profile", "S1002", "-o", "out"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = done(folder, {"profile", "S1002", "-o", "out"});
   EXPECT_EQ(outcome.err, "");
   // EN 13715: flange 28 high, its tip at y = -55, 32.5 thick at 10 below the tape line (-70
   // + 32.5).
@@ -31,20 +30,19 @@ TEST(Profile, TellsWhatTheStandardSaysOfS1002) {
   EXPECT_TRUE(tells(outcome, "12.000 at")) << outcome.out;
   EXPECT_TRUE(tells(outcome, "y = 32.1580, z = -0.7795")) << outcome.out;
   EXPECT_EQ(folder.made(), (std::vector<std::string>{"out", "out/profile.csv", "out/profile.svg"}));
-  EXPECT_NE(contents(folder.work() / "out/profile.svg").find("<svg"), std::string::npos);
+  EXPECT_TRUE(says(folder.text("out/profile.svg"), "<svg"));
 }
 
 TEST(Profile, TheTableIsAProfileAgain) {
   const Folder folder;
-  ASSERT_EQ(call(folder, {"profile", "60E1", "-o", "one"}).status, 0);
+  done(folder, {"profile", "60E1", "-o", "one"});
   // Every joint has two rows in the table, one for each side of it.
   const std::string file = folder.file("60E1.toml", with_s1002(R"(
 profile = "work/one/profile.csv"
 [rail_profile]
 drop_duplicates = true
 )"));
-  const Outcome outcome = call(folder, {"profile", file, "--rail", "-o", "two"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = done(folder, {"profile", file, "--rail", "-o", "two"});
   EXPECT_TRUE(tells(outcome, "gauge face 14 mm below the top, mm  y = -35.9813")) << outcome.out;
   EXPECT_EQ(folder.made().back(), "two/rail.svg");
 }
@@ -53,8 +51,7 @@ TEST(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {
   const Folder folder;
   const std::string file = folder.file("c.toml", with_s1002("profile = \"60E1\"\n"));
   for (int time = 0; time < 2; ++time) {
-    const Outcome outcome = call(folder, {"profile", file});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome outcome = done(folder, {"profile", file});
     EXPECT_TRUE(tells(outcome, "wheel S1002")) << outcome.out;
     EXPECT_TRUE(tells(outcome, "rail 60E1")) << outcome.out;
     EXPECT_TRUE(tells(outcome, "where wheel and rail touch")) << outcome.out;
@@ -82,12 +79,11 @@ TEST(Wheelset, TellsRadiiAnglesAndConicity) {
   const Folder folder;
   const std::string file =
       folder.file("case.toml", with_s1002("profile = \"60E1\"\n[wheelset]\nside = \"both\"\n"));
-  const Outcome outcome = call(folder, {"wheelset", file, "--reach", "4", "-o", "out"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = done(folder, {"wheelset", file, "--reach", "4", "-o", "out"});
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(folder.made(),
             (std::vector<std::string>{"out", "out/wheelset.csv", "out/wheelset.svg"}));
-  const std::string table = contents(folder.work() / "out/wheelset.csv");
+  const std::string table = folder.text("out/wheelset.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 42);  // heading and 0 to 4 mm by 0.1
   EXPECT_TRUE(tells(outcome, "conicity")) << outcome.out;
   expect_refused(call(folder, {"wheelset", file, "--reach", "90"}), "0.2 to 30 mm");

@@ -23,17 +23,15 @@ std::string slow_creepages(const std::string& rolling = "") {
 }
 
 std::vector<std::string> run(const std::string& file, const std::string& directory,
-                             std::vector<std::string> options = {}) {
-  std::vector<std::string> command{ROLLFEM_PROGRAM, "run", file, "-o", directory, "--no-report"};
-  command.insert(command.end(), options.begin(), options.end());
-  return command;
+                             const std::vector<std::string>& options = {}) {
+  return joined({"run", file, "-o", directory, "--no-report"}, options);
 }
 
 /// The result of the case without a kill, for all tests.
 const fs::path& whole() {
   static const Folder folder;
   static const fs::path result = [] {
-    EXPECT_EQ(execute(folder, run(folder.file("slow.toml", slow_creepages()), "whole")).status, 0);
+    done(folder, run(folder.file("slow.toml", slow_creepages()), "whole"));
     return folder.work() / "whole";
   }();
   return result;
@@ -42,21 +40,17 @@ const fs::path& whole() {
 /// Kills a run once it has kept a few load points; their number.
 int leave_unfinished(const Folder& folder, const std::string& file, const std::string& directory) {
   const fs::path unfinished = folder.work() / (directory + ".unfinished");
-  const Killed killed =
-      kill_when(folder, run(file, directory), [&] { return records(unfinished) >= 3; });
-  EXPECT_TRUE(killed.killed) << killed.err;
-  EXPECT_FALSE(fs::exists(folder.work() / directory));
+  kill_when(folder, command_of(run(file, directory)), [&] { return records(unfinished) >= 3; });
+  EXPECT_FALSE(folder.holds(directory));
   return records(unfinished);
 }
 
 void expect_resumed_like(const fs::path& whole, const Folder& folder, const std::string& file) {
   const int kept = leave_unfinished(folder, file, "killed");
-  const Outcome outcome = execute(folder, run(file, "killed", {"--resume"}));
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("resume: " + std::to_string(kept) + " solutions"), std::string::npos)
-      << outcome.err;
+  const Outcome outcome = done(folder, run(file, "killed", {"--resume"}));
+  EXPECT_TRUE(says(outcome.err, "resume: " + std::to_string(kept) + " solutions"));
   expect_same_results(folder, whole, folder.work() / "killed");
-  EXPECT_FALSE(fs::exists(folder.work() / "killed.unfinished"));
+  EXPECT_FALSE(folder.holds("killed.unfinished"));
 }
 
 TEST(Resume, AfterAKillTheResultIsTheSameToTheLastBit) {
@@ -73,7 +67,7 @@ TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
       slow_creepages("problem = \"transient\"\nlongitudinal_creepage = 0.002\n[history]\n"
                      "step_length = [" +
                      steps + "]\n"));
-  ASSERT_EQ(execute(folder, run(file, "whole")).status, 0);
+  done(folder, run(file, "whole"));
   expect_resumed_like(folder.work() / "whole", folder, file);
 }
 
@@ -81,12 +75,10 @@ TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
-  const Outcome outcome = execute(folder, run(file, "out"));
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("--resume would continue from them"), std::string::npos)
-      << outcome.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
-  EXPECT_TRUE(fs::exists(folder.work() / "out" / "summary.json"));
+  const Outcome outcome = done(folder, run(file, "out"));
+  EXPECT_TRUE(says(outcome.err, "--resume would continue from them"));
+  EXPECT_FALSE(folder.holds("out.unfinished"));
+  EXPECT_TRUE(folder.holds("out/summary.json"));
 }
 
 TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {
@@ -96,10 +88,9 @@ TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {
   std::string changed = slow_creepages();
   changed.replace(changed.find("0.0003"), 6, "0.0004");
   folder.file("slow.toml", changed);
-  const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
+  const Outcome outcome = call(folder, run(file, "out", {"--resume"}));
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("slow.toml (or a file that it names) has changed"), std::string::npos)
-      << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "slow.toml (or a file that it names) has changed"));
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_EQ(records(folder.work() / "out.unfinished"), kept);
 }
@@ -111,9 +102,8 @@ TEST(Resume, ADamagedLoadPointIsComputedAgain) {
   for (const auto& entry : fs::directory_iterator(folder.work() / "out.unfinished"))
     if (entry.path().string().find("-0002.point") != std::string::npos)
       fs::resize_file(entry.path(), fs::file_size(entry.path()) / 2);
-  const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("is damaged"), std::string::npos) << outcome.err;
+  const Outcome outcome = done(folder, run(file, "out", {"--resume"}));
+  EXPECT_TRUE(says(outcome.err, "is damaged"));
   expect_same_results(folder, whole(), folder.work() / "out");
 }
 
@@ -123,18 +113,16 @@ TEST(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
   fs::remove(folder.work() / "out.unfinished" / "about.txt");
-  const Outcome outcome = execute(folder, run(file, "out", {"--resume"}));
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  done(folder, run(file, "out", {"--resume"}));
   expect_same_results(folder, whole(), folder.work() / "out");
-  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
+  EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
 TEST(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_creepages());
-  const Outcome outcome = execute(folder, run(file, "out", {"--resume", "-m", "hertz"}));
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("no load points"), std::string::npos) << outcome.err;
+  const Outcome outcome = done(folder, run(file, "out", {"--resume", "-m", "hertz"}));
+  EXPECT_TRUE(says(outcome.err, "no load points"));
 }
 
 TEST(Resume, TwoRunsOfOneResultAtATimeAreRefused) {
@@ -142,14 +130,13 @@ TEST(Resume, TwoRunsOfOneResultAtATimeAreRefused) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   const fs::path unfinished = folder.work() / "out.unfinished";
   Outcome second;
-  const Killed first = kill_when(folder, run(file, "out"), [&] {
+  kill_when(folder, command_of(run(file, "out")), [&] {
     if (records(unfinished) < 1) return false;
-    second = execute(folder, run(file, "out", {"--resume"}));
+    second = call(folder, run(file, "out", {"--resume"}));
     return true;
   });
-  ASSERT_TRUE(first.killed);
   EXPECT_EQ(second.status, 2);
-  EXPECT_NE(second.err.find("another run is writing"), std::string::npos) << second.err;
+  EXPECT_TRUE(says(second.err, "another run is writing"));
 }
 
 TEST(Resume, AFolderOfOtherThingsInTheWayIsRefused) {
@@ -157,9 +144,9 @@ TEST(Resume, AFolderOfOtherThingsInTheWayIsRefused) {
   fs::create_directory(folder.work() / "out.unfinished");
   std::ofstream(folder.work() / "out.unfinished" / "thesis.txt") << "years of work";
   const std::string file = folder.file("slow.toml", slow_creepages());
-  const Outcome outcome = execute(folder, run(file, "out"));
+  const Outcome outcome = call(folder, run(file, "out"));
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("thesis.txt"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "thesis.txt"));
 }
 
 TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
@@ -173,10 +160,10 @@ TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
   const std::size_t first = outcome.err.find(told);
   ASSERT_NE(first, std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find(told, first + 1), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("ulimit -f"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "ulimit -f"));
   // The result does not fit either: nothing half-written is left of it.
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  EXPECT_FALSE(folder.holds("out"));
   EXPECT_EQ(records(folder.work() / "out.unfinished"), 0);
 }
 
@@ -193,7 +180,7 @@ TEST(Resume, WhatAKilledProcessLeftWhileWritingIsCleanedUpAndALivingOnesIsNot) {
     fs::create_directory(path);
     std::ofstream(path / "summary.json") << "{";
   }
-  ASSERT_EQ(execute(folder, run(file, "out", {"-m", "hertz"})).status, 0);
+  done(folder, run(file, "out", {"-m", "hertz"}));
   EXPECT_FALSE(fs::exists(stale));
   EXPECT_TRUE(fs::exists(living));
   EXPECT_TRUE(fs::exists(other));

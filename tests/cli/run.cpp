@@ -23,16 +23,14 @@ bool has_control_characters(const std::string& text) {
 
 TEST(Run, LeavesResultsAndSaysWhere) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"run", folder.file("quick.toml", quick_run)});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+  const Outcome outcome = done(folder, {"run", folder.file("quick.toml", quick_run)});
+  EXPECT_FALSE(says(outcome.err, "warning"));
   const auto made = folder.made();
   for (const char* name : {"results/quick/summary.json", "results/quick/results.h5",
                            "results/quick/creep_curve.csv", "results/quick/report.html"})
     EXPECT_TRUE(has(made, name)) << name;
-  EXPECT_NE(outcome.out.find("results: results/quick\n"), std::string::npos) << outcome.out;
-  const auto summary =
-      nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
+  EXPECT_TRUE(says(outcome.out, "results: results/quick\n"));
+  const auto summary = folder.json("results/quick/summary.json");
   ASSERT_EQ(summary.at("models").size(), 2u);
   EXPECT_EQ(summary.at("models")[0].at("name"), "hertz");
   EXPECT_EQ(summary.at("models")[1].at("name"), "halfspace");
@@ -41,7 +39,7 @@ TEST(Run, LeavesResultsAndSaysWhere) {
   const double p0 = summary.at("models")[0].at("points")[0].at("max_pressure");
   char text[32];
   std::snprintf(text, sizeof text, "%12.3f", p0);
-  EXPECT_NE(outcome.out.find(text), std::string::npos) << text << outcome.out;
+  EXPECT_TRUE(says(outcome.out, text));
 }
 
 TEST(Run, SaysWhichProblemIsSolved) {
@@ -56,13 +54,11 @@ TEST(Run, SaysWhichProblemIsSolved) {
             "shift              2/2 ", "; shift without rolling"}}) {
     const Folder folder;
     const std::string file = folder.file("quick.toml", small_case + row.problem + grid);
-    const Outcome outcome = call(folder, {"run", file, "--model", "halfspace", "--no-report"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find(row.stage), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.out.find(row.note), std::string::npos) << outcome.out;
-    for (const char* word : {" xi ", "rolling "})
-      EXPECT_EQ(outcome.err.find(word), std::string::npos) << outcome.err;
-    EXPECT_EQ(outcome.out.find("upwind"), std::string::npos) << outcome.out;
+    const Outcome outcome = done(folder, {"run", file, "--model", "halfspace", "--no-report"});
+    EXPECT_TRUE(says(outcome.err, row.stage));
+    EXPECT_TRUE(says(outcome.out, row.note));
+    for (const char* word : {" xi ", "rolling "}) EXPECT_FALSE(says(outcome.err, word));
+    EXPECT_FALSE(says(outcome.out, "upwind"));
   }
 }
 
@@ -76,10 +72,8 @@ TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
       {"run", "-q", "--no-report", "--model", "hertz", "--model", "hertz", file},
   };
   for (const auto& arguments : calls) {
-    const Outcome outcome = call(folder, arguments);
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const auto summary =
-        nlohmann::json::parse(contents(folder.work() / "results" / "quick" / "summary.json"));
+    done(folder, arguments);
+    const auto summary = folder.json("results/quick/summary.json");
     EXPECT_EQ(summary.at("models").size(), 1u);
   }
 }
@@ -87,23 +81,19 @@ TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
 TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"run", "--no-report", folder.file("quick.toml", quick_run)}, {"TERM=xterm"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+      done(folder, {"run", "--no-report", folder.file("quick.toml", quick_run)}, {"TERM=xterm"});
   EXPECT_FALSE(has_control_characters(outcome.err)) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.out)) << outcome.out;
-  EXPECT_NE(outcome.err.find("halfspace"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "halfspace"));
   EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 20) << outcome.err;
 }
 
 TEST(Run, WithoutAReportGetsItLater) {
   const Folder folder;
-  const std::string result = folder.output("result").string();
-  ASSERT_EQ(call(folder, {"run", "--no-report", folder.file("quick.toml", quick_run), "-o", result})
-                .status,
-            0);
+  const std::string result = folder.path("result");
+  done(folder, {"run", "--no-report", folder.file("quick.toml", quick_run), "-o", result});
   EXPECT_FALSE(fs::exists(fs::path(result) / "report.html"));
-  const Outcome outcome = call(folder, {"report", result});
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  done(folder, {"report", result});
   EXPECT_TRUE(fs::exists(fs::path(result) / "report.html"));
   expect_refused(call(folder, {"report", "nowhere"}), "nowhere holds no result; do: ");
   fs::create_directory(folder.work() / "empty");
@@ -113,8 +103,7 @@ TEST(Run, WithoutAReportGetsItLater) {
 TEST(Run, QuietPrintsNothing) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick_run)});
-  EXPECT_EQ(outcome.status, 0);
+      done(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick_run)});
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "");
 }
@@ -122,7 +111,7 @@ TEST(Run, QuietPrintsNothing) {
 TEST(Run, WritesToTheNamedFolder) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick_run);
-  ASSERT_EQ(call(folder, {"run", "-q", "--no-report", "-m", "hertz", "-o", "a/b", file}).status, 0);
+  done(folder, {"run", "-q", "--no-report", "-m", "hertz", "-o", "a/b", file});
   EXPECT_TRUE(has(folder.made(), "a/b/summary.json"));
 }
 
@@ -141,7 +130,8 @@ TEST(Run, CtrlCLeavesNothing) {
   const Folder folder;
   std::string slow = quick_run;
   slow.replace(slow.find("elements_across = 10"), 20, "elements_across = 400");
-  const Outcome outcome = call(folder, {"run", folder.file("slow.toml", slow)}, {}, 300);
+  const Outcome outcome =
+      call(folder, {"run", folder.file("slow.toml", slow)}, {}, interrupt_after(300));
   EXPECT_EQ(outcome.status, 128 + SIGINT) << outcome.err;
   EXPECT_TRUE(folder.made().empty());
 }
@@ -152,7 +142,7 @@ TEST(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
   vast.replace(vast.find("elements_across = 10"), 20, "cell_size = [1e-5, 1e-5]");
   const Outcome outcome = call(folder, {"run", folder.file("vast.toml", vast)});
   EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << outcome.err;
-  EXPECT_NE(outcome.err.find("rollfem: "), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "rollfem: "));
   EXPECT_TRUE(folder.made().empty());
 }
 
@@ -160,8 +150,7 @@ TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick_run);
   const Outcome other =
-      call(folder, {"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
-  EXPECT_EQ(other.status, 0);
+      done(folder, {"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
   EXPECT_EQ(other.out + other.err, "");
   EXPECT_TRUE(folder.made().empty());
 }
@@ -170,18 +159,13 @@ TEST(Run, AllTheoriesAreModelsWithTheirCurvesAndFigures) {
   const Folder folder;
   const std::vector<std::string> models{"hertz",   "linear", "vermeulen-johnson", "carter",
                                         "fastsim", "strip",  "halfspace"};
-  std::vector<std::string> arguments{"run", folder.file("q.toml", quick_run), "-m"};
-  arguments.insert(arguments.end(), models.begin(), models.end());
-  const Outcome outcome = call(folder, arguments);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto summary =
-      nlohmann::json::parse(contents(folder.work() / "results" / "q" / "summary.json"));
+  done(folder, joined({"run", folder.file("q.toml", quick_run), "-m"}, models));
+  const auto summary = folder.json("results/q/summary.json");
   ASSERT_EQ(summary.at("models").size(), models.size());
   for (std::size_t k = 0; k < models.size(); ++k)
     EXPECT_EQ(summary.at("models")[k].at("name"), models[k]);
-  const std::string report = contents(folder.work() / "results" / "q" / "report.html");
-  for (const char* label : {"FASTSIM", "Vermeulen-Johnson", "Carter", "linear theory", "strip"})
-    EXPECT_NE(report.find(label), std::string::npos) << label;
+  const std::string report = folder.text("results/q/report.html");
+  EXPECT_TRUE(says(report, "FASTSIM", "Vermeulen-Johnson", "Carter", "linear theory", "strip"));
 }
 
 TEST(Run, AModelThatCannotTakeTheCaseIsRefusedBeforeAnyIsRun) {
@@ -192,8 +176,8 @@ TEST(Run, AModelThatCannotTakeTheCaseIsRefusedBeforeAnyIsRun) {
   const Outcome outcome =
       call(folder, {"run", folder.file("s.toml", shift), "-m", "halfspace", "fastsim"});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("model fastsim: rolling.problem"), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find("halfspace  "), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "model fastsim: rolling.problem"));
+  EXPECT_FALSE(says(outcome.err, "halfspace  "));
   EXPECT_TRUE(folder.made().empty());
 }
 
@@ -203,8 +187,8 @@ TEST(Run, AFolderOfOtherThingsIsRefusedBeforeComputing) {
   std::ofstream(folder.work() / "mine" / "thesis.txt") << "years of work";
   const Outcome outcome = call(folder, {"run", folder.file("q.toml", quick_run), "-o", "mine"});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err.find("normal"), std::string::npos) << outcome.err;  // no progress line
-  EXPECT_NE(outcome.err.find("holds files that are not"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(says(outcome.err, "normal"));  // no progress line
+  EXPECT_TRUE(says(outcome.err, "holds files that are not"));
   EXPECT_EQ(folder.made(), (std::vector<std::string>{"mine", "mine/thesis.txt"}));
 }
 
@@ -214,14 +198,13 @@ TEST(Run, PointsBelowTheSurfaceComeOutAsATable) {
                             "[[subsurface.line]]\nfrom = [0, 0, 0.5]\nto = [0, 0, 6]\npoints = 12\n"
                             "[[subsurface.plane]]\nbody = \"rail\"\nfrom = [-4, 0, -1]\n"
                             "to = [4, 0, -1]\nacross = [-4, 0, -5]\npoints = [9, 5]\n";
-  ASSERT_EQ(call(folder, {"run", "-q", folder.file("q.toml", below)}).status, 0);
-  const std::string table = contents(folder.work() / "results" / "q" / "subsurface.csv");
+  done(folder, {"run", "-q", folder.file("q.toml", below)});
+  const std::string table = folder.text("results/q/subsurface.csv");
   // Head, and twelve points at each of two load points; planes are in results.h5 alone.
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 12) << table;
   const Outcome hertz =
-      call(folder, {"run", "--no-report", folder.file("q.toml", below), "-m", "hertz"});
-  EXPECT_EQ(hertz.status, 0);
-  EXPECT_NE(hertz.err.find("warning: "), std::string::npos) << hertz.err;
+      done(folder, {"run", "--no-report", folder.file("q.toml", below), "-m", "hertz"});
+  EXPECT_TRUE(says(hertz.err, "warning: "));
 }
 
 TEST(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
@@ -229,13 +212,11 @@ TEST(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
   for (const char* name : {"cattaneo", "benchmark9"}) {
     const std::string file =
         (fs::path(ROLLFEM_SOURCE_DIR) / "cases" / (std::string(name) + ".toml")).string();
-    const Outcome outcome = call(folder, {"run", file});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+    const Outcome outcome = done(folder, {"run", file});
+    EXPECT_FALSE(says(outcome.err, "warning"));
     EXPECT_TRUE(has(folder.made(), std::string("results/") + name + "/report.html"));
   }
-  const auto summary =
-      nlohmann::json::parse(contents(folder.work() / "results" / "cattaneo" / "summary.json"));
+  const auto summary = folder.json("results/cattaneo/summary.json");
   const auto& steps = summary.at("models")[1].at("points");
   ASSERT_EQ(steps.size(), 15u);
   // Cattaneo: after the shift of 0.008172 mm the force is 7/8 mu F_z.
@@ -249,11 +230,10 @@ TEST(Run, FemInABuildWithoutItIsAnErrorNotSilence) {
   const std::string by_list = folder.file("list.toml", "models = [\"fem\"]\n" + small_case);
   const Outcome list = call(folder, {"run", by_list});
   EXPECT_EQ(list.status, 2);
-  EXPECT_NE(list.err.find("list.toml: models: model fem is not in this build"), std::string::npos)
-      << list.err;
+  EXPECT_TRUE(says(list.err, "list.toml: models: model fem is not in this build"));
   const Outcome option = call(folder, {"run", by_list, "--model", "fem"});
   EXPECT_EQ(option.status, 2);
-  EXPECT_NE(option.err.find("--model fem: model fem is not in this build"), std::string::npos);
+  EXPECT_TRUE(says(option.err, "--model fem: model fem is not in this build"));
   EXPECT_TRUE(folder.made().empty());
 }
 #endif

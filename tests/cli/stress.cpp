@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
+#include "support/csv_rows.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/program.hpp"
 #include <cmath>
@@ -14,53 +15,35 @@
 namespace {
 
 using namespace rollfem::testing;
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Columns of stress.csv without their units, of one set and body of the first model that has it.
 using Columns = std::map<std::string, std::vector<double>>;
-Columns columns(const fs::path& folder, const std::string& set, const std::string& body) {
-  std::istringstream file(contents(folder / "stress.csv"));
-  const auto split = [](const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    return cells;
-  };
-  std::string line;
-  std::getline(file, line);
-  const std::vector<std::string> head = split(line);
-  Columns found;
-  while (std::getline(file, line)) {
-    const std::vector<std::string> cells = split(line);
-    if (cells.at(2) != set || cells.at(3) != body) continue;
-    for (std::size_t k = 4; k < cells.size(); ++k)
-      found[head.at(k).substr(0, head[k].find(" ["))].push_back(std::stod(cells[k]));
-  }
-  return found;
-}
-
-json report(const fs::path& folder) {
-  return json::parse(contents(folder / "stress.json"));
-}
-
-/// Results of the program itself: the half-space on case a or on a rail of another radius.
+/// Results of the program itself, the half-space on case a or on a rail of another radius, or of a
+/// file that was made.
 class StressTest : public ::testing::Test {
  protected:
   void compute(const std::string& rail_radius, const std::string& across,
                const std::string& creepages = "[0.0]") {
-    std::string text = with("2000.0", rail_radius);
-    text = "models = [\"halfspace\"]\n" + text + "[rolling]\nlongitudinal_creepage = " + creepages +
-           "\n[contact_grid]\nelements_across = " + across + "\n";
-    const Outcome outcome =
-        call(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string text = "models = [\"halfspace\"]\n" + with("2000.0", rail_radius) +
+                             "[rolling]\nlongitudinal_creepage = " + creepages +
+                             "\n[contact_grid]\nelements_across = " + across + "\n";
+    done(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
   }
-  Outcome stress(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"stress", "r", "--no-figures"});
-    return call(folder, arguments);
+  void keep(const std::string& bytes) const { folder.file("work/r/results.h5", bytes); }
+  Outcome stress(const std::vector<std::string>& arguments) const {
+    return call(folder, joined({"stress", "r", "--no-figures"}, arguments));
   }
-  fs::path made() const { return folder.work() / "r_stress"; }
+  Columns columns(const std::string& set, const std::string& body) const {
+    const auto rows = csv_rows(folder.text("r_stress/stress.csv"));
+    Columns found;
+    for (const std::vector<std::string>& row : rows)
+      if (row.at(2) == set && row.at(3) == body)
+        for (std::size_t k = 4; k < row.size(); ++k)
+          found[rows[0].at(k).substr(0, rows[0][k].find(" ["))].push_back(std::stod(row[k]));
+    return found;
+  }
+  json report() const { return folder.json("r_stress/stress.json"); }
   Folder folder;
 };
 
@@ -68,16 +51,15 @@ TEST_F(StressTest, AxisOfTheCircleIsThatOfHertz) {
   // Both bodies 405 mm: a circle. Johnson 1985, section 3.4: stresses on the axis; largest shear
   // 0.3100 p0 at 0.481 a for nu = 0.3.
   compute("405.0", "80");
-  const Outcome outcome = stress({"--depth-profile"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  checked(stress({"--depth-profile"}));
   const double modulus = 210e3 / (2.0 * (1.0 - 0.09));
   const double a = std::cbrt(0.75 * 50e3 * 405.0 / modulus);
   const double p0 = 1.5 * 50e3 / (M_PI * a * a);
-  const json data = report(made());
+  const json data = report();
   ASSERT_EQ(data["models"].size(), 1U);
   EXPECT_NEAR(data["models"][0]["max_pressure"].get<double>(), p0, 2e-3 * p0);
   for (const char* body : {"wheel", "rail"}) {
-    const Columns axis = columns(made(), "depth_centre", body);
+    const Columns axis = columns("depth_centre", body);
     ASSERT_EQ(axis.at("z").size(), 121U);
     double largest = 0.0;
     double depth_of_largest = 0.0;
@@ -116,11 +98,9 @@ TEST_F(StressTest, LargestHaveTheBarsOfTheRun) {
   const auto maxima = [&](const std::string& output) {
     const std::string text = "models = [\"halfspace\"]\n" + small_case +
                              "[contact_grid]\nelements_across = 40\n" + output;
-    EXPECT_EQ(call(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"})
-                  .status,
-              0);
-    EXPECT_EQ(stress({"--at", "0,0,-2"}).status, 0);
-    const json model = report(made())["models"][0];
+    done(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
+    checked(stress({"--at", "0,0,-2"}));
+    const json model = report()["models"][0];
     EXPECT_EQ(model["sets"][0]["largest"][0]["no_bar"], "one grid");
     return model["maxima"][0];
   };
@@ -147,12 +127,11 @@ TEST_F(StressTest, CaseAIsThatOfContact) {
   for (const auto& row : rows)
     for (const char* sign : {"", "-"})
       arguments.insert(arguments.end(), {"--at", "0,0," + (sign + std::to_string(row[0]))});
-  const Outcome outcome = stress(arguments);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  checked(stress(arguments));
   for (std::size_t k = 0; k < std::size(rows); ++k)
     for (const bool wheel : {true, false}) {
       const std::string name = "at_" + std::to_string(2 * k + (wheel ? 1 : 2));
-      const Columns at = columns(made(), name, wheel ? "wheel" : "rail");
+      const Columns at = columns(name, wheel ? "wheel" : "rail");
       ASSERT_EQ(at.at("zz").size(), 1U) << name;
       const double tolerance = 2e-3 * 578.97;
       EXPECT_NEAR(at.at("von_mises")[0], rows[k][2], tolerance) << rows[k][0];
@@ -162,14 +141,14 @@ TEST_F(StressTest, CaseAIsThatOfContact) {
       EXPECT_NEAR(at.at("displacement_z")[0], (wheel ? 1.0 : -1.0) * rows[k][1], 5e-5);
     }
   // The place that was not asked for in a body is not there.
-  EXPECT_TRUE(columns(made(), "at_1", "rail").empty());
+  EXPECT_TRUE(columns("at_1", "rail").empty());
 }
 
 TEST_F(StressTest, OnTheSurfaceTheStressIsTheTraction) {
   compute("2000.0", "40", "[0.0, 0.002, 0.006]");
-  ASSERT_EQ(stress({"--plane", "-3,0,0:3,0,0:-3,0,-4:31,5"}).status, 0);
+  checked(stress({"--plane", "-3,0,0:3,0,0:-3,0,-4:31,5"}));
   const double friction = 0.55;
-  const Columns plane = columns(made(), "plane_1", "rail");
+  const Columns plane = columns("plane_1", "rail");
   ASSERT_EQ(plane.at("z").size(), 155U);
   for (std::size_t k = 0; k < 31; ++k) {
     const double x = plane.at("x")[k] / 3.79236;
@@ -182,21 +161,20 @@ TEST_F(StressTest, OnTheSurfaceTheStressIsTheTraction) {
   EXPECT_NEAR(plane.at("z")[154], -4.0, 1e-12);
   EXPECT_NEAR(plane.at("x")[154], 3.0, 1e-12);
   // A line at z = 0 alone is one in each body.
-  ASSERT_EQ(stress({"--line", "-3,0.1,0:3,0.1,0:7"}).status, 0);
+  checked(stress({"--line", "-3,0.1,0:3,0.1,0:7"}));
   for (const char* body : {"wheel", "rail"}) {
-    const Columns line = columns(made(), "line_1", body);
+    const Columns line = columns("line_1", body);
     ASSERT_EQ(line.at("zz").size(), 7U) << body;
     EXPECT_NEAR(line.at("zz")[3], -578.97, 4.0);
   }
-  EXPECT_TRUE(columns(made(), "plane_1", "rail").empty()) << "left from the call before";
+  EXPECT_TRUE(columns("plane_1", "rail").empty()) << "left from the call before";
 }
 
 TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
   compute("2000.0", "20", "[0.0, 0.002, 0.006]");
-  const Outcome outcome = stress({"--yield-strength", "520"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("shakedown map, k = 300.2 MPa"), std::string::npos) << outcome.out;
-  const json data = report(made());
+  const Outcome outcome = checked(stress({"--yield-strength", "520"}));
+  EXPECT_TRUE(says(outcome.out, "shakedown map, k = 300.2 MPa"));
+  const json data = report();
   const json& points = data["models"][0]["shakedown"];
   ASSERT_EQ(points.size(), 3U);
   EXPECT_NEAR(points[0]["load_factor"].get<double>(), 578.97 / 300.22, 0.01);
@@ -214,8 +192,8 @@ TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
   EXPECT_EQ(points[0]["verdict"], "elastic");
   EXPECT_EQ(points[2]["verdict"], "beyond shakedown");
   // Without a yield stress there is no map.
-  ASSERT_EQ(stress({}).status, 0);
-  EXPECT_FALSE(report(made()).contains("shakedown_map"));
+  checked(stress({}));
+  EXPECT_FALSE(report().contains("shakedown_map"));
 }
 
 /// A file of a finite-element run whose stresses are linear functions of the place.
@@ -250,45 +228,33 @@ std::string synthetic_file(bool placed) {
   return rollfem::postprocess::results_hdf5(run);
 }
 
-TEST(StressOfBodies, IsInterpolatedBetweenTheNodes) {
-  const Folder folder;
-  const std::string file = folder.file("results.h5", synthetic_file(false));
-  const Outcome outcome = call(
-      folder, {"stress", file, "-m", "fem", "--at", "0.3,0.6,-1.7", "--at", "0.3,0.6,1.7", "--line",
-               "0.5,0.5,0.2:0.5,0.5,-1:5", "--body", "rail", "-o", "out", "--no-figures"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const fs::path out = folder.work() / "out";
-  const Columns rail = columns(out, "at_1", "rail");
+TEST_F(StressTest, OfBodiesIsInterpolatedBetweenTheNodes) {
+  keep(synthetic_file(false));
+  checked(stress({"-m", "fem", "--at", "0.3,0.6,-1.7", "--at", "0.3,0.6,1.7", "--line",
+                  "0.5,0.5,0.2:0.5,0.5,-1:5", "--body", "rail"}));
+  const Columns rail = columns("at_1", "rail");
   EXPECT_NEAR(rail.at("xx")[0], 3.0, 1e-12);
   EXPECT_NEAR(rail.at("zz")[0], 7.0 * -1.7 - 50.0, 1e-12);
   EXPECT_NEAR(rail.at("xy")[0], -1.4, 1e-12);
   EXPECT_NEAR(rail.at("xz")[0], 0.6, 1e-12);
   EXPECT_NEAR(rail.at("displacement_x")[0], 0.9, 1e-12);
   // Beyond the surface: moved onto it, and the place says so.
-  const Columns line = columns(out, "line_1", "rail");
+  const Columns line = columns("line_1", "rail");
   EXPECT_NEAR(line.at("z")[0], 0.0, 1e-12);
   EXPECT_NEAR(line.at("zz")[0], -50.0, 1e-12);
   EXPECT_NEAR(line.at("z")[4], -1.0, 1e-12);
-  EXPECT_NEAR(report(out)["models"][0]["sets"][2]["moved"].get<double>(), 0.2, 1e-12);
+  EXPECT_NEAR(report()["models"][0]["sets"][2]["moved"].get<double>(), 0.2, 1e-12);
 
-  ASSERT_EQ(call(folder,
-                 {"stress", file, "-m", "fem", "--at", "0.3,0.6,1.7", "-o", "out", "--no-figures"})
-                .status,
-            0);
-  EXPECT_NEAR(columns(out, "at_1", "wheel").at("zz")[0], 7.0 * 1.7 - 50.0, 1e-12);
+  checked(stress({"-m", "fem", "--at", "0.3,0.6,1.7"}));
+  EXPECT_NEAR(columns("at_1", "wheel").at("zz")[0], 7.0 * 1.7 - 50.0, 1e-12);
 }
 
-TEST(StressOfBodies, IsThatOfTheLoadPointAskedFor) {
-  const Folder folder;
-  const std::string file = folder.file("results.h5", synthetic_file(false));
-  const auto yz_at = [&](const std::vector<std::string>& which, const std::string& says) {
-    std::vector<std::string> arguments{"stress", file, "-m",  "fem",         "--at",
-                                       "0,0,-1", "-o", "out", "--no-figures"};
-    arguments.insert(arguments.end(), which.begin(), which.end());
-    const Outcome outcome = call(folder, arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find(says), std::string::npos) << outcome.out;
-    return columns(folder.work() / "out", "at_1", "rail").at("yz").at(0);
+TEST_F(StressTest, OfBodiesIsThatOfTheLoadPointAskedFor) {
+  keep(synthetic_file(false));
+  const auto yz_at = [&](const std::vector<std::string>& which, const std::string& heading) {
+    const Outcome outcome = checked(stress(joined({"-m", "fem", "--at", "0,0,-1"}, which)));
+    EXPECT_TRUE(says(outcome.out, heading));
+    return columns("at_1", "rail").at("yz").at(0);
   };
   EXPECT_NEAR(yz_at({"--point", "3"}, "fem: load point 3, xi = 0.001"), 4.0, 1e-12);
   EXPECT_NEAR(yz_at({"--creepage", "0.001"}, "fem: load point 3, xi = 0.001"), 4.0, 1e-12);
@@ -296,47 +262,35 @@ TEST(StressOfBodies, IsThatOfTheLoadPointAskedFor) {
       yz_at({}, "fem: load point 7 (the last of 7; others: --point 1 to 7, --creepage), xi"), 8.0,
       1e-12);
   // Down from the surface at any of them.
-  ASSERT_EQ(call(folder, {"stress", file, "-m", "fem", "--point", "3", "--depth", "1.5", "-o",
-                          "out", "--body", "rail", "--no-figures"})
-                .status,
-            0);
-  const Columns down = columns(folder.work() / "out", "depth_centre", "rail");
+  checked(stress({"-m", "fem", "--point", "3", "--depth", "1.5", "--body", "rail"}));
+  const Columns down = columns("depth_centre", "rail");
   ASSERT_EQ(down.at("zz").size(), 121U);
   EXPECT_NEAR(down.at("zz").back(), 7.0 * -1.5 - 50.0, 1e-7);
   EXPECT_NEAR(down.at("yz").back(), 4.0, 1e-12);
 }
 
-TEST(StressOfBodies, IsRefusedWhereALoadPointKeepsNone) {
-  const Folder folder;
-  const std::string file = folder.file("results.h5", synthetic_file(false));
+TEST_F(StressTest, OfBodiesIsRefusedWhereALoadPointKeepsNone) {
+  keep(synthetic_file(false));
   expect_refused(
-      call(folder, {"stress", file, "-m", "fem", "--point", "1", "--at", "0,0,0"}),
+      stress({"-m", "fem", "--point", "1", "--at", "0,0,0"}),
       "load point 1: model fem stores its bodies only for these load points: 3, 7; do: ");
-  const Outcome both =
-      call(folder, {"stress", file, "--point", "1", "--at", "0,0,-1", "-o", "out", "--no-figures"});
-  EXPECT_EQ(both.status, 0) << both.err;
-  EXPECT_NE(both.err.find("warning: left out: load point 1: model fem"), std::string::npos);
-  EXPECT_EQ(report(folder.work() / "out")["models"].size(), 1U);
-  expect_refused(call(folder, {"stress", file, "-m", "fem", "--at", "0,0,-9"}),
+  const Outcome both = checked(stress({"--point", "1", "--at", "0,0,-1"}));
+  EXPECT_TRUE(says(both.err, "warning: left out: load point 1: model fem"));
+  EXPECT_EQ(report()["models"].size(), 1U);
+  expect_refused(stress({"-m", "fem", "--at", "0,0,-9"}),
                  "--at 0,0,-9: the point (0, 0, -9) mm is 7 mm outside the computed rail");
 }
 
-TEST(StressOfPatches, IsThatOfThePatchNamed) {
-  const Folder folder;
-  const std::string file = folder.file("results.h5", synthetic_file(true));
+TEST_F(StressTest, OfPatchesIsThatOfThePatchNamed) {
+  keep(synthetic_file(true));
   const auto of = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"stress", file,  "--at",        "0.1,0.1,-1",
-                                       "-o",     "out", "--no-figures"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = call(folder, arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return report(folder.work() / "out")["models"][0]["key"].get<std::string>();
+    checked(stress(joined({"--at", "0.1,0.1,-1"}, more)));
+    return report()["models"][0]["key"].get<std::string>();
   };
   EXPECT_EQ(of({}), "halfspace_left_1_1");
   EXPECT_EQ(of({"-m", "hertz"}), "hertz_left_1_1");
   EXPECT_EQ(of({"--patch", "left,1,2"}), "fem_left_1_2");
-  expect_refused(call(folder, {"stress", file, "--patch", "right,1,1"}),
-                 "allowed: left,1,1, left,1,2; do: ");
+  expect_refused(stress({"--patch", "right,1,1"}), "allowed: left,1,1, left,1,2; do: ");
 }
 
 TEST_F(StressTest, WrongCallsAreRefused) {
@@ -370,13 +324,13 @@ TEST_F(StressTest, WrongCallsAreRefused) {
 
 TEST_F(StressTest, FilesThatAreNoResultsAreRefused) {
   compute("2000.0", "10");
-  const std::string whole = contents(folder.work() / "r" / "results.h5");
+  const std::string whole = folder.text("r/results.h5");
   expect_refused(call(folder, {"stress", "missing"}), "there is no such file or folder");
   expect_refused(call(folder, {"stress"}), "result is required");
   expect_refused(call(folder, {"stress", "r/summary.json"}), "not a result of rollfem");
   expect_refused(call(folder, {"stress", folder.file("cut.h5", whole.substr(0, whole.size() / 2))}),
                  "truncated or damaged");
-  EXPECT_FALSE(fs::exists(made()));
+  EXPECT_FALSE(folder.holds("r_stress"));
 }
 
 }  // namespace

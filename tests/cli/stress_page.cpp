@@ -8,7 +8,6 @@
 namespace {
 
 using namespace rollfem::testing;
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Of a half-space on a narrow patch at three creepages.
@@ -18,43 +17,34 @@ class StressPage : public ::testing::Test {
     const std::string text = "models = [\"halfspace\"]\n" + with("2000.0", "100.0") +
                              "[rolling]\nlongitudinal_creepage = [0.0, 0.002, 0.006]\n"
                              "[contact_grid]\nelements_across = 16\n";
-    const Outcome outcome =
-        call(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    done(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
   }
-  json stored() const { return json::parse(contents(made() / "stress.json")); }
-  fs::path made() const { return folder.work() / "r_stress"; }
+  json stored() const { return folder.json("r_stress/stress.json"); }
   Folder folder;
 };
 
 TEST_F(StressPage, HasFiguresAndOneVerdict) {
   const Outcome outcome =
-      call(folder, {"stress", "r", "--yield-shear-stress", "250", "--depth-profile", "--line",
+      done(folder, {"stress", "r", "--yield-shear-stress", "250", "--depth-profile", "--line",
                     "-3,0,-1:3,0,-1:21", "--plane", "-3,0,0:3,0,0:-3,0,-4:21,11"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
   if (outcome.err.find("figures need") != std::string::npos)
     GTEST_SKIP() << "needs apt install python3-numpy python3-h5py";
   EXPECT_EQ(outcome.err, "");
   for (const char* name :
        {"depth_centre", "line_1_rail", "plane_1_rail_halfspace", "shakedown_map"})
-    EXPECT_GT(fs::file_size(made() / "figures" / (std::string(name) + ".svg")), 5000U) << name;
-  const std::string page = contents(made() / "stress.html");
-  for (const char* text : {"Largest stresses", "half-space, ", "Shakedown, k = 250.0 MPa",
-                           "<figure>", "aria-label=\"Shakedown map"})
-    EXPECT_NE(page.find(text), std::string::npos) << text;
+    EXPECT_GT(folder.text("r_stress/figures/" + std::string(name) + ".svg").size(), 5000U) << name;
+  const std::string page = folder.text("r_stress/stress.html");
+  EXPECT_TRUE(says(page, "Largest stresses", "half-space, ", "Shakedown, k = 250.0 MPa", "<figure>",
+                   "aria-label=\"Shakedown map"));
   // What a later call does not draw goes.
-  ASSERT_EQ(call(folder, {"stress", "r", "--no-figures", "--at", "0,0,-1"}).status, 0);
-  EXPECT_FALSE(fs::exists(made() / "figures" / "shakedown_map.svg"));
-  EXPECT_FALSE(fs::exists(made() / "stress.html"));
+  done(folder, {"stress", "r", "--no-figures", "--at", "0,0,-1"});
+  EXPECT_FALSE(folder.holds("r_stress/figures/shakedown_map.svg"));
+  EXPECT_FALSE(folder.holds("r_stress/stress.html"));
 }
 
 TEST_F(StressPage, SeveralLoadPointsAreThoseOfSingleCalls) {
-  const std::vector<std::string> common{"stress", "r", "--no-figures", "--at", "0,0,-2"};
-  const auto ask = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), common.begin(), common.end());
-    const Outcome outcome = call(folder, more);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return outcome.out;
+  const auto ask = [&](const std::vector<std::string>& more) {
+    return done(folder, joined({"stress", "r", "--no-figures", "--at", "0,0,-2"}, more)).out;
   };
   ask({"--creepage", "0.002"});
   const json alone = stored()["models"][0];

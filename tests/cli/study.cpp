@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
-#include "support/json_files.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -16,13 +15,11 @@ const std::string quick_study = small_case +
 
 TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"study", folder.file("quick.toml", quick_study)});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
-  const auto folder_of_study = folder.work() / "results" / "quick_study";
-  for (const char* name : {"study.csv", "study.html", "figures/speed_error.svg"})
-    EXPECT_TRUE(std::filesystem::exists(folder_of_study / name)) << name;
-  const auto all = read(folder_of_study / "study.json");
+  const Outcome outcome = done(folder, {"study", folder.file("quick.toml", quick_study)});
+  EXPECT_FALSE(says(outcome.err, "warning"));
+  for (const std::string name : {"study.csv", "study.html", "figures/speed_error.svg"})
+    EXPECT_TRUE(folder.holds("results/quick_study/" + name)) << name;
+  const auto all = folder.json("results/quick_study/study.json");
   EXPECT_EQ(all.at("places")[0].at("references").at("max_pressure").at("kind"), "exact");
   const auto& levels = all.at("places")[0].at("series")[0].at("levels");
   ASSERT_EQ(levels.size(), 5U);
@@ -32,30 +29,20 @@ TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   for (int k = 2; k < 5; ++k)
     EXPECT_NEAR(levels[k].at("orders").at("max_pressure").get<double>(), 2.0, 0.35) << k;
   EXPECT_NEAR(levels[4].at("errors").at("max_pressure").get<double>(), 1.4e-4, 0.4e-4);
-  EXPECT_NE(outcome.out.find("80 across"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(says(outcome.out, "80 across"));
 }
 
 TEST(Study, AllModelsAndGivenReferences) {
   const Folder folder;
-  std::vector<std::string> arguments{"study",
-                                     "--levels",
-                                     "2",
-                                     "--no-report",
-                                     "-o",
-                                     "out",
-                                     "--reference",
-                                     "max_pressure=1000",
-                                     "traction_coefficient:2=0.1",
-                                     "--models"};
+  const std::vector<std::string> several{"hertz", "linear", "fastsim", "strip", "halfspace"};
   // With finite elements all models take minutes.
-  if (ROLLFEM_WITH_FEM)
-    arguments.insert(arguments.end(), {"hertz", "linear", "fastsim", "strip", "halfspace"});
-  else
-    arguments.emplace_back("all");
-  arguments.push_back(folder.file("quick.toml", quick_study));
-  const Outcome outcome = call(folder, arguments);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto all = read(folder.work() / "out" / "study.json");
+  const std::vector<std::string> asked =
+      ROLLFEM_WITH_FEM ? several : std::vector<std::string>{"all"};
+  const std::string file = folder.file("quick.toml", quick_study);
+  done(folder, joined({"study", file, "--levels", "2", "--no-report", "-o", "out", "--reference",
+                       "max_pressure=1000", "traction_coefficient:2=0.1", "--models"},
+                      asked));
+  const auto all = folder.json("out/study.json");
   EXPECT_EQ(all.at("places")[0].at("references").at("max_pressure").at("kind"), "given");
   std::vector<std::string> models;
   for (const auto& series : all.at("places")[0].at("series")) {
@@ -64,7 +51,7 @@ TEST(Study, AllModelsAndGivenReferences) {
     EXPECT_NEAR(level.at("errors").at("max_pressure").get<double>(),
                 std::abs(level.at("values").at("max_pressure").get<double>() / 1000.0 - 1.0), 1e-9);
   }
-  for (const char* name : {"hertz", "linear", "fastsim", "strip", "halfspace"})
+  for (const std::string& name : several)
     EXPECT_EQ(std::count(models.begin(), models.end(), name), 1) << name;
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "support/json_files.hpp"
 #include "support/program.hpp"
 #include <cmath>
 
@@ -28,13 +27,10 @@ std::string wheel_case(const std::string& side, const std::string& shifts,
 TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"study", folder.file("left.toml", wheel_case("left", "2.0", "40")),
+      done(folder, {"study", folder.file("left.toml", wheel_case("left", "2.0", "40")),
                     "--no-report", "-o", "out"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("left wheel, position 1: halfspace, refined in grid"),
-            std::string::npos)
-      << outcome.out;
-  const auto all = read(folder.work() / "out" / "study.json");
+  EXPECT_TRUE(says(outcome.out, "left wheel, position 1: halfspace, refined in grid"));
+  const auto all = folder.json("out/study.json");
   const auto& place = all.at("places").at(0);
   EXPECT_EQ(place.at("key"), "left_1_1");
   EXPECT_EQ(place.at("lateral_shift"), 2.0);
@@ -62,18 +58,16 @@ TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
 TEST(StudyProfiles, EveryPatchIsASeriesWithOneBalance) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"study", folder.file("both.toml", wheel_case("both", "[0.0, 2.0]")), "--levels",
+      done(folder, {"study", folder.file("both.toml", wheel_case("both", "[0.0, 2.0]")), "--levels",
                     "3", "-o", "out", "--reference", "right_2_1.max_pressure=1510.7"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto all = read(folder.work() / "out" / "study.json");
+  const auto all = folder.json("out/study.json");
   std::vector<std::string> keys;
   for (const auto& place : all.at("places")) {
     keys.push_back(place.at("key"));
     EXPECT_EQ(place.at("series").at(0).at("levels").size(), 3U);
     EXPECT_EQ(place.at("references").at("max_pressure").at("kind") == "given",
               keys.back() == "right_2_1");
-    EXPECT_TRUE(
-        fs::exists(folder.work() / "out/figures" / ("error_unknowns_" + keys.back() + ".svg")));
+    EXPECT_TRUE(folder.holds("out/figures/error_unknowns_" + keys.back() + ".svg"));
   }
   EXPECT_EQ(keys, (std::vector<std::string>{"left_1_1", "right_1_1", "left_2_1", "right_2_1"}));
   // Found once, not for each of the twelve levels.
@@ -81,11 +75,9 @@ TEST(StudyProfiles, EveryPatchIsASeriesWithOneBalance) {
   EXPECT_EQ(outcome.err.find("position 1 of 2", outcome.err.find("position 1 of 2") + 1),
             std::string::npos);
   EXPECT_NE(balance, std::string::npos) << outcome.err;
-  const std::string page = contents(folder.work() / "out" / "study.html");
-  for (const char* text : {"Largest pressure of every patch", "right wheel, position 2"})
-    EXPECT_NE(page.find(text), std::string::npos) << text;
-  EXPECT_NE(contents(folder.work() / "out" / "study.csv").find("\nright_2_1,halfspace,grid,"),
-            std::string::npos);
+  const std::string page = folder.text("out/study.html");
+  EXPECT_TRUE(says(page, "Largest pressure of every patch", "right wheel, position 2"));
+  EXPECT_TRUE(says(folder.text("out/study.csv"), "\nright_2_1,halfspace,grid,"));
 }
 
 TEST(StudyProfiles, RefusesWhatMakesNoSenseForPatches) {

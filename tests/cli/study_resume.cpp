@@ -17,12 +17,8 @@ std::string slow_study(const std::string& creepage = "0.0003") {
 }
 
 std::vector<std::string> study(const std::string& file, const std::string& directory,
-                               const std::vector<std::string>& options = {}) {
-  std::vector<std::string> command{ROLLFEM_PROGRAM, "study", file,         "-o",
-                                   directory,       "-q",    "--no-report"};
-  command.insert(command.end(), {"--levels", "4"});
-  command.insert(command.end(), options.begin(), options.end());
-  return command;
+                               const std::vector<std::string>& options = {"-q", "--levels", "4"}) {
+  return joined({"study", file, "-o", directory, "--no-report"}, options);
 }
 
 /// Records of whole levels in a folder, and of load points of the level at work.
@@ -56,42 +52,37 @@ nlohmann::json timeless(const fs::path& folder) {
 /// Kills a study in the middle of its last level.
 void leave_unfinished(const Folder& folder, const std::string& file) {
   const fs::path unfinished = folder.work() / "out.unfinished";
-  const Killed killed = kill_when(folder, study(file, "out"), [&] {
+  kill_when(folder, command_of(study(file, "out")), [&] {
     return levels_kept(unfinished, true) >= 2 && levels_kept(unfinished, false) >= 2;
   });
-  ASSERT_TRUE(killed.killed) << killed.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  EXPECT_FALSE(folder.holds("out"));
 }
 
 TEST(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_study());
-  ASSERT_EQ(execute(folder, study(file, "whole")).status, 0);
-  EXPECT_FALSE(fs::exists(folder.work() / "whole.unfinished"));
+  done(folder, study(file, "whole"));
+  EXPECT_FALSE(folder.holds("whole.unfinished"));
   leave_unfinished(folder, file);
   const int kept = levels_kept(folder.work() / "out.unfinished", true);
-  std::vector<std::string> again = study(file, "out", {"--resume"});
-  again.erase(std::find(again.begin(), again.end(), "-q"));
-  const Outcome outcome = execute(folder, again);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome outcome = done(folder, study(file, "out", {"--levels", "4", "--resume"}));
   int taken_up = 0;
   for (std::size_t at = outcome.err.find(" across: resumed\n"); at != std::string::npos;
        at = outcome.err.find(" across: resumed\n", at + 1))
     ++taken_up;
   EXPECT_EQ(taken_up, kept) << outcome.err;
   EXPECT_EQ(timeless(folder.work() / "whole"), timeless(folder.work() / "out"));
-  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
+  EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
 TEST(StudyResume, LevelsOfAChangedCaseAreRefused) {
   const Folder folder;
   leave_unfinished(folder, folder.file("slow.toml", slow_study()));
   const std::string file = folder.file("slow.toml", slow_study("0.0004"));
-  const Outcome outcome = execute(folder, study(file, "out", {"--resume"}));
+  const Outcome outcome = call(folder, study(file, "out", {"-q", "--levels", "4", "--resume"}));
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("slow.toml (or a file that it names) has changed"), std::string::npos)
-      << outcome.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  EXPECT_TRUE(says(outcome.err, "slow.toml (or a file that it names) has changed"));
+  EXPECT_FALSE(folder.holds("out"));
 }
 
 TEST(StudyResume, LevelsOfAChangedProfileAreRefused) {
@@ -108,22 +99,18 @@ TEST(StudyResume, LevelsOfAChangedProfileAreRefused) {
       "[contact_grid]\nelements_across = 40\n");
   leave_unfinished(folder, file);
   folder.file("wheel.csv", points + "\n");
-  const Outcome outcome = execute(folder, study(file, "out", {"--resume"}));
+  const Outcome outcome = call(folder, study(file, "out", {"-q", "--levels", "4", "--resume"}));
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("has changed"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, "has changed"));
 }
 
 TEST(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_study());
   leave_unfinished(folder, file);
-  std::vector<std::string> anew = study(file, "out");
-  *std::find(anew.begin(), anew.end(), "4") = "2";
-  const Outcome short_study = execute(folder, anew);
-  EXPECT_EQ(short_study.status, 0) << short_study.err;
-  EXPECT_NE(short_study.err.find("--resume would continue from them"), std::string::npos)
-      << short_study.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out.unfinished"));
+  const Outcome short_study = done(folder, study(file, "out", {"-q", "--levels", "2"}));
+  EXPECT_TRUE(says(short_study.err, "--resume would continue from them"));
+  EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
 }  // namespace

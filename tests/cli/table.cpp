@@ -23,10 +23,9 @@ const std::string quick_table =
 TEST(Table, IsWrittenWithItsErrorsAndAReport) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"table", folder.file("case.toml", table_case(quick_table)), "-o", "out"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* text : {"60 points", "4 values of xi'", "interpolation at 10 random points"})
-    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
+      done(folder, {"table", folder.file("case.toml", table_case(quick_table)), "-o", "out"});
+  EXPECT_TRUE(
+      says(outcome.out, "60 points", "4 values of xi'", "interpolation at 10 random points"));
   const fs::path out = folder.work() / "out";
   for (const char* name :
        {"table.h5", "table.csv", "interpolation.csv", "table.html", "figures/table_surfaces.svg",
@@ -40,7 +39,7 @@ TEST(Table, IsWrittenWithItsErrorsAndAReport) {
   EXPECT_NEAR(full, -1.0, 0.005);
   const std::string rows = contents(out / "table.csv");
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 61);
-  EXPECT_NE(contents(out / "table.html").find("95 of 100 points"), std::string::npos);
+  EXPECT_TRUE(says(contents(out / "table.html"), "95 of 100 points"));
 }
 
 TEST(Table, AnEndedCallIsTakenUpAndIsTheSame) {
@@ -48,26 +47,17 @@ TEST(Table, AnEndedCallIsTakenUpAndIsTheSame) {
   const std::string file =
       folder.file("slow.toml", table_case("axis_ratio = [0.5, 2.0]\npoints = [6, 5, 9]\n"
                                           "check_points = 20\n"));
-  const std::vector<std::string> command{ROLLFEM_PROGRAM, "table",      file, "-o",
-                                         "out",           "--no-report"};
+  const std::vector<std::string> table{"table", file, "--no-report", "-o"};
   const fs::path unfinished = folder.work() / "out.unfinished";
-  const Killed killed = kill_when(folder, command, [&] { return records(unfinished) >= 3; });
-  ASSERT_TRUE(killed.killed) << killed.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  kill_when(folder, command_of(joined(table, {"out"})), [&] { return records(unfinished) >= 3; });
+  EXPECT_FALSE(folder.holds("out"));
   const int kept = records(unfinished);
-  std::vector<std::string> again = command;
-  again.emplace_back("--resume");
-  const Outcome outcome = execute(folder, again);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("resume: " + std::to_string(kept) + " solutions"), std::string::npos)
-      << outcome.err;
+  const Outcome outcome = done(folder, joined(table, {"out", "--resume"}));
+  EXPECT_TRUE(says(outcome.err, "resume: " + std::to_string(kept) + " solutions"));
   EXPECT_FALSE(fs::exists(unfinished));
-  std::vector<std::string> whole = command;
-  whole[4] = "whole";
-  ASSERT_EQ(execute(folder, whole).status, 0);
-  for (const char* name : {"table.csv", "interpolation.csv"})
-    EXPECT_EQ(contents(folder.work() / "out" / name), contents(folder.work() / "whole" / name))
-        << name;
+  done(folder, joined(table, {"whole"}));
+  for (const std::string name : {"table.csv", "interpolation.csv"})
+    EXPECT_EQ(folder.text("out/" + name), folder.text("whole/" + name)) << name;
 }
 
 /// The table at a physical creepage of the small case against the model halfspace, which solves
@@ -77,12 +67,10 @@ void expect_like_halfspace(const Folder& folder, const CreepTableReader& reader,
   const auto key = [](const char* name, double value) {
     return std::string("rolling.") + name + "=" + fmt::format("{:.17g}", value);
   };
-  const Outcome outcome =
-      call(folder, {"run", folder.file("case.toml", small_case), "-m", "halfspace", "-o", "run",
-                    "--no-report", "--set", key("longitudinal_creepage", creepage[0]), "--set",
-                    key("lateral_creepage", creepage[1]), "--set", key("spin", creepage[2])});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto summary = nlohmann::json::parse(contents(folder.work() / "run/summary.json"));
+  done(folder, {"run", folder.file("case.toml", small_case), "-m", "halfspace", "-o", "run",
+                "--no-report", "--set", key("longitudinal_creepage", creepage[0]), "--set",
+                key("lateral_creepage", creepage[1]), "--set", key("spin", creepage[2])});
+  const auto summary = folder.json("run/summary.json");
   const auto& point = summary["models"][0]["points"][0];
   const auto number = [&](const char* name) { return point[name].get<double>(); };
   const double bound = 0.55 * 50e3, c = std::sqrt(3.79236 * 10.87295);
@@ -95,14 +83,12 @@ void expect_like_halfspace(const Folder& folder, const CreepTableReader& reader,
 
 TEST(Table, ForcesAreThoseOfTheModelHalfspace) {
   const Folder folder;
-  ASSERT_EQ(call(folder, {"table",
-                          folder.file("table.toml", table_case("points = [12, 2, 2]\n"
-                                                               "lateral_values = [0.0, 0.3, 0.6]\n"
-                                                               "spin_values = [0.0, 0.4, 0.8]\n"
-                                                               "check_points = 0\n")),
-                          "-o", "out", "--no-report"})
-                .status,
-            0);
+  done(folder, {"table",
+                folder.file("table.toml", table_case("points = [12, 2, 2]\n"
+                                                     "lateral_values = [0.0, 0.3, 0.6]\n"
+                                                     "spin_values = [0.0, 0.4, 0.8]\n"
+                                                     "check_points = 0\n")),
+                "-o", "out", "--no-report"});
   const CreepTableReader reader(rollfem::postprocess::read_table((folder.work() / "out").string()));
   for (const double xi : {0.0005, 0.0015, 0.004}) expect_like_halfspace(folder, reader, {xi, 0, 0});
   // A grid point of all three.
@@ -118,13 +104,11 @@ TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
   const Folder folder;
   const std::string source = contents(fs::path(ROLLFEM_SOURCE_DIR) / "cases/s1002_uic60_left.toml");
   const Outcome outcome =
-      call(folder, {"table", folder.file("case.toml", source), "-o", "out", "--set",
+      done(folder, {"table", folder.file("case.toml", source), "-o", "out", "--set",
                     "table.lateral_shift=[0.0,1.0,2.0]", "--set", "table.points=[2,2,3]", "--set",
                     "table.check_points=10", "--set", "contact_grid.elements_across=12"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* text :
-       {"81 points", "3 values of lateral shift 0 to 2 mm", "radius mm", "interpolation at 10"})
-    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
+  EXPECT_TRUE(says(outcome.out, "81 points", "3 values of lateral shift 0 to 2 mm", "radius mm",
+                   "interpolation at 10"));
   const fs::path out = folder.work() / "out";
   for (const char* name : {"table.h5", "table.csv", "shifts.csv", "interpolation.csv", "table.html",
                            "figures/table_shifts.svg", "figures/table_wheels.svg"})
@@ -140,9 +124,9 @@ void expect_refused(const std::string& text, const std::string& said) {
   const Folder folder;
   const Outcome outcome = call(folder, {"table", folder.file("case.toml", text), "-o", "out"});
   EXPECT_EQ(outcome.status, 2) << outcome.out;
-  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, said));
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  EXPECT_FALSE(folder.holds("out"));
 }
 
 TEST(Table, WrongInputIsSaidInOneLine) {

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
-#include "support/json_files.hpp"
 #include "support/places.hpp"
 #include "support/program.hpp"
 #include <cmath>
@@ -17,27 +16,22 @@ const std::string quick_creep = small_case +
                                 "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
                                 "[contact_grid]\nelements_across = 10\n";
 
-Outcome toy(const Folder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), ROLLFEM_TOY_PROGRAM);
-  return execute(folder, arguments);
-}
-
-void expect_in(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+Outcome toy(const Folder& folder, const std::vector<std::string>& arguments) {
+  return execute(folder, joined({ROLLFEM_TOY_PROGRAM}, arguments));
 }
 
 TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   const Folder folder;
   const std::string file = folder.file("q.toml", "models = [\"stiff\"]\n" + quick_creep);
   for (const char* command : {"run", "compare", "study"})
-    expect_in(toy(folder, {command, "--help"}).out, "the half-space, its compliance times 0.9");
-  expect_in(toy(folder, {"docs", "models"}).out, "| `stiff` | stiff half-space |");
-  expect_in(toy(folder, {"docs", "case-file"}).out, "halfspace, hybrid, fem, stiff |");
-  const Outcome checked = toy(folder, {"check", file});
-  EXPECT_EQ(checked.status, 0) << checked.err;
-  expect_in(checked.out, "stiff                  the half-space, its compliance times 0.9");
-  expect_in(toy(folder, {"run", file, "--model", "stif"}).err,
-            "halfspace, hybrid, fem, stiff; do: ");
+    EXPECT_TRUE(
+        says(toy(folder, {command, "--help"}).out, "the half-space, its compliance times 0.9"));
+  EXPECT_TRUE(says(toy(folder, {"docs", "models"}).out, "| `stiff` | stiff half-space |"));
+  EXPECT_TRUE(says(toy(folder, {"docs", "case-file"}).out, "halfspace, hybrid, fem, stiff |"));
+  const Outcome check = checked(toy(folder, {"check", file}));
+  EXPECT_TRUE(says(check.out, "stiff                  the half-space, its compliance times 0.9"));
+  EXPECT_TRUE(says(toy(folder, {"run", file, "--model", "stif"}).err,
+                   "halfspace, hybrid, fem, stiff; do: "));
   // Without it the same file is refused, with line, key, value and what is allowed.
   const Outcome without = call(folder, {"check", file});
   expect_refused(without, "q.toml:1:");
@@ -58,13 +52,12 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
 
 TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
   const Folder folder;
-  const Outcome outcome =
-      toy(folder, {"run", folder.file("q.toml", quick_creep), "-m", "hertz", "halfspace", "stiff"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
-  expect_in(outcome.out, "stiff  ");
-  expect_in(outcome.err, "stiff      normal");  // progress
-  const auto models = read(folder.work() / "results" / "q" / "summary.json").at("models");
+  const Outcome outcome = checked(toy(
+      folder, {"run", folder.file("q.toml", quick_creep), "-m", "hertz", "halfspace", "stiff"}));
+  EXPECT_FALSE(says(outcome.err, "warning"));
+  EXPECT_TRUE(says(outcome.out, "stiff  "));
+  EXPECT_TRUE(says(outcome.err, "stiff      normal"));  // progress
+  const auto models = folder.json("results/q/summary.json").at("models");
   ASSERT_EQ(models.size(), 3U);
   EXPECT_EQ(models[2].at("name"), "stiff");
   EXPECT_EQ(models[2].at("label"), "stiff half-space");
@@ -72,18 +65,17 @@ TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
   const double soft = models[1].at("points")[0].at("max_pressure");
   const double stiff = models[2].at("points")[0].at("max_pressure");
   EXPECT_NEAR(stiff / soft, std::pow(0.9, -2.0 / 3.0), 1e-6);
-  expect_in(contents(folder.work() / "results" / "q" / "report.html"), "stiff half-space");
+  EXPECT_TRUE(says(folder.text("results/q/report.html"), "stiff half-space"));
 }
 
 TEST(ToyModel, IsComparedAndMayBeTheReference) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick_creep);
-  const Outcome outcome = toy(folder, {"compare", file, "-m", "hertz", "halfspace", "stiff",
-                                       "--reference", "stiff", "-o", "out"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
-  expect_in(contents(folder.work() / "out" / "compare.html"), "stiff half-space");
-  const auto all = read(folder.work() / "out" / "compare.json");
+  const Outcome outcome = checked(toy(folder, {"compare", file, "-m", "hertz", "halfspace", "stiff",
+                                               "--reference", "stiff", "-o", "out"}));
+  EXPECT_FALSE(says(outcome.err, "warning"));
+  EXPECT_TRUE(says(folder.text("out/compare.html"), "stiff half-space"));
+  const auto all = folder.json("out/compare.json");
   int found = 0;
   for (const auto& number : all.at("cases")[0].at("numbers"))
     if (number.at("model") == "halfspace" && number.at("quantity") == "max_pressure" &&
@@ -97,24 +89,24 @@ TEST(ToyModel, IsComparedAndMayBeTheReference) {
 
 TEST(ToyModel, IsStudiedAsTheHalfSpaceIs) {
   const Folder folder;
-  const Outcome outcome = toy(folder, {"study", folder.file("q.toml", quick_creep), "-m",
-                                       "halfspace", "stiff", "--levels", "3", "-o", "out"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  expect_in(outcome.out, "stiff");
-  const auto series = read(folder.work() / "out" / "study.json").at("places")[0].at("series");
+  const Outcome outcome =
+      checked(toy(folder, {"study", folder.file("q.toml", quick_creep), "-m", "halfspace", "stiff",
+                           "--levels", "3", "-o", "out"}));
+  EXPECT_TRUE(says(outcome.out, "stiff"));
+  const auto series = folder.json("out/study.json").at("places")[0].at("series");
   ASSERT_EQ(series.size(), 2U);
   EXPECT_EQ(series[1].at("model"), "stiff");
   EXPECT_EQ(series[1].at("levels").size(), 3U);
-  expect_in(contents(folder.work() / "out" / "study.html"), "stiff half-space");
+  EXPECT_TRUE(says(folder.text("out/study.html"), "stiff half-space"));
 }
 
 TEST(ToyModel, GoesOnFromItsCheckpointAndGivesStresses) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick_creep);
-  ASSERT_EQ(toy(folder, {"run", file, "-m", "stiff", "--no-report", "--resume"}).status, 0);
-  const Outcome stress = toy(folder, {"stress", "results/q", "--at", "0,0,2", "--no-figures"});
-  EXPECT_EQ(stress.status, 0) << stress.err;
-  expect_in(stress.out, "stiff");
+  checked(toy(folder, {"run", file, "-m", "stiff", "--no-report", "--resume"}));
+  const Outcome stress =
+      checked(toy(folder, {"stress", "results/q", "--at", "0,0,2", "--no-figures"}));
+  EXPECT_TRUE(says(stress.out, "stiff"));
 }
 
 }  // namespace

@@ -1,19 +1,12 @@
 // Cases with profiles from the command line: check tells where the wheels touch, run solves every
 // patch of a row of positions, and an ended run is taken up patch by patch.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
+#include "support/csv_rows.hpp"
 #include "support/program.hpp"
 #include <cmath>
-#include <sstream>
-
-namespace fs = std::filesystem;
-using rollfem::testing::call;
-using rollfem::testing::contents;
-using rollfem::testing::Folder;
-using rollfem::testing::Outcome;
 
 namespace {
+
+using namespace rollfem::testing;
 
 const std::string two_positions = R"(
 title = "two positions"
@@ -45,18 +38,15 @@ fields = false
 
 TEST(Wheelset, CheckTellsWhereTheWheelsTouch) {
   const Folder folder;
-  const Outcome outcome = call(folder, {"check", folder.file("case.toml", two_positions)});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* text : {"where wheel and rail touch", "UIC60-manchester", "y track mm"})
-    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << '\n' << outcome.out;
+  const Outcome outcome = done(folder, {"check", folder.file("case.toml", two_positions)});
+  EXPECT_TRUE(says(outcome.out, "where wheel and rail touch", "UIC60-manchester", "y track mm"));
 }
 
-TEST(Wheelset, RunSolvesEveryPatchOfTheRow) {
+TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   const Folder folder;
   const Outcome outcome =
-      call(folder, {"run", folder.file("case.toml", two_positions), "-o", "out", "--no-report"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto summary = nlohmann::json::parse(contents(folder.work() / "out/summary.json"));
+      done(folder, {"run", folder.file("case.toml", two_positions), "-o", "out", "--no-report"});
+  const auto summary = folder.json("out/summary.json");
   ASSERT_EQ(summary["models"].size(), 4U);
   const auto& left = summary["models"][2];
   EXPECT_EQ(left["place"]["wheel"], "left");
@@ -64,15 +54,8 @@ TEST(Wheelset, RunSolvesEveryPatchOfTheRow) {
   // CONTACT on this scene: 1011.2 MPa and 16.2 mm (wheelrail_left_patch.csv).
   EXPECT_NEAR(left["points"][0]["max_pressure"].get<double>(), 1011.2, 0.005 * 1011.2);
   EXPECT_NEAR(left["points"][0]["contact_width"].get<double>(), 16.2, 0.4);
-  EXPECT_TRUE(fs::exists(folder.work() / "out/contacts.csv"));
-  EXPECT_NE(outcome.out.find("y rail mm"), std::string::npos) << outcome.out;
-}
-
-TEST(Wheelset, RowHasOneLineAPositionWithBothWheels) {
-  const Folder folder;
-  const Outcome outcome =
-      call(folder, {"run", folder.file("case.toml", two_positions), "-o", "out", "--no-report"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(folder.holds("out/contacts.csv"));
+  EXPECT_TRUE(says(outcome.out, "y rail mm"));
   // On the screen a line a position and a line a patch, and what is alike of all patches once.
   const auto times = [&](const std::string& words) {
     int count = 0;
@@ -84,14 +67,7 @@ TEST(Wheelset, RowHasOneLineAPositionWithBothWheels) {
   EXPECT_EQ(times("\nleft ") + times("\nright"), 4);
   EXPECT_EQ(times("halfspace: error bars: "), 1);
   EXPECT_EQ(times("(and 2 other patches with other numbers)"), 1) << outcome.out;
-  std::istringstream table(contents(folder.work() / "out/wheelset.csv"));
-  std::string line;
-  std::vector<std::vector<std::string>> rows;
-  while (std::getline(table, line)) {
-    rows.emplace_back();
-    std::istringstream cells(line + ",end");
-    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-  }
+  const auto rows = csv_rows(folder.text("out/wheelset.csv"));
   ASSERT_EQ(rows.size(), 3u);
   const auto number = [&](std::size_t row, const std::string& name) {
     const auto column = std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin();
@@ -107,7 +83,7 @@ TEST(Wheelset, RowHasOneLineAPositionWithBothWheels) {
   EXPECT_NEAR(number(2, "wave_length [mm]"),
               2.0 * M_PI * std::sqrt(1500.0 * 450.0 / (2.0 * number(2, "conicity_wave [-]"))),
               1e-6);
-  EXPECT_EQ(contents(folder.work() / "out/wheelset_rigid.csv").rfind("lateral_shift [mm],", 0), 0u);
+  EXPECT_EQ(folder.text("out/wheelset_rigid.csv").rfind("lateral_shift [mm],", 0), 0u);
   // The patches of 100 kN are near where the rigid bodies touch.
   EXPECT_NEAR(number(2, "radius_difference [mm]"), number(2, "rigid_radius_difference [mm]"), 0.2);
 }
@@ -118,6 +94,6 @@ TEST(Wheelset, WheelOffTheRailIsSaidInOneLine) {
   text.replace(text.find("[0.0, 2.0]"), 10, "-60.0");
   const Outcome outcome = call(folder, {"run", folder.file("case.toml", text), "-o", "out"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("wheelset.lateral_shift = -60"), std::string::npos) << outcome.err;
-  EXPECT_FALSE(fs::exists(folder.work() / "out"));
+  EXPECT_TRUE(says(outcome.err, "wheelset.lateral_shift = -60"));
+  EXPECT_FALSE(folder.holds("out"));
 }

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "support/places.hpp"
 #include "support/temporary_folder.hpp"
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <sys/wait.h>
@@ -34,8 +35,10 @@ class Folder : public TemporaryFolder {
 
   /// Where the program is started; what it writes lands here.
   std::filesystem::path work() const { return path() / "work"; }
-  /// Where its output is kept.
-  std::filesystem::path output(const std::string& name) const { return path() / name; }
+  /// Of what lies there: a file's text, a JSON file, whether there is a file or folder.
+  std::string text(const std::string& name) const { return contents(work() / name); }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(text(name)); }
+  bool holds(const std::string& name) const { return std::filesystem::exists(work() / name); }
 
   /// Everything the program left, sorted, relative to the working folder.
   std::vector<std::string> made() const {
@@ -51,16 +54,41 @@ inline bool has(const std::vector<std::string>& names, const std::string& name) 
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The first load point of the first model of a result.
+inline nlohmann::json point_of(const Folder& folder, const std::string& result) {
+  return folder.json(result + "/summary.json")["models"][0]["points"][0];
+}
+
+/// The call of rollfem with these arguments, on several processes where that is asked for.
+inline std::vector<std::string> command_of(const std::vector<std::string>& arguments,
+                                           int processes = 1) {
+  std::vector<std::string> command;
+  if (processes > 1)
+    command = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-n", std::to_string(processes)};
+  command.emplace_back(ROLLFEM_PROGRAM);
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
+/// The arguments that several calls share, and more.
+inline std::vector<std::string> joined(std::vector<std::string> shared,
+                                       const std::vector<std::string>& more) {
+  shared.insert(shared.end(), more.begin(), more.end());
+  return shared;
+}
+
 /// Runs a command in the folder, stdin empty, with NAME=value added to the environment, and without
-/// a cache unless that names one.
-/// `interrupt_after` > 0 sends Ctrl-C's signal after that many milliseconds.
+/// a cache unless that names one. `watch` is asked every few milliseconds until it wants a signal
+/// to be sent, which happens once; 0: not yet.
 inline Outcome execute(const Folder& folder, std::vector<std::string> command,
-                       std::vector<std::string> environment = {}, int interrupt_after = 0) {
+                       std::vector<std::string> environment = {},
+                       const std::function<int()>& watch = {}) {
+  static int calls = 0;  // one may be made while another is watched
+  const std::string number = std::to_string(++calls);
   std::vector<char*> arguments;
   for (std::string& argument : command) arguments.push_back(argument.data());
   arguments.push_back(nullptr);
-  const std::string out = folder.output("stdout").string();
-  const std::string err = folder.output("stderr").string();
+  const std::string out = folder.path("stdout_" + number), err = folder.path("stderr_" + number);
   const std::string work = folder.work().string();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot fork");
@@ -74,25 +102,41 @@ inline Outcome execute(const Folder& folder, std::vector<std::string> command,
     execvp(arguments[0], arguments.data());
     _exit(127);
   }
-  if (interrupt_after > 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after));
-    kill(child, SIGINT);
-  }
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  Outcome outcome;
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  outcome.out = contents(out);
-  outcome.err = contents(err);
-  return outcome;
+  for (int sent = watch ? 0 : -1; waitpid(child, &status, sent == 0 ? WNOHANG : 0) != child;) {
+    if (sent != 0) continue;
+    sent = watch();
+    if (sent != 0) kill(child, sent);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out),
+          contents(err)};
+}
+
+/// What sends Ctrl-C's signal after that many milliseconds.
+inline std::function<int()> interrupt_after(int milliseconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  return [end] { return std::chrono::steady_clock::now() < end ? 0 : SIGINT; };
 }
 
 /// Runs rollfem.
 inline Outcome call(const Folder& folder, const std::vector<std::string>& arguments,
-                    const std::vector<std::string>& environment = {}, int interrupt_after = 0) {
-  std::vector<std::string> command{ROLLFEM_PROGRAM};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return execute(folder, command, environment, interrupt_after);
+                    const std::vector<std::string>& environment = {},
+                    const std::function<int()>& watch = {}) {
+  return execute(folder, command_of(arguments), environment, watch);
+}
+
+/// Ends the test where a call has failed.
+inline Outcome checked(Outcome outcome) {
+  if (outcome.status != 0)
+    throw std::runtime_error("status " + std::to_string(outcome.status) + ": " + outcome.err);
+  return outcome;
+}
+
+/// Runs rollfem, which must succeed.
+inline Outcome done(const Folder& folder, const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& environment = {}) {
+  return checked(call(folder, arguments, environment));
 }
 
 /// One line on stderr that starts with the program's name, nothing on stdout, exit status 2.
@@ -100,8 +144,7 @@ inline void expect_refused(const Outcome& outcome, const std::string& part) {
   EXPECT_EQ(outcome.status, 2) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err.rfind("rollfem: ", 0), 0u) << outcome.err;
-  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("do: "), std::string::npos) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, part, "do: "));
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 

@@ -10,42 +10,13 @@
 
 namespace rollfem::testing {
 
-/// Runs a command in the folder, `cache` being that of corrections (empty: none), and ends it by
-/// SIGKILL as soon as `moment` has come. `killed` false: it ended before.
-struct Killed {
-  bool killed = false;
-  std::string err;
-};
-
-inline Killed kill_when(const Folder& folder, const std::vector<std::string>& command,
-                        const std::function<bool()>& moment, const std::string& cache = "") {
-  const std::string err = folder.output("stderr_killed").string();
-  std::vector<std::string> copy = command;
-  std::vector<char*> arguments;
-  for (std::string& argument : copy) arguments.push_back(argument.data());
-  arguments.push_back(nullptr);
-  const std::string work = folder.work().string();
-  const pid_t child = fork();
-  if (child == 0) {
-    setpgid(0, 0);
-    setenv("ROLLFEM_CACHE", cache.c_str(), 1);
-    if (chdir(work.c_str()) != 0 || dup2(open("/dev/null", O_WRONLY), 1) < 0 ||
-        dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2) < 0)
-      _exit(126);
-    execvp(arguments[0], arguments.data());
-    _exit(127);
-  }
-  Killed outcome;
-  int status = 0;
-  while (waitpid(child, &status, WNOHANG) == 0) {
-    if (!outcome.killed && moment()) {
-      outcome.killed = true;
-      kill(child, SIGKILL);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  outcome.err = contents(err);
-  return outcome;
+/// Runs a command and ends it by SIGKILL as soon as `moment` has come, which it must outlast.
+inline void kill_when(const Folder& folder, const std::vector<std::string>& command,
+                      const std::function<bool()>& moment,
+                      const std::vector<std::string>& environment = {}) {
+  const Outcome outcome =
+      execute(folder, command, environment, [&] { return moment() ? SIGKILL : 0; });
+  EXPECT_EQ(outcome.status, 128 + SIGKILL) << outcome.err;
 }
 
 /// Number of records whose name begins so.

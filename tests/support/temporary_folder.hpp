@@ -1,5 +1,7 @@
-// A folder that is removed at the end, and what is in a file.
+// A folder that is removed at the end, what is in a file, and what a text says.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -45,6 +47,16 @@ inline std::string contents(const std::filesystem::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+/// Whether a text has all of these parts; EXPECT_TRUE prints the text and what it has not.
+template <class... Parts>
+::testing::AssertionResult says(const std::string& text, const Parts&... parts) {
+  std::string missing;
+  for (const std::string& part : {std::string(parts)...})
+    if (text.find(part) == std::string::npos) missing += "no '" + part + "' ";
+  if (!missing.empty()) return ::testing::AssertionFailure() << missing << "in: " << text;
+  return ::testing::AssertionSuccess() << text;
 }
 
 /// What a call is refused with, "" when it is not.
