@@ -3,7 +3,7 @@
 #include "app/files_together.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
-#include "fem/body/mesh_report.hpp"
+#include "fem/elasticity/mesh_report.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/fem/fem_model.hpp"
 #include "models/program/processes.hpp"

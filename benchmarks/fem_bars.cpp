@@ -6,10 +6,10 @@
 // benchmark_fem_bars fem FOLDER PARTS FINER SEED FIRST NUMBER [rows], e.g. fem levels 4 16 1 0 40,
 // or benchmark_fem_bars hybrid SEED FIRST NUMBER [rows]. With `rows` every number is printed as
 // well (error, bar).
-#include "fem/correction/smooth_parts.hpp"
-#include "fem/model/contact_run.hpp"
-#include "fem/model/model.hpp"
+#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/run_level.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
 #include <deal.II/base/mpi.h>

@@ -2,10 +2,10 @@
 // precisions against bandwidth and matrix multiplication of this machine, the factorisation against
 // matrix multiplication. Half a rail of case a, one process, CPU seconds, best of several.
 //   benchmark_fem_roofline product CELL_MM ... factorisation CELL_MM ...
-#include "fem/body/body.hpp"
-#include "fem/solver/cholmod.hpp"
-#include "fem/solver/elasticity_assembly.hpp"
-#include "fem/solver/elasticity_operator.hpp"
+#include "fem/discretisation/body.hpp"
+#include "fem/discretisation/elasticity_assembly.hpp"
+#include "fem/discretisation/elasticity_operator.hpp"
+#include "fem/linear/cholmod.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

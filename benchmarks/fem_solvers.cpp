@@ -4,11 +4,11 @@
 // size.
 //   benchmark_fem_solvers multigrid|algebraic|factorisation CELL_MM ...
 #include "contact/base/stopwatch.hpp"
-#include "fem/body/body.hpp"
-#include "fem/coupling/compliance.hpp"
-#include "fem/solver/algebraic_multigrid.hpp"
-#include "fem/solver/factorisation.hpp"
-#include "fem/solver/multigrid.hpp"
+#include "fem/discretisation/body.hpp"
+#include "fem/linear/algebraic_multigrid.hpp"
+#include "fem/linear/factorisation.hpp"
+#include "fem/linear/multigrid.hpp"
+#include "fem/trace/compliance.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 
 namespace rollfem::hybrid {
 
-/// Finds what the bodies of a scene add: by finite elements (fem/correction/smooth_parts.hpp).
+/// Finds what the bodies of a scene add: by finite elements (hybrid/correction/smooth_parts.hpp).
 using FindParts =
     std::function<halfspace::SmoothParts(const contact::Scene&, const contact::Progress&)>;
 

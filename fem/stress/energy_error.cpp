@@ -1,6 +1,6 @@
 #include "fem/stress/energy_error.hpp"
 
-#include "fem/solver/cell_terms.hpp"
+#include "fem/discretisation/cell_terms.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

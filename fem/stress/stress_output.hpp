@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/result/result.hpp"
-#include "fem/coupling/compliance.hpp"
+#include "fem/trace/compliance.hpp"
 
 #include <memory>
 

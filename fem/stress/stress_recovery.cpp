@@ -2,7 +2,7 @@
 // surface then have the same rule as all others, and hanging nodes need no exception.
 #include "fem/stress/stress_recovery.hpp"
 
-#include "fem/solver/cell_terms.hpp"
+#include "fem/discretisation/cell_terms.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

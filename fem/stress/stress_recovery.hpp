@@ -3,7 +3,7 @@
 // neighbours, averaged at the nodes (docs/subsurface.md).
 #pragma once
 
-#include "fem/body/body.hpp"
+#include "fem/discretisation/body.hpp"
 
 #include <array>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "fem/stress/surface_stress.hpp"
 
-#include "fem/coupling/surface_tractions.hpp"
+#include "fem/trace/surface_tractions.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"
-#include "fem/body/body_points.hpp"
+#include "fem/discretisation/body_points.hpp"
 
 namespace rollfem::fem {
 

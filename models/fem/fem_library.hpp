@@ -2,7 +2,7 @@
 // than a whole half-space run.
 #pragma once
 
-#include "fem/model/model.hpp"
+#include "fem/elasticity/model.hpp"
 
 namespace rollfem::modelling {
 

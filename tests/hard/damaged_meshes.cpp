@@ -1,7 +1,7 @@
 // Damaged mesh files: each is read as some mesh or refused with one message, soon, whatever is in
 // it. ROLLFEM_DAMAGED=10000 tries as many.
 #include "contact/base/errors.hpp"
-#include "meshes/gmsh/msh_file.hpp"
+#include "meshes/msh_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // the same contact elements, for patches so small beside the radii that the bodies are half-spaces.
 #include "contact/base/errors.hpp"
 #include "contact/result/contact_residual.hpp"
-#include "fem/model/contact_run.hpp"
-#include "fem/model/model.hpp"
+#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/run_level.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 

@@ -1,7 +1,7 @@
 // An iterative solver on any number of processes beside the factorisation of the same block on one.
 #pragma once
 
-#include "fem/solver/factorisation.hpp"
+#include "fem/linear/factorisation.hpp"
 
 #include "support/fem_elastic_block.hpp"
 #include <algorithm>

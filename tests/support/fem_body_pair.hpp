@@ -2,8 +2,8 @@
 // once for all tests of a program.
 #pragma once
 
-#include "fem/coupling/compliance.hpp"
-#include "fem/solver/factorisation.hpp"
+#include "fem/linear/factorisation.hpp"
+#include "fem/trace/compliance.hpp"
 
 #include "support/fem_test_support.hpp"
 #include <memory>

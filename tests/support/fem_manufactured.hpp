@@ -1,8 +1,8 @@
 // A smooth displacement on curved bodies whose load is known: for orders of convergence.
 #pragma once
 
-#include "fem/body/chart.hpp"
-#include "fem/solver/linear_solver.hpp"
+#include "fem/linear/linear_solver.hpp"
+#include "fem/mesh/chart.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

@@ -2,7 +2,7 @@
 // axisymmetric displacement.
 #pragma once
 
-#include "fem/solver/linear_solver.hpp"
+#include "fem/linear/linear_solver.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>

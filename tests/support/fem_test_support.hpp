@@ -3,7 +3,7 @@
 
 #include "contact/base/grid.hpp"
 #include "contact/scene/contact_surface.hpp"
-#include "fem/body/body.hpp"
+#include "fem/discretisation/body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Small hexahedral meshes for the tests.
 #pragma once
 
-#include "meshes/gmsh/cell_quality.hpp"
-#include "meshes/gmsh/msh_file.hpp"
+#include "meshes/cell_quality.hpp"
+#include "meshes/msh_file.hpp"
 
 #include "support/temporary_folder.hpp"
 #include <array>

@@ -1,7 +1,7 @@
 // Meshes in the formats of .msh files that the program reads but does not write.
 #pragma once
 
-#include "meshes/gmsh/hex_mesh.hpp"
+#include "meshes/hex_mesh.hpp"
 
 #include <cstdint>
 #include <string>

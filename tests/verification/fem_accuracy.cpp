@@ -2,7 +2,7 @@
 // estimate of the right size, or said not to be reached.
 #include "contact/case/case_reader.hpp"
 #include "contact/result/refinement.hpp"
-#include "fem/model/model.hpp"
+#include "fem/elasticity/model.hpp"
 
 #include <gtest/gtest.h>
 

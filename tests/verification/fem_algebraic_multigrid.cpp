@@ -1,7 +1,7 @@
 // Algebraic multigrid against a direct solver, also on a coarse mesh that geometric multigrid would
 // have to factorise whole. The same program runs on one process and under mpirun.
 #include "contact/base/errors.hpp"
-#include "fem/solver/algebraic_multigrid.hpp"
+#include "fem/linear/algebraic_multigrid.hpp"
 
 #include <gtest/gtest.h>
 

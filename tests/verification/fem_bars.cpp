@@ -1,7 +1,7 @@
 // The error bars of finite elements on a random contact, which is none of the cases a to f, against
 // cells of half the size and their bars. benchmarks/fem_bars.cpp counts how often bars hold.
 #include "contact/base/checkpoint.hpp"
-#include "fem/model/model.hpp"
+#include "fem/elasticity/model.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <gtest/gtest.h>

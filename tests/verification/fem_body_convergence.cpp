@@ -1,6 +1,6 @@
 // Manufactured solution on curved bodies: error of order degree + 1 in displacement and degree in
 // stress.
-#include "fem/solver/factorisation.hpp"
+#include "fem/linear/factorisation.hpp"
 
 #include "support/fem_manufactured.hpp"
 #include "support/recorded.hpp"

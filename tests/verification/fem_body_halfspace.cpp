@@ -1,8 +1,8 @@
 // A large flat body under a small loaded rectangle is a half-space: displacement differences
 // against the closed forms of Love and Cerruti behind halfspace::HalfspaceCompliance.
 #include "contact/scene/geometry.hpp"
-#include "fem/coupling/compliance.hpp"
-#include "fem/solver/factorisation.hpp"
+#include "fem/linear/factorisation.hpp"
+#include "fem/trace/compliance.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
 #include "support/fem_test_support.hpp"

@@ -2,7 +2,7 @@
 // against CONTACT's extrapolated creep curve. This is the program's main job.
 #include "contact/case/case_reader.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "fem/model/model.hpp"
+#include "fem/elasticity/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // and how far the recovered stress at the surface is from the tractions.
 #include "contact/case/case_reader.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "fem/model/contact_run.hpp"
+#include "fem/elasticity/run_level.hpp"
 
 #include <gtest/gtest.h>
 

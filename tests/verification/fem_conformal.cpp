@@ -1,7 +1,7 @@
 // The hybrid where patches embrace: a wheel in a groove, whose normals turn by 33 degrees.
 #include "contact/case/case_reader.hpp"
-#include "fem/correction/smooth_parts.hpp"
 #include "halfspace/model/model.hpp"
+#include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // (rail of 50 mm under a wheel of -51.282 mm) on coarse cells against the half-space.
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/contact_surface.hpp"
-#include "fem/model/contact_run.hpp"
+#include "fem/elasticity/run_level.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>

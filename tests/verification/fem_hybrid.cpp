@@ -2,9 +2,9 @@
 // and the finite elements' pressure and forces where the surfaces are steep.
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
-#include "fem/correction/smooth_parts.hpp"
 #include "halfspace/model/model.hpp"
 #include "hybrid/compliance.hpp"
+#include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/scene.hpp"
-#include "fem/correction/smooth_parts.hpp"
 #include "halfspace/model/model.hpp"
+#include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
 #include <gtest/gtest.h>

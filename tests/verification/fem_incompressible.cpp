@@ -1,10 +1,10 @@
 // Nearly incompressible bodies: orders at nu = 0.4999 where plain elements lock, a thick cylinder
 // and its stresses, contact of rubber-like bodies against the half-space.
 #include "contact/case/case_reader.hpp"
-#include "fem/coupling/compliance.hpp"
-#include "fem/model/contact_run.hpp"
-#include "fem/solver/cell_terms.hpp"
-#include "fem/solver/factorisation.hpp"
+#include "fem/discretisation/cell_terms.hpp"
+#include "fem/elasticity/run_level.hpp"
+#include "fem/linear/factorisation.hpp"
+#include "fem/trace/compliance.hpp"
 #include "theories/registry.hpp"
 
 #include "support/fem_elastic_block.hpp"

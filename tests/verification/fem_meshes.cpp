@@ -1,7 +1,7 @@
 // The same contact under different meshes: the program's two families, segments of two sizes, and
 // meshes of a user whose lines follow neither rolling nor the lateral direction.
 #include "contact/case/case_reader.hpp"
-#include "fem/model/contact_run.hpp"
+#include "fem/elasticity/run_level.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Multigrid against a direct solver and a closed form; its convergence. The same program runs on
 // one process and under mpirun on two.
 #include "contact/base/errors.hpp"
-#include "fem/solver/multigrid.hpp"
+#include "fem/linear/multigrid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Patch test: a linear displacement is in equilibrium on skew cells with hanging nodes, its strain
 // energy is exact, and recovered stress is the constant one.
-#include "fem/body/body_nodes.hpp"
-#include "fem/solver/elasticity_assembly.hpp"
+#include "fem/discretisation/elasticity_assembly.hpp"
+#include "fem/stress/body_nodes.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 

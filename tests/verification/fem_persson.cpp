@@ -3,7 +3,7 @@
 // and normal contact solver.
 #include "contact/result/patch_size.hpp"
 #include "contact/solve/normal.hpp"
-#include "fem/solver/factorisation.hpp"
+#include "fem/linear/factorisation.hpp"
 
 #include <Eigen/Cholesky>
 #include <deal.II/base/quadrature_lib.h>

@@ -1,9 +1,9 @@
 // Every problem of the half-space by finite elements, on bodies that curve gently: both models pose
 // one problem, so that they differ by elasticity alone; the cells are coarse, a fifth of the patch,
 // and finite elements then transmit some per cent more at the same creepage.
-#include "fem/model/contact_run.hpp"
-#include "fem/model/model.hpp"
-#include "fem/model/run_layout.hpp"
+#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/run_level.hpp"
+#include "fem/mesh/run_layout.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 

@@ -1,8 +1,8 @@
 // The model fem on patches of true profiles: circles given as profiles against radii, a sphere
 // about a tilted axle, S1002 on UIC60 against the half-space on the same grid.
 #include "contact/scene/contact_surface.hpp"
-#include "fem/model/contact_run.hpp"
-#include "fem/model/run_layout.hpp"
+#include "fem/elasticity/run_level.hpp"
+#include "fem/mesh/run_layout.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // What half-space theory leaves out at no creepage: an elastic sphere on a flat rail of the same
 // material slips although it is not driven. Lur'e's series for the sphere and the half-space for
 // the rail (benchmarks/book/elastic_sphere.py) say by how much.
-#include "fem/coupling/compliance.hpp"
-#include "fem/solver/factorisation.hpp"
+#include "fem/linear/factorisation.hpp"
+#include "fem/trace/compliance.hpp"
 
 #include "support/fem_test_support.hpp"
 #include "support/recorded.hpp"

@@ -1,7 +1,7 @@
 // Slip of a loaded wheel on a rail at xi = 0, which half-spaces do not have: finite elements
 // against a first-order perturbation of the half-space by the curvature of the bodies.
 #include "contact/case/case_reader.hpp"
-#include "fem/model/contact_run.hpp"
+#include "fem/elasticity/run_level.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Recovered stress on curved bodies with hanging nodes: its order by a manufactured solution, and
 // the same numbers on any number of processes.
-#include "fem/body/body_points.hpp"
-#include "fem/coupling/compliance.hpp"
-#include "fem/solver/multigrid.hpp"
+#include "fem/discretisation/body_points.hpp"
+#include "fem/linear/multigrid.hpp"
 #include "fem/stress/energy_error.hpp"
 #include "fem/stress/stress_recovery.hpp"
+#include "fem/trace/compliance.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
 #include "support/fem_manufactured.hpp"

@@ -1,11 +1,11 @@
 // Stress at the surface of a finite-element body from the tractions and the strain within the
 // surface: against Hertz's closed forms inside and outside of a circle, and better than the
 // recovered stress alone.
-#include "fem/body/prescribed.hpp"
-#include "fem/coupling/compliance.hpp"
-#include "fem/solver/multigrid.hpp"
+#include "fem/linear/multigrid.hpp"
+#include "fem/linear/prescribed.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/stress/surface_stress.hpp"
+#include "fem/trace/compliance.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
 #include "support/fem_manufactured.hpp"

@@ -1,0 +1,78 @@
+// Degrees of freedom, constraints and boundary conditions on the mesh of a body.
+#include "fem/discretisation/body.hpp"
+
+#include "fem/discretisation/material_motion.hpp"
+#include "fem/mesh/body_mesh.hpp"
+#include "fem/mesh/coarse_mesh.hpp"
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <algorithm>
+
+namespace rollfem::fem {
+
+namespace {
+
+BoundaryConditions boundary_conditions(const BodyOptions& options) {
+  BoundaryConditions conditions;
+  conditions.clamped = {far_boundary};
+  if (options.half) conditions.vanishing_component = {{symmetry_plane, 1}};
+  return conditions;
+}
+
+BoundaryConditions boundary_conditions(const meshes::HexMesh& mesh) {
+  BoundaryConditions conditions;
+  conditions.clamped = {far_boundary};
+  for (const auto& quad : mesh.sides)
+    if (quad.side == meshes::Side::symmetry) conditions.vanishing_component = {{symmetry_plane, 1}};
+  return conditions;
+}
+
+}  // namespace
+
+Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+           MPI_Comm communicator)
+    : shape_(shape),
+      material_(material),
+      options_(options),
+      boundary_(boundary_conditions(options)),
+      triangulation_(communicator),
+      mapping_(std::max(2, options.degree)),
+      dofs_(triangulation_) {
+  make_mesh(shape, options, triangulation_);
+  distribute();
+}
+
+Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+           const meshes::HexMesh& coarse, MPI_Comm communicator)
+    : Body(shape, material, options, CoarseBody{coarse, {}}, communicator) {}
+
+Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
+           const CoarseBody& coarse, MPI_Comm communicator)
+    : shape_(shape),
+      material_(material),
+      options_(options),
+      boundary_(boundary_conditions(coarse.mesh)),
+      triangulation_(communicator),
+      mapping_(std::max(2, options.degree)),
+      dofs_(triangulation_) {
+  refine_coarse_mesh(shape, options, coarse, mapping_, triangulation_);
+  distribute();
+}
+
+void Body::distribute() {
+  dofs_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(options_.degree), 3));
+  constraints_ = make_constraints(dofs_, mapping_, boundary_);
+}
+
+meshes::HexMesh Body::coarse_mesh() const {
+  return hex_mesh(triangulation_);
+}
+
+ElasticProblem Body::problem() const {
+  return {dofs_,     mapping_,  constraints_,
+          boundary_, material_, material_motion(shape_, options_.speed)};
+}
+
+}  // namespace rollfem::fem

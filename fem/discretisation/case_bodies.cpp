@@ -1,0 +1,151 @@
+#include "fem/discretisation/case_bodies.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/mesh/coarse_mesh.hpp"
+#include "fem/mesh/run_layout.hpp"
+#include "meshes/true_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// Distance from the origin to the nearest clamped node.
+double distance_to_fixed(const meshes::HexMesh& mesh) {
+  double nearest = HUGE_VAL;
+  for (const auto& quad : mesh.sides)
+    if (quad.side == meshes::Side::fixed)
+      for (const int corner : quad.corners) {
+        const auto& p = mesh.points[corner];
+        nearest = std::min(nearest, std::hypot(p[0], p[1], p[2]));
+      }
+  return nearest;
+}
+
+std::unique_ptr<Body> imported_body(const contact::Scene& scene, const std::string& key,
+                                    const std::string& file, const SurfaceShape& shape,
+                                    const contact::Material& material, BodyOptions options,
+                                    MPI_Comm communicator) {
+  const auto path = std::filesystem::path(scene.file).parent_path() / file;
+  const std::string name = fmt::format("{}: {}.mesh = \"{}\"", scene.file, key, file);
+  const bool case_is_symmetric = options.half;
+  const auto mesh = user_mesh(path.string(), name, shape, options, communicator);
+  options.half = std::any_of(mesh.sides.begin(), mesh.sides.end(),
+                             [](const auto& quad) { return quad.side == meshes::Side::symmetry; });
+  if (options.half && !case_is_symmetric)
+    throw contact::InputError(
+        fmt::format("{}: half a body (it has a group `symmetry`) allows neither lateral creepage "
+                    "nor spin; do: mesh the whole body, or set both to 0",
+                    name));
+  options.extent = distance_to_fixed(mesh);
+  try {
+    return std::make_unique<Body>(shape, material, options, mesh, communicator);
+  } catch (const contact::InputError& error) {
+    throw contact::InputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+constexpr double default_rim_thickness = 65.0;  // mm
+constexpr double default_cut_depth = 172.0;     // mm, the whole rail
+
+meshes::TrueSection section_of(const contact::Scene& scene, bool is_wheel) {
+  if (is_wheel)
+    return meshes::wheel_section(*scene.geometry.surface.profiles,
+                                 scene.fem.rim_thickness.value_or(default_rim_thickness));
+  meshes::RailStand stand;
+  stand.inclination = scene.rail_inclination;
+  stand.field_at_left = scene.place && !scene.place->left;
+  stand.cut_depth = scene.fem.depth.value_or(default_cut_depth);
+  return meshes::rail_section(*scene.geometry.surface.profiles, stand);
+}
+
+std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceShape& shape,
+                                   const contact::Material& material, BodyOptions options,
+                                   MPI_Comm communicator) {
+  options.depth.reset();
+  try {
+    const CoarseBody coarse =
+        true_section_mesh(section_of(scene, shape.is_wheel), shape, options, communicator);
+    options.extent = distance_to_fixed(coarse.mesh);
+    return std::make_unique<Body>(shape, material, options, coarse, communicator);
+  } catch (const contact::InputError& error) {
+    throw contact::InputError(fmt::format("{}: {}", scene.file, error.what()));
+  }
+}
+
+std::string section_note(const contact::Scene& scene) {
+  std::string text = "bodies are true sections, fixed at their ends along rolling";
+  if (!scene.rail.material.rigid())
+    text += fmt::format(
+        "; the rail with the underside of the head, web and foot of 60E1, cut and fixed {:.4g} mm "
+        "below its top",
+        std::min(default_cut_depth, scene.fem.depth.value_or(default_cut_depth)));
+  if (!scene.wheel.material.rigid())
+    text += fmt::format("; the rim is fixed {:.4g} mm below the contact",
+                        scene.fem.rim_thickness.value_or(default_rim_thickness));
+  return text;
+}
+
+void check_far_boundary(const contact::Scene& scene) {
+  if (has_true_sections(scene) && scene.fem.far_boundary == contact::FarBoundary::point_load)
+    throw contact::InputError(fmt::format(
+        "{}: fem.far_boundary = \"point_load\" moves the far boundary like that of a half-space, "
+        "which does not suit true sections with free sides; allowed with profiles: \"clamped\"; "
+        "do: remove it, or use boxes on the surface ([fem] mesh = \"structured\")",
+        scene.file));
+}
+
+SurfaceShape surface_shape(const contact::Scene& scene, bool is_wheel) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  if (scene.has_profiles()) return profile_surface(surface.profiles, is_wheel);
+  SurfaceShape shape;
+  shape.is_wheel = is_wheel;
+  if (is_wheel) shape.rolling_radius = surface.rolling_radius;
+  shape.transverse_radius =
+      is_wheel ? surface.wheel_transverse_radius : surface.rail_transverse_radius;
+  shape.round_to = is_wheel ? surface.wheel_round_to : surface.rail_round_to;
+  return shape;
+}
+
+}  // namespace
+
+CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
+                       MPI_Comm communicator, const MeshedBodies& wanted) {
+  const SurfaceShape wheel = surface_shape(scene, true), rail = surface_shape(scene, false);
+  check_far_boundary(scene);
+  const bool sections = has_true_sections(scene);
+  CaseBodies bodies;
+  const auto make = [&](const std::string& key, const std::string& file, const SurfaceShape& shape,
+                        const contact::Material& material) -> std::unique_ptr<Body> {
+    if (material.rigid()) {
+      bodies.notes.push_back(fmt::format("the {} is rigid and not meshed", key));
+      return nullptr;
+    }
+    if (file.empty() && sections)
+      return section_body(scene, shape, material, options, communicator);
+    if (file.empty()) return std::make_unique<Body>(shape, material, options, communicator);
+    bodies.notes.push_back(fmt::format("the {} has the mesh of {}", key, file));
+    return imported_body(scene, key, file, shape, material, options, communicator);
+  };
+  if (wanted.wheel) bodies.wheel = make("wheel", scene.wheel.mesh, wheel, scene.wheel.material);
+  if (wanted.rail) bodies.rail = make("rail", scene.rail.mesh, rail, scene.rail.material);
+  const auto reach = [sections](const Body* body, bool imported) {
+    if (body == nullptr) return contact::infinity;
+    const BodyOptions& o = body->options();
+    return imported || sections ? o.extent : std::min({o.reach_s(), o.reach_t(), o.reach_depth()});
+  };
+  bodies.reach = std::min(reach(bodies.wheel.get(), !scene.wheel.mesh.empty()),
+                          reach(bodies.rail.get(), !scene.rail.mesh.empty()));
+  if (sections)
+    bodies.notes.push_back(section_note(scene));
+  else if (options.family == MeshFamily::gmsh)
+    bodies.notes.push_back("meshes by gmsh: swept cross-sections of quadrilaterals");
+  return bodies;
+}
+
+}  // namespace rollfem::fem

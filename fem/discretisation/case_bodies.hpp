@@ -1,0 +1,32 @@
+// Wheel and rail of a case as finite-element bodies: meshed by the program, or on the user's
+// meshes.
+#pragma once
+
+#include "fem/discretisation/body.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rollfem::fem {
+
+struct CaseBodies {
+  std::unique_ptr<Body> wheel;  ///< null: rigid
+  std::unique_ptr<Body> rail;
+  double reach = 0.0;              ///< mm, from the patch to where the nearer one is held
+  std::vector<std::string> notes;  ///< on rigid bodies and meshes not of the family `structured`
+
+  BodyPair both() const { return {wheel.get(), rail.get()}; }
+};
+
+/// Which are wanted.
+struct MeshedBodies {
+  bool wheel = true;
+  bool rail = true;
+};
+
+/// Collective. Bodies that are not wanted are null like rigid ones. Throws contact::InputError.
+CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
+                       MPI_Comm communicator, const MeshedBodies& wanted = {});
+
+}  // namespace rollfem::fem

@@ -1,0 +1,76 @@
+// Terms of a cell's stiffness beyond pointwise Hooke's law: projected dilatation of nearly
+// incompressible materials, inertia of material flowing through the mesh. Shared by the assembly,
+// the matrix-free operator and everything that computes stresses.
+#pragma once
+
+#include "fem/discretisation/elastic_problem.hpp"
+
+#include <deal.II/fe/fe_values.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Bodies with a larger Poisson's ratio have their dilatation projected.
+inline constexpr double largest_plain_poisson_ratio = 0.45;
+
+/// Lame's constants in MPa.
+double lame_lambda(const contact::Material& material);
+double lame_mu(const contact::Material& material);
+
+/// Whether the problem's dilatation is projected: as it says itself, else where Poisson's ratio is
+/// above the limit. Degrees above 2 do not lock and are never projected.
+bool projects_dilatation(const ElasticProblem& problem);
+
+/// Whether inertia is part of the problem's stiffness.
+bool has_inertia(const ElasticProblem& problem);
+
+/// The functions that a cell's dilatation is projected on: constants for degree 1 (Q1-P0), linear
+/// functions of place for degree 2 (Q2-P1, discontinuous, which passes the inf-sup condition:
+/// Boffi, Brezzi and Fortin, Mixed finite element methods and applications, 2013). Orthonormal in
+/// the cell's own quadrature.
+class DilatationSpace {
+ public:
+  static constexpr int largest_size = 4;
+  static constexpr int size_of_degree(int degree) { return degree == 1 ? 1 : largest_size; }
+
+  explicit DilatationSpace(int degree) : size_(size_of_degree(degree)) {}
+  int size() const { return size_; }
+  /// Places and weights of the cell's quadrature.
+  void reinit(const std::vector<dealii::Point<3>>& places, const std::vector<double>& weights);
+  /// The functions at a place; those beyond size() are 0.
+  std::array<double, largest_size> values(const dealii::Point<3>& place) const;
+
+ private:
+  std::array<double, largest_size> monomials(const dealii::Point<3>& place) const;
+
+  int size_;
+  dealii::Point<3> centre_;
+  double length_ = 1;
+  std::array<std::array<double, largest_size>, largest_size> factor_{};  ///< Gram matrix = L L^T
+};
+
+/// Stress by Hooke's law in one cell after the other, sigma = lambda P(div u) I + 2 mu eps(u), with
+/// the same projection P (or none) that the stiffness has: with the dilatation of the displacement
+/// itself the pressure of a nearly incompressible body would be noise.
+class CellStress {
+ public:
+  explicit CellStress(const ElasticProblem& problem);
+  /// `displacement` has its ghosts updated.
+  void reinit(const dealii::DoFHandler<3>::active_cell_iterator& cell, const Vector& displacement);
+  /// xx yy zz xy yz xz in MPa at a place of the cell where the displacement has this gradient,
+  /// gradient[i][j] = du_i/dx_j.
+  std::array<double, 6> at(const dealii::Tensor<2, 3>& gradient,
+                           const dealii::Point<3>& place) const;
+
+ private:
+  double lambda_, mu_;
+  std::unique_ptr<dealii::FEValues<3>> values_;  ///< null: not projected
+  DilatationSpace space_;
+  std::vector<double> divergences_;
+  std::array<double, DilatationSpace::largest_size> coefficients_{};
+};
+
+}  // namespace rollfem::fem

@@ -1,0 +1,357 @@
+#include "fem/discretisation/elasticity_kernel.hpp"
+
+#include "fem/discretisation/simd_nodes.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// One-dimensional matrices at the Gauss points.
+template <int n>
+struct Shape {
+  double value[n][n];     ///< [point][node]: Lagrange polynomials
+  double gradient[n][n];  ///< [point][point]: derivative of the interpolant through the points
+};
+
+template <int n>
+constexpr Shape<n> make_shape();
+
+template <>
+constexpr Shape<2> make_shape<2>() {
+  constexpr double r = 0.577350269189625764509148780502;  // sqrt(1/3)
+  constexpr double a = (1 + r) / 2, b = (1 - r) / 2, g = 1 / r;
+  return {{{a, b}, {b, a}}, {{-g, g}, {-g, g}}};
+}
+
+template <>
+constexpr Shape<3> make_shape<3>() {
+  // Nodes 0, 1/2, 1; points (1 -+ r)/2 and 1/2, r = sqrt(3/5): the factors of Lagrange's formula.
+  constexpr double r = 0.774596669241483377035853079956;
+  constexpr double a = r * (1 + r) / 2, b = 1 - r * r, c = -r * (1 - r) / 2;
+  constexpr double d = 1 / r;
+  return {{{a, b, c}, {0, 1, 0}, {c, b, a}}, {{-3 * d, 4 * d, -d}, {-d, 0, d}, {d, -4 * d, 3 * d}}};
+}
+
+/// Weights of the Gauss points of the unit cube.
+template <int n, typename Number>
+constexpr std::array<Number, n * n * n> gauss_weights() {
+  constexpr auto one = [](int point) { return n == 2 ? 0.5 : point == 1 ? 4.0 / 9.0 : 5.0 / 18.0; };
+  std::array<Number, n * n * n> weights{};
+  for (int q = 0; q < n * n * n; ++q)
+    weights[q] = static_cast<Number>(one(q % n) * one(q / n % n) * one(q / (n * n)));
+  return weights;
+}
+
+/// M or its transpose times x; of three nodes by even and odd parts, since both matrices stay the
+/// same, or change their sign, when points and nodes are counted from the other end.
+template <int n, bool transpose, typename V, typename Number>
+ROLLFEM_INLINE void multiply(const double (&m)[n][n], bool odd, const V (&x)[n], V (&out)[n]) {
+  const auto entry = [&](int i, int j) {
+    return static_cast<Number>(transpose ? m[j][i] : m[i][j]);
+  };
+  if constexpr (n == 3) {
+    const V sum = x[0] + x[2], difference = x[0] - x[2];
+    const Number half_sum = (entry(0, 0) + entry(0, 2)) / 2;
+    const Number half_difference = (entry(0, 0) - entry(0, 2)) / 2;
+    const V uneven = half_difference * difference;
+    V even = half_sum * sum;
+    if (entry(0, 1) != 0) even += entry(0, 1) * x[1];
+    out[0] = even + uneven;
+    out[2] = odd ? uneven - even : even - uneven;
+    if (odd)
+      out[1] = entry(1, 0) * difference;
+    else
+      out[1] = transpose ? entry(1, 0) * sum + entry(1, 1) * x[1] : x[1];
+  } else {
+#pragma GCC unroll 4
+    for (int i = 0; i < n; ++i) {
+      out[i] = entry(i, 0) * x[0];
+#pragma GCC unroll 4
+      for (int j = 1; j < n; ++j) out[i] += entry(i, j) * x[j];
+    }
+  }
+}
+
+/// out (+)= M in along one direction of an n^3 array; `transpose` takes M^T. `odd`: the matrix of
+/// derivatives, else that of values.
+template <int n, int direction, bool transpose, bool odd, bool add, typename V, typename Number>
+ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) {
+  constexpr int stride = direction == 0 ? 1 : direction == 1 ? n : n * n;
+  for (int line = 0; line < n * n; ++line) {
+    const int start = direction == 0   ? line * n
+                      : direction == 1 ? (line / n) * n * n + line % n
+                                       : line;
+    V x[n], product[n];
+#pragma GCC unroll 4
+    for (int i = 0; i < n; ++i) x[i] = in[start + i * stride];
+    multiply<n, transpose, V, Number>(matrix, odd, x, product);
+#pragma GCC unroll 4
+    for (int i = 0; i < n; ++i) {
+      if (add)
+        out[start + i * stride] += product[i];
+      else
+        out[start + i * stride] = product[i];
+    }
+  }
+}
+
+/// One batch's part of CellBatches, and the number of functions for the dilatation.
+template <typename V>
+struct CellData {
+  const V *geometry, *flow, *dilatation;
+  bool parallelepipeds;
+};
+template <int n>
+constexpr int dilatation_functions = n == 2 ? 1 : 4;
+
+/// Trace of grad u = h^T g.
+template <typename V>
+ROLLFEM_INLINE V trace(const V* h, const V (&g)[3][3]) {
+  V sum{};
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) sum += g[c][0] * h[0 + c] + g[c][1] * h[3 + c] + g[c][2] * h[6 + c];
+  return sum;
+}
+
+/// g[c][e] = d u_c / d xi_e, times the geometry: stress, pulled back in place. One quadrature
+/// point. With h = sqrt(w) dxi/dx, grad u = h^T g and the integrand is (h^T grad v) : sigma.
+/// `projected` is sqrt(w) lambda times the projected dilatation; null: that of g.
+template <typename V, typename Number>
+ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& material,
+                                 const V* projected, V (&g)[3][3]) {
+  V grad[3][3];
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+    for (int d = 0; d < 3; ++d)
+      grad[c][d] = g[c][0] * h[0 + d] + g[c][1] * h[3 + d] + g[c][2] * h[6 + d];
+  const V pressure =
+      projected != nullptr ? *projected : material.lambda * (grad[0][0] + grad[1][1] + grad[2][2]);
+  V s[3][3];
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c) s[c][c] = pressure + 2 * material.mu * grad[c][c];
+  s[0][1] = s[1][0] = material.mu * (grad[0][1] + grad[1][0]);
+  s[0][2] = s[2][0] = material.mu * (grad[0][2] + grad[2][0]);
+  s[1][2] = s[2][1] = material.mu * (grad[1][2] + grad[2][1]);
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+    for (int e = 0; e < 3; ++e)
+      g[c][e] = s[c][0] * h[3 * e] + s[c][1] * h[3 * e + 1] + s[c][2] * h[3 * e + 2];
+}
+
+template <int points, typename V>
+ROLLFEM_INLINE void gather_point(const V (&gradient)[3][3][points], int q, V (&g)[3][3]) {
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+    for (int e = 0; e < 3; ++e) g[c][e] = gradient[c][e][q];
+}
+
+/// lambda times the coefficients of the projected dilatation.
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE void project(const CellData<V>& cell, const LameConstants<Number>& material,
+                            const V (&gradient)[3][3][n * n * n], V* coefficients) {
+  constexpr int functions = dilatation_functions<n>;
+  for (int k = 0; k < functions; ++k) coefficients[k] = V{};
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    const V dilatation = trace(cell.geometry + 9 * q, g);
+#pragma GCC unroll 4
+    for (int k = 0; k < functions; ++k)
+      coefficients[k] += cell.dilatation[functions * q + k] * dilatation;
+  }
+  for (int k = 0; k < functions; ++k) coefficients[k] *= material.lambda;
+}
+
+/// At every quadrature point: the gradient's stress less the flux of momentum, pulled back.
+template <int n, bool projected, bool flows, typename V, typename Number>
+ROLLFEM_INLINE void apply_law(const CellData<V>& cell, const LameConstants<Number>& material,
+                              V (&gradient)[3][3][n * n * n]) {
+  constexpr int functions = dilatation_functions<n>;
+  V coefficients[functions];
+  if constexpr (projected) project<n>(cell, material, gradient, coefficients);
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    [[maybe_unused]] V pressure{}, along[3];
+    if constexpr (projected) {
+#pragma GCC unroll 4
+      for (int k = 0; k < functions; ++k)
+        pressure += cell.dilatation[functions * q + k] * coefficients[k];
+    }
+    if constexpr (flows) {
+      const V* const a = cell.flow + 3 * q;
+#pragma GCC unroll 3
+      for (int c = 0; c < 3; ++c) along[c] = a[0] * g[c][0] + a[1] * g[c][1] + a[2] * g[c][2];
+    }
+    apply_stress(cell.geometry + 9 * q, material, projected ? &pressure : nullptr, g);
+    if constexpr (flows) {
+      const V* const a = cell.flow + 3 * q;
+#pragma GCC unroll 3
+      for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+        for (int e = 0; e < 3; ++e) g[c][e] -= a[e] * along[c];
+    }
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+      for (int e = 0; e < 3; ++e) gradient[c][e][q] = g[c][e];
+  }
+}
+
+/// The same where the geometry is one matrix: its weights are those of the quadrature.
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE void apply_law_of_parallelepiped(const V* geometry,
+                                                const LameConstants<Number>& material,
+                                                V (&gradient)[3][3][n * n * n]) {
+  constexpr auto weights = gauss_weights<n, Number>();
+  for (int q = 0; q < n * n * n; ++q) {
+    V g[3][3];
+    gather_point<n * n * n>(gradient, q, g);
+    const LameConstants<Number> weighted{weights[q] * material.lambda, weights[q] * material.mu};
+    apply_stress(geometry, weighted, static_cast<const V*>(nullptr), g);
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 3
+      for (int e = 0; e < 3; ++e) gradient[c][e][q] = g[c][e];
+  }
+}
+
+/// u = K_cell u for one batch, u[component][node].
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Number>& material,
+                                 V* u) {
+  constexpr int nodes = n * n * n;
+  constexpr Shape<n> shape = make_shape<n>();
+  V gradient[3][3][nodes];
+  V work[nodes];
+  for (int c = 0; c < 3; ++c) {
+    V* v = u + c * nodes;
+    contract<n, 0, false, false, false, V, Number>(shape.value, v, work);
+    contract<n, 1, false, false, false, V, Number>(shape.value, work, v);
+    contract<n, 2, false, false, false, V, Number>(shape.value, v, work);
+    contract<n, 0, false, true, false, V, Number>(shape.gradient, work, gradient[c][0]);
+    contract<n, 1, false, true, false, V, Number>(shape.gradient, work, gradient[c][1]);
+    contract<n, 2, false, true, false, V, Number>(shape.gradient, work, gradient[c][2]);
+  }
+  // Decided once a batch, so that bodies at rest pay nothing for what others need.
+  if (cell.parallelepipeds)
+    apply_law_of_parallelepiped<n>(cell.geometry, material, gradient);
+  else if (cell.dilatation == nullptr && cell.flow == nullptr)
+    apply_law<n, false, false>(cell, material, gradient);
+  else if (cell.dilatation == nullptr)
+    apply_law<n, false, true>(cell, material, gradient);
+  else if (cell.flow == nullptr)
+    apply_law<n, true, false>(cell, material, gradient);
+  else
+    apply_law<n, true, true>(cell, material, gradient);
+  for (int c = 0; c < 3; ++c) {
+    V* v = u + c * nodes;
+    contract<n, 0, true, true, false, V, Number>(shape.gradient, gradient[c][0], work);
+    contract<n, 1, true, true, true, V, Number>(shape.gradient, gradient[c][1], work);
+    contract<n, 2, true, true, true, V, Number>(shape.gradient, gradient[c][2], work);
+    contract<n, 2, true, false, false, V, Number>(shape.value, work, v);
+    contract<n, 1, true, false, false, V, Number>(shape.value, v, work);
+    contract<n, 0, true, false, false, V, Number>(shape.value, work, v);
+  }
+}
+
+template <int n, typename V, typename Number>
+ROLLFEM_INLINE CellData<V> data_of(const CellBatches<Number>& cells, std::size_t batch) {
+  constexpr std::size_t points = n * n * n, width = lanes<Number>;
+  const auto part = [batch](const Number* data, std::size_t items) {
+    return data == nullptr ? nullptr : reinterpret_cast<const V*>(data + batch * items * width);
+  };
+  return {part(cells.geometry, cells.parallelepipeds ? 9 : 9 * points),
+          part(cells.flow, 3 * points), part(cells.dilatation, dilatation_functions<n> * points),
+          cells.parallelepipeds};
+}
+
+template <int n, typename Number>
+ROLLFEM_INLINE void add_product(const CellBatches<Number>& cells,
+                                const LameConstants<Number>& material, const Number* x, Number* y) {
+  using V = typename Simd<Number>::type;
+  constexpr int nodes = n * n * n;
+  V u[3 * nodes];
+  for (std::size_t batch = 0; batch < cells.count; ++batch) {
+    const unsigned int* const offsets = cells.nodes + batch * nodes * lanes<Number>;
+    if (batch + 1 < cells.count) fetch_nodes(offsets + nodes * lanes<Number>, nodes, x, y);
+    gather_nodes<nodes>(offsets, x, u);
+    cell_product<n, V, Number>(data_of<n, V>(cells, batch), material, u);
+    scatter_nodes<nodes>(u, offsets, y);
+  }
+}
+
+template <int n, typename Number>
+ROLLFEM_INLINE void element_matrices(const CellBatches<Number>& cells,
+                                     const LameConstants<Number>& material, std::size_t batch,
+                                     Number* matrices) {
+  using V = typename Simd<Number>::type;
+  constexpr int width = lanes<Number>, dofs = 3 * n * n * n;
+  const auto cell = data_of<n, V>(cells, batch);
+  V u[dofs];
+  for (int column = 0; column < dofs; ++column) {
+    for (int i = 0; i < dofs; ++i) u[i] = V{} + static_cast<Number>(i == column ? 1 : 0);
+    cell_product<n, V, Number>(cell, material, u);
+    for (int i = 0; i < dofs; ++i)
+      for (int lane = 0; lane < width; ++lane)
+        matrices[(static_cast<std::size_t>(i) * dofs + column) * width + lane] = u[i][lane];
+  }
+}
+
+// The same code for each instruction set.
+#define ROLLFEM_VARIANT(name, attribute)                                                           \
+  template <int n, typename Number>                                                                \
+  attribute void add_product_##name(const CellBatches<Number>& cells,                              \
+                                    const LameConstants<Number>& material, const Number* x,        \
+                                    Number* y) {                                                   \
+    add_product<n, Number>(cells, material, x, y);                                                 \
+  }                                                                                                \
+  template <int n, typename Number>                                                                \
+  attribute void element_matrices_##name(const CellBatches<Number>& cells,                         \
+                                         const LameConstants<Number>& material, std::size_t batch, \
+                                         Number* matrices) {                                       \
+    element_matrices<n, Number>(cells, material, batch, matrices);                                 \
+  }                                                                                                \
+  template <int n, typename Number>                                                                \
+  ElasticityKernel<Number> kernel_##name() {                                                       \
+    return {&add_product_##name<n, Number>, &element_matrices_##name<n, Number>};                  \
+  }
+
+ROLLFEM_VARIANT(plain, )
+#ifdef __x86_64__
+ROLLFEM_VARIANT(avx2, __attribute__((target("avx2,fma"))))
+ROLLFEM_VARIANT(avx512, __attribute__((target("avx512f,avx512dq,avx512vl,fma"))))
+#endif
+
+template <int n, typename Number>
+ElasticityKernel<Number> best_kernel() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return kernel_avx512<n, Number>();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return kernel_avx2<n, Number>();
+#endif
+  return kernel_plain<n, Number>();
+}
+
+}  // namespace
+
+template <typename Number>
+ElasticityKernel<Number> elasticity_kernel(int degree) {
+  if (degree == 1) return best_kernel<2, Number>();
+  if (degree == 2) return best_kernel<3, Number>();
+  throw std::invalid_argument("elasticity_kernel: only degrees 1 and 2 are supported");
+}
+
+template ElasticityKernel<float> elasticity_kernel(int);
+template ElasticityKernel<double> elasticity_kernel(int);
+
+}  // namespace rollfem::fem

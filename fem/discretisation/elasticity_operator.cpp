@@ -1,0 +1,361 @@
+#include "fem/discretisation/elasticity_operator.hpp"
+
+#include "fem/discretisation/cell_terms.hpp"
+#include "fem/discretisation/node_entries.hpp"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// Reorders data of the chosen cells from [cell][item] into [batch][item][lane]; absent lanes hold
+/// zero.
+template <typename Number, typename Out, typename Data>
+dealii::AlignedVector<Out> pack(const Data& data, std::size_t items,
+                                const std::vector<std::size_t>& chosen) {
+  constexpr std::size_t width = lanes<Number>;
+  if (data.empty()) return {};
+  const std::size_t batches = (chosen.size() + width - 1) / width;
+  dealii::AlignedVector<Out> packed(batches * items * width, Out(0));
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    for (std::size_t item = 0; item < items; ++item)
+      packed[((k / width) * items + item) * width + k % width] =
+          static_cast<Out>(data[chosen[k] * items + item]);
+  return packed;
+}
+
+/// The same of all cells, in the memory that the data have.
+template <typename Number>
+dealii::AlignedVector<double> pack_in_place(dealii::AlignedVector<double>& data, std::size_t items,
+                                            std::size_t cells) {
+  constexpr std::size_t width = lanes<Number>;
+  if (data.empty()) return {};
+  data.resize((cells + width - 1) / width * width * items, 0.0);
+  std::vector<double> batch(width * items);
+  for (double* first = data.begin(); first != data.end(); first += batch.size()) {
+    std::copy_n(first, batch.size(), batch.begin());
+    for (std::size_t item = 0; item < items; ++item)
+      for (std::size_t lane = 0; lane < width; ++lane)
+        first[item * width + lane] = batch[lane * items + item];
+  }
+  return std::move(data);
+}
+
+std::size_t nodes_of_cell(const LocalCells& cells) {
+  return cells.count == 0 ? 0 : cells.nodes.size() / cells.count;
+}
+
+std::size_t functions_of_dilatation(const LocalCells& cells) {
+  return static_cast<std::size_t>(DilatationSpace::size_of_degree(cells.degree));
+}
+
+/// Every cell.
+std::vector<std::size_t> all_of(const LocalCells& cells) {
+  std::vector<std::size_t> all(cells.count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/// Mean of sqrt(det J) d xi / d x over the points of every cell, and which cells have it
+/// everywhere, up to a part of it.
+struct StraightCells {
+  dealii::AlignedVector<double> matrix;  ///< [cell][e][d]
+  std::vector<std::size_t> straight, bent;
+
+  StraightCells(const LocalCells& cells, double tolerance) {
+    const bool plain = tolerance > 0 && cells.flow.empty() && cells.dilatation.empty();
+    const std::vector<double> roots = root_weights(cells.degree);
+    if (plain) matrix.resize(9 * cells.count);
+    for (std::size_t cell = 0; cell < cells.count; ++cell) {
+      const double* const geometry = cells.geometry.data() + cell * roots.size() * 9;
+      const bool same = plain && is_straight(geometry, roots, tolerance, &matrix[9 * cell]);
+      (same ? straight : bent).push_back(cell);
+    }
+  }
+
+ private:
+  static std::vector<double> root_weights(int degree) {
+    const dealii::QGauss<3> quadrature(static_cast<unsigned int>(degree) + 1);
+    std::vector<double> roots;
+    for (const double weight : quadrature.get_weights()) roots.push_back(std::sqrt(weight));
+    return roots;
+  }
+  static bool is_straight(const double* geometry, const std::vector<double>& roots,
+                          double tolerance, double* mean) {
+    double size = 0.0, largest = 0.0;
+    for (int i = 0; i < 9; ++i) {
+      mean[i] = 0.0;
+      for (std::size_t q = 0; q < roots.size(); ++q) mean[i] += geometry[9 * q + i] / roots[q];
+      mean[i] /= static_cast<double>(roots.size());
+      size += mean[i] * mean[i];
+    }
+    for (std::size_t q = 0; q < roots.size(); ++q) {
+      double change = 0.0;
+      for (int i = 0; i < 9; ++i) change += std::pow(geometry[9 * q + i] / roots[q] - mean[i], 2);
+      largest = std::max(largest, change);
+    }
+    return largest < tolerance * tolerance * size;
+  }
+};
+
+void nothing(unsigned int, unsigned int) {}
+
+}  // namespace
+
+/// All but the groups of cells.
+template <typename Number>
+ElasticityOperator<Number>::ElasticityOperator(const LocalCells* cells)
+    : dofs_(cells->dofs),
+      kernel_(elasticity_kernel<Number>(cells->degree)),
+      cell_nodes_((cells->degree + 1) * (cells->degree + 1) * (cells->degree + 1)),
+      source_(entries_per_node * cells->dofs->nodes()),
+      result_(source_.size()) {
+  if (dofs_->owned_only->n_mpi_processes() > 1) exchange_.reinit(dofs_->with_ghosts);
+  material_.lambda = static_cast<Number>(lame_lambda(cells->material));
+  material_.mu = static_cast<Number>(lame_mu(cells->material));
+}
+
+template <typename Number>
+ElasticityOperator<Number>::ElasticityOperator(const LocalCells& cells, double straightened)
+    : ElasticityOperator(&cells) {
+  const StraightCells shapes(cells, straightened);
+  groups_.push_back(make_group(cells, shapes.straight, shapes.matrix));
+  groups_.push_back(make_group(cells, shapes.bent, {}));
+}
+
+template <typename Number>
+ElasticityOperator<Number>::ElasticityOperator(LocalCells&& cells) : ElasticityOperator(&cells) {
+  groups_.push_back(make_group(std::move(cells)));
+}
+
+template <typename Number>
+typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_group(
+    const LocalCells& cells, const std::vector<std::size_t>& chosen,
+    const dealii::AlignedVector<double>& one_matrix) {
+  const std::size_t points = nodes_of_cell(cells);
+  Group group;
+  group.nodes = pack<Number, unsigned int>(cells.nodes, points, chosen);
+  group.batches.parallelepipeds = !one_matrix.empty();
+  group.geometry = group.batches.parallelepipeds
+                       ? pack<Number, Number>(one_matrix, 9, chosen)
+                       : pack<Number, Number>(cells.geometry, 9 * points, chosen);
+  group.flow = pack<Number, Number>(cells.flow, 3 * points, chosen);
+  group.dilatation =
+      pack<Number, Number>(cells.dilatation, functions_of_dilatation(cells) * points, chosen);
+  refer(group, chosen.size());
+  return group;
+}
+
+template <typename Number>
+typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_group(
+    LocalCells&& cells) {
+  if constexpr (std::is_same_v<Number, double>) {
+    const std::size_t points = nodes_of_cell(cells);
+    Group group;
+    group.nodes = pack<Number, unsigned int>(cells.nodes, points, all_of(cells));
+    group.geometry = pack_in_place<Number>(cells.geometry, 9 * points, cells.count);
+    group.flow = pack_in_place<Number>(cells.flow, 3 * points, cells.count);
+    group.dilatation = pack_in_place<Number>(cells.dilatation,
+                                             functions_of_dilatation(cells) * points, cells.count);
+    refer(group, cells.count);
+    return group;
+  } else {
+    return make_group(cells, all_of(cells), {});
+  }
+}
+
+/// From local nodes to where the kernel finds them, and where it finds the rest.
+template <typename Number>
+void ElasticityOperator<Number>::refer(Group& group, std::size_t cells) {
+  for (unsigned int& node : group.nodes) node *= entries_per_node;
+  group.cells = cells;
+  group.batches.count = (cells + lanes<Number> - 1) / lanes<Number>;
+  group.batches.nodes = group.nodes.data();
+  group.batches.geometry = group.geometry.data();
+  group.batches.flow = group.flow.empty() ? nullptr : group.flow.data();
+  group.batches.dilatation = group.dilatation.empty() ? nullptr : group.dilatation.data();
+}
+
+template <typename Number>
+typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::make_vector() const {
+  return VectorType(dofs_->owned_only);
+}
+
+/// source_ = C x with its ghosts.
+template <typename Number>
+void ElasticityOperator<Number>::load(const VectorType& x, const Work& before) const {
+  for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
+    before(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
+    spread(x.begin() + 3 * first, end - first, source_.data() + entries_per_node * first);
+  });
+  if (exchange_.size() > 0) {
+    exchange_.zero_out_ghost_values();
+    std::copy(x.begin(), x.end(), exchange_.begin());
+    exchange_.update_ghost_values();
+    spread(exchange_.begin(), dofs_->nodes(), source_.data());
+  }
+  expand(*dofs_, source_.data());
+}
+
+/// What the others have for the owned part of result_ is added to it.
+template <typename Number>
+void ElasticityOperator<Number>::add_of_ghosts() const {
+  if (exchange_.size() == 0) return;
+  exchange_.zero_out_ghost_values();
+  collect(result_.data(), dofs_->nodes(), exchange_.begin());
+  exchange_.compress(dealii::VectorOperation::add);
+  spread(exchange_.begin(), dofs_->owned_nodes(), result_.data());
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x, const Work& before,
+                                       const Work& after) const {
+  load(x, before);
+  result_.fill(Number(0));
+  for (const Group& group : groups_)
+    kernel_.add_product(group.batches, material_, source_.data(), result_.data());
+  contract(*dofs_, dofs_->hanging.size(), dofs_->fixed.size(), result_.data());
+  for (std::size_t i = 0; i < dofs_->owned_hanging; ++i) {
+    const auto node = dofs_->hanging[i].node;
+    move<Number, 3>(x.begin() + 3 * node, result_.data() + entries_per_node * node);
+  }
+  for (std::size_t i = 0; i < dofs_->owned_fixed; ++i)
+    result_[entry(dofs_->fixed[i])] = x.local_element(dofs_->fixed[i]);
+  add_of_ghosts();
+  for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
+    collect(result_.data() + entries_per_node * first, end - first, product.begin() + 3 * first);
+    after(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
+  });
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x) const {
+  vmult(product, x, nothing, nothing);
+}
+
+/// Calls f(masters, matrix) for every cell: the unconstrained dofs its dofs stand for, and
+/// matrix(i, j), its element matrix.
+template <typename Number>
+template <typename F>
+void ElasticityOperator<Number>::for_each_cell(const F& f) const {
+  const CellConstraints constraints(*dofs_);
+  constexpr std::size_t width = lanes<Number>;
+  const int cell_dofs = 3 * cell_nodes_;
+  dealii::AlignedVector<Number> matrices(width * cell_dofs * cell_dofs);
+  std::vector<CellMaster> masters;
+  for (const Group& group : groups_)
+    for (std::size_t cell = 0; cell < group.cells; ++cell) {
+      const std::size_t batch = cell / width, lane = cell % width;
+      if (lane == 0) kernel_.element_matrices(group.batches, material_, batch, matrices.data());
+      const unsigned int* offset = group.nodes.data() + batch * cell_nodes_ * width + lane;
+      masters.clear();
+      for (int i = 0; i < cell_dofs; ++i) {
+        const unsigned int node = offset[i % cell_nodes_ * width] / entries_per_node;
+        constraints.for_each_master(3 * node + static_cast<unsigned int>(i / cell_nodes_),
+                                    [&](unsigned int master, double weight) {
+                                      masters.push_back({master, i, weight});
+                                    });
+      }
+      f(masters,
+        [&](int i, int j) -> double { return matrices[(i * cell_dofs + j) * width + lane]; });
+    }
+}
+
+template <typename Number>
+typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::inverse_diagonal()
+    const {
+  result_.fill(Number(0));
+  for_each_cell([&](std::vector<CellMaster>& masters, const auto& matrix) {
+    std::sort(masters.begin(), masters.end(),
+              [](const auto& a, const auto& b) { return a.master < b.master; });
+    for (auto first = masters.begin(); first != masters.end();) {
+      const auto last = std::find_if(first, masters.end(),
+                                     [&](const auto& m) { return m.master != first->master; });
+      double sum = 0;
+      for (auto a = first; a != last; ++a)
+        for (auto b = first; b != last; ++b) sum += a->weight * b->weight * matrix(a->dof, b->dof);
+      result_[entry(first->master)] += static_cast<Number>(sum);
+      first = last;
+    }
+  });
+  VectorType diagonal = make_vector();
+  add_of_ghosts();
+  collect(result_.data(), dofs_->owned_nodes(), diagonal.begin());
+  for (const unsigned int row : dofs_->owned_constrained()) diagonal.local_element(row) = 1;
+  for (auto& value : diagonal) value = 1 / value;
+  return diagonal;
+}
+
+template <typename Number>
+std::vector<MatrixEntry> ElasticityOperator<Number>::assemble() const {
+  const auto& numbers = *dofs_->with_ghosts;
+  const auto global = [&](unsigned int local) {
+    return static_cast<unsigned int>(numbers.local_to_global(local));
+  };
+  std::vector<std::vector<MatrixEntry>> rows(numbers.locally_owned_size() +
+                                             numbers.n_ghost_indices());
+  for_each_cell([&](const std::vector<CellMaster>& masters, const auto& matrix) {
+    for (const auto& a : masters)
+      for (const auto& b : masters)
+        if (global(b.master) <= global(a.master))
+          rows[a.master].push_back(
+              {global(a.master), global(b.master), a.weight * b.weight * matrix(a.dof, b.dof)});
+  });
+  for (const unsigned int row : dofs_->owned_constrained())
+    rows[row].push_back({global(row), global(row), 1.0});
+  std::vector<MatrixEntry> entries;
+  for (auto& row : rows) {
+    std::stable_sort(row.begin(), row.end(),
+                     [](const auto& a, const auto& b) { return a.column < b.column; });
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (i > 0 && row[i].column == row[i - 1].column)
+        entries.back().value += row[i].value;
+      else
+        entries.push_back(row[i]);
+    std::vector<MatrixEntry>().swap(row);
+  }
+  return entries;
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::condense(VectorType& b) const {
+  result_.fill(Number(0));
+  spread(b.begin(), dofs_->owned_nodes(), result_.data());
+  // b is complete at its owner: ghosts hold nothing, only owned rows are to be moved.
+  contract(*dofs_, dofs_->owned_hanging, dofs_->owned_fixed, result_.data());
+  add_of_ghosts();
+  collect(result_.data(), dofs_->owned_nodes(), b.begin());
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::distribute(VectorType& u) const {
+  load(u, nothing);
+  collect(source_.data(), dofs_->owned_nodes(), u.begin());
+}
+
+template <typename Number>
+double ElasticityOperator<Number>::memory_bytes() const {
+  const auto rows = static_cast<double>(dofs_->hanging.size() * sizeof(HangingNode) +
+                                        dofs_->terms.size() * sizeof(HangingTerm) +
+                                        dofs_->fixed.size() * sizeof(unsigned int));
+  double packed = 0;
+  for (const Group& group : groups_)
+    packed += static_cast<double>(
+        group.nodes.memory_consumption() + group.geometry.memory_consumption() +
+        group.flow.memory_consumption() + group.dilatation.memory_consumption());
+  return packed + rows +
+         static_cast<double>(source_.memory_consumption() + result_.memory_consumption() +
+                             exchange_.memory_consumption());
+}
+
+template class ElasticityOperator<float>;
+template class ElasticityOperator<double>;
+
+}  // namespace rollfem::fem

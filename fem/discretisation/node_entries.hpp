@@ -1,0 +1,108 @@
+// The local vectors of the elasticity kernel, four entries a node: from and to vectors with three,
+// and what hangs there.
+#pragma once
+
+#include "fem/discretisation/elasticity_kernel.hpp"
+#include "fem/discretisation/local_dofs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Of a local dof in the vectors of the kernel.
+inline std::size_t entry(unsigned int dof) {
+  return dof / 3 * entries_per_node + dof % 3;
+}
+
+template <typename Number, int count>
+void move(const Number* in, Number* out) {
+  std::memcpy(out, in, count * sizeof(Number));
+}
+
+/// Three entries a node in memory to four; the fourth does not count, so whole nodes are moved.
+template <typename Number>
+void spread(const Number* in, std::size_t nodes, Number* out) {
+  for (std::size_t k = 0; k + 1 < nodes; ++k)
+    move<Number, entries_per_node>(in + 3 * k, out + entries_per_node * k);
+  if (nodes > 0) move<Number, 3>(in + 3 * (nodes - 1), out + entries_per_node * (nodes - 1));
+}
+
+/// The way back: what is written too much is overwritten by the next.
+template <typename Number>
+void collect(const Number* in, std::size_t nodes, Number* out) {
+  for (std::size_t k = 0; k + 1 < nodes; ++k)
+    move<Number, entries_per_node>(in + entries_per_node * k, out + 3 * k);
+  if (nodes > 0) move<Number, 3>(in + entries_per_node * (nodes - 1), out + 3 * (nodes - 1));
+}
+
+/// u at constrained nodes from their masters.
+template <typename Number>
+void expand(const LocalDofs& dofs, Number* entries) {
+  using Node = typename NodeEntries<Number>::type;
+  for (const unsigned int dof : dofs.fixed) entries[entry(dof)] = 0;
+  Node* const u = reinterpret_cast<Node*>(entries);
+  for (const HangingNode& row : dofs.hanging) {
+    Node value{};
+    for (unsigned int k = row.first_term; k < row.end_of_terms; ++k)
+      value += static_cast<Number>(dofs.terms[k].weight) * u[dofs.terms[k].master];
+    u[row.node] = value;
+  }
+}
+
+/// The transpose of expand() for the first so many constraints.
+template <typename Number>
+void contract(const LocalDofs& dofs, std::size_t hanging, std::size_t fixed, Number* entries) {
+  using Node = typename NodeEntries<Number>::type;
+  Node* const b = reinterpret_cast<Node*>(entries);
+  for (std::size_t i = 0; i < hanging; ++i) {
+    const HangingNode& row = dofs.hanging[i];
+    const Node value = std::exchange(b[row.node], Node{});
+    for (unsigned int k = row.first_term; k < row.end_of_terms; ++k)
+      b[dofs.terms[k].master] += static_cast<Number>(dofs.terms[k].weight) * value;
+  }
+  for (std::size_t i = 0; i < fixed; ++i) entries[entry(dofs.fixed[i])] = 0;
+}
+
+/// One part of the nodes after the other, so small that what is done with it next finds it in the
+/// quickest cache.
+template <typename F>
+void for_each_part(std::size_t nodes, const F& f) {
+  constexpr std::size_t part = 512;
+  for (std::size_t first = 0; first < nodes; first += part) f(first, std::min(first + part, nodes));
+}
+
+/// The unconstrained dofs that each dof of a cell stands for.
+class CellConstraints {
+ public:
+  explicit CellConstraints(const LocalDofs& dofs)
+      : dofs_(dofs), position_(dofs.nodes(), -1), fixed_(3 * dofs.nodes()) {
+    for (std::size_t i = 0; i < dofs.hanging.size(); ++i)
+      position_[dofs.hanging[i].node] = static_cast<int>(i);
+    for (const unsigned int dof : dofs.fixed) fixed_[dof] = true;
+  }
+  /// Calls f(master, weight) for one local dof.
+  template <typename F>
+  void for_each_master(unsigned int dof, const F& f) const {
+    const int position = position_[dof / 3];
+    if (position < 0) {
+      if (!fixed_[dof]) f(dof, 1.0);
+      return;
+    }
+    const HangingNode& row = dofs_.hanging[position];
+    for (unsigned int k = row.first_term; k < row.end_of_terms; ++k) {
+      const unsigned int master = 3 * dofs_.terms[k].master + dof % 3;
+      if (!fixed_[master]) f(master, dofs_.terms[k].weight);
+    }
+  }
+
+ private:
+  const LocalDofs& dofs_;
+  std::vector<int> position_;  ///< of a node among those that hang
+  std::vector<bool> fixed_;
+};
+
+}  // namespace rollfem::fem

@@ -1,0 +1,179 @@
+#include "fem/elasticity/error_bars.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/quantities.hpp"
+#include "contact/result/refinement.hpp"
+#include "contact/solve/contact_run.hpp"
+#include "halfspace/model/error_bars.hpp"
+#include "halfspace/model/level.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <string>
+#include <utility>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::ContactGrid;
+using contact::LevelResult;
+using contact::ModelResult;
+using contact::PointResult;
+using contact::Scene;
+
+/// Of the finite elements beside the half-space, where levels do not show one.
+constexpr double assumed_order = 1.5;
+
+/// Of the finest grid of half-spaces; seconds a load point.
+constexpr int most_elements = 200'000;
+
+ContactGrid refined(const ContactGrid& grid) {
+  return {2 * grid.nx,
+          2 * grid.ny,
+          0.5 * grid.dx,
+          0.5 * grid.dy,
+          grid.x_first - 0.25 * grid.dx,
+          grid.y_first - 0.25 * grid.dy};
+}
+
+/// With room for what elements of twice the size reach farther; counts of a lattice are even.
+ContactGrid coarsened(const ContactGrid& grid) {
+  constexpr int room = 2;
+  const ContactGrid coarse{grid.nx / 2,
+                           grid.ny / 2,
+                           2.0 * grid.dx,
+                           2.0 * grid.dy,
+                           grid.x_first + 0.5 * grid.dx,
+                           grid.y_first + 0.5 * grid.dy};
+  return coarse.widened(room, room);
+}
+
+/// Whether grids of twice the elements say something of this patch.
+bool bears_coarsening(const ModelResult& level) {
+  constexpr double fewest_across = 7.5;
+  return std::all_of(level.points.begin(), level.points.end(), [&](const PointResult& point) {
+    return 2.0 * std::min(point.semi_axis_x / level.grid.dx, point.semi_axis_y / level.grid.dy) >=
+           fewest_across;
+  });
+}
+
+/// Half-spaces on the grids of levels, from coarse to fine.
+class HalfspaceLevels {
+ public:
+  explicit HalfspaceLevels(Scene scene)
+      : scene_(std::move(scene)), geometry_(scene_.geometry, contact::Chart::projected) {}
+
+  /// Null where there is no solution on this grid.
+  const LevelResult* solve(const ContactGrid& grid) {
+    contact::RunOptions options;
+    options.model = "halfspace";
+    options.force_accuracy = halfspace::accuracy_of_force_search;
+    if (!levels_.empty()) options.coarser = &levels_.back();
+    const contact::Progress silent;
+    contact::ContactRun run(scene_, geometry_, options, silent, nullptr);
+    try {
+      if (!run.solve(grid,
+                     [&] { return halfspace::halfspace_elasticity(scene_, geometry_, grid); }))
+        return nullptr;
+    } catch (const contact::SolveError&) {
+      return nullptr;
+    } catch (const contact::InputError&) {
+      return nullptr;  // patches may reach beyond profiles that hold those of finite elements
+    }
+    levels_.push_back(run.take_result());
+    return &levels_.back();
+  }
+
+ private:
+  Scene scene_;
+  contact::ChartedGeometry geometry_;
+  std::deque<LevelResult> levels_;
+};
+
+/// Half-spaces on the contact grids of levels of finite elements, on a coarser and on a finer one.
+struct Beside {
+  HalfspaceLevels levels;
+  std::vector<const LevelResult*> at;
+  const LevelResult* coarsest = nullptr;  ///< of four times the finest elements; null: none
+  const LevelResult* limit = nullptr;
+
+  Beside(const Scene& scene, const std::vector<ModelResult>& finite) : levels(without(scene)) {
+    const bool two = finite.size() == 2;
+    if (two && bears_coarsening(finite.front()))
+      coarsest = levels.solve(coarsened(finite.front().grid));
+    for (const ModelResult& level : finite) at.push_back(levels.solve(level.grid));
+    if (!two) coarsest = at[finite.size() - 3];
+    const ContactGrid finer = refined(finite.back().grid), finest = refined(finer);
+    limit = levels.solve(finer);
+    if (limit == nullptr || finest.size() > most_elements) return;
+    if (const LevelResult* finer_still = levels.solve(finest)) limit = finer_still;
+  }
+  bool complete() const {
+    return limit != nullptr && std::all_of(at.begin(), at.end(), [](auto* of) { return of; });
+  }
+
+ private:
+  /// Bodies of finite elements know nothing of other contacts of their wheel.
+  static Scene without(Scene scene) {
+    scene.beside.clear();
+    return scene;
+  }
+};
+
+void set_point_bars(const Scene& scene, std::size_t k, const Beside& beside,
+                    std::vector<ModelResult>& levels) {
+  const std::size_t last = levels.size() - 1;
+  PointResult half = beside.at[last]->points[k];
+  halfspace::set_error_bars(scene, k, beside.at[last]->grid, beside.at[last - 1]->points[k],
+                            beside.coarsest ? &beside.coarsest->points[k] : nullptr, half);
+  for (const auto& [name, bar] : half.error_estimate) {
+    const auto value = [&name = name](const PointResult& point) {
+      return contact::quantity_named(name).value(point).value_or(0.0);
+    };
+    NumberOnLevels number;
+    for (std::size_t level = 0; level <= last; ++level) {
+      number.finite.push_back(value(levels[level].points[k]));
+      number.half.push_back(value(beside.at[level]->points[k]));
+    }
+    number.half_bar = bar;
+    number.half_fine = value(beside.limit->points[k]);
+    levels[last].points[k].error_estimate[name] += bar_beside_half_spaces(number);
+  }
+}
+
+}  // namespace
+
+double bar_beside_half_spaces(const NumberOnLevels& number) {
+  std::vector<double> apart;
+  for (std::size_t level = 0; level < number.finite.size(); ++level)
+    apart.push_back(number.finite[level] - number.half[level]);
+  const double of_cells = contact::estimated_error(apart, assumed_order);
+  const double known = number.half.back() - number.half_fine;
+  // Edges and fronts of finite bodies lie otherwise in the elements: what is known of half-spaces
+  // there does not make their bar smaller.
+  return std::sqrt(known * known + number.half_bar * number.half_bar + of_cells * of_cells);
+}
+
+bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
+  const std::size_t last = levels.size() - 1;
+  const Beside beside(scene, levels);
+  for (std::size_t k = 0; k < levels[last].points.size(); ++k) {
+    PointResult& fine = levels[last].points[k];
+    const PointResult& coarse = levels[last - 1].points[k];
+    const PointResult* coarsest = last > 1 ? &levels[last - 2].points[k] : nullptr;
+    if (beside.complete()) {
+      set_point_bars(scene, k, beside, levels);
+    } else {
+      const auto left_out = fine.error_estimate;
+      halfspace::set_error_bars(scene, k, levels[last].grid, coarse, coarsest, fine);
+      for (const auto& [name, bar] : left_out) fine.error_estimate[name] += bar;
+      fine.richardson.clear();
+    }
+    halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, fine);
+  }
+  return beside.complete();
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,23 @@
+// The elasticity of one level of the finite-element model: bodies, linear solvers and compliance on
+// the contact grid, with the half-space that preconditions them, and the stresses of load points.
+#pragma once
+
+#include "contact/base/progress.hpp"
+#include "contact/solve/contact_run.hpp"
+#include "fem/elasticity/level_checkpoint.hpp"
+#include "fem/elasticity/run_level.hpp"
+#include "fem/mesh/run_layout.hpp"
+
+#include <memory>
+
+namespace rollfem::fem {
+
+/// Meshes and factorises; fills `start` but for the frictionless solution, and the seconds and
+/// notes of `result`. All must outlive what is returned. Collective. Throws contact::InputError,
+/// contact::SolveError.
+std::unique_ptr<contact::Elasticity> make_fem_elasticity(
+    const contact::Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
+    const LevelOptions& options, const contact::Progress& progress, LevelStart& start,
+    contact::ModelResult& result);
+
+}  // namespace rollfem::fem

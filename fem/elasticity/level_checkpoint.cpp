@@ -1,0 +1,78 @@
+#include "fem/elasticity/level_checkpoint.hpp"
+
+#include "contact/solve/state_record.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::Record;
+
+void exchange(Record& record, LevelStart& start) {
+  record.values(start.defect, start.contact_elements, start.unknowns, start.solver);
+  record.values(start.reach, start.half, start.notes, start.bodies);
+}
+
+}  // namespace
+
+LevelCheckpoint::LevelCheckpoint(contact::Checkpoint* store, double cell_size,
+                                 MPI_Comm communicator)
+    : store_(store),
+      cell_size_(cell_size),
+      communicator_(communicator),
+      first_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {}
+
+std::string LevelCheckpoint::name_of(const std::string& part) const {
+  return fmt::format("fem-{:.9g}mm-{}", cell_size_, part);
+}
+
+std::string LevelCheckpoint::everywhere(const std::string& name) const {
+  std::string record;
+  if (first_ && store_ != nullptr) record = store_->find(name_of(name)).value_or("");
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1) return record;
+  return dealii::Utilities::MPI::broadcast(communicator_, record);
+}
+
+bool LevelCheckpoint::find(LevelStart& start) const {
+  const std::string bytes = everywhere("normal");
+  if (bytes.empty()) return false;
+  Record record(bytes);
+  exchange(record, start);
+  if (!first_) start.bodies.clear();
+  return true;
+}
+
+void LevelCheckpoint::keep(const LevelStart& start) const {
+  if (!first_ || store_ == nullptr) return;
+  Record record;
+  LevelStart copy = start;
+  exchange(record, copy);
+  store_->keep(name_of("normal"), record.bytes());
+}
+
+bool LevelCheckpoint::find(std::size_t k, contact::PointResult& point,
+                           contact::ContactState& state) const {
+  const std::string bytes = everywhere(fmt::format("{:04}", k + 1));
+  if (bytes.empty()) return false;
+  Record record(bytes);
+  record.value(point);
+  contact::exchange(record, state);
+  if (!first_) point.bodies.clear();
+  return true;
+}
+
+void LevelCheckpoint::keep(std::size_t k, const contact::PointResult& point,
+                           const contact::ContactState& state) const {
+  if (!first_ || store_ == nullptr) return;
+  Record record;
+  contact::PointResult point_copy = point;
+  contact::ContactState state_copy = state;
+  record.value(point_copy);
+  contact::exchange(record, state_copy);
+  store_->keep(name_of(fmt::format("{:04}", k + 1)), record.bytes());
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,36 @@
+// The model "fem": wheel and rail segments in 3D finite elements. This header is free of deal.II;
+// the program opens the library at run time through rollfem_fem_entry.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+#include "contact/solve/model.hpp"
+#include "fem/elasticity/mesh_report.hpp"
+#include "halfspace/elasticity/smooth_map.hpp"
+
+#include <string>
+
+namespace rollfem::fem {
+
+/// Runs the case. Every MPI process of the run calls it; the result is complete on process 0.
+/// Finished load points are kept in the `checkpoint` of process 0 and taken up from there (null:
+/// none).
+contact::ModelResult run_fem(const contact::Scene& scene, const contact::Progress& progress,
+                             contact::Checkpoint* checkpoint = nullptr);
+
+/// What the program gets from the library it opens.
+struct Entry {
+  void (*start)(int& argc, char**& argv);  ///< MPI_Init, once, before any model
+  void (*stop)();                          ///< MPI_Finalize
+  int (*process)();                        ///< rank
+  /// Collective: the text of process 0 on every process.
+  std::string (*from_first)(const std::string& text);
+  contact::ModelResult (*run)(const contact::Scene&, const contact::Progress&,
+                              contact::Checkpoint*);
+  std::vector<MeshedBody> (*mesh)(const contact::Scene&);
+  /// By this process alone: what bodies add to half-spaces (hybrid/correction/smooth_parts.hpp).
+  halfspace::SmoothParts (*find_smooth_parts)(const contact::Scene&, const contact::Progress&);
+};
+
+}  // namespace rollfem::fem
+
+extern "C" const rollfem::fem::Entry* rollfem_fem_entry();

@@ -1,0 +1,121 @@
+#include "fem/elasticity/run_level.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/stopwatch.hpp"
+#include "contact/scene/flanks.hpp"
+#include "contact/solve/contact_run.hpp"
+#include "fem/elasticity/fem_elasticity.hpp"
+#include "fem/elasticity/level_checkpoint.hpp"
+#include "fem/mesh/run_layout.hpp"
+#include "fem/trace/far_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::ContactState;
+using contact::PointResult;
+using contact::Scene;
+
+/// A solve of each body for every outer iteration: no sharper than the elements are worth.
+constexpr contact::ContactAccuracy fem_accuracy{1e-6, {1e-4, 40, 3}};
+/// How near a prescribed force is met, relative to mu F_z.
+constexpr double force_tolerance = 1e-5;
+
+class PointsInCheckpoint : public contact::PointStore {
+ public:
+  /// Points are of use only with the start of their level, `start_known`.
+  PointsInCheckpoint(const LevelCheckpoint& checkpoint, bool start_known)
+      : checkpoint_(checkpoint), start_known_(start_known) {}
+  bool find(std::size_t k, PointResult& point, ContactState& state) override {
+    return start_known_ && checkpoint_.find(k, point, state);
+  }
+  void keep(std::size_t k, const PointResult& point, const ContactState& state) override {
+    checkpoint_.keep(k, point, state);
+  }
+
+ private:
+  const LevelCheckpoint& checkpoint_;
+  bool start_known_;
+};
+
+void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
+               const RunLayout& layout, const LevelStart& start, contact::ModelResult& result) {
+  result.notes.push_back(far_boundary_note(scene, start.reach));
+  if (!start.notes.empty()) result.notes.push_back(start.notes);
+  const double steepest = geometry.shape(layout.grid).climb.cwiseAbs().maxCoeff();
+  if (steepest > 0.05)
+    result.notes.push_back(fmt::format(
+        "the patch is curved (slope {:.2g} at the edge of the grid): tractions, slip and gap are "
+        "along the local normal and tangents, y is the lateral coordinate, forces are along x, y, "
+        "z",
+        steepest));
+  if (scene.has_profiles()) {
+    const double yaw = std::asin(scene.geometry.surface.profiles->axle().direction[0]);
+    if (std::abs(yaw) > 1e-9)
+      result.notes.push_back(
+          fmt::format("the wheel is yawed by {:.3g} mrad: undeformed distance and slip include "
+                      "this; its finite-element body is revolved about the axle without yaw",
+                      1e3 * yaw));
+  }
+  if (start.half)
+    result.notes.push_back("half of each body is modelled: y = 0 is a symmetry plane");
+  result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
+                                     layout.bodies.cell_size, layout.bodies.degree, start.solver));
+}
+
+}  // namespace
+
+contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
+                               const contact::Progress& progress) {
+  const RunLayout layout = run_layout(scene, options.cell_size);
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::projected);
+  const LevelCheckpoint checkpoint(options.checkpoint, options.cell_size, MPI_COMM_WORLD);
+  LevelStart start;
+  const bool start_known = checkpoint.find(start);
+
+  contact::ModelResult result;
+  result.name = "fem";
+  result.grid = layout.grid;
+  contact::RunOptions run_options;
+  run_options.model = "fem";
+  run_options.stage_prefix = options.stage_prefix;
+  run_options.accuracy = run_options.force_accuracy = fem_accuracy;
+  run_options.force_tolerance = force_tolerance;
+  if (start_known) run_options.first_defect = start.defect;
+
+  PointsInCheckpoint store(checkpoint, start_known);
+  contact::ContactRun run(scene, geometry, run_options, progress, &store);
+  run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {
+    start.defect = defect;
+    start.contact_elements = contact_elements;
+    checkpoint.keep(start);
+  };
+  const bool inside = run.solve(layout.grid, [&] {
+    return make_fem_elasticity(scene, geometry, layout, options, progress, start, result);
+  });
+  if (!inside) {
+    const double border = geometry.lateral_place(layout.grid.y(layout.grid.ny - 1));
+    const std::string why = contact::why_flanks_touch(scene.geometry, border);
+    if (!why.empty()) throw contact::SolveError(why);
+    throw contact::SolveError(fmt::format(
+        "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): "
+        "the segments are too compliant for their size; give a larger [fem] extent",
+        layout.grid.nx * layout.grid.dx, layout.grid.ny * layout.grid.dy));
+  }
+  contact::LevelResult level = run.take_result();
+  result.unknowns = start.unknowns;
+  result.contact_elements = start.contact_elements;
+  result.bodies = start.bodies;
+  result.points = std::move(level.points);
+  result.seconds["normal"] = level.normal_seconds;
+  result.seconds["tangential"] = level.tangential_seconds;
+  add_notes(scene, geometry, layout, start, result);
+  return result;
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,19 @@
+// Conjugate gradients with algebraic multigrid (Trilinos ML, smoothed aggregation) on the assembled
+// stiffness: for imported meshes, whose coarsest level is itself too large for the direct solution
+// that geometric multigrid rests on.
+#pragma once
+
+#include "fem/linear/linear_solver.hpp"
+
+namespace rollfem::fem {
+
+struct AlgebraicOptions {
+  double tolerance = 1e-8;  ///< residual relative to the right-hand side
+  int max_iterations = 500;
+};
+
+/// Any number of MPI processes; collective. Throws contact::SolveError when memory runs out.
+std::unique_ptr<LinearSolver> make_algebraic_multigrid(const ElasticProblem& problem,
+                                                       const AlgebraicOptions& options = {});
+
+}  // namespace rollfem::fem

@@ -1,0 +1,200 @@
+#include "fem/linear/cholmod.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/discretisation/elasticity_assembly.hpp"
+#include "fem/discretisation/elasticity_operator.hpp"
+#include "fem/discretisation/node_order.hpp"
+
+#include <fmt/format.h>
+#include <suitesparse/cholmod.h>
+
+#include <algorithm>
+#include <dlfcn.h>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// No OpenMP regions in this scope. CHOLMOD opens one of four threads at every large supernode,
+/// whatever OMP_NUM_THREADS says: with two bodies side by side they wait for each other, and on
+/// busy cores a factorisation took five times its CPU time. Whichever OpenMP CHOLMOD has loaded is
+/// asked, so that none is needed to build.
+class SerialRegions {
+ public:
+  SerialRegions() {
+    if (get_ == nullptr || set_ == nullptr) return;
+    before_ = get_();
+    set_(0);
+  }
+  ~SerialRegions() {
+    if (get_ != nullptr && set_ != nullptr) set_(before_);
+  }
+  SerialRegions(const SerialRegions&) = delete;
+  SerialRegions& operator=(const SerialRegions&) = delete;
+
+ private:
+  int (*get_)() = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+  void (*set_)(int) = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT,
+                                                            "omp_set_max_active_levels"));
+  int before_ = 1;
+};
+
+/// The nodes of a matrix by its columns: below the diagonal that of one more component of a node
+/// has what the one before it has, but for itself.
+Nodes find_nodes(const cholmod_sparse& lower) {
+  const int size = static_cast<int>(lower.ncol);
+  const auto* start = static_cast<const int*>(lower.p);
+  const auto* row = static_cast<const int*>(lower.i);
+  Nodes nodes;
+  for (int c = 0; c < size; ++c)
+    nodes.add(c > 0 && std::equal(row + start[c], row + start[c + 1],
+                                  row + std::min(start[c - 1] + 1, start[c]), row + start[c]));
+  return nodes;
+}
+
+}  // namespace
+
+/// What CHOLMOD allocates, freed also when a constructor fails half-way.
+struct CholeskyFactor::Cholmod {
+  explicit Cholmod(FactorMessages texts) : messages(std::move(texts)) {
+    cholmod_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.print = 0;
+    common.quick_return_if_not_posdef = 1;
+    common.nmethods = 1;
+  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+  ~Cholmod() {
+    cholmod_free_sparse(&matrix, &common);
+    for (auto* dense : {&solution, &work, &more_work}) cholmod_free_dense(dense, &common);
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+
+  void require(bool done) const {
+    if (done && common.status == CHOLMOD_OK) return;
+    throw contact::SolveError(fmt::format("{} failed: {}", messages.what, reason()));
+  }
+  std::string reason() const {
+    switch (common.status) {
+      case CHOLMOD_NOT_POSDEF:
+        return "the stiffness is not positive definite (is the body held at its far boundary?)";
+      case CHOLMOD_OUT_OF_MEMORY:
+        return "memory ran out; do: " + messages.remedy;
+      case CHOLMOD_TOO_LARGE:
+        return "the factor is too large for 32-bit indices; do: " + messages.remedy;
+      default:
+        return fmt::format("CHOLMOD status {}", common.status);
+    }
+  }
+
+  /// `order`: of elimination, first to last.
+  void factorise(cholmod_sparse* lower, std::vector<int> order) {
+    const SerialRegions serial;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 1;
+    factor = cholmod_analyze_p(lower, order.data(), nullptr, 0, &common);
+    compute(lower);
+  }
+  /// As it is numbered: nothing is permuted.
+  void factorise(cholmod_sparse* lower) {
+    const SerialRegions serial;
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.postorder = 0;
+    factor = cholmod_analyze(lower, &common);
+    compute(lower);
+  }
+  void compute(cholmod_sparse* lower) {
+    require(factor != nullptr);
+    require(cholmod_factorize(lower, factor, &common) != 0);
+  }
+
+  FactorMessages messages;
+  cholmod_common common{};
+  cholmod_sparse* matrix = nullptr;  ///< while it is factorised
+  cholmod_factor* factor = nullptr;
+  cholmod_dense *solution = nullptr, *work = nullptr, *more_work = nullptr;
+};
+
+CholeskyFactor::CholeskyFactor(const SymmetricMatrix& matrix, FactorMessages messages)
+    : cholmod_(std::make_unique<Cholmod>(std::move(messages))) {
+  if (matrix.column_start.back() > std::numeric_limits<int>::max()) {
+    cholmod_->common.status = CHOLMOD_TOO_LARGE;
+    cholmod_->require(false);
+  }
+  // CHOLMOD wants 32-bit column starts; nothing is copied besides them.
+  std::vector<int> column_start(matrix.column_start.begin(), matrix.column_start.end());
+  cholmod_sparse view{};
+  view.nrow = view.ncol = static_cast<std::size_t>(matrix.size);
+  view.nzmax = matrix.row.size();
+  view.p = column_start.data();
+  view.i = const_cast<int*>(matrix.row.data());
+  view.x = const_cast<double*>(matrix.value.data());
+  view.stype = -1;  // the lower triangle is stored
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  cholmod_->factorise(&view);
+}
+
+CholeskyFactor::CholeskyFactor(const std::vector<MatrixEntry>& entries, std::size_t size,
+                               FactorMessages messages)
+    : cholmod_(std::make_unique<Cholmod>(std::move(messages))) {
+  Cholmod& it = *cholmod_;
+  cholmod_triplet* triplets =
+      cholmod_allocate_triplet(size, size, entries.size(), -1, CHOLMOD_REAL, &it.common);
+  it.require(triplets != nullptr);
+  auto* row = static_cast<int*>(triplets->i);
+  auto* column = static_cast<int*>(triplets->j);
+  auto* value = static_cast<double*>(triplets->x);
+  for (const MatrixEntry& entry : entries) {
+    *row++ = static_cast<int>(entry.row);
+    *column++ = static_cast<int>(entry.column);
+    *value++ = entry.value;
+  }
+  triplets->nnz = entries.size();
+  it.matrix = cholmod_triplet_to_sparse(triplets, entries.size(), &it.common);
+  cholmod_free_triplet(&triplets, &it.common);
+  it.require(it.matrix != nullptr);
+  const Nodes nodes = find_nodes(*it.matrix);
+  const auto* start = static_cast<const int*>(it.matrix->p);
+  const auto* below = static_cast<const int*>(it.matrix->i);
+  const NodeGraph graph(nodes, [&](int c, const auto& reach) {
+    std::for_each(below + start[c], below + start[c + 1], reach);
+  });
+  it.factorise(it.matrix, nodes.unknowns(order_of_elimination(graph)));
+  cholmod_free_sparse(&it.matrix, &it.common);
+}
+
+CholeskyFactor::~CholeskyFactor() = default;
+
+const double* CholeskyFactor::solve(const std::vector<double>& b, std::size_t right_sides) const {
+  Cholmod& it = *cholmod_;
+  cholmod_dense right{};
+  right.nrow = right.d = b.size() / right_sides;
+  right.nzmax = b.size();
+  right.ncol = right_sides;
+  right.x = const_cast<double*>(b.data());
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  const SerialRegions serial;
+  it.require(cholmod_solve2(CHOLMOD_A, it.factor, &right, nullptr, &it.solution, nullptr, &it.work,
+                            &it.more_work, &it.common) != 0);
+  return static_cast<const double*>(it.solution->x);
+}
+
+double CholeskyFactor::memory_bytes() const {
+  return static_cast<double>(cholmod_->common.memory_inuse);
+}
+
+double CholeskyFactor::operations() const {
+  return cholmod_->common.fl;
+}
+
+}  // namespace rollfem::fem

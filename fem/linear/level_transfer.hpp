@@ -1,0 +1,29 @@
+// Transfer between two multigrid levels: displacements from coarse cells to
+// the fine ones in them, forces the other way.
+#pragma once
+
+#include "fem/linear/linear_solver.hpp"
+
+#include <memory>
+
+namespace rollfem::fem {
+
+class LevelTransfer {
+ public:
+  using VectorType = dealii::LinearAlgebra::distributed::Vector<float>;
+  virtual ~LevelTransfer() = default;
+  /// fine += P coarse: what stands at constrained unknowns of `coarse` does not count, those of
+  /// `fine` stay as they are. Collective.
+  virtual void prolongate_and_add(VectorType& fine, const VectorType& coarse) const = 0;
+  /// coarse += P^T fine. Collective.
+  virtual void restrict_and_add(VectorType& coarse, const VectorType& fine) const = 0;
+  virtual double memory_bytes() const = 0;
+};
+
+/// The cells of `fine` are those of `coarse`, refined once or not at all. One process takes some
+/// ten bytes an unknown; several take deal.II's transfer, whose set-up has memory for all cells
+/// that an octree of that depth could have. Collective.
+std::unique_ptr<LevelTransfer> make_level_transfer(const ElasticProblem& fine,
+                                                   const ElasticProblem& coarse);
+
+}  // namespace rollfem::fem

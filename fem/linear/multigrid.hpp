@@ -1,0 +1,23 @@
+// Conjugate gradients with matrix-free geometric multigrid (global coarsening, Chebyshev
+// smoothing, direct coarse solve): for sizes beyond a factorisation and for several processes.
+#pragma once
+
+#include "fem/linear/linear_solver.hpp"
+
+namespace rollfem::fem {
+
+struct MultigridOptions {
+  double tolerance = 1e-8;  ///< residual relative to the right-hand side
+  int max_iterations = 200;
+  int smoother_degree = 6;  ///< matrix products before, and again after, the coarse correction
+};
+
+/// Bodies nearer to incompressible are refused: point smoothing fails on the nearly singular
+/// volumetric part, and iterations grow without bound.
+inline constexpr double largest_multigrid_poisson_ratio = 0.49;
+
+/// Any number of MPI processes; collective. Throws contact::InputError above that Poisson's ratio.
+std::unique_ptr<LinearSolver> make_multigrid(const ElasticProblem& problem,
+                                             const MultigridOptions& options = {});
+
+}  // namespace rollfem::fem

@@ -1,0 +1,99 @@
+#include "fem/linear/prescribed.hpp"
+
+#include "fem/discretisation/elasticity_assembly.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace rollfem::fem {
+
+Vector nodal_values(
+    const ElasticProblem& problem,
+    const std::function<dealii::Tensor<1, 3>(const dealii::Point<3>&)>& displacement) {
+  Vector nodal = make_vector(problem.dofs);
+  const auto& element = problem.dofs.get_fe();
+  const auto& owned = problem.dofs.locally_owned_dofs();
+  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
+  for (const auto& cell : problem.dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    cell->get_dof_indices(indices);
+    for (unsigned int i = 0; i < indices.size(); ++i) {
+      if (!owned.is_element(indices[i])) continue;
+      const auto place =
+          problem.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
+      nodal(indices[i]) = displacement(place)[element.system_to_component_index(i).first];
+    }
+  }
+  nodal.update_ghost_values();
+  return nodal;
+}
+
+Vector internal_forces(const ElasticProblem& problem, const Vector& u) {
+  Vector forces = make_vector(problem.dofs);
+  CellStiffness stiffness(problem);
+  std::vector<dealii::types::global_dof_index> indices(problem.dofs.get_fe().dofs_per_cell);
+  std::vector<double> values(indices.size());
+  for (const auto& cell : problem.dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    cell->get_dof_indices(indices);
+    for (std::size_t i = 0; i < indices.size(); ++i) values[i] = u(indices[i]);
+    if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; }))
+      continue;
+    const auto& matrix = stiffness.compute(cell);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      double sum = 0.0;
+      for (std::size_t j = 0; j < indices.size(); ++j)
+        sum += matrix[i * indices.size() + j] * values[j];
+      forces(indices[i]) += sum;
+    }
+  }
+  forces.compress(dealii::VectorOperation::add);
+  return forces;
+}
+
+namespace {
+
+/// With hanging nodes between their neighbours.
+Vector in_line(const ElasticProblem& problem, const dealii::AffineConstraints<double>& hanging,
+               const Vector& prescribed) {
+  Vector result = make_vector(problem.dofs);
+  result.copy_locally_owned_data_from(prescribed);
+  hanging.distribute(result);
+  result.update_ghost_values();
+  return result;
+}
+
+}  // namespace
+
+std::vector<Vector> solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
+                                          const std::vector<Vector>& prescribed) {
+  const auto hanging = make_constraints(problem.dofs, problem.mapping, {});
+  std::vector<Vector> results, lacks;
+  for (const Vector& given : prescribed) {
+    results.push_back(in_line(problem, hanging, given));
+    lacks.push_back(internal_forces(problem, results.back()));
+    lacks.back() *= -1.0;
+  }
+  std::vector<Vector> corrections(prescribed.size(), make_vector(problem.dofs));
+  solver.solve_all(corrections, lacks);
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    results[k] += corrections[k];
+    results[k].update_ghost_values();
+  }
+  return results;
+}
+
+Vector solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
+                             const Vector& prescribed, const Vector& load) {
+  Vector result = in_line(problem, make_constraints(problem.dofs, problem.mapping, {}), prescribed);
+  Vector lack = make_vector(problem.dofs);
+  lack.copy_locally_owned_data_from(load);
+  lack -= internal_forces(problem, result);
+  Vector correction = make_vector(problem.dofs);
+  solver.solve(correction, lack);
+  result += correction;
+  result.update_ghost_values();
+  return result;
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,145 @@
+#include "fem/linear/solver_choice.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/linear/algebraic_multigrid.hpp"
+#include "fem/linear/factorisation.hpp"
+#include "fem/linear/multigrid.hpp"
+#include "fem/mesh/body_mesh.hpp"
+#include "fem/mesh/run_layout.hpp"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+
+namespace rollfem::fem {
+
+using contact::Scene;
+
+namespace {
+
+/// Seconds of both linear solvers on bodies of n unknowns, as measured (docs/benchmarks.md): a
+/// factorisation and one solve with it, one solve by multigrid. Only their ratio matters.
+double factorisation_seconds(double n) {
+  return 8.0 * std::pow(n / 105e3, 2.0);
+}
+double factor_solve_seconds(double n) {
+  return 0.1 * std::pow(n / 105e3, 4.0 / 3.0);
+}
+double multigrid_solve_seconds(double n) {
+  return 0.45 * n / 105e3;
+}
+
+/// The coarse mesh of a true section has some 60 000 unknowns: a solve with its factor in each of
+/// some twelve iterations of multigrid comes on top.
+constexpr double coarse_unknowns_of_section = 60e3;
+constexpr double multigrid_iterations = 12.0;
+
+/// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
+constexpr double largest_factor = 5e9;
+
+/// FE solves per load point and for the normal problem alone, as observed.
+constexpr double solves_per_point = 6.0;
+constexpr double solves_for_normal = 4.0;
+
+/// Geometric multigrid factorises the coarse mesh of a body whole; an imported one may be too large
+/// for that, and then algebraic multigrid goes on coarsening.
+constexpr unsigned int most_coarse_cells = 4000;
+
+std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
+  constexpr double tolerance = 1e-10;  // the contact iteration lives on small changes
+  if (takes_algebraic(scene, body)) return make_algebraic_multigrid(body.problem(), {tolerance});
+  MultigridOptions options;
+  options.tolerance = tolerance;
+  return make_multigrid(body.problem(), options);
+}
+
+}  // namespace
+
+bool takes_algebraic(const Scene& scene, const Body& body) {
+  return scene.fem.linear_solver == contact::LinearSolver::algebraic ||
+         (scene.fem.linear_solver == contact::LinearSolver::automatic &&
+          body.dofs().get_triangulation().n_cells(0) > most_coarse_cells);
+}
+
+bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
+  switch (scene.fem.linear_solver) {
+    case contact::LinearSolver::factorisation:
+      if (demand.processes > 1)
+        throw contact::InputError(scene.file +
+                                  ": [fem] linear_solver = \"factorisation\" runs in one process "
+                                  "only; allowed with mpirun: \"multigrid\", \"algebraic\" or "
+                                  "\"automatic\"; do: change it or run without mpirun");
+      return true;
+    case contact::LinearSolver::multigrid:
+    case contact::LinearSolver::algebraic:
+      return false;
+    case contact::LinearSolver::automatic:
+      break;
+  }
+  if (demand.processes > 1) return false;
+  for (const contact::Material& material : {scene.wheel.material, scene.rail.material})
+    if (!material.rigid() && material.poisson_ratio > largest_multigrid_poisson_ratio)
+      return true;  // multigrid refuses it
+  const double solves =
+      solves_for_normal + solves_per_point * static_cast<double>(scene.points.size());
+  const double coarse =
+      has_true_sections(scene)
+          ? multigrid_iterations * factor_solve_seconds(coarse_unknowns_of_section)
+          : 0.0;
+  for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
+    if (predicted_factor_bytes(n) >= largest_factor ||
+        factorisation_seconds(n) + solves * factor_solve_seconds(n) >
+            solves * (multigrid_solve_seconds(n) + coarse))
+      return false;
+  demand.factorisation = true;
+  return fits_memory(demand, MPI_COMM_WORLD);
+}
+
+/// Two factorisations side by side, one core each: together quicker than one after the other with
+/// two BLAS threads.
+Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisation) {
+  const auto make = [&](const Body* body) -> std::unique_ptr<LinearSolver> {
+    if (body == nullptr) return nullptr;
+    return factorisation ? make_factorisation(body->problem())
+                         : make_iterative_solver(scene, *body);
+  };
+  auto rail =
+      std::async(factorisation ? std::launch::async : std::launch::deferred, make, bodies[1]);
+  Solvers solvers;
+  solvers.wheel = make(bodies[0]);
+  solvers.rail = rail.get();
+  return solvers;
+}
+
+int points_that_keep_bodies(const Scene& scene) {
+  const std::size_t count = scene.points.size();
+  int keep = 0;
+  for (std::size_t k = 0; k < count; ++k) keep += scene.output.keeps_bodies(k, count) ? 1 : 0;
+  return keep;
+}
+
+MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields) {
+  MemoryDemand demand;
+  demand.unknowns_of_wheel = wheel;
+  demand.unknowns_of_rail = rail;
+  demand.half = bodies.half;
+  demand.body_fields = body_fields;
+  demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  return demand;
+}
+
+void refuse_beyond_memory(const Scene& scene, double cell_size) {
+  const BodyOptions bodies = run_layout(scene, cell_size).bodies;
+  constexpr double beyond_all_memory = 2e9;
+  const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
+  MemoryDemand demand = memory_demand(scene.wheel.material.rigid() ? 0.0 : unknowns,
+                                      scene.rail.material.rigid() ? 0.0 : unknowns, bodies,
+                                      points_that_keep_bodies(scene));
+  demand.algebraic = scene.fem.linear_solver == contact::LinearSolver::algebraic;
+  demand.factorisation = takes_factorisation(scene, demand);
+  refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,52 @@
+// What decides the mesh of a body, and the numbers by which it names its boundaries.
+#pragma once
+
+#include "contact/scene/scene.hpp"
+#include "meshes/hex_mesh.hpp"
+
+#include <deal.II/base/types.h>
+
+#include <optional>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Boundary ids of every body.
+enum BoundaryId : dealii::types::boundary_id {
+  far_boundary = 0,
+  contact_surface = 1,
+  symmetry_plane = 2,
+  free_surface = 3  ///< sides of a given mesh that are in none of its groups
+};
+
+using MeshFamily = contact::MeshFamily;
+
+/// What decides the mesh.
+struct BodyOptions {
+  double cell_size = 0.5;       ///< mm, cells in the fine region (s and t), exactly
+  double fine_half_length = 5;  ///< mm, the fine region reaches at least so far in s
+  double fine_half_width = 5;   ///< mm, and so far in t to both sides of `middle`
+  double middle = 0;            ///< mm, t of the middle of the patch; a whole number of cells
+  double extent = 60;           ///< mm, half length, half width and depth of the segment
+  bool half = false;            ///< only t >= 0, symmetry plane t = 0
+  int degree = 2;
+  double fine_depth = 2;  ///< the fine region reaches that many cells below the surface
+  double growth = 1;      ///< cells may be cell_size + growth * distance from the fine region
+  double speed = 0;       ///< mm/s, rolling speed: inertia in the stiffness (rolling_inertia.hpp)
+  MeshFamily family = MeshFamily::structured;
+  std::optional<double> half_length = std::nullopt;  ///< mm, in place of extent along s
+  std::optional<double> half_width = std::nullopt;   ///< mm, in place of extent along t
+  std::optional<double> depth = std::nullopt;        ///< mm, in place of extent inwards
+  double reach_s() const { return half_length.value_or(extent); }
+  double reach_t() const { return half_width.value_or(extent); }
+  double reach_depth() const { return depth.value_or(extent); }
+};
+
+/// Of a coarse mesh that is given: which of its cells are bent to the surface. In the others new
+/// nodes lie on straight lines, of a wheel on circles about its axle.
+struct CoarseBody {
+  meshes::HexMesh mesh;
+  std::vector<bool> follows_surface;  ///< of each cell; empty: all of them
+};
+
+}  // namespace rollfem::fem

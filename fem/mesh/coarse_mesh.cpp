@@ -1,0 +1,371 @@
+#include "fem/mesh/coarse_mesh.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/mesh/chart.hpp"
+#include "fem/mesh/profile_shape.hpp"
+#include "meshes/grading.hpp"
+#include "meshes/msh_file.hpp"
+#include "meshes/segment_mesh.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace rollfem::fem {
+
+namespace {
+
+using meshes::HexMesh;
+using meshes::Side;
+
+/// deal.II's corner k is gmsh's corner gmsh_corner[k], and the other way round.
+constexpr std::array<unsigned int, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
+
+/// Contact faces may lie beside the surface by this part of the finely meshed region's half size.
+constexpr double surface_tolerance = 0.01;
+
+/// A mesh, or why there is none, in a form that can be sent.
+struct Parcel {
+  std::string error;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 8>> cells;
+  std::vector<std::array<int, 5>> sides;
+  std::vector<bool> follows_surface;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int /*version*/) {
+    archive& error& points& cells& sides& follows_surface;
+  }
+};
+
+/// What `make` gives or throws on process 0, on every process.
+CoarseBody on_all_processes(MPI_Comm communicator, const std::function<CoarseBody()>& make) {
+  Parcel parcel;
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
+    try {
+      CoarseBody body = make();
+      HexMesh& mesh = body.mesh;
+      parcel.follows_surface = std::move(body.follows_surface);
+      for (const auto& quad : mesh.sides)
+        parcel.sides.push_back({quad.corners[0], quad.corners[1], quad.corners[2], quad.corners[3],
+                                static_cast<int>(quad.side)});
+      parcel.points = std::move(mesh.points);
+      parcel.cells = std::move(mesh.cells);
+    } catch (const contact::InputError& error) {
+      parcel.error = error.what();
+    }
+  }
+  parcel = dealii::Utilities::MPI::broadcast(communicator, parcel, 0);
+  if (!parcel.error.empty()) throw contact::InputError(parcel.error);
+  CoarseBody body{{std::move(parcel.points), std::move(parcel.cells), {}},
+                  std::move(parcel.follows_surface)};
+  for (const auto& side : parcel.sides)
+    body.mesh.sides.push_back({{side[0], side[1], side[2], side[3]}, static_cast<Side>(side[4])});
+  return body;
+}
+
+/// Nodes of contact faces, each once.
+std::vector<int> contact_nodes(const HexMesh& mesh) {
+  std::vector<int> nodes;
+  for (const auto& quad : mesh.sides)
+    if (quad.side == Side::contact)
+      nodes.insert(nodes.end(), quad.corners.begin(), quad.corners.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+dealii::Point<3> as_point(const std::array<double, 3>& p) {
+  return {p[0], p[1], p[2]};
+}
+
+HexMesh make_gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level) {
+  const auto drop = [&shape](double y) { return shape.drop_at(y).value; };
+  meshes::SectionOptions section;
+  section.drop = drop;
+  section.half_width = options.reach_t();
+  section.depth = options.reach_depth();
+  section.fine_half_width = options.fine_half_width;
+  section.fine_depth = options.fine_depth * options.cell_size;
+  section.half = options.half;
+  section.cell_size = options.cell_size * std::exp2(level);
+  // The block of equal cells must leave room for the others.
+  while (level > 0 && (2 * section.cell_size > 0.4 * section.depth ||
+                       section.fine_half_width + 2 * section.cell_size > 0.75 * section.half_width))
+    section.cell_size = options.cell_size * std::exp2(--level);
+  const auto quads = meshes::mesh_section(section);
+
+  const auto along =
+      meshes::outward_steps(section.cell_size, options.fine_half_length, options.reach_s());
+  auto places = meshes::points_both_ways(along);
+  if (!shape.is_wheel || !std::isfinite(shape.rolling_radius)) {
+    auto mesh = meshes::extrude(quads, places);
+    if (shape.is_wheel) {  // of infinite radius: the material is above
+      for (auto& p : mesh.points) p[2] = -p[2];
+      for (auto& cell : mesh.cells)
+        for (int k = 0; k < 4; ++k) std::swap(cell[k], cell[k + 4]);
+    }
+    return mesh;
+  }
+  // Faces stay below cell_size along s at the largest radius of the patch, and where the slices of
+  // equal angle lean against lines of equal arc length.
+  const double width = options.fine_half_width;
+  const double lean =
+      std::abs(shape.drop_at(width).slope) * options.fine_half_length / shape.rolling_radius;
+  const double radius =
+      std::max(shape.rolling_radius, shape.streamline_radius(width)) * (1.0 + lean);
+  for (double& place : places) place /= radius;
+  return meshes::revolve(quads, shape.rolling_radius, places);
+}
+
+[[noreturn]] void fail(const std::string& name, const std::string& wrong,
+                       const std::string& action) {
+  throw contact::InputError(fmt::format("{}: {}; do: {}", name, wrong, action));
+}
+
+const char* const frame_advice =
+    "the mesh is in mm with the contact point at the origin, x along rolling, y lateral, z into "
+    "the wheel (which lies at z > 0, the rail at z < 0)";
+
+/// A mesh in metres or inches is far too small or large beside the patch and the wheel.
+void check_size(const HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
+                const BodyOptions& options) {
+  auto lower = mesh.points.front(), upper = lower;
+  for (const auto& p : mesh.points)
+    for (int d = 0; d < 3; ++d) {
+      lower[d] = std::min(lower[d], p[d]);
+      upper[d] = std::max(upper[d], p[d]);
+    }
+  const double size = std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
+  const double patch = std::hypot(options.fine_half_length, options.fine_half_width);
+  if (size < 2.0 * patch)
+    fail(name,
+         fmt::format("is only {:.4g} mm large, but the contact patch alone needs {:.4g} mm", size,
+                     2.0 * patch),
+         "give coordinates in mm (multiply a mesh in metres by 1000)");
+  const double largest = shape.is_wheel && std::isfinite(shape.rolling_radius)
+                             ? 8.0 * shape.rolling_radius
+                             : 2000.0 * patch;
+  if (size > largest)
+    fail(name,
+         fmt::format("is {:.4g} mm large, far beyond {}", size,
+                     shape.is_wheel
+                         ? fmt::format("a wheel of radius {:.4g} mm", shape.rolling_radius)
+                         : fmt::format("a patch of {:.4g} mm", patch)),
+         "give coordinates in mm");
+}
+
+/// Nodes of contact faces onto the surface, if they are near it.
+void project(HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
+             const BodyOptions& options) {
+  const double tolerance =
+      surface_tolerance * std::max(options.fine_half_length, options.fine_half_width);
+  double worst = 0.0;
+  int worst_node = -1;
+  for (const int node : contact_nodes(mesh)) {
+    auto chart = shape.coordinates(as_point(mesh.points[node]));
+    if (std::abs(chart[2]) > worst) {
+      worst = std::abs(chart[2]);
+      worst_node = node;
+    }
+    chart[2] = 0.0;
+    const auto p = shape.place(chart[0], chart[1], chart[2]);
+    if (worst <= tolerance) mesh.points[node] = {p[0], p[1], p[2]};
+  }
+  if (worst > tolerance) {
+    const auto& p = mesh.points[worst_node];
+    fail(name,
+         fmt::format("a node of the group `contact` at ({:.5g}, {:.5g}, {:.5g}) mm is {:.3g} mm "
+                     "away from the surface of the case; allowed: {:.3g} mm",
+                     p[0], p[1], p[2], worst, tolerance),
+         fmt::format("mesh the true profile and put only the running surface into `contact`; {}",
+                     frame_advice));
+  }
+}
+
+/// Whether the contact faces reach around the patch.
+void check_covers_patch(const HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
+                        const BodyOptions& options) {
+  std::array<double, 2> lower{HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL};
+  for (const int node : contact_nodes(mesh)) {
+    const auto chart = shape.coordinates(as_point(mesh.points[node]));
+    for (int d = 0; d < 2; ++d) {
+      lower[d] = std::min(lower[d], chart[d]);
+      upper[d] = std::max(upper[d], chart[d]);
+    }
+  }
+  const std::array<double, 2> needed{options.fine_half_length, options.fine_half_width};
+  const bool covered = lower[0] <= -needed[0] && upper[0] >= needed[0] &&
+                       upper[1] >= options.middle + needed[1] &&
+                       lower[1] <= (options.half ? 1e-6 : options.middle - needed[1]);
+  if (!covered)
+    fail(name,
+         fmt::format("its group `contact` reaches x = {:.4g} to {:.4g} mm and y = {:.4g} to {:.4g} "
+                     "mm; the contact needs {:.4g} mm along x and {:.4g} mm along y to each side "
+                     "of (0, {:.4g}) mm",
+                     lower[0], upper[0], lower[1], upper[1], needed[0], needed[1], options.middle),
+         fmt::format("enlarge the contact group or move the mesh: {}", frame_advice));
+}
+
+/// A half body lies at y >= 0 and its symmetry faces at y = 0.
+void check_symmetry(const HexMesh& mesh, const std::string& name, const BodyOptions& options) {
+  const double tolerance = 1e-6 * options.fine_half_width;
+  bool half = false;
+  for (const auto& quad : mesh.sides) {
+    if (quad.side != Side::symmetry) continue;
+    half = true;
+    for (const int corner : quad.corners)
+      if (std::abs(mesh.points[corner][1]) > tolerance)
+        fail(name,
+             fmt::format("a node of the group `symmetry` lies at y = {:.4g} mm",
+                         mesh.points[corner][1]),
+             "put only faces on the plane y = 0 into `symmetry`");
+  }
+  if (!half) return;
+  for (const auto& p : mesh.points)
+    if (p[1] < -tolerance)
+      fail(name,
+           fmt::format("it has a group `symmetry` and a node at y = {:.4g} mm, on the other side",
+                       p[1]),
+           "mesh the half y >= 0, or leave the group out");
+}
+
+/// Whether the chart is one to one over a cell: round a whole wheel it is not, behind the axle
+/// cells stay straight.
+bool is_charted(const SurfaceShape& shape, const dealii::CellAccessor<3>& cell) {
+  if (!shape.is_revolved()) return true;
+  for (const unsigned int v : cell.vertex_indices()) {
+    const auto chart = shape.coordinates(cell.vertex(v));
+    if (!(std::abs(chart[0]) < 1.5 * shape.streamline_radius(chart[1]) &&
+          chart[2] < 0.8 * shape.rolling_radius))
+      return false;
+  }
+  return true;
+}
+
+constexpr dealii::types::manifold_id on_surface = 0, about_axle = 1;
+
+/// Faces between cells of two kinds belong to the surface's.
+void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_surface,
+                   dealii::Triangulation<3>& triangulation) {
+  const bool everywhere = follows_surface.empty();
+  if (!everywhere && shape.is_revolved() && shape.profile) {
+    triangulation.set_all_manifold_ids(about_axle);
+    triangulation.set_manifold(about_axle, AxleManifold(shape.profile));
+  }
+  triangulation.set_manifold(on_surface, SurfaceManifold(shape));
+  for (const auto& cell : triangulation.cell_iterators_on_level(0))
+    if (everywhere ? is_charted(shape, *cell)
+                   : follows_surface[static_cast<std::size_t>(cell->index())])
+      cell->set_all_manifold_ids(on_surface);
+}
+
+}  // namespace
+
+HexMesh gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level,
+                  MPI_Comm communicator) {
+  return on_all_processes(communicator,
+                          [&] {
+                            return CoarseBody{make_gmsh_mesh(shape, options, level), {}};
+                          })
+      .mesh;
+}
+
+CoarseBody true_section_mesh(const meshes::TrueSection& outline, const SurfaceShape& shape,
+                             const BodyOptions& options, MPI_Comm communicator) {
+  return on_all_processes(communicator,
+                          [&] { return make_true_section_mesh(outline, shape, options); });
+}
+
+HexMesh user_mesh(const std::string& path, const std::string& name, const SurfaceShape& shape,
+                  const BodyOptions& options, MPI_Comm communicator) {
+  const auto make = [&] {
+    HexMesh mesh = meshes::read_msh(path, name);
+    if (!mesh.points.empty()) check_size(mesh, name, shape, options);
+    meshes::check_mesh(mesh, name);
+    check_symmetry(mesh, name, options);
+    project(mesh, name, shape, options);
+    BodyOptions own = options;
+    own.half = std::any_of(mesh.sides.begin(), mesh.sides.end(),
+                           [](const auto& quad) { return quad.side == Side::symmetry; });
+    check_covers_patch(mesh, name, shape, own);
+    return CoarseBody{std::move(mesh), {}};
+  };
+  return on_all_processes(communicator, make).mesh;
+}
+
+void create_triangulation(const HexMesh& mesh, const SurfaceShape& shape,
+                          dealii::Triangulation<3>& triangulation,
+                          const std::vector<bool>& follows_surface) {
+  std::vector<dealii::Point<3>> points;
+  for (const auto& p : mesh.points) points.push_back(as_point(p));
+  std::vector<dealii::CellData<3>> cells;
+  std::map<std::array<unsigned int, 4>, int> outside;  // sorted corners -> times seen
+  const auto sorted = [](std::array<unsigned int, 4> corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  for (const auto& corners : mesh.cells) {
+    dealii::CellData<3> cell;
+    for (unsigned int k = 0; k < 8; ++k) cell.vertices[k] = corners[gmsh_corner[k]];
+    cells.push_back(cell);
+    for (const auto& face : meshes::hex_faces) {
+      std::array<unsigned int, 4> key{};
+      for (int k = 0; k < 4; ++k) key[k] = corners[face[k]];
+      ++outside[sorted(key)];
+    }
+  }
+  std::map<std::array<unsigned int, 4>, dealii::types::boundary_id> id;
+  for (const auto& [face, count] : outside)
+    if (count == 1) id[face] = free_surface;
+  constexpr std::array<dealii::types::boundary_id, 3> id_of_side{contact_surface, far_boundary,
+                                                                 symmetry_plane};
+  for (const auto& quad : mesh.sides) {
+    std::array<unsigned int, 4> key{};
+    for (int k = 0; k < 4; ++k) key[k] = quad.corners[k];
+    id[sorted(key)] = id_of_side[static_cast<std::size_t>(quad.side)];
+  }
+  dealii::GridTools::consistently_order_cells(cells);
+  triangulation.create_triangulation(points, cells, dealii::SubCellData());
+  for (const auto& cell : triangulation.cell_iterators_on_level(0)) {
+    for (const auto& face : cell->face_iterators()) {
+      if (!face->at_boundary()) continue;
+      std::array<unsigned int, 4> key{};
+      for (unsigned int k = 0; k < 4; ++k) key[k] = face->vertex_index(k);
+      face->set_boundary_id(id.at(sorted(key)));
+    }
+  }
+  set_manifolds(shape, follows_surface, triangulation);
+}
+
+HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation) {
+  HexMesh mesh;
+  std::map<unsigned int, int> number;
+  const auto node = [&](unsigned int vertex, const dealii::Point<3>& p) {
+    const auto [it, is_new] = number.try_emplace(vertex, static_cast<int>(mesh.points.size()));
+    if (is_new) mesh.points.push_back({p[0], p[1], p[2]});
+    return it->second;
+  };
+  for (const auto& cell : triangulation.cell_iterators_on_level(0)) {
+    std::array<int, 8> corners{};
+    for (unsigned int k = 0; k < 8; ++k)
+      corners[gmsh_corner[k]] = node(cell->vertex_index(k), cell->vertex(k));
+    mesh.cells.push_back(corners);
+    for (const auto& face : cell->face_iterators()) {
+      if (!face->at_boundary() || face->boundary_id() == free_surface) continue;
+      const auto at = [&](unsigned int k) { return node(face->vertex_index(k), face->vertex(k)); };
+      const Side side = face->boundary_id() == contact_surface  ? Side::contact
+                        : face->boundary_id() == symmetry_plane ? Side::symmetry
+                                                                : Side::fixed;
+      mesh.sides.push_back({{at(0), at(1), at(3), at(2)}, side});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace rollfem::fem

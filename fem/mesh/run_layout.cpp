@@ -1,0 +1,120 @@
+#include "fem/mesh/run_layout.hpp"
+
+#include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
+#include "fem/mesh/surface_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::ContactGrid;
+using contact::Scene;
+
+/// Finest cells reach this many semi-axes: on case a 1.5 gained nothing.
+constexpr double default_reach = 1.1;
+
+/// A box on the surface reaches this many larger half sizes of the patch to each side at least;
+/// where the profiles are too steep or short for that the bodies are true sections.
+constexpr double least_box_reach = 2.5;
+
+constexpr const char* of_grid = "contact elements across the patch (fem.cell_size)";
+
+/// Elements of the potential contact area beyond the expected patch, each side.
+constexpr int margin = 3;
+
+/// On the lattice of the FE faces, an even number of elements each way.
+ContactGrid lattice_grid(const PatchBox& patch, double cell) {
+  const int half_x = contact::count_of(std::ceil(patch.half_length / cell), of_grid) + margin;
+  const int half_y = contact::count_of(std::ceil(patch.half_width / cell), of_grid) + margin;
+  return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell, 0.0, patch.middle);
+}
+
+/// Surfaces of a patch of true profiles on which there is a mesh.
+std::vector<SurfaceShape> meshed_surfaces(const Scene& scene) {
+  std::vector<SurfaceShape> shapes;
+  for (const bool is_wheel : {true, false})
+    if (!(is_wheel ? scene.wheel : scene.rail).material.rigid())
+      shapes.push_back(profile_surface(scene.geometry.surface.profiles, is_wheel));
+  return shapes;
+}
+
+/// The box of the family `structured` ends where one of the profiles does.
+void fit_to_profiles(const Scene& scene, BodyOptions& options) {
+  for (const SurfaceShape& shape : meshed_surfaces(scene)) {
+    const double reach =
+        std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle);
+    if (reach < options.fine_half_width)
+      throw contact::InputError(
+          fmt::format("{}: the patch and the cells around it reach from y = {:.4g} to {:.4g} mm, "
+                      "the profile of the {} can be meshed from {:.4g} to {:.4g} mm, where it ends "
+                      "or becomes too steep for the frame of the patch; do: give a smaller [fem] "
+                      "fine_extent or cell_size, a smaller load, or a longer profile",
+                      scene.file, options.middle - options.fine_half_width,
+                      options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
+                      shape.lower_t(), shape.upper_t()));
+    if (!has_true_sections(scene)) options.half_width = std::min(options.reach_t(), reach);
+  }
+}
+
+/// Width, depth, length and mesh family of the case.
+void set_segment_sizes(const Scene& scene, BodyOptions& options) {
+  options.family = scene.fem.mesh.value_or(MeshFamily::structured);
+  if (scene.fem.width) options.half_width = 0.5 * *scene.fem.width;
+  if (scene.fem.length) options.half_length = 0.5 * *scene.fem.length;
+  options.depth = scene.fem.depth;
+}
+
+BodyOptions body_options(const Scene& scene, const PatchBox& patch, const ContactGrid& grid,
+                         double cell) {
+  const double reach = scene.fem.fine_extent.value_or(default_reach);
+  BodyOptions options;
+  options.cell_size = cell;
+  options.fine_half_length = std::max(reach * patch.half_length, 0.5 * grid.nx * grid.dx);
+  options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
+  options.middle = patch.middle;
+  options.extent = scene.fem.extent.value_or(8.0 * patch.larger());
+  options.half = scene.is_symmetric();
+  options.degree = scene.fem.degree;
+  if (scene.feels_inertia()) options.speed = scene.speed;
+  set_segment_sizes(scene, options);
+  if (scene.has_profiles()) fit_to_profiles(scene, options);
+  return options;
+}
+
+}  // namespace
+
+double default_cell_size(const Scene& scene) {
+  return scene.fem.cell_size ? *scene.fem.cell_size : PatchSearch(scene).box().smaller() / 8.0;
+}
+
+bool has_true_sections(const Scene& scene) {
+  if (!scene.has_profiles()) return false;
+  if (scene.fem.mesh) return *scene.fem.mesh == MeshFamily::gmsh;
+  const PatchBox patch = PatchSearch(scene).box();
+  double reach = contact::infinity;
+  for (const SurfaceShape& shape : meshed_surfaces(scene))
+    reach = std::min({reach, patch.middle - shape.lower_t(), shape.upper_t() - patch.middle});
+  return reach < least_box_reach * patch.larger();
+}
+
+RunLayout run_layout(const Scene& scene, double cell) {
+  RunLayout layout;
+  layout.patch = PatchSearch(scene).box();
+  // To the lattice; what that moves is added on both sides.
+  const double exact = layout.patch.middle;
+  layout.patch.middle = std::round(exact / cell) * cell;
+  layout.patch.half_width += std::abs(layout.patch.middle - exact);
+  // Linear displacements cannot follow a traction of their own on every face: elements of one face
+  // let it oscillate, and the contact iteration then ends nowhere.
+  layout.grid = lattice_grid(layout.patch, scene.fem.degree == 1 ? 2.0 * cell : cell);
+  layout.bodies = body_options(scene, layout.patch, layout.grid, cell);
+  return layout;
+}
+
+}  // namespace rollfem::fem

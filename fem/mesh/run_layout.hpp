@@ -1,0 +1,31 @@
+// The layout of one level of the model fem before anything is meshed: expected patch, contact grid,
+// options of the bodies.
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "contact/scene/scene.hpp"
+#include "fem/mesh/body_options.hpp"
+#include "halfspace/patch/patch_search.hpp"
+
+namespace rollfem::fem {
+
+using halfspace::PatchBox;
+using halfspace::PatchSearch;
+
+/// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
+double default_cell_size(const contact::Scene& scene);
+
+/// The case has a patch of true profiles and the bodies are the true sections of wheel and rail,
+/// not boxes laid on the surface: as [fem] mesh says, else where a box would not reach far enough.
+bool has_true_sections(const contact::Scene& scene);
+
+struct RunLayout {
+  PatchBox patch;
+  contact::ContactGrid grid;  ///< square elements on the lattice of the FE faces: one face each,
+                              ///< of degree 1 two by two
+  BodyOptions bodies;
+};
+/// Throws contact::InputError when the profiles cannot be meshed so far.
+RunLayout run_layout(const contact::Scene& scene, double cell);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,50 @@
+// The nodes of a body as points of hexahedra for output: found once, so that displacement
+// and stress of every load point only need to be gathered.
+#pragma once
+
+#include "contact/result/result.hpp"
+#include "fem/discretisation/body.hpp"
+#include "fem/stress/stress_recovery.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::fem {
+
+class BodyNodes {
+ public:
+  /// The body outlives this. Collective.
+  BodyNodes(const Body& body, const std::string& name);
+  /// The whole body on process 0, mirrored when half of it is modelled; every cell becomes
+  /// degree^3 hexahedra. Points and cells are in the same order on any number of processes.
+  /// Elsewhere it has a name only.
+  const contact::BodyField& mesh() const { return mesh_; }
+  /// At the points of mesh(); empty but on process 0. Both arguments with their ghost values.
+  /// Collective.
+  contact::BodyValues values(const Vector& displacement, const NodalStress& stress) const;
+  /// The same with the mesh and in double precision.
+  contact::BodyField field(const Vector& displacement, const NodalStress& stress) const;
+
+ private:
+  struct Cells;
+  Cells collect_cells();
+  template <class Number>
+  void gather(const Vector& displacement, const NodalStress& stress,
+              std::vector<std::array<Number, 3>>& u, std::vector<std::array<Number, 6>>& s) const;
+  void number(const std::vector<Cells>& processes);
+  void mirror();
+
+  using NodeIndex = std::array<dealii::types::global_dof_index, 3>;
+  const Body& body_;
+  contact::BodyField mesh_;
+  std::vector<NodeIndex> nodes_;  ///< of this process: the unknowns u_x, u_y, u_z of each
+  /// On process 0, of the nodes of every process: their points.
+  std::vector<std::vector<int>> point_of_;
+  std::vector<int> mirrored_;  ///< points whose mirror images follow behind all modelled ones
+};
+
+/// Mesh, displacement and recovered stress at once.
+contact::BodyField body_field(const Body& body, const Vector& displacement,
+                              const std::string& name);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,93 @@
+// The difference between wheel or rail and half-spaces below the surface, found by finite elements
+// as smooth_parts.hpp finds it on the surface: body minus flattened twin at the same Gauss points
+// of the same cells. Those points lie apart in coordinates that follow the surface (cells are laid
+// along z, which is not the normal of a steep surface); the exact change of the half-space in
+// between is subtracted.
+#pragma once
+
+#include "contact/scene/below_surface.hpp"
+#include "fem/discretisation/body.hpp"
+#include "halfspace/elasticity/smooth_map.hpp"
+#include "halfspace/stress/cell_stress.hpp"
+#include "halfspace/stress/subsurface.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// Uniform loads on rectangles of the rolled-out surface: `shapes` has a row for each, a column for
+/// each traction that they make up, MPa along one axis.
+struct FlatLoads {
+  struct Rectangle {
+    double x, y, dx, dy;  ///< mm, middle and sides
+  };
+  std::vector<Rectangle> rectangles;
+  Eigen::MatrixXd shapes;
+};
+
+/// Cells whose displacement gives displacement and stress at their points of Gauss, where
+/// derivatives are most accurate.
+class GaussStates {
+ public:
+  /// The cells of these numbers among the active ones of the body, which outlives this.
+  GaussStates(const Body& body, const std::vector<unsigned int>& cells);
+  const std::vector<dealii::Point<3>>& places() const { return places_; }
+  /// A row for each point: u_x u_y u_z, xx yy zz xy yz xz in global axes.
+  Eigen::MatrixXd at(const Vector& displacement) const;
+
+ private:
+  const Body& body_;
+  std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_;
+  std::vector<dealii::Point<3>> places_;
+  std::vector<std::vector<dealii::Tensor<1, 3>>> gradients_;  ///< of the nodes' functions
+  std::vector<std::vector<double>> values_;
+};
+
+class BelowParts {
+ public:
+  /// `box` and `depth` (mm): where the map is wanted. All must outlive this. Throws
+  /// contact::SolveError where the meshes of body and twin differ.
+  BelowParts(const contact::BelowSurface& coordinates, const Body& body, const Body& twin,
+             const FlatLoads& loads, const halfspace::SmoothBox& box, double depth);
+  /// Displacement and stress at the points that the body has beyond its half-space under traction
+  /// `shape` of the loads along `component`, a row each. On the wheel; those on the rail are
+  /// opposite.
+  Eigen::MatrixXd beyond(int component, Eigen::Index shape, const Vector& body,
+                         const Vector& twin) const;
+  /// Coefficients of the polynomials through such rows, those of one column of `beyond` after the
+  /// other..
+  Eigen::VectorXd fitted(const Eigen::MatrixXd& beyond) const;
+  /// To which depth there are points, mm.
+  double depth() const { return depth_; }
+  int degree() const;
+  /// How many coefficients.
+  Eigen::Index terms() const;
+
+ private:
+  void choose_points();
+  void add_half_space();
+  void prepare_fit();
+
+  const contact::BelowSurface& coordinates_;
+  const FlatLoads& loads_;
+  halfspace::SmoothBox box_;
+  double depth_;
+  contact::Material material_;
+  bool wheel_, half_;
+  std::unique_ptr<GaussStates> body_, twin_;
+  std::vector<Eigen::Index> rows_;  ///< of the points in the box
+  std::vector<contact::BelowSurface::Coordinates> at_;
+  std::vector<halfspace::SubsurfacePoint> flat_;  ///< of the twin
+  /// Half-space at the twin's points less that at the body's, a row for each component of each
+  /// point, a column for each load.
+  std::array<Eigen::MatrixXd, 3> moved_;
+  Eigen::MatrixXd even_, odd_;  ///< polynomials at the points, with those of a mirror image
+  Eigen::LDLT<Eigen::MatrixXd> normal_;
+};
+
+}  // namespace rollfem::fem

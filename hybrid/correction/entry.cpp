@@ -1,0 +1,51 @@
+// The C entry through which the program reaches this library after opening it at run time.
+#include "fem/elasticity/model.hpp"
+#include "hybrid/correction/smooth_parts.hpp"
+
+#include <deal.II/base/mpi.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace {
+
+std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
+
+void start(int& argc, char**& argv) {
+  if (session) return;
+  // PETSc, which deal.II starts too, reads options from .petscrc of the current folder (one of them
+  // starts a program) and from the call, unless it is told not to.
+  static std::string program = argc > 0 ? argv[0] : "rollfem", option = "-skip_petscrc";
+  static std::array<char*, 3> call{program.data(), option.data(), nullptr};
+  int count = 2;
+  char** own = call.data();
+  // One thread in deal.II: the cores go to MPI processes and to the two bodies solved side by side.
+  session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(count, own, 1);
+}
+
+void stop() {
+  session.reset();
+}
+
+int process() {
+  return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+}
+
+std::string from_first(const std::string& text) {
+  return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text);
+}
+
+const rollfem::fem::Entry entry{start,
+                                stop,
+                                process,
+                                from_first,
+                                rollfem::fem::run_fem,
+                                rollfem::fem::mesh_case,
+                                rollfem::fem::find_smooth_parts};
+
+}  // namespace
+
+extern "C" const rollfem::fem::Entry* rollfem_fem_entry() {
+  return &entry;
+}

@@ -1,0 +1,28 @@
+// The correction of a flat body in the frame of the common surface, without a mesh: the
+// body is a half-space itself, but loaded and evaluated along the local tangents and
+// normals of a surface that is curved where the other body is.
+#pragma once
+
+#include "contact/scene/scene.hpp"
+#include "hybrid/correction/flat_twin.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace rollfem::fem {
+
+/// A plane surface, and large: no far boundary holds it.
+bool is_half_space(const contact::Scene& scene, bool wheel);
+
+/// What the body adds to u_wheel - u_rail, mm: the displacement of its plane less that of the
+/// rolled-out half-space, under tractions on the wheel. `shapes`: a row for each element of the
+/// grid (laid along the plane), a column for each traction, MPa. Returned for tractions along x, y
+/// and n: a column for each shape, u_x, u_y, u_n of all elements one after the other. `arc`: of the
+/// common surface, at least as far as the grid goes.
+std::array<Eigen::MatrixXd, 3> beyond_flat_body(const contact::Scene& scene, bool wheel,
+                                                const contact::ContactGrid& grid,
+                                                const ArcLength& arc,
+                                                const Eigen::MatrixXd& shapes);
+
+}  // namespace rollfem::fem

@@ -1,0 +1,74 @@
+#include "hybrid/correction/flat_twin.hpp"
+
+#include <cmath>
+#include <memory>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// Of the table from the middle to either end; cubics lie between them.
+constexpr int knots_per_side = 800;
+
+}  // namespace
+
+ArcLength::ArcLength(const contact::ContactSurface& surface, double reach) {
+  // Three points of Gauss a piece.
+  const double offset = std::sqrt(0.6);
+  const double step = reach / knots_per_side;
+  const auto density = [&](double y) { return contact::stretch_of(surface.climb(y)); };
+  const auto piece = [&](double middle) {
+    return step / 18.0 *
+           (5.0 * density(middle - 0.5 * offset * step) + 8.0 * density(middle) +
+            5.0 * density(middle + 0.5 * offset * step));
+  };
+  std::vector<double> y(2 * knots_per_side + 1), arc(y.size()), slope(y.size());
+  for (int k = 0; k <= 2 * knots_per_side; ++k) {
+    y[k] = (k - knots_per_side) * step;
+    slope[k] = density(y[k]);
+  }
+  arc[knots_per_side] = 0.0;
+  for (int k = knots_per_side; k < 2 * knots_per_side; ++k)
+    arc[k + 1] = arc[k] + piece(y[k] + 0.5 * step);
+  for (int k = knots_per_side; k > 0; --k) arc[k - 1] = arc[k] - piece(y[k] - 0.5 * step);
+  arc_ = contact::HeightCurve(y, arc, slope);
+}
+
+double ArcLength::at(double y) const {
+  return arc_.at(y).value;
+}
+
+double ArcLength::place(double arc) const {
+  double y = arc;
+  for (int step = 0; step < 50; ++step) {
+    const auto value = arc_.at(y);
+    const double change = (value.value - arc) / value.slope;
+    y -= change;
+    if (std::abs(change) < 1e-13 * (1.0 + std::abs(y))) break;
+  }
+  return y;
+}
+
+SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface& surface,
+                       double reach) {
+  const auto arc = std::make_shared<ArcLength>(surface, reach);
+  const double inwards = shape.is_wheel ? 1.0 : -1.0;
+  auto chart = std::make_shared<ChartFunctions>();
+  chart->place = [arc, inwards](const dealii::Point<3>& at) {
+    return dealii::Point<3>(at[0], arc->at(at[1]), inwards * at[2]);
+  };
+  chart->coordinates = [arc, inwards](const dealii::Point<3>& at) {
+    return dealii::Point<3>(at[0], arc->place(at[1]), inwards * at[2]);
+  };
+  chart->frame = [](double, double) {
+    std::array<dealii::Tensor<1, 3>, 3> axes;
+    for (unsigned int k = 0; k < 3; ++k) axes[k][k] = 1.0;
+    return axes;
+  };
+  SurfaceShape twin;
+  twin.is_wheel = shape.is_wheel;
+  twin.functions = chart;
+  return twin;
+}
+
+}  // namespace rollfem::fem

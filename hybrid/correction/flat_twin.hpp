@@ -1,0 +1,30 @@
+// The flattened twin of a body: the same mesh with the contact surface unrolled into a
+// plane. Its exact compliance is the half-space's, so that the error of finite elements
+// on the twin is that on the body, up to the curvature.
+#pragma once
+
+#include "contact/scene/contact_surface.hpp"
+#include "contact/scene/height_curve.hpp"
+#include "fem/mesh/surface_shape.hpp"
+
+namespace rollfem::fem {
+
+/// Arc length of the common surface across, from y = 0, mm.
+class ArcLength {
+ public:
+  /// Exact up to `reach` mm to both sides, straight beyond.
+  ArcLength(const contact::ContactSurface& surface, double reach);
+  double at(double y) const;
+  /// y of an arc length.
+  double place(double arc) const;
+
+ private:
+  contact::HeightCurve arc_;
+};
+
+/// The chart of the twin of `shape`: (s, t, depth) lies at s along rolling, at the arc length of
+/// the common surface at t across, and at `depth` inwards. `reach`: how far the body goes in t, mm.
+SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface& surface,
+                       double reach);
+
+}  // namespace rollfem::fem

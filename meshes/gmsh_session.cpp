@@ -1,0 +1,84 @@
+#include "meshes/gmsh_session.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <gmsh.h>
+
+#include <unordered_map>
+
+namespace rollfem::meshes {
+
+GmshSession::GmshSession() {
+  // No configuration files of the user: the same mesh everywhere.
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::option::setNumber("General.NumThreads", 1);
+}
+
+GmshSession::~GmshSession() {
+  gmsh::finalize();
+}
+
+std::string gmsh_complaint() {
+  std::string text;
+  gmsh::logger::getLastError(text);
+  return text.empty() ? "unknown error" : text;
+}
+
+void set_quadrilaterals() {
+  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
+  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+  // Frontal-Delaunay; the variant for quadrilaterals (8) crashes on sections in gmsh 4.8.4.
+  gmsh::option::setNumber("Mesh.Algorithm", 6);
+  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
+  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
+  gmsh::option::setNumber("Mesh.Smoothing", 10);
+}
+
+void mesh_plane(const std::string& what) {
+  try {
+    gmsh::model::geo::synchronize();
+    gmsh::model::mesh::generate(2);
+  } catch (...) {
+    throw contact::InputError("gmsh cannot mesh the cross-section (" + gmsh_complaint() +
+                              "): use [fem] mesh = \"structured\", or change " + what);
+  }
+}
+
+PlaneMesh collect_plane(const std::vector<int>& lines) {
+  PlaneMesh mesh;
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> elements, corners;
+  gmsh::model::mesh::getElements(types, elements, corners, 2, -1);
+  constexpr int quadrilateral = 3;
+  if (types != std::vector<int>{quadrilateral})
+    throw contact::InputError(
+        "gmsh left cells in the cross-section that are not quadrilaterals: use [fem] mesh = "
+        "\"structured\"");
+  std::vector<std::size_t> tags;
+  std::vector<double> places, unused;
+  gmsh::model::mesh::getNodes(tags, places, unused, -1, -1, false, false);
+  std::unordered_map<std::size_t, std::array<double, 2>> place_of;
+  for (std::size_t k = 0; k < tags.size(); ++k)
+    place_of[tags[k]] = {places[3 * k], places[3 * k + 1]};
+  std::unordered_map<std::size_t, int> number;
+  for (const std::size_t tag : corners.front())
+    if (number.try_emplace(tag, static_cast<int>(mesh.points.size())).second)
+      mesh.points.push_back(place_of.at(tag));
+  const auto& c = corners.front();
+  for (std::size_t k = 0; k < c.size(); k += 4)
+    mesh.quads.push_back(
+        {number.at(c[k]), number.at(c[k + 1]), number.at(c[k + 2]), number.at(c[k + 3])});
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    std::vector<std::vector<std::size_t>> line_elements, ends;
+    gmsh::model::mesh::getElements(types, line_elements, ends, 1, lines[line]);
+    for (const auto& of_type : ends)
+      for (std::size_t k = 0; k < of_type.size(); k += 2) {
+        mesh.edges.push_back({number.at(of_type[k]), number.at(of_type[k + 1])});
+        mesh.line.push_back(line);
+      }
+  }
+  return mesh;
+}
+
+}  // namespace rollfem::meshes

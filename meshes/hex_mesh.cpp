@@ -1,0 +1,215 @@
+#include "meshes/hex_mesh.hpp"
+
+#include "contact/base/errors.hpp"
+#include "meshes/cell_quality.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace rollfem::meshes {
+
+namespace {
+
+using Point = std::array<double, 3>;
+using Face = std::array<int, 4>;
+
+/// Nodes closer than this part of the shortest edge are one place.
+constexpr double same_place = 1e-4;
+
+[[noreturn]] void fail(const std::string& name, const std::string& wrong,
+                       const std::string& action) {
+  throw contact::InputError(fmt::format("{}: {}; do: {}", name, wrong, action));
+}
+
+std::string place(const Point& p) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", p[0], p[1], p[2]);
+}
+
+Face sorted(Face face) {
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+double distance(const Point& a, const Point& b) {
+  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/// Shortest edge of the mesh.
+double check_cells(const HexMesh& mesh, const std::string& name) {
+  if (mesh.cells.empty())
+    fail(name, "it contains no hexahedra",
+         "mesh the volume with hexahedra (transfinite, or an extruded recombined section)");
+  double shortest = HUGE_VAL;
+  long inverted = 0;
+  Point where{};
+  for (const auto& cell : mesh.cells) {
+    std::array<Point, 8> corners{};
+    for (int k = 0; k < 8; ++k) corners[k] = mesh.points[cell[k]];
+    const CellQuality quality = cell_quality(corners);
+    shortest = std::min(shortest, quality.shortest_edge);
+    if (quality.scaled_jacobian > 0) continue;
+    if (inverted++ == 0) where = corners[0];
+  }
+  if (inverted > 0)
+    fail(name,
+         fmt::format("{} of {} hexahedra are inverted or flat at a corner, the first at {}",
+                     inverted, mesh.cells.size(), place(where)),
+         "smooth the mesh there, or reverse the orientation of the cells");
+  return shortest;
+}
+
+/// How often a face is there, and of which cell.
+struct FaceUse {
+  int count = 0;
+  int cell = 0;
+};
+
+std::map<Face, FaceUse> faces_of(const HexMesh& mesh) {
+  std::map<Face, FaceUse> faces;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (const auto& corners : hex_faces) {
+      Face face{};
+      for (int k = 0; k < 4; ++k) face[k] = mesh.cells[c][corners[k]];
+      FaceUse& use = faces[sorted(face)];
+      ++use.count;
+      use.cell = static_cast<int>(c);
+    }
+  return faces;
+}
+
+int root(std::vector<int>& parent, int k) {
+  while (parent[k] != k) k = parent[k] = parent[parent[k]];
+  return k;
+}
+
+void check_connected(const HexMesh& mesh, const std::string& name) {
+  std::vector<int> parent(mesh.cells.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::map<Face, int> first;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (const auto& corners : hex_faces) {
+      Face face{};
+      for (int k = 0; k < 4; ++k) face[k] = mesh.cells[c][corners[k]];
+      const auto [it, is_new] = first.try_emplace(sorted(face), static_cast<int>(c));
+      if (!is_new) parent[root(parent, it->second)] = root(parent, static_cast<int>(c));
+    }
+  std::map<int, int> sizes;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) ++sizes[root(parent, static_cast<int>(c))];
+  if (sizes.size() == 1) return;
+  const auto smallest = std::min_element(
+      sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  fail(name,
+       fmt::format("it consists of {} parts that share no face, the smallest of {} cells at {}",
+                   sizes.size(), smallest->second,
+                   place(mesh.points[mesh.cells[smallest->first][0]])),
+       "join them (in gmsh `Coherence Mesh` merges coincident nodes), or remove the loose parts");
+}
+
+/// Nodes of outside faces, by x, to look for others near by.
+class OutsideNodes {
+ public:
+  OutsideNodes(const HexMesh& mesh, const std::map<Face, FaceUse>& faces) : mesh_(mesh) {
+    for (const auto& [face, use] : faces)
+      if (use.count == 1) nodes_.insert(nodes_.end(), face.begin(), face.end());
+    std::sort(nodes_.begin(), nodes_.end());
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    std::sort(nodes_.begin(), nodes_.end(), [&](int a, int b) { return x(a) < x(b); });
+  }
+
+  /// A node within `reach` of the line between two nodes, other than these, or -1.
+  int on_line(int from, int to, double reach) const {
+    const Point& a = mesh_.points[from];
+    const Point& b = mesh_.points[to];
+    const double lower = std::min(a[0], b[0]) - reach;
+    const double upper = std::max(a[0], b[0]) + reach;
+    auto it = std::lower_bound(nodes_.begin(), nodes_.end(), lower,
+                               [&](int node, double value) { return x(node) < value; });
+    for (; it != nodes_.end() && x(*it) <= upper; ++it) {
+      if (*it == from || *it == to) continue;
+      const Point& p = mesh_.points[*it];
+      const double length = distance(a, b);
+      double along = 0.0;
+      for (int d = 0; d < 3; ++d) along += (p[d] - a[d]) * (b[d] - a[d]) / (length * length);
+      along = std::clamp(along, 0.0, 1.0);
+      Point foot{};
+      for (int d = 0; d < 3; ++d) foot[d] = a[d] + along * (b[d] - a[d]);
+      if (distance(p, foot) < reach) return *it;
+    }
+    return -1;
+  }
+
+ private:
+  double x(int node) const { return mesh_.points[node][0]; }
+  const HexMesh& mesh_;
+  std::vector<int> nodes_;
+};
+
+/// Cells that touch without sharing a whole face: doubled nodes, nodes on another cell's edge.
+void check_conforming(const HexMesh& mesh, const std::map<Face, FaceUse>& faces, double shortest,
+                      const std::string& name) {
+  for (const auto& [face, use] : faces)
+    if (use.count > 2)
+      fail(name,
+           fmt::format("{} cells share the face at {}", use.count, place(mesh.points[face[0]])),
+           "remove cells that lie on top of each other");
+  const OutsideNodes nodes(mesh, faces);
+  for (const auto& [face, use] : faces) {
+    if (use.count > 1) continue;
+    // The corners are sorted: edges are those that the cell has.
+    for (const auto& corners : hex_faces) {
+      Face own{};
+      for (int k = 0; k < 4; ++k) own[k] = mesh.cells[use.cell][corners[k]];
+      if (sorted(own) != face) continue;
+      for (int k = 0; k < 4; ++k) {
+        const int found = nodes.on_line(own[k], own[(k + 1) % 4], same_place * shortest);
+        if (found < 0) continue;
+        fail(name,
+             fmt::format("cells do not match at {}: a node lies on the edge of a cell that does "
+                         "not contain it",
+                         place(mesh.points[found])),
+             "join the parts with matching nodes (in gmsh `Coherence Mesh`); refinement is done "
+             "by the program");
+      }
+    }
+  }
+}
+
+void check_sides(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
+                 const std::string& name) {
+  std::array<long, side_names.size()> count{};
+  for (const SideQuad& quad : mesh.sides) {
+    ++count[static_cast<std::size_t>(quad.side)];
+    const auto found = faces.find(sorted(quad.corners));
+    if (found != faces.end() && found->second.count == 1) continue;
+    fail(name,
+         fmt::format("the group `{}` has a face at {} that is {}",
+                     side_names[static_cast<std::size_t>(quad.side)],
+                     place(mesh.points[quad.corners[0]]),
+                     found == faces.end() ? "not a face of a hexahedron" : "inside the body"),
+         "put only faces on the outside of the body into the group");
+  }
+  for (const Side side : {Side::contact, Side::fixed})
+    if (count[static_cast<std::size_t>(side)] == 0)
+      fail(name,
+           fmt::format("there is no surface group `{}` with quadrilaterals",
+                       side_names[static_cast<std::size_t>(side)]),
+           "name the physical surfaces `contact` (the running surface) and `fixed` (the clamped "
+           "faces), and `symmetry` if half of the body is meshed");
+}
+
+}  // namespace
+
+void check_mesh(const HexMesh& mesh, const std::string& name) {
+  const double shortest = check_cells(mesh, name);
+  const auto faces = faces_of(mesh);
+  check_conforming(mesh, faces, shortest, name);
+  check_connected(mesh, name);
+  check_sides(mesh, faces, name);
+}
+
+}  // namespace rollfem::meshes

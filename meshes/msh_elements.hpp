@@ -1,0 +1,68 @@
+// Builds hexahedra, and quadrilaterals by group, from the
+// elements of a .msh file. Internal to meshes/.
+#pragma once
+
+#include "meshes/hex_mesh.hpp"
+#include "meshes/msh_bytes.hpp"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+namespace rollfem::meshes {
+
+/// A kind of element, by its number in .msh files.
+struct MshKind {
+  int dimension;
+  int nodes;
+  const char* name;  ///< "Tetrahedron 4"
+};
+
+class MshElements {
+ public:
+  explicit MshElements(const MshBytes& bytes) : bytes_(bytes) {}
+
+  /// Throws contact::InputError for a number that is not one of gmsh's kinds.
+  const MshKind& kind(std::int64_t type) const;
+
+  /// The node is at the place last read in the file. Throws contact::InputError when the number is
+  /// there already or a coordinate is not finite.
+  void add_node(std::int64_t number, const std::array<double, 3>& coordinates);
+  /// An element begins: of this kind, in this group of faces (4.1: the surface, 2.2: the physical
+  /// group).
+  void begin_element(std::int64_t number, const MshKind& kind, int group);
+  /// Its next node. Throws contact::InputError when there is no node of that number.
+  void add_corner(std::int64_t node);
+  void end_element();
+
+  /// The hexahedra with their nodes, and of the faces those for which `side_of` has a side. Throws
+  /// contact::InputError when they are no quadrilaterals, or no faces of the hexahedra.
+  HexMesh mesh(const std::function<std::vector<Side>(int group)>& side_of) const;
+
+ private:
+  struct Face {
+    std::size_t place;  ///< in the file
+    int count;          ///< of nodes, 4 for a quadrilateral
+    std::array<int, 4> corners{};
+  };
+
+  const MshBytes& bytes_;
+  std::vector<std::array<double, 3>> points_;
+  std::unordered_map<std::int64_t, int> index_;  ///< in points_, by number
+  std::vector<std::array<int, 8>> cells_;
+  std::set<std::array<int, 8>> once_;       ///< the cells of 2.2
+  std::map<int, std::vector<Face>> faces_;  ///< by group
+
+  // The element that is being read.
+  std::int64_t number_ = 0;
+  const MshKind* kind_ = nullptr;
+  int group_ = 0;
+  std::size_t place_ = 0;
+  std::size_t corners_ = 0;
+  std::array<int, 8> corner_{};
+};
+
+}  // namespace rollfem::meshes

@@ -1,0 +1,282 @@
+// Reading a .msh file. Not through gmsh's library: that runs NAME.msh.opt beside a mesh as a
+// script, and trusts the numbers in it.
+#include "contact/base/text_fields.hpp"
+#include "meshes/msh_elements.hpp"
+#include "meshes/msh_file.hpp"
+
+#include <climits>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+namespace rollfem::meshes {
+
+namespace {
+
+constexpr std::int64_t largest_number = INT64_MAX;
+class MshReader {
+ public:
+  MshReader(const std::string& path, const std::string& name) : bytes_(path, name) {}
+  HexMesh read();
+
+ private:
+  void read_format();
+  void read_names();
+  void read_entities();
+  void read_entity(int dimension);
+  void read_nodes();
+  void read_old_nodes();
+  void read_elements();
+  void read_old_elements();
+  std::size_t read_old_block(std::size_t left);
+  std::array<double, 3> read_place();
+  std::vector<Side> sides_of(int group) const;
+
+  MshBytes bytes_;
+  MshElements elements_{bytes_};
+  std::map<int, Side> side_of_group_;          ///< by the number of the physical group
+  std::map<int, std::vector<int>> groups_of_;  ///< 4.1: physical groups of each surface
+};
+
+void MshReader::read_format() {
+  const auto fields = contact::fields_of(bytes_.line(), " \t");
+  if (fields.size() != 3)
+    bytes_.fail("is not a gmsh mesh: the format should be three numbers, such as 4.1 0 8",
+                "export it from gmsh as .msh");
+  if (fields[0] != "2.2" && fields[0] != "4.1")
+    bytes_.fail_whole(fmt::format("is in the gmsh format {}; allowed: 4.1 and 2.2",
+                                  contact::printable(fields[0])),
+                      "save it in the format 4.1 or 2.2 (gmsh -format msh41)");
+  const bool sized = fields[2] == "8" || (fields[2] == "4" && fields[0] == "4.1");
+  if ((fields[1] != "0" && fields[1] != "1") || !sized)
+    bytes_.fail(fmt::format("file type and data size are {} {}; allowed: 0 (text) or 1 (binary), "
+                            "and 8",
+                            contact::printable(fields[1]), contact::printable(fields[2])),
+                save_msh_again);
+  bytes_.set_format({fields[0] == "2.2", fields[1] == "1", fields[2] == "4" ? 4U : 8U});
+  if (!bytes_.format().binary) return;
+  if (const std::int64_t one = bytes_.whole("the number 1", INT_MIN, INT_MAX); one == 1 << 24)
+    bytes_.fail("the numbers are in another byte order",
+                "save it as text (gmsh -format msh41 without -bin)");
+  else if (one != 1)
+    bytes_.fail(fmt::format("the byte-order mark is {}; allowed: 1", one), save_msh_again);
+}
+
+/// Text also in a binary file: how many, then lines `dimension number "name"`.
+void MshReader::read_names() {
+  const auto count = contact::whole_number_of(bytes_.line());
+  if (!count || *count < 0) bytes_.fail("the number of physical names is missing", save_msh_again);
+  for (int k = 0; k < *count; ++k) {
+    if (bytes_.at_end()) bytes_.fail("the file ends inside $PhysicalNames", save_msh_again);
+    const std::string_view line = bytes_.line();
+    const std::size_t begin = line.find('"');
+    const auto fields = contact::fields_of(line.substr(0, begin), " \t");
+    const auto number = [&](std::size_t field) {
+      return field < fields.size() ? contact::whole_number_of(fields[field]).value_or(-1) : -1;
+    };
+    const int dimension = number(0), group = number(1);
+    if (begin == line.npos || line.size() < begin + 2 || line.back() != '"' || fields.size() != 2 ||
+        dimension < 0 || group < 0)
+      bytes_.fail(
+          fmt::format("`{}` is not a physical name; allowed: dimension, number and \"name\"",
+                      contact::printable(line)),
+          save_msh_again);
+    const std::string_view name = line.substr(begin + 1, line.size() - begin - 2);
+    for (std::size_t side = 0; side < side_names.size(); ++side)
+      if (dimension == 2 && name == side_names[side])
+        side_of_group_[group] = static_cast<Side>(side);
+  }
+}
+
+/// Its physical groups are all that counts.
+void MshReader::read_entity(int dimension) {
+  const int entity = static_cast<int>(bytes_.whole("the number of an entity", INT_MIN, INT_MAX));
+  for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k)
+    bytes_.real("a coordinate of the box of an entity");
+  const std::size_t groups = bytes_.count("the number of physical groups", 2, 4);
+  for (std::size_t k = 0; k < groups; ++k) {
+    const auto group = bytes_.whole("a physical group", -INT_MAX, INT_MAX);
+    // Negative: the group has the surface the other way round.
+    if (dimension == 2) groups_of_[entity].push_back(static_cast<int>(std::abs(group)));
+  }
+  if (dimension == 0) return;
+  const std::size_t around = bytes_.count("the number of bounding entities", 2, 4);
+  for (std::size_t k = 0; k < around; ++k) bytes_.whole("a bounding entity", INT_MIN, INT_MAX);
+}
+
+void MshReader::read_entities() {
+  std::array<std::size_t, 4> counts{};
+  for (std::size_t& count : counts) count = bytes_.count("the number of entities", 10, 36);
+  for (int dimension = 0; dimension < 4; ++dimension)
+    for (std::size_t k = 0; k < counts[static_cast<std::size_t>(dimension)]; ++k)
+      read_entity(dimension);
+}
+
+std::array<double, 3> MshReader::read_place() {
+  std::array<double, 3> place{};
+  for (double& coordinate : place) coordinate = bytes_.real("a coordinate of a node");
+  return place;
+}
+
+void MshReader::read_nodes() {
+  const std::size_t blocks = bytes_.count("the number of blocks of nodes", 8, 20);
+  const std::size_t all = bytes_.count("the number of nodes", 8, 28);
+  for (const char* what : {"the least number of a node", "the largest number of a node"})
+    bytes_.large(what, 0, largest_number);
+  std::size_t read = 0;
+  std::vector<std::int64_t> numbers;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const std::int64_t dimension = bytes_.whole("the dimension of an entity", 0, 3);
+    bytes_.whole("the number of an entity", INT_MIN, INT_MAX);
+    const bool parametric = bytes_.whole("whether nodes have parameters", 0, 1) == 1;
+    numbers.resize(bytes_.count("the number of nodes of a block", 8, 28));
+    for (std::int64_t& number : numbers) number = bytes_.large("a node", 1, largest_number);
+    for (const std::int64_t number : numbers) {
+      elements_.add_node(number, read_place());
+      for (std::int64_t k = 0; parametric && k < dimension; ++k)
+        bytes_.real("a parameter of a node");
+    }
+    read += numbers.size();
+  }
+  if (read != all)
+    bytes_.fail(fmt::format("there are {} nodes, but $Nodes begins with {}", read, all),
+                save_msh_again);
+}
+
+void MshReader::read_old_nodes() {
+  const std::size_t count = bytes_.count("the number of nodes", 8, 28);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int64_t number = bytes_.whole("a node", 1, INT_MAX);
+    elements_.add_node(number, read_place());
+  }
+}
+
+void MshReader::read_elements() {
+  const std::size_t blocks = bytes_.count("the number of blocks of elements", 8, 20);
+  const std::size_t all = bytes_.count("the number of elements", 4, 8);
+  for (const char* what : {"the least number of an element", "the largest number of an element"})
+    bytes_.large(what, 0, largest_number);
+  std::size_t read = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const std::int64_t dimension = bytes_.whole("the dimension of an entity", 0, 3);
+    const auto entity = static_cast<int>(bytes_.whole("the number of an entity", INT_MIN, INT_MAX));
+    const MshKind& kind = elements_.kind(bytes_.whole("the type of elements", 1, INT_MAX));
+    if (kind.dimension != dimension)
+      bytes_.fail(
+          fmt::format("elements of type {} are in an entity of dimension {}", kind.name, dimension),
+          save_msh_again);
+    const auto each = static_cast<std::size_t>(kind.nodes + 1);
+    const std::size_t count = bytes_.count("the number of elements of a block", 2 * each, 4 * each);
+    for (std::size_t k = 0; k < count; ++k) {
+      elements_.begin_element(bytes_.large("an element", 1, largest_number), kind, entity);
+      for (int node = 0; node < kind.nodes; ++node)
+        elements_.add_corner(bytes_.large("a node of an element", 1, largest_number));
+      elements_.end_element();
+    }
+    read += count;
+  }
+  if (read != all)
+    bytes_.fail(fmt::format("there are {} elements, but $Elements begins with {}", read, all),
+                save_msh_again);
+}
+
+/// One element of a text, or all that share a header in a binary file; how many they were.
+std::size_t MshReader::read_old_block(std::size_t left) {
+  const bool binary = bytes_.format().binary;
+  std::int64_t number = binary ? 0 : bytes_.whole("an element", INT_MIN, INT_MAX);
+  const MshKind& kind = elements_.kind(bytes_.whole("the type of an element", 1, INT_MAX));
+  const auto most = static_cast<std::int64_t>(left);
+  const std::int64_t count = binary ? bytes_.whole("the number of elements of a kind", 1, most) : 1;
+  const std::int64_t tags = bytes_.whole("the number of tags", 0, 1000);
+  for (std::int64_t k = 0; k < count; ++k) {
+    if (binary) number = bytes_.whole("an element", INT_MIN, INT_MAX);
+    int group = 0;
+    for (std::int64_t tag = 0; tag < tags; ++tag) {
+      const std::int64_t value = bytes_.whole("a tag of an element", -INT_MAX, INT_MAX);
+      if (tag == 0) group = static_cast<int>(std::abs(value));
+    }
+    elements_.begin_element(number, kind, group);
+    for (int node = 0; node < kind.nodes; ++node)
+      elements_.add_corner(bytes_.whole("a node of an element", 1, INT_MAX));
+    elements_.end_element();
+  }
+  return static_cast<std::size_t>(count);
+}
+
+void MshReader::read_old_elements() {
+  const std::size_t all = bytes_.count("the number of elements", 8, 8);
+  for (std::size_t read = 0; read < all;) read += read_old_block(all - read);
+}
+
+std::vector<Side> MshReader::sides_of(int group) const {
+  std::vector<int> groups{group};
+  if (!bytes_.format().old) {
+    const auto found = groups_of_.find(group);
+    if (found == groups_of_.end()) return {};
+    groups = found->second;
+  }
+  std::vector<Side> sides;
+  for (const int number : groups)
+    if (const auto found = side_of_group_.find(number); found != side_of_group_.end())
+      sides.push_back(found->second);
+  return sides;
+}
+
+HexMesh MshReader::read() {
+  const bool& old = bytes_.format().old;
+  const std::map<std::string, std::function<void()>> readers{
+      {"MeshFormat", [&] { read_format(); }},
+      {"PhysicalNames", [&] { read_names(); }},
+      {"Entities", [&] { read_entities(); }},
+      {"Nodes", [&] { old ? read_old_nodes() : read_nodes(); }},
+      {"Elements", [&] { old ? read_old_elements() : read_elements(); }},
+      {"PartitionedEntities", [&] {
+         bytes_.fail("the mesh is partitioned",
+                     "save it as one part (Mesh.PartitionSplit = 0, or "
+                     "Unpartition in gmsh)");
+       }}};
+  std::set<std::string> seen;
+  while (!bytes_.at_end()) {
+    const std::string line(bytes_.line());
+    if (seen.empty() && line != "$MeshFormat")
+      bytes_.fail_whole("is not a gmsh mesh: it does not begin with $MeshFormat",
+                        "export it from gmsh as .msh");
+    if (line.empty() || line.front() != '$')
+      bytes_.fail(fmt::format("`{}` does not start a section; allowed: $Nodes, $Elements, ...",
+                              contact::printable(line)),
+                  save_msh_again);
+    const std::string section = line.substr(1), end = "$End" + section;
+    const auto reader = readers.find(section);
+    if (reader == readers.end()) {
+      if (!bytes_.pass(end))
+        bytes_.fail(fmt::format("the section {} has no {}", contact::printable(line),
+                                contact::printable(end)),
+                    save_msh_again);
+      continue;
+    }
+    if (!seen.insert(section).second)
+      bytes_.fail(fmt::format("there is a second section {}", line), save_msh_again);
+    reader->second();
+    if (bytes_.at_end()) bytes_.fail(fmt::format("the file ends before {}", end), save_msh_again);
+    if (const std::string_view found = bytes_.line(); found != end)
+      bytes_.fail(fmt::format("expected {}, got `{}`", end, contact::printable(found)),
+                  save_msh_again);
+  }
+  if (seen.empty())
+    bytes_.fail_whole("is not a gmsh mesh: it is empty", "export it from gmsh as .msh");
+  for (const char* section : {"Nodes", "Elements"})
+    if (seen.count(section) == 0)
+      bytes_.fail(fmt::format("there is no section ${} in the file", section), save_msh_again);
+  return elements_.mesh([&](int group) { return sides_of(group); });
+}
+
+}  // namespace
+
+HexMesh read_msh(const std::string& path, const std::string& shown_name) {
+  return MshReader(path, shown_name).read();
+}
+
+}  // namespace rollfem::meshes

@@ -1,0 +1,62 @@
+// Sweeping a cross-section along the track or about the axle.
+#include "meshes/segment_mesh.hpp"
+
+#include "meshes/cell_quality.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace rollfem::meshes {
+
+HexMesh sweep(const Section& section, std::size_t steps,
+              const std::function<std::array<double, 3>(const std::array<double, 2>& point,
+                                                        std::size_t step)>& place) {
+  HexMesh mesh;
+  const int count = static_cast<int>(section.points.size());
+  for (std::size_t k = 0; k < steps; ++k)
+    for (const auto& p : section.points) mesh.points.push_back(place(p, k));
+  for (std::size_t k = 0; k + 1 < steps; ++k) {
+    const int below = static_cast<int>(k) * count;
+    for (const auto& quad : section.quads) {
+      std::array<int, 8> cell{};
+      std::array<std::array<double, 3>, 8> corners{};
+      for (int c = 0; c < 4; ++c) {
+        cell[c] = below + quad[c];
+        cell[c + 4] = below + count + quad[c];
+      }
+      for (int c = 0; c < 8; ++c) corners[c] = mesh.points[cell[c]];
+      // Whether y, v and the sweep are right-handed depends on the body and on the quadrilateral.
+      if (cell_quality(corners).scaled_jacobian < 0)
+        for (int c = 0; c < 4; ++c) std::swap(cell[c], cell[c + 4]);
+      mesh.cells.push_back(cell);
+    }
+    for (const auto& edge : section.edges)
+      mesh.sides.push_back({{below + edge.ends[0], below + edge.ends[1],
+                             below + count + edge.ends[1], below + count + edge.ends[0]},
+                            edge.side});
+  }
+  const int last = static_cast<int>(steps - 1) * count;
+  for (const auto& quad : section.quads) {
+    mesh.sides.push_back({quad, Side::fixed});
+    mesh.sides.push_back(
+        {{last + quad[0], last + quad[1], last + quad[2], last + quad[3]}, Side::fixed});
+  }
+  return mesh;
+}
+
+HexMesh extrude(const Section& section, const std::vector<double>& along) {
+  return sweep(section, along.size(), [&](const std::array<double, 2>& p, std::size_t k) {
+    return std::array<double, 3>{along[k], p[0], -p[1]};
+  });
+}
+
+HexMesh revolve(const Section& section, double axle, const std::vector<double>& angles) {
+  return sweep(section, angles.size(), [&](const std::array<double, 2>& p, std::size_t k) {
+    // 1 - cos = 2 sin^2(angle/2) keeps all digits near the contact point.
+    const double half_sine = std::sin(0.5 * angles[k]);
+    return std::array<double, 3>{(axle - p[1]) * std::sin(angles[k]), p[0],
+                                 2.0 * axle * half_sine * half_sine + p[1] * std::cos(angles[k])};
+  });
+}
+
+}  // namespace rollfem::meshes

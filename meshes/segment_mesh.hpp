@@ -1,0 +1,53 @@
+// Coarse meshes of wheel and rail segments generated with gmsh: the cross-section in
+// quadrilaterals, then revolved about the axle or extruded along the track.
+#pragma once
+
+#include "meshes/hex_mesh.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace rollfem::meshes {
+
+/// What decides a cross-section. Coordinates are y and v, v the way from z = 0 into the body.
+struct SectionOptions {
+  std::function<double(double)> drop;  ///< v of the surface at y, mm; 0 at y = 0
+  double half_width = 60;              ///< mm, reaches to |y| = half_width
+  double depth = 60;                   ///< mm, v at the far side, more where the profile drops far
+  double fine_half_width = 5;  ///< mm, cells are cell_size at least so far along the profile
+  double fine_depth = 2;       ///< mm, and so deep
+  double cell_size = 1;        ///< mm, of the coarse cells in that fine block
+  bool half = false;           ///< only y >= 0
+};
+
+/// Quadrilaterals with their named outer edges.
+struct Section {
+  std::vector<std::array<double, 2>> points;  ///< y, v
+  std::vector<std::array<int, 4>> quads;
+  struct Edge {
+    std::array<int, 2> ends;
+    Side side;
+  };
+  std::vector<Edge> edges;
+};
+
+/// A block of equal cells under the patch, quadrilaterals that grow from there to the outside.
+/// Nodes of the profile lie on it exactly. Throws contact::InputError when the block does not fit
+/// into the section or gmsh fails.
+Section mesh_section(const SectionOptions& options);
+
+/// The section at every step of a sweep, `place(section point, step)` in space: end faces are
+/// `fixed`. Cells are in the order steps, quadrilaterals.
+HexMesh sweep(const Section& section, std::size_t steps,
+              const std::function<std::array<double, 3>(const std::array<double, 2>& point,
+                                                        std::size_t step)>& place);
+
+/// The section along the track: at every x of `along` (rising), v downwards (z = -v). The end faces
+/// are `fixed`.
+HexMesh extrude(const Section& section, const std::vector<double>& along);
+
+/// The section about the axle at z = `axle`: at every angle (rad, rising), v towards the axle.
+HexMesh revolve(const Section& section, double axle, const std::vector<double>& angles);
+
+}  // namespace rollfem::meshes

@@ -1,0 +1,62 @@
+// What a run that does not fit is told, and the count of unknowns before there is a mesh.
+#include "contact/base/errors.hpp"
+#include "fem/discretisation/body.hpp"
+#include "fem/linear/memory.hpp"
+#include "fem/mesh/body_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/mpi_environment.hpp"
+#include <cstdlib>
+#include <string>
+
+namespace {
+
+using namespace rollfem;
+
+fem::BodyOptions options_of(double cell_size, bool half) {
+  fem::BodyOptions options;
+  options.cell_size = cell_size;
+  options.fine_half_length = 4.2;
+  options.fine_half_width = 12.0;
+  options.extent = 87.0;
+  options.half = half;
+  return options;
+}
+
+TEST(FemMemory, ARunThatDoesNotFitSaysWhatWouldHelp) {
+  fem::MemoryDemand demand;
+  demand.unknowns_of_wheel = demand.unknowns_of_rail = 1e6;
+  demand.factorisation = true;
+  demand.body_fields = 1;
+  setenv("ROLLFEM_MEMORY_GB", "10", 1);
+  try {
+    fem::refuse_beyond_memory(demand, 0.2, MPI_COMM_WORLD);
+    ADD_FAILURE() << "not refused";
+  } catch (const contact::SolveError& error) {
+    const std::string text = error.what();
+    for (const char* part : {"10 GB are available", "2 million unknowns", "cell_size",
+                             "linear_solver = \"multigrid\"", "body_fields = \"none\"", "mpirun"})
+      EXPECT_NE(text.find(part), std::string::npos) << part << ": " << text;
+  }
+  demand.factorisation = false;
+  EXPECT_NO_THROW(fem::refuse_beyond_memory(demand, 0.2, MPI_COMM_WORLD));
+  unsetenv("ROLLFEM_MEMORY_GB");
+}
+
+TEST(FemMemory, UnknownsAreCountedWithoutAMesh) {
+  for (const bool half : {true, false})
+    for (const double cell_size : {1.88, 0.94, 0.47}) {
+      const fem::BodyOptions options = options_of(cell_size, half);
+      const fem::Body body({true, 405.0, contact::infinity}, {}, options, MPI_COMM_WORLD);
+      const double predicted = fem::predicted_unknowns(options, 1e9);
+      EXPECT_NEAR(predicted / static_cast<double>(body.unknowns()), 1.0, 0.15) << cell_size << half;
+    }
+}
+
+TEST(FemMemory, CountingStopsAtEnough) {
+  const double predicted = fem::predicted_unknowns(options_of(1e-4, true), 1e7);
+  EXPECT_GT(predicted, 1e7);
+}
+
+}  // namespace

@@ -1,0 +1,318 @@
+// gmsh cross-sections and sweeps, mesh files read and written, and every mesh that is refused.
+#include "contact/base/errors.hpp"
+#include "meshes/cell_quality.hpp"
+#include "meshes/grading.hpp"
+#include "meshes/segment_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/mesh_examples.hpp"
+#include <algorithm>
+#include <cmath>
+
+using namespace rollfem;
+using namespace rollfem::testing;
+using meshes::HexMesh;
+using meshes::Side;
+
+namespace {
+
+/// Circle of radius R, tangent beyond 0.7 R as the bodies have it.
+std::function<double(double)> arc(double R) {
+  return [R](double y) {
+    const double size = std::abs(R);
+    const double a = std::min(std::abs(y), 0.7 * size);
+    const double root = std::sqrt(1.0 - (a / size) * (a / size));
+    const double drop = size * (1.0 - root) + a / (size * root) * (std::abs(y) - a);
+    return R > 0 ? drop : -drop;
+  };
+}
+
+meshes::SectionOptions section_options(double R, bool half) {
+  meshes::SectionOptions options;
+  options.drop = arc(R);
+  options.half_width = 87;
+  options.depth = 80;
+  options.fine_half_width = 14;
+  options.fine_depth = 2;
+  options.cell_size = 4;
+  options.half = half;
+  return options;
+}
+
+double area(const meshes::Section& section) {
+  double sum = 0.0;
+  for (const auto& quad : section.quads) {
+    double twice = 0.0;
+    for (int k = 0; k < 4; ++k) {
+      const auto& a = section.points[quad[k]];
+      const auto& b = section.points[quad[(k + 1) % 4]];
+      twice += a[0] * b[1] - a[1] * b[0];
+    }
+    sum += 0.5 * std::abs(twice);
+  }
+  return sum;
+}
+
+HexMesh small_block() {
+  return block({-1, 0, 1}, {-1, 0, 1}, {-2, -1, 0}, true);
+}
+
+std::string check(const HexMesh& mesh) {
+  return refusal<contact::InputError>([&] { meshes::check_mesh(mesh, "rail.msh"); });
+}
+
+void expect_message(const std::string& message, const std::string& part) {
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+  EXPECT_NE(message.find("rail.msh: "), std::string::npos) << message;
+  EXPECT_NE(message.find("do: "), std::string::npos) << message;
+}
+
+}  // namespace
+
+TEST(MeshSection, ProfileNodesLieOnTheProfileAndCellsAreSound) {
+  for (const bool half : {false, true})
+    for (const double R : {1e9, 100.0, 50.0, -105.263, -51.282}) {
+      const auto options = section_options(R, half);
+      const auto section = meshes::mesh_section(options);
+      int contact = 0;
+      double reach = 0.0, finest = 1e9;
+      for (const auto& edge : section.edges) {
+        if (edge.side == Side::symmetry) {
+          EXPECT_TRUE(half);
+          for (const int end : edge.ends) EXPECT_NEAR(section.points[end][0], 0.0, 1e-12);
+        }
+        if (edge.side != Side::contact) continue;
+        ++contact;
+        for (const int end : edge.ends) {
+          const auto& p = section.points[end];
+          EXPECT_NEAR(p[1], options.drop(p[0]), 1e-12);
+          reach = std::max(reach, p[0]);
+        }
+        const auto& a = section.points[edge.ends[0]];
+        const auto& b = section.points[edge.ends[1]];
+        finest = std::min(finest, std::hypot(a[0] - b[0], a[1] - b[1]));
+        if (std::abs(a[0] + b[0]) < 2 * 14) {
+          EXPECT_LE(std::abs(a[0] - b[0]), options.cell_size * (1 + 1e-9));
+        }
+      }
+      EXPECT_GE(contact, half ? 8 : 16);
+      EXPECT_NEAR(reach, 87.0, 1e-9);
+      EXPECT_GT(finest, 0.9 * options.cell_size);
+      EXPECT_GT(smallest_scaled_jacobian(meshes::extrude(section, {0.0, 4.0})), 0.25) << R;
+    }
+}
+
+TEST(MeshSection, HasTheAreaBetweenProfileAndFarSide) {
+  // The profile is replaced by chords: at most c^2 / (8 R) is missing, 21 mm the longest chord.
+  for (const double R : {1e9, 500.0, -300.0}) {
+    const auto options = section_options(R, false);
+    const int steps = 20000;
+    double exact = 0.0;
+    for (int k = 0; k < steps; ++k) {
+      const double y = -87.0 + (k + 0.5) * 174.0 / steps;
+      exact += (80.0 - options.drop(y)) * 174.0 / steps;
+    }
+    EXPECT_NEAR(area(meshes::mesh_section(options)), exact,
+                1e-6 + 174.0 * 21.0 * 21.0 / (8.0 * std::abs(R)));
+  }
+}
+
+TEST(MeshSweep, VolumesOfBlockAndSectorAreRight) {
+  auto flat = section_options(1e9, false);
+  flat.drop = [](double) { return 0.0; };
+  const auto section = meshes::mesh_section(flat);
+  for (const bool wheel : {false, true}) {
+    std::vector<double> steps{-0.02, 0.0, 0.015, 0.02};
+    if (!wheel)
+      for (double& s : steps) s *= 1000.0;
+    const auto mesh =
+        wheel ? meshes::revolve(section, 405.0, steps) : meshes::extrude(section, steps);
+    EXPECT_GT(smallest_scaled_jacobian(mesh), 0.25);
+    EXPECT_EQ(check(mesh), "");
+    double volume = 0.0;  // divergence theorem over the outside faces
+    for (const auto& side : mesh.sides) {
+      Point middle{};
+      for (const int c : side.corners)
+        for (int d = 0; d < 3; ++d) middle[d] += 0.25 * mesh.points[c][d];
+      const auto& a = mesh.points[side.corners[0]];
+      const auto& b = mesh.points[side.corners[1]];
+      const auto& c = mesh.points[side.corners[2]];
+      const auto& e = mesh.points[side.corners[3]];
+      const Point p{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+      const Point q{e[0] - b[0], e[1] - b[1], e[2] - b[2]};
+      const Point n{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                    p[0] * q[1] - p[1] * q[0]};
+      // Outward: away from a point inside.
+      const Point inside{0.0, 0.0, wheel ? 40.0 : -40.0};
+      double flux = 0.0;
+      for (int d = 0; d < 3; ++d) flux += 0.5 * n[d] * (middle[d] - inside[d]);
+      volume += std::abs(flux) / 3.0;
+    }
+    const double exact =
+        wheel ? 0.5 * 0.04 * (405.0 * 405.0 - 325.0 * 325.0) * 174.0 : 40.0 * 174.0 * 80.0;
+    EXPECT_NEAR(volume / exact, 1.0, wheel ? 1e-4 : 1e-9);  // chords of at most 0.02 rad
+  }
+}
+
+TEST(Grading, StepsMakeTheWholeAndGrow) {
+  const auto steps = meshes::outward_steps(2.0, 5.0, 60.0);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    sum += steps[k];
+    if (k > 0) {
+      EXPECT_GE(steps[k], 0.99 * steps[k - 1]);
+      EXPECT_LT(steps[k], 2.0 * steps[k - 1]);
+    }
+  }
+  EXPECT_NEAR(sum, 60.0, 1e-12);
+  EXPECT_EQ(steps[0], 2.0);
+  EXPECT_EQ(steps[2], 2.0);
+  EXPECT_EQ(meshes::points_both_ways({1.0, 2.0}), (std::vector<double>{-3, -1, 0, 1, 3}));
+}
+
+TEST(CellQuality, OfKnownCells) {
+  std::array<Point, 8> cell{
+      {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1}}};
+  EXPECT_DOUBLE_EQ(meshes::cell_quality(cell).scaled_jacobian, 1.0);
+  EXPECT_DOUBLE_EQ(meshes::cell_quality(cell).aspect_ratio, 2.0);
+  EXPECT_DOUBLE_EQ(meshes::cell_quality(cell).shortest_edge, 1.0);
+  EXPECT_DOUBLE_EQ(meshes::cell_quality(cell).longest_edge, 2.0);
+  for (int k = 4; k < 8; ++k) cell[k][0] += 1.0;  // sheared by 45 degrees
+  EXPECT_NEAR(meshes::cell_quality(cell).scaled_jacobian, std::sqrt(0.5), 1e-14);
+  for (int k = 0; k < 4; ++k) std::swap(cell[k], cell[k + 4]);
+  EXPECT_NEAR(meshes::cell_quality(cell).scaled_jacobian, -std::sqrt(0.5), 1e-14);
+}
+
+TEST(MeshCheck, RefusesWhatIsNoMeshOfOneBody) {
+  EXPECT_EQ(check(small_block()), "");
+  expect_message(check({}), "no hexahedra");
+
+  auto inverted = small_block();
+  inverted.points[13] = {0.0, 0.0, 0.9};  // the node in the middle, through the top
+  expect_message(check(inverted), "inverted");
+
+  auto no_contact = small_block();
+  no_contact.sides.erase(std::remove_if(no_contact.sides.begin(), no_contact.sides.end(),
+                                        [](const auto& q) { return q.side == Side::contact; }),
+                         no_contact.sides.end());
+  expect_message(check(no_contact), "no surface group `contact`");
+  auto loose = small_block();
+  for (auto& quad : loose.sides) quad.side = Side::contact;
+  expect_message(check(loose), "no surface group `fixed`");
+
+  auto inner = small_block();
+  inner.sides.push_back({{9, 10, 13, 12}, Side::contact});
+  expect_message(check(inner), "inside the body");
+  inner.sides.back().corners = {0, 1, 2, 26};
+  expect_message(check(inner), "not a face of a hexahedron");
+
+  auto doubled = small_block();
+  doubled.cells.push_back(doubled.cells.front());
+  doubled.cells.push_back(doubled.cells.front());
+  expect_message(check(doubled), "cells share the face");
+}
+
+TEST(MeshCheck, RefusesCellsThatDangle) {
+  const auto joined = [](const HexMesh& a, const HexMesh& b) {
+    HexMesh both = a;
+    const int shift = static_cast<int>(a.points.size());
+    both.points.insert(both.points.end(), b.points.begin(), b.points.end());
+    for (auto cell : b.cells) {
+      for (int& corner : cell) corner += shift;
+      both.cells.push_back(cell);
+    }
+    for (auto quad : b.sides) {
+      for (int& corner : quad.corners) corner += shift;
+      both.sides.push_back(quad);
+    }
+    return both;
+  };
+  // Apart; side by side with doubled nodes; side by side with nodes in the middle of edges.
+  expect_message(check(joined(small_block(), block({5, 6}, {0, 1}, {-2, 0}, true))),
+                 "consists of 2 parts");
+  expect_message(check(joined(small_block(), block({1, 2, 3}, {-1, 0, 1}, {-2, -1, 0}, true))),
+                 "do not match");
+  expect_message(check(joined(small_block(), block({1, 3}, {-1, 1}, {-2, 0}, true))),
+                 "do not match");
+  // Two cells that share an edge only.
+  HexMesh edge = block({0, 1}, {0, 1}, {-1, 0}, true);
+  const HexMesh other = block({1, 2}, {1, 2}, {-1, 0}, true);
+  edge.points.insert(edge.points.end(), other.points.begin(), other.points.end());
+  edge.cells.push_back({3, 9, 11, 10, 7, 13, 15, 14});
+  expect_message(check(edge), "consists of 2 parts");
+}
+
+TEST(MeshFile, RoundTripKeepsEveryDigit) {
+  const TemporaryFolder folder;
+  const auto mesh = block(
+      {-1, 0.1, 1}, {0, 1.0 / 3.0, 1}, {-2, -1, 0}, true,
+      [](const Point& p) {
+        return Point{p[0] * M_PI, p[1], p[2] + 1e-7 * p[0] * p[0]};
+      },
+      true);
+  const auto back = meshes::read_msh(folder.file("m.msh", meshes::msh_text(mesh)), "m.msh");
+  ASSERT_EQ(back.cells.size(), mesh.cells.size());
+  ASSERT_EQ(back.points.size(), mesh.points.size());
+  ASSERT_EQ(back.sides.size(), mesh.sides.size());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (int k = 0; k < 8; ++k)
+      EXPECT_EQ(back.points[back.cells[c][k]], mesh.points[mesh.cells[c][k]]);
+  std::array<int, 3> before{}, after{};
+  for (const auto& quad : mesh.sides) ++before[static_cast<std::size_t>(quad.side)];
+  for (const auto& quad : back.sides) ++after[static_cast<std::size_t>(quad.side)];
+  EXPECT_EQ(before, after);
+  EXPECT_EQ(check(back), "");
+}
+
+namespace {
+
+/// One cube in the format 2.2; `kind` and `nodes` of its volume element can be changed.
+std::string format22(const std::string& volume = "5 2 3 1 1 2 3 4 5 6 7 8",
+                     const std::string& top = "3 2 1 1 5 6 7 8") {
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n2 1 \"contact\"\n2 2 \"fixed\"\n"
+         "3 3 \"body\"\n$EndPhysicalNames\n$Nodes\n8\n1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n4 0 1 -1\n"
+         "5 0 0 0\n6 1 0 0\n7 1 1 0\n8 0 1 0\n$EndNodes\n$Elements\n3\n1 " +
+         top + "\n2 3 2 2 2 1 2 3 4\n3 " + volume + "\n$EndElements\n";
+}
+
+std::string read_refusal(const TemporaryFolder& folder, const std::string& text) {
+  const std::string path = folder.file("rail.msh", text);
+  return refusal<contact::InputError>([&] { meshes::read_msh(path, "rail.msh"); });
+}
+
+}  // namespace
+
+TEST(MeshFile, ReadsFormat22) {
+  const TemporaryFolder folder;
+  // The element has the tags "2: physical, elementary".
+  const auto mesh = meshes::read_msh(
+      folder.file("m.msh", format22("5 2 3 1 1 2 3 4 5 6 7 8", "3 2 1 1 5 6 7 8")), "m.msh");
+  ASSERT_EQ(mesh.cells.size(), 1u);
+  ASSERT_EQ(mesh.sides.size(), 2u);
+  EXPECT_EQ(check(mesh), "");
+}
+
+TEST(MeshFile, RefusesWhatIsNoHexahedralMesh) {
+  const TemporaryFolder folder;
+  expect_message(
+      refusal<contact::InputError>([&] { meshes::read_msh(folder.path("none.msh"), "rail.msh"); }),
+      "no such mesh file");
+  expect_message(
+      refusal<contact::InputError>([&] { meshes::read_msh(folder.path("."), "rail.msh"); }),
+      "not a regular file");
+  expect_message(read_refusal(folder, ""), "is not a gmsh mesh");
+  // gmsh would run this as a script.
+  expect_message(read_refusal(folder, "Point(1) = {0,0,0};\nSystemCall \"true\";\n"),
+                 "does not begin with $MeshFormat");
+  expect_message(read_refusal(folder, "$MeshFormat\n4 0 8\n$EndMeshFormat\n"), "gmsh format 4");
+  expect_message(read_refusal(folder, format22("4 2 3 1 1 2 3 5")), "allowed: hexahedra");
+  expect_message(read_refusal(folder, format22("5 2 3 1 1 2 3 4 5 6 7 8", "2 2 1 1 5 6 7")),
+                 "not quadrilaterals");
+  // No volume at all: the group's face belongs to nothing.
+  std::string surface_only = format22();
+  surface_only.replace(surface_only.find("$Elements\n3"), 11, "$Elements\n2");
+  const auto begin = surface_only.find("3 5 2 3 1");
+  surface_only.erase(begin, surface_only.find('\n', begin) - begin + 1);
+  expect_message(read_refusal(folder, surface_only), "not a face of a hexahedron");
+}
