@@ -112,7 +112,7 @@ std::int64_t MshBytes::whole(const char* what, std::int64_t least, std::int64_t 
 }
 
 std::int64_t MshBytes::large(const char* what, std::int64_t least, std::int64_t most) {
-  if (!format_.binary || format_.count_bytes == sizeof(std::int32_t))
+  if (!format_.binary || format_.old || format_.count_bytes == sizeof(std::int32_t))
     return whole(what, least, most);
   return checked(raw<std::int64_t>(what), what, least, most);
 }

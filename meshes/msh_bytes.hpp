@@ -39,7 +39,7 @@ class MshBytes {
 
   /// A whole number; an int in a binary file.
   std::int64_t whole(const char* what, std::int64_t least, std::int64_t most);
-  /// A whole number; in a binary file one of count_bytes. Of 4.1 only.
+  /// A whole number; in a binary file of 4.1 one of count_bytes.
   std::int64_t large(const char* what, std::int64_t least, std::int64_t most);
   /// How many of something follow, each of at least `text_bytes` or `binary_bytes`: no more than
   /// the rest of the file can hold. In 2.2 a line of text.

@@ -58,35 +58,25 @@ void MshElements::add_node(std::int64_t number, const std::array<double, 3>& coo
   points_.push_back(coordinates);
 }
 
-void MshElements::begin_element(std::int64_t number, const MshKind& kind, int group) {
-  number_ = number;
-  kind_ = &kind;
-  group_ = group;
-  place_ = bytes_.place();
-  corners_ = 0;
-}
-
-void MshElements::add_corner(std::int64_t node) {
-  const auto found = index_.find(node);
-  if (found == index_.end())
-    bytes_.fail(
-        fmt::format("element {} refers to node {}, which does not exist; allowed: those of $Nodes",
-                    number_, node),
-        save_msh_again);
-  if (corners_ < corner_.size()) corner_[corners_] = found->second;
-  ++corners_;
-}
-
-void MshElements::end_element() {
-  if (kind_->dimension == 2) {
-    Face face{place_, kind_->nodes, {}};
-    std::copy_n(corner_.begin(), face.corners.size(), face.corners.begin());
-    faces_[group_].push_back(face);
+void MshElements::add(std::int64_t number, const MshKind& kind, int group,
+                      const std::vector<std::int64_t>& nodes) {
+  std::array<int, 8> corners{};
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto found = index_.find(nodes[k]);
+    if (found == index_.end())
+      bytes_.fail(
+          fmt::format(
+              "element {} refers to node {}, which does not exist; allowed: those of $Nodes",
+              number, nodes[k]),
+          save_msh_again);
+    if (k < corners.size()) corners[k] = found->second;
   }
-  if (kind_->dimension != 3) return;
+  if (kind.dimension == 2)
+    faces_[group].push_back(
+        {bytes_.place(), kind.nodes, {corners[0], corners[1], corners[2], corners[3]}});
   // In 2.2 a cell is there once for each physical group that it belongs to, with other numbers.
-  if (bytes_.format().old && !once_.insert(corner_).second) return;
-  cells_.push_back(corner_);
+  if (kind.dimension == 3 && (!bytes_.format().old || once_.insert(corners).second))
+    cells_.push_back(corners);
 }
 
 HexMesh MshElements::mesh(const std::function<std::vector<Side>(int group)>& side_of) const {

@@ -31,12 +31,10 @@ class MshElements {
   /// The node is at the place last read in the file. Throws contact::InputError when the number is
   /// there already or a coordinate is not finite.
   void add_node(std::int64_t number, const std::array<double, 3>& coordinates);
-  /// An element begins: of this kind, in this group of faces (4.1: the surface, 2.2: the physical
-  /// group).
-  void begin_element(std::int64_t number, const MshKind& kind, int group);
-  /// Its next node. Throws contact::InputError when there is no node of that number.
-  void add_corner(std::int64_t node);
-  void end_element();
+  /// The element at the place last read in the file: its nodes, and its group of faces (4.1: the
+  /// surface, 2.2: the physical group). Throws contact::InputError when there is no such node.
+  void add(std::int64_t number, const MshKind& kind, int group,
+           const std::vector<std::int64_t>& nodes);
 
   /// The hexahedra with their nodes, and of the faces those for which `side_of` has a side. Throws
   /// contact::InputError when they are no quadrilaterals, or no faces of the hexahedra.
@@ -55,14 +53,6 @@ class MshElements {
   std::vector<std::array<int, 8>> cells_;
   std::set<std::array<int, 8>> once_;       ///< the cells of 2.2
   std::map<int, std::vector<Face>> faces_;  ///< by group
-
-  // The element that is being read.
-  std::int64_t number_ = 0;
-  const MshKind* kind_ = nullptr;
-  int group_ = 0;
-  std::size_t place_ = 0;
-  std::size_t corners_ = 0;
-  std::array<int, 8> corner_{};
 };
 
 }  // namespace rollfem::meshes

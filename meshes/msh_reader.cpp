@@ -32,7 +32,9 @@ class MshReader {
   void read_elements();
   void read_old_elements();
   std::size_t read_old_block(std::size_t left);
-  std::array<double, 3> read_place();
+  void read_node(std::int64_t number);
+  void read_element(std::int64_t number, const MshKind& kind, int group);
+  void check_sum(const char* what, const char* section, std::size_t read, std::size_t all) const;
   std::vector<Side> sides_of(int group) const;
 
   MshBytes bytes_;
@@ -115,10 +117,23 @@ void MshReader::read_entities() {
       read_entity(dimension);
 }
 
-std::array<double, 3> MshReader::read_place() {
+void MshReader::read_node(std::int64_t number) {
   std::array<double, 3> place{};
   for (double& coordinate : place) coordinate = bytes_.real("a coordinate of a node");
-  return place;
+  elements_.add_node(number, place);
+}
+
+void MshReader::read_element(std::int64_t number, const MshKind& kind, int group) {
+  std::vector<std::int64_t> nodes(static_cast<std::size_t>(kind.nodes));
+  for (std::int64_t& node : nodes) node = bytes_.large("a node of an element", 1, largest_number);
+  elements_.add(number, kind, group, nodes);
+}
+
+void MshReader::check_sum(const char* what, const char* section, std::size_t read,
+                          std::size_t all) const {
+  if (read != all)
+    bytes_.fail(fmt::format("there are {} {}, but {} begins with {}", read, what, section, all),
+                save_msh_again);
 }
 
 void MshReader::read_nodes() {
@@ -135,23 +150,18 @@ void MshReader::read_nodes() {
     numbers.resize(bytes_.count("the number of nodes of a block", 8, 28));
     for (std::int64_t& number : numbers) number = bytes_.large("a node", 1, largest_number);
     for (const std::int64_t number : numbers) {
-      elements_.add_node(number, read_place());
+      read_node(number);
       for (std::int64_t k = 0; parametric && k < dimension; ++k)
         bytes_.real("a parameter of a node");
     }
     read += numbers.size();
   }
-  if (read != all)
-    bytes_.fail(fmt::format("there are {} nodes, but $Nodes begins with {}", read, all),
-                save_msh_again);
+  check_sum("nodes", "$Nodes", read, all);
 }
 
 void MshReader::read_old_nodes() {
   const std::size_t count = bytes_.count("the number of nodes", 8, 28);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::int64_t number = bytes_.whole("a node", 1, INT_MAX);
-    elements_.add_node(number, read_place());
-  }
+  for (std::size_t k = 0; k < count; ++k) read_node(bytes_.large("a node", 1, largest_number));
 }
 
 void MshReader::read_elements() {
@@ -170,17 +180,11 @@ void MshReader::read_elements() {
           save_msh_again);
     const auto each = static_cast<std::size_t>(kind.nodes + 1);
     const std::size_t count = bytes_.count("the number of elements of a block", 2 * each, 4 * each);
-    for (std::size_t k = 0; k < count; ++k) {
-      elements_.begin_element(bytes_.large("an element", 1, largest_number), kind, entity);
-      for (int node = 0; node < kind.nodes; ++node)
-        elements_.add_corner(bytes_.large("a node of an element", 1, largest_number));
-      elements_.end_element();
-    }
+    for (std::size_t k = 0; k < count; ++k)
+      read_element(bytes_.large("an element", 1, largest_number), kind, entity);
     read += count;
   }
-  if (read != all)
-    bytes_.fail(fmt::format("there are {} elements, but $Elements begins with {}", read, all),
-                save_msh_again);
+  check_sum("elements", "$Elements", read, all);
 }
 
 /// One element of a text, or all that share a header in a binary file; how many they were.
@@ -198,10 +202,7 @@ std::size_t MshReader::read_old_block(std::size_t left) {
       const std::int64_t value = bytes_.whole("a tag of an element", -INT_MAX, INT_MAX);
       if (tag == 0) group = static_cast<int>(std::abs(value));
     }
-    elements_.begin_element(number, kind, group);
-    for (int node = 0; node < kind.nodes; ++node)
-      elements_.add_corner(bytes_.whole("a node of an element", 1, INT_MAX));
-    elements_.end_element();
+    read_element(number, kind, group);
   }
   return static_cast<std::size_t>(count);
 }

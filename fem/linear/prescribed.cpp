@@ -51,28 +51,19 @@ Vector internal_forces(const ElasticProblem& problem, const Vector& u) {
   return forces;
 }
 
-namespace {
-
-/// With hanging nodes between their neighbours.
-Vector in_line(const ElasticProblem& problem, const dealii::AffineConstraints<double>& hanging,
-               const Vector& prescribed) {
-  Vector result = make_vector(problem.dofs);
-  result.copy_locally_owned_data_from(prescribed);
-  hanging.distribute(result);
-  result.update_ghost_values();
-  return result;
-}
-
-}  // namespace
-
 std::vector<Vector> solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
-                                          const std::vector<Vector>& prescribed) {
+                                          const std::vector<Vector>& prescribed,
+                                          const Vector* load) {
   const auto hanging = make_constraints(problem.dofs, problem.mapping, {});
   std::vector<Vector> results, lacks;
   for (const Vector& given : prescribed) {
-    results.push_back(in_line(problem, hanging, given));
-    lacks.push_back(internal_forces(problem, results.back()));
+    Vector& in_line = results.emplace_back(make_vector(problem.dofs));
+    in_line.copy_locally_owned_data_from(given);
+    hanging.distribute(in_line);
+    in_line.update_ghost_values();
+    lacks.push_back(internal_forces(problem, in_line));
     lacks.back() *= -1.0;
+    if (load != nullptr) lacks.back() += *load;
   }
   std::vector<Vector> corrections(prescribed.size(), make_vector(problem.dofs));
   solver.solve_all(corrections, lacks);
@@ -81,19 +72,6 @@ std::vector<Vector> solve_with_prescribed(const ElasticProblem& problem, const L
     results[k].update_ghost_values();
   }
   return results;
-}
-
-Vector solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
-                             const Vector& prescribed, const Vector& load) {
-  Vector result = in_line(problem, make_constraints(problem.dofs, problem.mapping, {}), prescribed);
-  Vector lack = make_vector(problem.dofs);
-  lack.copy_locally_owned_data_from(load);
-  lack -= internal_forces(problem, result);
-  Vector correction = make_vector(problem.dofs);
-  solver.solve(correction, lack);
-  result += correction;
-  result.update_ghost_values();
-  return result;
 }
 
 }  // namespace rollfem::fem

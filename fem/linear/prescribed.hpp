@@ -19,14 +19,12 @@ Vector nodal_values(
 /// ignored. `u` with ghost values. Collective.
 Vector internal_forces(const ElasticProblem& problem, const Vector& u);
 
-/// The solution under `load` that keeps the values of `prescribed` where the solver's conditions
-/// would have zeros: g + K^-1 (b - K g). Hanging nodes of `prescribed` are first put in line with
-/// their neighbours. `solver` is that of `problem`. Ghost values are set. Collective. Throws what
-/// the solver throws.
-Vector solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
-                             const Vector& prescribed, const Vector& load);
-/// The same without load for several displacements, solved together.
+/// Of several displacements, solved together: the solution under `load` (null: none) that keeps the
+/// values of `prescribed` where the solver's conditions would have zeros, g + K^-1 (b - K g).
+/// Hanging nodes of `prescribed` are first put in line with their neighbours. `solver` is that of
+/// `problem`. Ghost values are set. Collective. Throws what the solver throws.
 std::vector<Vector> solve_with_prescribed(const ElasticProblem& problem, const LinearSolver& solver,
-                                          const std::vector<Vector>& prescribed);
+                                          const std::vector<Vector>& prescribed,
+                                          const Vector* load = nullptr);
 
 }  // namespace rollfem::fem

@@ -16,7 +16,26 @@
 #include <functional>
 #include <map>
 
+// How meshes are sent to other processes.
+namespace rollfem::meshes {
+
+template <class Archive>
+void serialize(Archive& archive, SideQuad& quad, unsigned int /*version*/) {
+  archive& quad.corners& quad.side;
+}
+template <class Archive>
+void serialize(Archive& archive, HexMesh& mesh, unsigned int /*version*/) {
+  archive& mesh.points& mesh.cells& mesh.sides;
+}
+
+}  // namespace rollfem::meshes
+
 namespace rollfem::fem {
+
+template <class Archive>
+void serialize(Archive& archive, CoarseBody& body, unsigned int /*version*/) {
+  archive& body.mesh& body.follows_surface;
+}
 
 namespace {
 
@@ -29,44 +48,20 @@ constexpr std::array<unsigned int, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
 /// Contact faces may lie beside the surface by this part of the finely meshed region's half size.
 constexpr double surface_tolerance = 0.01;
 
-/// A mesh, or why there is none, in a form that can be sent.
-struct Parcel {
-  std::string error;
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<int, 8>> cells;
-  std::vector<std::array<int, 5>> sides;
-  std::vector<bool> follows_surface;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned int /*version*/) {
-    archive& error& points& cells& sides& follows_surface;
-  }
-};
-
 /// What `make` gives or throws on process 0, on every process.
 CoarseBody on_all_processes(MPI_Comm communicator, const std::function<CoarseBody()>& make) {
-  Parcel parcel;
+  CoarseBody body;
+  std::string refusal;
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
     try {
-      CoarseBody body = make();
-      HexMesh& mesh = body.mesh;
-      parcel.follows_surface = std::move(body.follows_surface);
-      for (const auto& quad : mesh.sides)
-        parcel.sides.push_back({quad.corners[0], quad.corners[1], quad.corners[2], quad.corners[3],
-                                static_cast<int>(quad.side)});
-      parcel.points = std::move(mesh.points);
-      parcel.cells = std::move(mesh.cells);
+      body = make();
     } catch (const contact::InputError& error) {
-      parcel.error = error.what();
+      refusal = error.what();
     }
   }
-  parcel = dealii::Utilities::MPI::broadcast(communicator, parcel, 0);
-  if (!parcel.error.empty()) throw contact::InputError(parcel.error);
-  CoarseBody body{{std::move(parcel.points), std::move(parcel.cells), {}},
-                  std::move(parcel.follows_surface)};
-  for (const auto& side : parcel.sides)
-    body.mesh.sides.push_back({{side[0], side[1], side[2], side[3]}, static_cast<Side>(side[4])});
-  return body;
+  refusal = dealii::Utilities::MPI::broadcast(communicator, refusal, 0);
+  if (!refusal.empty()) throw contact::InputError(refusal);
+  return dealii::Utilities::MPI::broadcast(communicator, body, 0);
 }
 
 /// Nodes of contact faces, each once.

@@ -8,6 +8,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -73,14 +74,13 @@ dealii::Tensor<1, 3> spinning_disc_displacement(const contact::Material& materia
 
 Vector spinning_displacement(const Body& wheel, const LinearSolver& solver) {
   const ElasticProblem problem = wheel.problem();
-  return solve_with_prescribed(problem, solver,
-                               nodal_values(problem,
-                                            [&](const dealii::Point<3>& place) {
-                                              return spinning_disc_displacement(
-                                                  problem.material, problem.motion,
-                                                  wheel.shape().rolling_radius, place);
-                                            }),
-                               centrifugal_load(problem));
+  const auto on_disc = [&](const dealii::Point<3>& place) {
+    return spinning_disc_displacement(problem.material, problem.motion,
+                                      wheel.shape().rolling_radius, place);
+  };
+  const Vector load = centrifugal_load(problem);
+  return std::move(
+      solve_with_prescribed(problem, solver, {nodal_values(problem, on_disc)}, &load).front());
 }
 
 WheelExpansion wheel_expansion(const Body& wheel, const LinearSolver& solver,
