@@ -57,10 +57,7 @@ double ProfileShape::radius(double t) const {
 }
 
 dealii::Tensor<1, 3> ProfileShape::axle_direction() const {
-  dealii::Tensor<1, 3> direction;
-  direction[1] = cosine_;
-  direction[2] = sine_;
-  return direction;
+  return dealii::Tensor<1, 3>({0.0, cosine_, sine_});
 }
 
 dealii::Point<3> ProfileShape::turned(double y, double z, double angle) const {
@@ -126,24 +123,18 @@ dealii::DerivativeForm<1, 3, 3> ProfileShape::gradient(const dealii::Point<3>& c
   return gradient;
 }
 
-void ProfileShape::frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
-                         dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
+SurfaceFrame ProfileShape::frame(double s, double t, double climb) const {
   const double length = std::sqrt(1.0 + climb * climb);
   const double angle = is_wheel_ ? s / radius(t) : 0.0;
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
-  dealii::Tensor<1, 3> up;  // towards the axle after turning
-  up[0] = -sine;
-  up[1] = -sine_ * cosine;
-  up[2] = cosine_ * cosine;
-  rolling = dealii::Tensor<1, 3>();
-  rolling[0] = cosine;
-  rolling[1] = -sine_ * sine;
-  rolling[2] = cosine_ * sine;
+  const dealii::Tensor<1, 3> rolling({cosine, -sine_ * sine, cosine_ * sine});
+  // Towards the axle after turning.
+  const dealii::Tensor<1, 3> up({-sine, -sine_ * cosine, cosine_ * cosine});
   const dealii::Tensor<1, 3> axle = axle_direction();
   // (0, 1, climb) and (0, -climb, 1) along the axle and towards it.
-  lateral = ((cosine_ + climb * sine_) * axle + (climb * cosine_ - sine_) * up) / length;
-  normal = ((sine_ - climb * cosine_) * axle + (cosine_ + climb * sine_) * up) / length;
+  return {rolling, ((cosine_ + climb * sine_) * axle + (climb * cosine_ - sine_) * up) / length,
+          ((sine_ - climb * cosine_) * axle + (cosine_ + climb * sine_) * up) / length};
 }
 
 }  // namespace rollfem::fem

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"
+#include "fem/mesh/surface_shape.hpp"
 
 #include <deal.II/base/derivative_form.h>
 #include <deal.II/base/point.h>
@@ -39,8 +40,7 @@ class ProfileShape {
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
   dealii::DerivativeForm<1, 3, 3> gradient(const dealii::Point<3>& chart) const;
   /// Unit vectors at a surface that climbs by dz/dy = `climb` at s = 0, turned with the wheel.
-  void frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
-             dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const;
+  SurfaceFrame frame(double s, double t, double climb) const;
 
   /// A place of the wheel's section (y, z at x = 0) after turning by `angle` about the axle.
   dealii::Point<3> turned(double y, double z, double angle) const;

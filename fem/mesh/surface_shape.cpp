@@ -82,42 +82,22 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
   return {(rolling_radius - drop) * angle, t, rolling_radius - drop - radius};
 }
 
-void SurfaceShape::frame(double s, double t, dealii::Tensor<1, 3>& rolling,
-                         dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
-  if (profile) {
-    profile->frame(s, t, profile->height(t).slope, rolling, lateral, normal);
-    return;
-  }
+SurfaceFrame SurfaceShape::frame(double s, double t) const {
+  if (profile) return profile->frame(s, t, profile->height(t).slope);
   // Climb of the surface along t in the direction towards the wheel.
   const double drop_slope = drop_at(t).slope;
-  tilted_frame(s, t, is_wheel ? drop_slope : -drop_slope, rolling, lateral, normal);
+  return tilted_frame(s, t, is_wheel ? drop_slope : -drop_slope);
 }
 
-void SurfaceShape::tilted_frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
-                                dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const {
-  if (functions) {
-    const auto axes = functions->frame(s, t);
-    rolling = axes[0];
-    lateral = axes[1];
-    normal = axes[2];
-    return;
-  }
-  if (profile) {
-    profile->frame(s, t, climb, rolling, lateral, normal);
-    return;
-  }
+SurfaceFrame SurfaceShape::tilted_frame(double s, double t, double climb) const {
+  if (functions) return functions->frame(s, t);
+  if (profile) return profile->frame(s, t, climb);
   const double angle = is_revolved() ? s / streamline_radius(t) : 0.0;
   const double length = std::sqrt(1.0 + climb * climb);
-  dealii::Tensor<1, 3> up;
-  up[0] = -std::sin(angle);
-  up[2] = std::cos(angle);
-  dealii::Tensor<1, 3> across;
-  across[1] = 1.0;
-  rolling = dealii::Tensor<1, 3>();
-  rolling[0] = std::cos(angle);
-  rolling[2] = std::sin(angle);
-  lateral = (across + climb * up) / length;
-  normal = (up - climb * across) / length;
+  const dealii::Tensor<1, 3> rolling({std::cos(angle), 0.0, std::sin(angle)});
+  const dealii::Tensor<1, 3> up({-std::sin(angle), 0.0, std::cos(angle)});
+  const dealii::Tensor<1, 3> across({0.0, 1.0, 0.0});
+  return {rolling, (across + climb * up) / length, (up - climb * across) / length};
 }
 
 std::unique_ptr<dealii::Manifold<3, 3>> SurfaceManifold::clone() const {

@@ -13,13 +13,15 @@
 
 namespace rollfem::fem {
 
+/// Unit vectors of a surface: along rolling, lateral, normal into the wheel, for both bodies.
+using SurfaceFrame = std::array<dealii::Tensor<1, 3>, 3>;
+
 /// A chart of another surface than those of wheel and rail, for bodies that are built by hand (a
 /// disc in a hole). All three are given; what they mean is what SurfaceShape says.
 struct ChartFunctions {
   std::function<dealii::Point<3>(const dealii::Point<3>& chart)> place;
   std::function<dealii::Point<3>(const dealii::Point<3>& place)> coordinates;
-  /// Unit vectors along rolling, lateral, normal (into the upper body) at (s, t).
-  std::function<std::array<dealii::Tensor<1, 3>, 3>(double s, double t)> frame;
+  std::function<SurfaceFrame(double s, double t)> frame;
 };
 
 class ProfileShape;
@@ -43,14 +45,11 @@ struct SurfaceShape {
   dealii::Point<3> place(double s, double t, double depth) const;
   /// Inverse of place(): (s, t, depth).
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
-  /// Unit vectors along rolling, lateral, and normal (into the wheel, for both bodies) on the
-  /// surface at (s, t).
-  void frame(double s, double t, dealii::Tensor<1, 3>& rolling, dealii::Tensor<1, 3>& lateral,
-             dealii::Tensor<1, 3>& normal) const;
+  /// On the surface at (s, t).
+  SurfaceFrame frame(double s, double t) const;
   /// The same at a surface that climbs across by dz/dy = `climb` instead of the body's own slope
   /// (of chart functions: their own frame).
-  void tilted_frame(double s, double t, double climb, dealii::Tensor<1, 3>& rolling,
-                    dealii::Tensor<1, 3>& lateral, dealii::Tensor<1, 3>& normal) const;
+  SurfaceFrame tilted_frame(double s, double t, double climb) const;
   /// Radius of the circle on which the wheel's surface runs at lateral coordinate t, mm.
   double streamline_radius(double t) const;
   /// A wheel of finite radius: its streamlines are circles.

@@ -30,8 +30,6 @@ Tensor2 tensor(const std::array<double, 6>& s) {
   return result;
 }
 
-using Axes = std::array<Tensor1, 3>;  ///< along rolling, lateral, normal into the wheel
-
 /// Within the surface, along the first two axes.
 struct SurfaceStrain {
   double ss, tt, st;
@@ -39,7 +37,7 @@ struct SurfaceStrain {
 
 /// From differences of the displacement along two ways in the surface.
 SurfaceStrain strain_of(const std::array<Tensor1, 2>& way, const std::array<Tensor1, 2>& change,
-                        const Axes& axes) {
+                        const SurfaceFrame& axes) {
   const dealii::Tensor<2, 2> ways(
       {{way[0] * axes[0], way[1] * axes[0]}, {way[0] * axes[1], way[1] * axes[1]}});
   const dealii::Tensor<2, 2> changes(
@@ -57,7 +55,8 @@ SurfaceStrain strain_of(const Tensor2& stress, const contact::Material& material
 
 /// Stress vector on the plane of the body's own normal into the wheel: the same for both bodies.
 /// Tractions are per area of the surface that both share; the ratio of areas is that of cosines.
-Tensor1 surface_load(const std::array<double, 3>& on_wheel, const Axes& own, const Axes& shared) {
+Tensor1 surface_load(const std::array<double, 3>& on_wheel, const SurfaceFrame& own,
+                     const SurfaceFrame& shared) {
   const double own_tilt = own[2][1];
   const double shared_tilt = shared[2][1];
   const double areas = std::sqrt((1.0 - own_tilt * own_tilt) / (1.0 - shared_tilt * shared_tilt));
@@ -66,7 +65,7 @@ Tensor1 surface_load(const std::array<double, 3>& on_wheel, const Axes& own, con
   return load;
 }
 
-Tensor2 in_frame(const Tensor2& global, const Axes& axes) {
+Tensor2 in_frame(const Tensor2& global, const SurfaceFrame& axes) {
   Tensor2 local;
   for (unsigned int a = 0; a < 3; ++a)
     for (unsigned int b = 0; b < 3; ++b) local[a][b] = axes[a] * (global * axes[b]);
@@ -74,8 +73,8 @@ Tensor2 in_frame(const Tensor2& global, const Axes& axes) {
 }
 
 /// Hooke's law with the strain within the surface and the stress on it given.
-std::array<double, 6> in_global(const SurfaceStrain& strain, const Tensor1& load, const Axes& axes,
-                                const contact::Material& material) {
+std::array<double, 6> in_global(const SurfaceStrain& strain, const Tensor1& load,
+                                const SurfaceFrame& axes, const contact::Material& material) {
   const double nu = material.poisson_ratio;
   const double plane = material.young_modulus / (1.0 - nu * nu);
   const double of_normal = nu / (1.0 - nu) * (load * axes[2]);
@@ -124,9 +123,8 @@ void SurfaceStress::combine(const Vector& displacement, const contact::SurfaceFi
     const dealii::Point<3> chart =
         body_.shape().coordinates(dealii::Point<3>(places_[k][0], places_[k][1], places_[k][2]));
     const double s = chart[0], t = chart[1];
-    Axes own, shared;
-    body_.shape().frame(s, t, own[0], own[1], own[2]);
-    body_.shape().tilted_frame(s, t, surface_.climb(t), shared[0], shared[1], shared[2]);
+    const SurfaceFrame own = body_.shape().frame(s, t);
+    const SurfaceFrame shared = body_.shape().tilted_frame(s, t, surface_.climb(t));
     std::array<Tensor1, 2> way, change;
     bool inside = true;
     for (int d = 0; d < 2; ++d) {

@@ -161,8 +161,7 @@ struct SurfaceCoupling::Implementation {
                      Geometry::unit_cell_vertex(Geometry::face_to_cell_vertices(face, k));
       const double climb = surface.climb(point.t);
       const double piece = point.weight * std::sqrt(1.0 + climb * climb);
-      std::array<dealii::Tensor<1, 3>, 3> frame;
-      body.shape().tilted_frame(point.s, point.t, climb, frame[0], frame[1], frame[2]);
+      const SurfaceFrame frame = body.shape().tilted_frame(point.s, point.t, climb);
       for (unsigned int i = 0; i < element.dofs_per_cell; ++i) {
         if (!element.has_support_on_face(i, face)) continue;
         const unsigned int component = element.system_to_component_index(i).first;

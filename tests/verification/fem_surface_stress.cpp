@@ -172,9 +172,8 @@ struct UniformStrain {
     std::array<contact::Field, 3> part;
     for (unsigned int k = 0; k < 3; ++k)
       part[k] = grid.sample([&](double s, double t) {
-        std::array<dealii::Tensor<1, 3>, 3> own, common;
-        shape.frame(s, t, own[0], own[1], own[2]);
-        shape.tilted_frame(s, t, shared.climb(t), common[0], common[1], common[2]);
+        const fem::SurfaceFrame own = shape.frame(s, t);
+        const fem::SurfaceFrame common = shape.tilted_frame(s, t, shared.climb(t));
         const double slope = contact::profile_drop(shape.transverse_radius, t).slope;
         const double own_area = std::sqrt(1.0 + slope * slope);
         const double common_area = std::sqrt(1.0 + shared.climb(t) * shared.climb(t));

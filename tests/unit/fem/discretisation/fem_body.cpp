@@ -67,8 +67,7 @@ TEST(SurfaceShape, FrameIsOrthonormalAndTangentToTheSurface) {
   for (const auto& shape : thesis_shapes())
     for (const double s : {-5.0, 0.0, 3.0})
       for (const double t : {-12.0, 0.0, 7.0}) {
-        dealii::Tensor<1, 3> rolling, lateral, normal;
-        shape.frame(s, t, rolling, lateral, normal);
+        const auto [rolling, lateral, normal] = shape.frame(s, t);
         EXPECT_NEAR((dealii::cross_product_3d(rolling, lateral) - normal).norm(), 0.0, 1e-14);
         EXPECT_NEAR(rolling.norm(), 1.0, 1e-14);
         EXPECT_GT(normal[2], 0.5);  // into the wheel, for both bodies

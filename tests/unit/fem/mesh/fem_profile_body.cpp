@@ -137,8 +137,7 @@ TEST(ProfileChart, GradientAndFrameAreThoseOfThePlaces) {
               (manifold.push_forward(ahead) - manifold.push_forward(behind)) / (2.0 * h);
           for (unsigned int c = 0; c < 3; ++c) EXPECT_NEAR(gradient[c][d], change[c], 2e-8);
         }
-        dealii::Tensor<1, 3> rolling, lateral, normal;
-        shape.frame(s, t, rolling, lateral, normal);
+        const auto [rolling, lateral, normal] = shape.frame(s, t);
         const auto along = (shape.place(s + h, t, 0.0) - shape.place(s - h, t, 0.0)) / (2.0 * h);
         EXPECT_LT((rolling - along).norm(), 1e-8);
         EXPECT_LT((dealii::cross_product_3d(rolling, lateral) - normal).norm(), 1e-12);

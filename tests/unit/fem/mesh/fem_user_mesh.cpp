@@ -179,7 +179,7 @@ TEST(GivenMesh, OfAnyChartIsAccepted) {
     return dealii::Point<3>(10 * std::atan2(p[0], 10 - p[2]), p[1],
                             std::hypot(p[0], 10 - p[2]) - 10);
   };
-  chart->frame = [](double s, double) -> std::array<dealii::Tensor<1, 3>, 3> {
+  chart->frame = [](double s, double) -> fem::SurfaceFrame {
     const double c = std::cos(s / 10), n = std::sin(s / 10);
     return {dealii::Tensor<1, 3>({c, 0, n}), dealii::Tensor<1, 3>({0, 1, 0}),
             dealii::Tensor<1, 3>({-n, 0, c})};
