@@ -3,7 +3,7 @@ import json
 import math
 import os
 
-from rollfem_figures.whole import write_whole
+from rollfem_figures.files import write_whole
 
 INTRO = """# Verification book
 

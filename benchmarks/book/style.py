@@ -1,4 +1,4 @@
-"""The look of the program's figures (looks.py) for those that are drawn with matplotlib, which only the
+"""The look of the program's figures (styles.py) for those that are drawn with matplotlib, which only the
 verification book is: text as outlines so that it looks the same everywhere."""
 import os
 import re
@@ -6,11 +6,11 @@ import re
 import matplotlib
 from matplotlib import pyplot as plt
 
-from rollfem_figures import looks
-from rollfem_figures.looks import know, label  # noqa: F401
-from rollfem_figures.whole import whole
+from rollfem_figures import styles
+from rollfem_figures.files import whole
+from rollfem_figures.styles import know, label  # noqa: F401
 
-BLUE = looks.COLOURS["blue"][0]
+BLUE = styles.COLOURS["blue"][0]
 GREY = "#666666"
 LINE = 1.5  # points; matplotlib counts dashes in these
 
@@ -23,15 +23,15 @@ class _Looks(dict):
     """{name of a model: (colour, dash, marker)} as matplotlib wants them."""
 
     def __missing__(self, name):
-        colour, dash, marker = looks.MODELS[name]
-        return looks.COLOURS[colour][0], _dash(dash), marker
+        colour, dash, marker = styles.MODELS[name]
+        return styles.COLOURS[colour][0], _dash(dash), marker
 
 
 LOOKS = _Looks()
 
 
 def colour(model):
-    looks.of_model(model)
+    styles.of_model(model)
     return LOOKS[model.name][0]
 
 
@@ -41,7 +41,7 @@ def line(model):
 
 
 def marker(model):
-    return looks.marker(model)
+    return styles.of_model(model)[2]
 
 
 def use():

@@ -9,8 +9,8 @@ import os
 import sys
 
 # Module whose build(path) draws, by the file that such a folder holds, and by a column that such a table has.
-OF_FOLDER = (("compare.json", "compare"), ("study.json", "study"), ("table.h5", "table"), ("", "build"))
-OF_TABLE = (("part", "places"), ("conicity_wave", "wheelset"), ("curvature", "profile"))
+OF_FOLDER = (("compare.json", "compare"), ("study.json", "study"), ("table.h5", "table"), ("", "report"))
+OF_TABLE = (("part", "profiles"), ("conicity_wave", "positions"), ("curvature", "profiles"))
 
 
 def main():

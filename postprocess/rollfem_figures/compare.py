@@ -4,9 +4,8 @@ from html import escape
 
 import numpy as np
 
-from . import looks, page, report, tables
-from .build import build as build_run, draw_all
-from .figure import Figure, folder_of
+from . import page, report, styles, tables
+from .figure import Figure
 from .reader import read_json
 
 
@@ -18,12 +17,6 @@ def _models(cases):
 MOST_PLACES = 4
 
 
-def _places(case):
-    """Names of the places of a case; [""] for one without profiles, [None] for all of many together."""
-    found = list(dict.fromkeys(s.get("patch", "") for s in case["standings"])) or [""]
-    return found if len(found) <= MOST_PLACES else [None]
-
-
 def _standing(case, model, quantity, place=None):
     """The standing of a model in a quantity at a place; for all places together (None) the worst, with the
     counts of all."""
@@ -32,24 +25,19 @@ def _standing(case, model, quantity, place=None):
     if not found:
         return None
     worst = max(found, key=lambda s: abs(s["largest_difference"]))
-    return {**worst, "differ": sum(s["differ"] for s in found),
-            "compared": sum(s["compared"] for s in found)}
+    return {**worst, **{name: sum(s[name] for s in found) for name in ("differ", "compared")}}
 
 
 def _columns(cases):
-    """(case, place, heading) of the columns of the tables of differences."""
-    columns = []
+    """(case, place, heading) of the columns of the tables of differences; place "" in a case without profiles, None for
+    all of many together."""
     for case in cases:
-        names = _places(case)
-        for place in names:
-            note = ""
-            if place is None:
-                note = "worst place"
-            elif len(names) > 1:
-                note = escape(place).replace(", ", ",<br>")
-            columns.append((case, place, escape(case["name"])
-                            + (f"<br><span class=d>{note}</span>" if note else "")))
-    return columns
+        places = list(dict.fromkeys(s.get("patch", "") for s in case["standings"])) or [""]
+        notes = [escape(place).replace(", ", ",<br>") if len(places) > 1 else "" for place in places]
+        if len(places) > MOST_PLACES:
+            places, notes = [None], ["worst place"]
+        for place, note in zip(places, notes):
+            yield case, place, escape(case["name"]) + (f"<br><span class=d>{note}</span>" if note else "")
 
 
 def _difference_cell(standing):
@@ -75,18 +63,18 @@ def _heading(quantity):
 def _difference_table(heading, columns):
     """Largest difference of every model in columns of case, place, quantity and heading; empty when nothing was
     compared."""
-    models = [m for m in _models([case for case, *_ in columns])
-              if any(_standing(case, m, quantity, place) for case, place, quantity, _ in columns)]
-    if not models:
-        return ""
-    rows = [[escape(looks.label(m))] + [_difference_cell(_standing(case, m, quantity, place))
-                                        for case, place, quantity, _ in columns] for m in models]
-    return tables.table([heading] + [text for *_, text in columns], rows)
+    rows = []
+    for model in _models([case for case, *_ in columns]):
+        found = [_standing(case, model, quantity, place) for case, place, quantity, _ in columns]
+        if any(found):
+            rows.append([escape(styles.label(model)), *map(_difference_cell, found)])
+    return tables.table([heading] + [text for *_, text in columns], rows) if rows else ""
 
 
-def _differences(cases, headings):
+def _differences(cases, quantities):
     """The tables of differences; of one case at one place one table with a column for each quantity."""
-    columns = _columns(cases)
+    columns = list(_columns(cases))
+    headings = {name: _heading(quantity) for name, quantity in quantities.items()}
     if len(columns) == 1:
         case, place, _ = columns[0]
         return _difference_table("largest difference", [
@@ -98,44 +86,35 @@ def _differences(cases, headings):
 
 
 def _cost_table(cases):
-    models = _models(cases)
-    rows = [[escape(looks.label(m))]
-            + [tables.number(c["seconds"][m], 3) if m in c["seconds"] else "–" for c in cases]
-            + [tables.number(sum(c['seconds'].get(m, 0.0) for c in cases), 3)]
-            for m in models]
-    head = ["seconds"] + [escape(c["name"]) for c in cases] + ["all"]
-    return tables.table(head, rows)
+    rows = [[escape(styles.label(model))]
+            + [tables.number(c["seconds"].get(model), 3) for c in cases]
+            + [tables.number(sum(c["seconds"].get(model, 0.0) for c in cases), 3)] for model in _models(cases)]
+    return tables.table(["seconds", *(escape(c["name"]) for c in cases), "all"], rows)
 
 
 def cost_figure(cases):
     """Largest difference from the reference against seconds, one marker for each model and case. None
     when nothing was compared."""
-    figure, shown, said = Figure(2), {}, []
+    figure, said = Figure(2), []
     for quantity, title, of in (("max_pressure", "largest pressure $p_0$", "reference"),
                                 ("traction_coefficient", "traction coefficient", "$\\mu$")):
-        if not any(_standing(c, m, quantity) for c in cases for m in _models(cases)):
+        spots = {model: [(c["seconds"][model], max(100 * abs(s["largest_difference"]), 1e-4))
+                         for c in cases if (s := _standing(c, model, quantity))] for model in _models(cases)}
+        if not any(spots.values()):
             continue
         panel = figure.add(320, 240, title, "seconds of the model on the case", f"largest difference [% of {of}]")
         panel.x.log = panel.y.log = True
-        for model in _models(cases):
-            spots = [(c["seconds"][model], max(100 * abs(s["largest_difference"]), 1e-4))
-                     for c in cases if (s := _standing(c, model, quantity))]
-            if spots:
-                colour, _, marker = shown[model] = looks.of_model(model)
-                panel.line(*zip(*spots), colour, marker=marker, size=3.8, joined=False)
-                said.append(f"{looks.label(model)} {title}: up to {max(s[1] for s in spots):.2g} %")
+        for model, pairs in spots.items():
+            panel.spots(pairs, size=3.8, **styles.line(model, True))
+            if pairs:
+                said.append(f"{styles.label(model)} {title}: up to {max(pairs, key=lambda pair: pair[1])[1]:.2g} %")
         bars = [100 * s["allowed_there"] for c in cases for s in c["standings"]
                 if s["quantity"] == quantity and s["allowed_there"] > 0]
         if bars:
             panel.y.see([np.median(bars)])
             panel.level(np.median(bars))
-    if not figure.panels:
-        return None
-    for model, (colour, _, marker) in shown.items():
-        figure.entry(looks.label(model), colour, width=0, marker=marker)
     figure.entry("error bars, median", "soft", (1.5, 2.2), 1.0)
-    figure.seen = f"Largest difference from the reference against seconds. {'; '.join(said)}."
-    return figure
+    return figure.tell("Largest difference from the reference against seconds: ", said) if figure.panels else None
 
 
 def _missing(case):
@@ -149,10 +128,9 @@ def _case_section(comparison, case, directory):
     heading = f"<h2 id=\"{escape(case['name'])}\">{escape(case['title'] or case['name'])}</h2>"
     if not case["complete"]:
         return heading + _missing(case)
-    folder = os.path.join(directory, case["name"])
-    result, figures = build_run(folder, comparison["reference"] or "halfspace")
-    inner = report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
-    inner += "<h2>Cost</h2>" + tables.cost_table(result) + report.notes(result)
+    result, figures = report.build(os.path.join(directory, case["name"]), comparison["reference"] or "halfspace")
+    inner = (report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
+             + page.section("Cost", tables.cost_table(result)) + report.notes(result))
     return "".join([heading, report.asked(result), _missing(case), report.lower(inner),
                     f"<p class=screen><a href=\"{escape(case['name'])}/report.html\">"
                     "its own report with every number</a></p>"])
@@ -167,44 +145,37 @@ def _elasticity(cases):
             "curvature of the patch (docs/verification.md).")
 
 
-def _reference_words(comparison):
-    """The model that differences refer to, and its substitute where that one has no value."""
-    wished = comparison["reference"] or "halfspace"
-    ways = list(dict.fromkeys([wished, *(m for m in ("halfspace", "fem") if m in comparison["models"])]))
-    first, *others = [escape(looks.label(name)) for name in ways]
-    return f"Differences are from {first}" + (f" or, where it has no value, from {' or '.join(others)}. " if others else ". ")
-
-
 def _asked(comparison):
-    names = ", ".join(escape(looks.label(m)) for m in comparison["models"])
+    """Models and cases; the model that differences refer to, and its substitute where that one has no value."""
+    ways = dict.fromkeys([comparison["reference"] or "halfspace",
+                          *(m for m in ("halfspace", "fem") if m in comparison["models"])])
+    first, *others = [escape(styles.label(name)) for name in ways]
+    names = ", ".join(escape(styles.label(m)) for m in comparison["models"])
     cases = "".join(f"<li><a href=\"#{escape(c['name'])}\">{escape(c['name'])}</a>: "
                     f"{escape(c['title'])}</li>" for c in comparison["cases"])
-    return (f"<p>Models: {names}. {_reference_words(comparison)}"
-            "Error bars are each model's own estimate of its numerical error; an exact closed form "
-            "(Hertz) has none, so that what it neglects shows as a difference.</p>"
-            f"<ul>{cases}</ul>")
+    return (f"<p>Models: {names}. Differences are from {first}"
+            + (f" or, where it has no value, from {' or '.join(others)}. " if others else ". ")
+            + "Error bars are each model's own estimate of its numerical error; an exact closed form "
+            f"(Hertz) has none, so that what it neglects shows as a difference.</p><ul>{cases}</ul>")
 
 
 def build(directory):
     """Draws every case of the comparison in `directory` and writes compare.html."""
     comparison = read_json(directory, "compare")
-    looks.know(comparison.get("labels", {}))
+    styles.know(comparison.get("labels", {}))
     cases = [c for c in comparison["cases"] if c["complete"]]
     sections = [_case_section(comparison, c, directory) for c in comparison["cases"]]
-    drawn = draw_all([("difference_cost.svg", "Difference of each model from the reference against its cost, one marker "
-                       "per case. Differences below 0.0001 % are drawn at that value.",
-                       lambda: cost_figure(cases))], folder_of(directory))
-    found = _differences(cases, {name: _heading(quantity)
-                                 for name, quantity in comparison["quantities"].items()})
+    drawn = page.draw_all([("difference_cost.svg", "Difference of each model from the reference against its cost, one "
+                            "marker per case. Differences below 0.0001 % are drawn at that value.",
+                            lambda: cost_figure(cases))], directory)
+    found = _differences(cases, comparison["quantities"])
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
     page.write_page(
         os.path.join(directory, "compare.html"), title, page.made_by(comparison["program"], comparison), [
-            report.verdict(comparison["verdict"]), _asked(comparison), "<h2>Differences</h2>" * bool(found),
-            *map(page.figure, drawn), found,
-            "<p class=hint>Largest difference over the load points of the case, with its sign. Bold: at least one "
-            "load point exceeds the error bars of both models together; their number is given below. “bars”: "
-            f"what they allow at that point.{_elasticity(cases)}</p>" if found else "",
-            "<h2>Cost</h2>", _cost_table(cases), *sections,
-            "<h2>Signs</h2><p>", report.CONVENTIONS, "</p>"],
+            report.verdict(comparison["verdict"]), _asked(comparison), page.section("Differences", drawn(""), found),
+            page.hint("Largest difference over the load points of the case, with its sign. Bold: at least one "
+                      "load point exceeds the error bars of both models together; their number is given below. “bars”: "
+                      f"what they allow at that point.{_elasticity(cases)}") if found else "",
+            page.section("Cost", _cost_table(cases)), *sections, report.CONVENTIONS],
         "Also in this folder: compare.csv and compare.json with every number, and a result folder for each case.")

@@ -1,11 +1,10 @@
 """A figure: panels beside each other under one legend, as a file (SVG) and as part of a page, where
 the panels flow into the room there is."""
-import os
 from html import escape
 
-from . import looks, words
+from . import labels, styles
 from .panel import Panel, marker_path, strokes
-from .whole import write_whole
+from .files import write_whole
 
 
 class Figure:
@@ -17,32 +16,35 @@ class Figure:
         self.legend, self.seen = [], ""
 
     def add(self, *arguments, **options):
-        """A new panel (Panel)."""
+        """A new panel (Panel), whose named curves have entries in the legend."""
         self.panels.append(Panel(*arguments, **options))
+        self.panels[-1].entry = self.entry
         return self.panels[-1]
 
     def entry(self, text, colour=None, dash=(), width=1.6, marker=None, hollow=False, fill=None, opacity=1):
-        """An entry of the legend: a line that looks so, an area, or the text alone."""
-        self.legend.append((text, colour, dash, width, marker, hollow, fill, opacity))
+        """An entry of the legend, if it has none that is called so: a line that looks so, an area, or the text alone."""
+        if text and all(text != other[0] for other in self.legend):
+            self.legend.append((text, colour, dash, width, marker, hollow, fill, opacity))
 
     def model(self, model, marker=False):
         """The entry of a model."""
-        colour, dash, own = looks.of_model(model)
-        self.entry(looks.label(model), colour, dash, marker=own if marker else None)
+        colour, dash, own = styles.of_model(model)
+        self.entry(styles.label(model), colour, dash, marker=own if marker else None)
 
-    def heading_entry(self, text):
-        """An entry of text alone, what all panels share; none where it is empty."""
-        if text:
-            self.entry(text)
+    def tell(self, what, said):
+        """Sets the alternative text: what is shown, and what is said of each curve."""
+        self.seen = f"{what}{'; '.join(said)}."
+        return self
 
     def charts(self, size, rows):
         """A panel of that size for each row of title, label of x, of y, least span of y, and its curves: x, y and
-        the look (Panel.line)."""
+        the look (Panel.line). Returns them."""
         for title, across, up, least, curves in rows:
             panel = self.add(*size, title, across, up)
             panel.y.least = least
             for x, y, look in curves:
                 panel.line(x, y, **look)
+        return self.panels[-len(rows):]
 
     def _key(self, entry):
         """The sign of an entry, 26 by 12 px; empty for a text alone."""
@@ -63,17 +65,17 @@ class Figure:
         for entry in self.legend:
             key = self._key(entry)
             key = f'<svg class="plot" width="26" height="12" aria-hidden="true">{key}</svg>' if key else ""
-            items.append(f"<li>{key}{words.html(entry[0])}</li>")
+            items.append(f"<li>{key}{labels.html(entry[0])}</li>")
         parts = [f'<ul class="legend">{"".join(items)}</ul>'] if items else []
         if self.heading:
-            parts.insert(0, f'<p class="name">{words.html(self.heading)}</p>')
+            parts.insert(0, f'<p class="name">{labels.html(self.heading)}</p>')
         for number, panel in enumerate(self.panels):
             if self.in_rows and number and number % self.columns == 0:
                 parts.append("<span class=row></span>")
             wide, high, content = panel.svg()
             parts.append(f'<svg class="plot" width="{wide:.0f}" height="{high:.0f}" '
                          f'viewBox="0 0 {wide:.0f} {high:.0f}" aria-hidden="true">{content}</svg>')
-        seen = escape(words.plain(self.seen), quote=True)
+        seen = escape(labels.plain(self.seen), quote=True)
         return f'<div class="panels" role="img" aria-label="{seen}">{"".join(parts)}</div>'
 
     def _legend_rows(self, room):
@@ -81,13 +83,13 @@ class Figure:
         x, y, out = 8.0, 16.0, []
         for entry in self.legend:
             key = self._key(entry)
-            need = (32 if key else 0) + words.width(entry[0]) + 20
+            need = (32 if key else 0) + labels.width(entry[0]) + 20
             if x > 8 and x + need > room:
                 x, y = 8.0, y + 19
             if key:
                 out.append(f'<g transform="translate({x:.0f} {y - 10:.0f})">{key}</g>')
             out.append(f'<text class="f-ink" x="{x + (32 if key else 0):.0f}" y="{y:.0f}">'
-                       f"{words.svg(entry[0])}</text>")
+                       f"{labels.svg(entry[0])}</text>")
             x += need
         return (y + 8 if self.legend else 0.0), "".join(out)
 
@@ -101,7 +103,7 @@ class Figure:
         high, legend = self._legend_rows(wide)
         parts = [f'<g transform="translate(0 {top})">{legend}</g>']
         if self.heading:
-            parts.append(f'<text class="f-ink t" x="8" y="16">{words.svg(self.heading)}</text>')
+            parts.append(f'<text class="f-ink t" x="8" y="16">{labels.svg(self.heading)}</text>')
         at = top + high
         for row in rows:
             x = 0.0
@@ -109,19 +111,12 @@ class Figure:
                 parts.append(f'<g transform="translate({x:.0f} {at:.0f})">{content}</g>')
                 x += width
             at += max(part[1] for part in row)
-        seen = words.plain(self.seen)
+        seen = labels.plain(self.seen)
         return (f'<svg xmlns="http://www.w3.org/2000/svg" class="plot" width="{wide:.0f}" height="{at:.0f}" '
                 f'viewBox="0 0 {wide:.0f} {at:.0f}" role="img"><title>{escape(seen)}</title>'
-                f'<style>{looks.css()}</style><rect class="f-ground" width="100%" height="100%"/>'
+                f'<style>{styles.css()}</style><rect class="f-ground" width="100%" height="100%"/>'
                 f'{"".join(parts)}</svg>\n')
 
     def save(self, path):
         """Writes the file whole or not at all."""
         write_whole(path, self.svg())
-
-
-def folder_of(directory):
-    """The folder of the figures of a result, made if it is not there."""
-    folder = os.path.join(directory, "figures")
-    os.makedirs(folder, exist_ok=True)
-    return folder

@@ -1,44 +1,105 @@
-"""Pictures over the patch: zones of adhesion and slip of each model, oblique views of tractions."""
+"""Pictures over the patch: outlines of all models, zones of adhesion and slip of each, oblique views of tractions."""
 import numpy as np
 
-from . import keys, looks, selection
-from .axes import nice_step, tick_text
+from . import load_points, styles
 from .figure import Figure
-from .outline import extent, patch_panel, zones
-from .seen import adhering
+from .outline import ALONG, adhering, extent, patch_panel, zones
+from .panel import even_marks, nice_step
+from .reader import ADHESION
+
+
+def _zoned(result):
+    """The models whose patch has zones."""
+    return [m for m in load_points.friction_models(result)
+            if m.has_bound and {"pressure", "state"} <= set(m.points[0].fields)]
 
 
 def contact_area(result):
     """Adhesion and slip of every model with friction at a few creepages. None when no model has
     them."""
-    zoned = [m for m in selection.friction_models(result)
-             if m.has_bound and {"pressure", "state"} <= set(m.points[0].fields)]
-    chosen = selection.chosen_keys(zoned, 4) if zoned else []
+    zoned = _zoned(result)
+    chosen = load_points.chosen_keys(zoned, 4) if zoned else []
     if not chosen:
         return None
-    texts, shared = keys.key_texts(chosen)
-    half_x, half_y = extent(zoned)
+    texts, shared = load_points.key_texts(chosen)
+    half = extent(zoned)
     # Tall patches: a row for each model, all its creepages beside each other; else the other way round.
-    by_model = half_x <= 1.3 * half_y or len(zoned) == 1
-    pairs = [(m, k) for m in zoned for k in chosen] if by_model else [(m, k) for k in chosen for m in zoned]
+    by_model = half[0] <= 1.3 * half[1] or len(zoned) == 1
     figure = Figure(len(chosen) if by_model else len(zoned), in_rows=True)
     said = []
-    for model, key in pairs:
+    for model, key in [(m, k) for m in zoned for k in chosen] if by_model else [(m, k) for k in chosen for m in zoned]:
         point = model.at(key)
         found = zones(model, point) if point else None
         if found is None:
             continue
-        panel = patch_panel(figure, f"{looks.label(model)}\n{texts[key]}", ("$x$ [mm]", "$y$ [mm]"), (half_x, half_y),
-                            min(95 / half_x, 130 / half_y), 105)
+        panel = patch_panel(figure, f"{styles.label(model)}\n{texts[key]}", ("$x$ [mm]", "$y$ [mm]"), half,
+                            min(95 / half[0], 130 / half[1]), 105)
         panel.area(found.outline, "slip")
         panel.area(found.adhesion, "adhesion")
         panel.paths(found.outline, "ink", 1.2)
-        said.append(f"{looks.label(model)} {adhering(point)} at {texts[key]}")
+        said.append(f"{styles.label(model)} {adhering(point)} at {texts[key]}")
     figure.entry("adhesion", fill="adhesion")
     figure.entry("slip", fill="slip")
     figure.entry("rolling to the right" + (f", {shared}" if shared else ""))
-    figure.seen = "Zones of adhesion (leading side) and slip: " + "; ".join(said) + "."
-    return figure
+    return figure.tell("Zones of adhesion (leading side) and slip: ", said)
+
+
+def _bordered_keys(zoned):
+    """Up to three load points: those with a border between the zones, of which the last is followed by
+    full slip where the curve gets there."""
+    def adheres(model, key):
+        point = model.at(key)
+        return point is not None and "state" in point.fields and (point.fields["state"] == ADHESION).any()
+
+    loaded = load_points.chosen_keys(zoned, 10 ** 6)
+    partly = [k for k in loaded if any(adheres(m, k) for m in zoned)]
+    full = [k for k in loaded if k not in partly][:1]
+    room = 3 - len(full)
+    if len(partly) > room:
+        partly = [partly[0], partly[len(partly) // 2], partly[-1]] if room == 3 else [
+            partly[len(partly) // 3], partly[-1]]
+    return partly + full
+
+
+def outlines(result):
+    """Outlines of all models overlaid, at up to three creepages with the border between adhesion
+    (on the leading side) and slip of each; shaded are the zones of the reference model. None when no
+    model has a pressure field."""
+    models, zoned = load_points.with_pressure(result), _zoned(result)
+    if not models:
+        return None
+    chosen = _bordered_keys(zoned) if zoned else []
+    reference = load_points.reference_for_forces(result)
+    shaded = reference if chosen and reference in zoned else None
+    texts, shared = load_points.key_texts(chosen)
+    half = extent(models)
+    figure = Figure(3)
+    for model in models:
+        figure.model(model)
+    for key in chosen or [None]:
+        panel = patch_panel(figure, texts[key] if key else "", (ALONG["x"], ALONG["y"]),
+                            half, min(135 / half[0], 150 / half[1]), 115)
+        for model in models:
+            # Hertz has one load point, whatever the others have.
+            point = (model.at(key) if key else None) or (model.points[0] if model not in zoned else None)
+            found = zones(model, point) if point else None
+            if found is None:
+                continue
+            if model is shaded and found.has_state:
+                panel.area(found.outline, "slip", 0.3, 0)
+                panel.area(found.adhesion, "ground", 1, 0)
+                panel.area(found.adhesion, "adhesion", 0.35, 0)
+            colour, dash, _ = styles.of_model(model)
+            panel.paths([*found.outline, *found.borders], colour, 1.3, dash)
+    if shaded is not None:
+        figure.entry(f"adhesion ({styles.label(shaded)})", fill="adhesion", opacity=0.35)
+        figure.entry(f"slip ({styles.label(shaded)})", fill="slip", opacity=0.3)
+    figure.entry(shared)
+    said = [f"{styles.label(m)} {m.points[0]['contact_length']:.3g} by {m.points[0]['contact_width']:.3g} mm"
+            for m in models]
+    if shaded is not None:
+        said += [f"{styles.label(shaded)} {adhering(point)} at {texts[k]}" for k in chosen if (point := shaded.at(k))]
+    return figure.tell("Contact areas, along rolling by across: ", said)
 
 
 class _Oblique:
@@ -78,43 +139,36 @@ def _strips(panel, view, model, values, state, count=24):
                         0.6 if kinds[a] == 0 else 1)
 
 
-def _ticks(half):
-    step = nice_step(2 * half, 5)
-    return [(n * step, tick_text(n * step, step)) for n in range(-int(half / step), int(half / step) + 1)]
-
-
 def _frame(panel, view, unit_label):
     """Axes of the projection: x in front, y on the right, the traction on the left."""
-    ink = {"colour": "soft", "width": 0.9, "order": 1}
-    text = {"colour": "ink", "order": 1000}
-    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]
-    lines = [view([a * view.half_x for a, _ in corners], [b * view.half_y for _, b in corners])]
-    small = 0.05 * view.half_x
+    half_x, half_y, small = view.half_x, view.half_y, 0.05 * view.half_x
     below = view.lift * view.low  # labels stand under what hangs below the plane
-    for tick, name in _ticks(view.half_x):
-        x, y = view(tick, -view.half_y)
-        lines.append(np.array([(x, y), (x, y - small)]))
-        panel.text(x, y + below, name, "middle", shift=(0, 15), **text)
-    x, y = view(0, -view.half_y)
-    panel.text(x, y + below, "$x$ [mm], rolling $\\rightarrow$", "middle", shift=(0, 30), **text)
-    for tick, name in _ticks(view.half_y):
-        x, y = view(view.half_x, tick)
-        lines.append(np.array([(x, y), (x + small, y)]))
-        panel.text(x, y, name, shift=(7, 4), **text)
-    x, y = view(view.half_x, 0)
-    panel.text(x, y, "$y$ [mm]", shift=(32, 16), **text)
-    x, y = view(-view.half_x, -view.half_y)
+    lines = [view(half_x * np.array([-1, 1, 1, -1, -1]), half_y * np.array([-1, -1, 1, 1, -1]))]
+
+    def axis(marks, place, away, anchor, shift):
+        for value, name in marks:
+            at = place(value)
+            lines.append(np.array([at, at + away]))
+            write(at if away[1] == 0 else at + (0, below), name, anchor, shift)
+
+    def write(at, text, anchor, shift):
+        panel.text(*at, text, anchor, "ink", shift, order=1000)
+
+    axis(even_marks(-half_x, half_x, nice_step(2 * half_x, 5)), lambda value: view(value, -half_y), (0, -small),
+         "middle", (0, 15))
+    write(view(0, -half_y) + (0, below), ALONG["x"], "middle", (0, 30))
+    axis(even_marks(-half_y, half_y, nice_step(2 * half_y, 5)), lambda value: view(half_x, value), (small, 0),
+         "start", (7, 4))
+    write(view(half_x, 0), "$y$ [mm]", "start", (32, 16))
+    x, y = view(-half_x, -half_y)
     x -= 2 * small
     lines.append(np.array([(x, y + below), (x, y + view.lift * view.top)]))
-    step = nice_step(view.top - view.low, 5)
-    for n in range(int(np.ceil(view.low / step - 1e-9)), int(view.top / step + 1e-9) + 1):
-        height = y + view.lift * n * step
-        lines.append(np.array([(x - small, height), (x, height)]))
-        panel.text(x - small, height, tick_text(n * step, step), "end", shift=(-3, 4), **text)
-    panel.text(x, y + view.lift * view.top, unit_label, "middle", shift=(0, -8), **text)
-    panel.paths(lines, **ink)
-    left, bottom = view(-view.half_x, -view.half_y)
-    right, back = view(view.half_x, view.half_y)
+    axis(even_marks(view.low, view.top, nice_step(view.top - view.low, 5)),
+         lambda value: np.array([x - small, y + view.lift * value]), (small, 0), "end", (-3, 4))
+    write((x, y + view.lift * view.top), unit_label, "middle", (0, -8))
+    panel.paths(lines, "soft", 0.9, order=1)
+    left, bottom = view(-half_x, -half_y)
+    right, back = view(half_x, half_y)
     panel.x.limits = (left - 9 * small, right + 10 * small)
     panel.y.limits = (bottom - 8.5 * small + below, max(back, view.lift * view.top) + 4 * small)
 
@@ -132,23 +186,21 @@ def oblique(result, model):
     pressure = model.points[0].fields.get("pressure") if model.points else None
     if pressure is None or not (pressure > 0).any():
         return None
-    figure = Figure(2, looks.label(model))
-    figure.seen = f"Pressure of {looks.label(model)} over the patch, up to {pressure.max():.4g} MPa."
-    if not model.has_friction:
-        _view(figure, model, pressure, None, "contact pressure", "$p_n$ [MPa]")
-        return figure
-    shown = selection.reference_for_forces(result)
-    creepages = selection.typical_key([shown]) if shown else None
-    point = model.at(creepages) if creepages else None
-    if point is None or not {"pressure", "traction_x"} <= set(point.fields):
-        return None
-    pressure, state = point.fields["pressure"], point.fields.get("state")
-    traction = -point.fields["traction_x"]
-    text = keys.key_texts([creepages])[0][creepages]
+    figure = Figure(2, styles.label(model))
+    said = [f"up to {pressure.max():.4g} MPa"]
+    if model.has_friction:
+        shown = load_points.reference_for_forces(result)
+        key = load_points.typical_key([shown]) if shown else None
+        point = model.at(key) if key else None
+        if point is None or not {"pressure", "traction_x"} <= set(point.fields):
+            return None
+        pressure, traction = point.fields["pressure"], -point.fields["traction_x"]
     _view(figure, model, pressure, None, "contact pressure", "$p_n$ [MPa]")
-    _view(figure, model, traction, state, f"tangential traction, {text}", "$-p_x$ [MPa]")
-    figure.entry("adhesion", "adhesion", width=2)
-    figure.entry("slip", "slip", width=2)
-    figure.seen += (f" Its traction −p_x at {text}, between {traction.min():.4g} and {traction.max():.4g} MPa; "
-                    f"it {adhering(point)}.")
-    return figure
+    if model.has_friction:
+        text = load_points.key_texts([key])[0][key]
+        _view(figure, model, traction, point.fields.get("state"), f"tangential traction, {text}", "$-p_x$ [MPa]")
+        figure.entry("adhesion", "adhesion", width=2)
+        figure.entry("slip", "slip", width=2)
+        said.append(f"traction −p_x at {text} between {traction.min():.4g} and {traction.max():.4g} MPa; "
+                    f"it {adhering(point)}")
+    return figure.tell(f"Pressure of {styles.label(model)} over the patch, ", said)

@@ -1,10 +1,11 @@
 """The frame of every report: one file with everything in it, for the screen, the phone and the printer,
-on light and on dark ground, read by eye or by ear."""
+on light and on dark ground, read by eye or by ear. And the drawing of its figures."""
+import os
 import re
 from html import escape
 
-from . import looks
-from .whole import write_whole
+from . import styles
+from .files import write_whole
 
 _LIGHT = ("--ink:#1a1a1a;--soft:#555;--ground:#fff;--line:#ddd;--strong:#888;--box:#f5f5f5;--accent:#0067a3;"
           "--warn:#E69F00;--bad:#D55E00")
@@ -61,9 +62,71 @@ def made_by(program, run):
     return f"{escape(made)}<br><code>{escape(run['command'])}</code>"
 
 
-def figure(drawn):
-    """A drawn figure (build.Drawn) with its caption, as part of the page."""
-    return f"<figure>{drawn.html}<figcaption>{escape(drawn.caption)}</figcaption></figure>"
+class Drawn:
+    """The figures of a page with their captions, {file name: HTML}."""
+
+    def __init__(self, figures):
+        self.figures = figures
+
+    def __call__(self, *starts):
+        """Those whose names begin so, in their order."""
+        return "".join(html for name, html in self.figures.items() if name.startswith(starts))
+
+    def under(self, prefix):
+        """Those whose names begin so, by the rest of their names."""
+        return Drawn({name[len(prefix):]: html for name, html in self.figures.items() if name.startswith(prefix)})
+
+
+# Fewer figures are drawn before other processes have started.
+LEAST_SPREAD = 24
+
+
+def draw_all(captioned, directory):
+    """Draws figures, an iterable of (file name, caption, function that makes a Figure or returns None), and writes their
+    files to figures/, many on all cores; returns those that there are (Drawn)."""
+    captioned = list(captioned)
+    folder = os.path.join(directory, "figures")
+    os.makedirs(folder, exist_ok=True)
+
+    def draw(number):
+        name, caption, function = captioned[number]
+        figure = function()
+        if figure is None:
+            return None
+        figure.save(os.path.join(folder, name))
+        return f"<figure>{figure.html()}<figcaption>{escape(caption)}</figcaption></figure>"
+
+    workers = len(os.sched_getaffinity(0)) if len(captioned) >= LEAST_SPREAD else 1
+    drawn = _spread(draw, len(captioned), workers) if workers > 1 else map(draw, range(len(captioned)))
+    return Drawn({name: html for (name, *_), html in zip(captioned, drawn) if html})
+
+
+_task = None  # of the processes that draw: they get it as they are forked, results and all
+
+
+def _spread(task, count, workers):
+    """task(0), ..., task(count - 1) by forked processes, the next numbers to whoever is free."""
+    import multiprocessing  # pylint: disable=import-outside-toplevel; half as long as a report takes
+
+    global _task
+    _task = task
+    with multiprocessing.get_context("fork").Pool(workers) as pool:
+        return pool.map(_do_task, range(count), chunksize=4)
+
+
+def _do_task(number):
+    return _task(number)
+
+
+def section(heading, *parts):
+    """Parts under a second heading; nothing where they are empty."""
+    body = "".join(parts)
+    return f"<h2>{heading}</h2>{body}" if body else ""
+
+
+def hint(text):
+    """A remark in small letters; nothing where it is empty."""
+    return f"<p class=hint>{text}</p>" if text else ""
 
 
 def _slug(text, taken):
@@ -107,7 +170,7 @@ def write_page(path, title, made, parts, beside=""):
         "<!DOCTYPE html><html lang=en><head><meta charset=utf-8>"
         '<meta name=viewport content="width=device-width,initial-scale=1">'
         '<meta name=color-scheme content="light dark">'
-        f"<title>{re.sub('<[^>]*>', '', title)}</title><style>{CSS}{sideways}{looks.css()}</style></head>"
+        f"<title>{re.sub('<[^>]*>', '', title)}</title><style>{CSS}{sideways}{styles.css()}</style></head>"
         f'<body{" class=toc" if contents else ""}><a class=skip href="#main">to the results</a>'
         f"<header><h1>{title}</h1><p class=meta>{made}</p></header>{contents}<main id=main>{body}</main>{footer}</body></html>\n"])
     write_whole(path, text)

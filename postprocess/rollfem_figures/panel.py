@@ -1,9 +1,115 @@
 """A panel of a figure: axes and what is drawn in them, written as SVG with classes for colours, so
-that the page that holds it decides on light or dark ground (looks.css)."""
+that the page that holds it decides on light or dark ground (styles.css)."""
+import math
+
 import numpy as np
 
-from . import words
-from .axes import Axis
+from . import labels
+
+MINUS = "−"
+
+
+def widened(low, high, least=0.0, part=0.02):
+    """Limits that do not blow up a constant: at least `least` apart, and `part` of the larger of
+    both, so that what differs by rounding is a straight line."""
+    room = max(least, part * max(abs(low), abs(high))) or 1.0
+    if high - low >= room:
+        return low, high
+    middle = 0.5 * (low + high)
+    return middle - 0.5 * room, middle + 0.5 * room
+
+
+def nice_step(span, most):
+    """The smallest of 1, 2, 5 times a power of ten that divides a span into `most` parts at most."""
+    power = 10.0 ** math.floor(math.log10(span / most))
+    return next(s * power for s in (1, 2, 5, 10) if s * power * most >= 0.999999 * span)
+
+
+def _raised(exponent):
+    return "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] if c.isdigit() else "⁻" for c in str(exponent))
+
+
+def tick_text(value, step):
+    """A tick with as many digits as the step needs."""
+    if abs(value) < 1e-6 * step:
+        return "0"
+    digits = max(0, -math.floor(math.log10(step) + 1e-9))
+    if digits > 5 or abs(value) >= 1e6:
+        mantissa, exponent = f"{value:.3e}".split("e")
+        return f"{float(mantissa):g}·10{_raised(int(exponent))}".replace("-", MINUS)
+    return f"{value:.{digits}f}".replace("-", MINUS)
+
+
+def decade_text(exponent):
+    if -3 <= exponent <= 4:
+        return f"{10.0 ** exponent:g}"
+    return "10" + _raised(exponent)
+
+
+def even_marks(low, high, step):
+    """[(value, text)] of ticks at the multiples of a step."""
+    return [(n * step, tick_text(n * step, step))
+            for n in range(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1)]
+
+
+class Axis:
+    """`limits`: (low, high), either may be None: from what is drawn with a margin, never less than
+    `least` apart. `ticks`: [(value, text)] instead of even ones."""
+
+    def __init__(self, label="", log=False, margin=0.05, least=0.0):
+        self.label, self.log, self.margin, self.least = label, log, margin, least
+        self.limits, self.ticks, self.flipped = (None, None), None, False
+        self._low, self._high = math.inf, -math.inf
+
+    def see(self, values):
+        """Values that the limits shall hold."""
+        values = np.asarray(values, dtype=float)
+        values = values[np.isfinite(values) & ((values > 0) | (not self.log))]
+        if values.size:
+            self._low, self._high = min(self._low, values.min()), max(self._high, values.max())
+
+    def range(self):
+        low, high = (self._low, self._high) if self._low <= self._high else (0.0, 1.0)
+        if self.log:
+            low, high = (low, high) if self._low <= self._high else (0.1, 1.0)
+            return 10 ** math.floor(math.log10(low) + 1e-9), 10 ** max(
+                math.ceil(math.log10(high) - 1e-9), math.floor(math.log10(low) + 1e-9) + 1)
+        low, high = widened(low, high, self.least)
+        room = self.margin * (high - low)
+        low, high = low - room, high + room
+        given = self.limits
+        low, high = (low if given[0] is None else given[0]), (high if given[1] is None else given[1])
+        return (low, high) if high > low else (low, low + (abs(low) or 1.0))
+
+    def shares(self, values):
+        """Where values are between the limits: 0 to 1."""
+        low, high = self.range()
+        values = np.asarray(values, dtype=float)
+        if self.log:
+            values, low, high = np.log10(np.maximum(values, 1e-300)), math.log10(low), math.log10(high)
+        share = (values - low) / (high - low)
+        return 1.0 - share if self.flipped else share
+
+    def marks(self, pixels, across):
+        """[(value, text)] of the ticks of an axis so many pixels long; `across`: its labels stand beside
+        each other."""
+        low, high = self.range()
+        if self.ticks is not None:
+            return [(value, text) for value, text in self.ticks if low <= value <= high]
+        if self.log:
+            first, last = round(math.log10(low)), round(math.log10(high))
+            every = max(1, math.ceil((last - first) * (34 if across else 22) / pixels))
+            return [(10.0 ** e, decade_text(e)) for e in range(first, last + 1, every)]
+        step = nice_step(high - low, max(2, pixels / (20 if across else 30)))
+        while True:
+            found = even_marks(low, high, step)
+            if len(found) < 2 or not across:
+                return found
+            least = max(max(labels.width(text) for _, text in found) + 7, pixels / 9)
+            if least <= pixels * step / (high - low):
+                return found
+            step = nice_step(step * 1.01, 1)
+
 
 _SCALE = 10  # what is drawn between the axes is in whole tenths of a pixel
 
@@ -70,6 +176,7 @@ class Panel:
         self.width, self.height, self.title = width, height, title
         self.x, self.y = Axis(xlabel, margin=0.03), Axis(ylabel)
         self.equal, self.bare, self.room_left = equal, bare, 54
+        self.entry = lambda *look: None  # of the figure's legend
         self._marks = []
 
     def _add(self, order, draw, text=False):
@@ -80,12 +187,15 @@ class Panel:
         return np.rint(np.clip(points, -3000, 6000) * _SCALE).astype(int)
 
     def line(self, x, y, colour="ink", width=1.6, dash=(), marker=None, size=3.2, hollow=False, order=2,
-             opacity=1, see=True, joined=True):
+             opacity=1, see=True, joined=True, name=""):
         """A curve, broken where a value is NaN, with markers; markers alone unless `joined`. `hollow`: filled
-        with the ground; "open": not at all."""
+        with the ground; "open": not at all. `name`: of its entry in the legend; none without it, or without a point."""
         x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+        if not len(x):
+            return
+        self.entry(name, colour, dash, width if joined else 0, marker, hollow)
         if see:
-            self.x.see(x), self.y.see(y)
+            self.x.see(np.where(np.isfinite(y), x, np.nan)), self.y.see(y)
 
         def draw():
             whole = np.isfinite(x) & np.isfinite(y)
@@ -101,6 +211,10 @@ class Panel:
             return text
 
         self._add(order, draw)
+
+    def spots(self, pairs, joined=False, **look):
+        """A line of pairs of coordinates; their markers alone unless `joined`."""
+        self.line(*(zip(*pairs) if pairs else ((), ())), joined=joined, **look)
 
     def bars(self, x, y, errors, colour):
         """Error bars with caps."""
@@ -159,7 +273,7 @@ class Panel:
             up = y if share[1] else self.y.shares([y])[0]
             return (f'<text x="{_number(across * self.width + shift[0])}" '
                     f'y="{_number((1 - up) * self.height + shift[1])}" text-anchor="{anchor}" '
-                    f'class="{"sm " if small else ""}f-{colour}">{words.svg(text)}</text>')
+                    f'class="{"sm " if small else ""}f-{colour}">{labels.svg(text)}</text>')
 
         self._add(order, draw, text=True)
 
@@ -182,14 +296,14 @@ class Panel:
             at = (1 - self.y.shares([value])[0]) * self.height
             grid.append(f"M0 {_number(at)}H{_number(self.width)}")
             names.append(f'<text x="-6" y="{_number(at + 4)}" text-anchor="end">{text}</text>')
-        left = max([words.width(text) for _, text in up] + [0]) + 9
+        left = max([labels.width(text) for _, text in up] + [0]) + 9
         if self.x.label:
             names.append(f'<text x="{_number(self.width / 2)}" y="{_number(self.height + 32)}" '
-                         f'text-anchor="middle">{words.svg(self.x.label)}</text>')
+                         f'text-anchor="middle">{labels.svg(self.x.label)}</text>')
         for number, row in enumerate(reversed(self.y.label.split("\n"))):
             if row:
                 names.append(f'<text transform="translate({_number(-left - 7 - 14 * number)} '
-                             f'{_number(self.height / 2)})rotate(-90)" text-anchor="middle">{words.svg(row)}</text>')
+                             f'{_number(self.height / 2)})rotate(-90)" text-anchor="middle">{labels.svg(row)}</text>')
                 left += 0 if number else 19
         left += 14 * self.y.label.count("\n")
         axes = f'<path class="s-soft n" stroke-width=".8" d="M0 0V{_number(self.height)}H{_number(self.width)}"/>'
@@ -209,7 +323,7 @@ class Panel:
         texts = "".join(draw() for _, _, text, draw in marks if text)
         names += "".join(
             f'<text class="t" x="{_number(self.width / 2)}" y="{_number(-6 - 16 * (len(rows) - 1 - k))}" '
-            f'text-anchor="middle">{words.svg(row)}</text>' for k, row in enumerate(rows))
+            f'text-anchor="middle">{labels.svg(row)}</text>' for k, row in enumerate(rows))
         field = (f'<svg width="{_number(self.width)}" height="{_number(self.height)}" overflow="hidden" '
                  f'viewBox="0 0 {_number(self.width * _SCALE)} {_number(self.height * _SCALE)}">{inner}</svg>')
         return (left + self.width + 12, top + self.height + bottom,

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 import h5py
 import numpy as np
 
-from .seal import json_is_sound, results_are_sound
+from .files import json_is_sound, results_are_sound
 
 FORMAT_VERSION = 2
 JSON_FORMATS = {"compare": ("comparison", 2), "study": ("study", 3)}
@@ -42,25 +42,23 @@ class Bodies(Mapping):
 
     def __init__(self, nodes, values):
         """`nodes`, `values`: the groups that hold points and cells, displacement and stress."""
-        self._file, self._nodes, self._values = values.file.filename, nodes.name, values.name
-        self._names = sorted(values)
+        self._file = values.file.filename
+        self._groups = {name: (nodes[name].name, values[name].name) for name in sorted(values)}
 
     def __getitem__(self, name):
-        if name not in self._names:
-            raise KeyError(name)
+        nodes, values = self._groups[name]
         try:
             with h5py.File(self._file, "r") as file:
-                nodes, values = file[self._nodes][name], file[self._values][name]
-                return Body(nodes["points"][()], nodes["cells"][()],
-                            *(values[n][()].astype(float) for n in ("displacement", "stress")))
+                return Body(*(file[nodes][part][()] for part in ("points", "cells")),
+                            *(file[values][part][()].astype(float) for part in ("displacement", "stress")))
         except (OSError, KeyError) as error:
             raise ResultError(f"{self._file}: the {name} cannot be read: {error}") from error
 
     def __iter__(self):
-        return iter(self._names)
+        return iter(self._groups)
 
     def __len__(self):
-        return len(self._names)
+        return len(self._groups)
 
 
 # Sizes whose error is twice that of another.
@@ -74,33 +72,30 @@ class Point:
     `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in
     summary.json. `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y,
     gap (mm), state (0 exterior, 1 adhesion, 2 slip), ...; what the model does not give is missing.
-    `errors`: bars, the estimated error by quantity in its unit; `no_bar`: why a quantity has none
-    ("exact", "given", ...); `model_errors`: what the model leaves out, in the unit of the quantity.
+    By quantity: `error_estimate`, the bars, in its unit; `no_bar`, why it has none ("exact", "given", ...);
+    `model_error`, what the model leaves out, in its unit; `richardson`, the value at elements of size 0.
     """
 
     scalars: dict
     fields: dict
-    errors: dict = field(default_factory=dict)
+    error_estimate: dict
+    no_bar: dict
+    model_error: dict
+    richardson: dict
+    subsurface: list  # of every [[subsurface.*]]: dicts kind, body, points [n, 3], displacement [n, 3], stress [n, 6]
+    stress_maxima: list  # the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm)
+    bodies: Mapping  # {"wheel": Body, "rail": Body}; empty but for finite elements, where the file keeps them
     number: int = 0  # of the load point, from 0
     by_number: bool = False  # told apart by its number: steps of a history, prescribed forces
-    # of every [[subsurface.*]]: dicts kind, body, points [n, 3], displacement [n, 3], stress [n, 6]
-    subsurface: list = field(default_factory=list)
-    # the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm)
-    stress_maxima: list = field(default_factory=list)
-    # {"wheel": Body, "rail": Body}; empty but for finite elements, where the file keeps them
-    bodies: Mapping = field(default_factory=dict)
-    no_bar: dict = field(default_factory=dict)
-    model_errors: dict = field(default_factory=dict)
-    richardson: dict = field(default_factory=dict)  # values extrapolated to elements of size 0
 
     def __getitem__(self, name):
         return self.scalars[name]
 
     def bar(self, quantity):
         """The error bar of a quantity; None where it has none."""
-        if quantity not in self.errors and TWICE.get(quantity) in self.errors:
-            return 2 * self.errors[TWICE[quantity]]
-        return self.errors.get(quantity)
+        if quantity not in self.error_estimate and TWICE.get(quantity) in self.error_estimate:
+            return 2 * self.error_estimate[TWICE[quantity]]
+        return self.error_estimate.get(quantity)
 
     @property
     def creepages(self):
@@ -119,25 +114,27 @@ class Model:
     """All load points of one model on its contact grid; `x`, `y` are element centres in mm."""
 
     name: str
+    label: str  # what figures call it
+    key: str  # name of its group in results.h5: the name, and with profiles the patch
     seconds: dict
     unknowns: int
     contact_elements: int
     notes: list
+    model_error_source: str  # what the model errors were taken from, or why there are none
     x: np.ndarray
     y: np.ndarray
     dx: float
     dy: float
-    points: list
-    key: str = ""  # name of its group in results.h5: the name, and with profiles the patch
     # with profiles: where the patch is, a dict of wheel, position, patch, y_track (mm),
     # contact_angle (rad), ...; else None
-    place: dict = None
-    # {"wheel": Body, "rail": Body} of the last load point that has them (see Point.bodies); empty
-    # but for finite elements
-    bodies: Mapping = field(default_factory=dict)
-    label: str = ""  # what figures call it
-    model_error_source: str = ""  # what the model errors were taken from, or why there are none
+    place: dict
+    points: list
     _found: dict = field(default=None, repr=False, compare=False)  # points by key, made when first asked
+
+    @property
+    def bodies(self):
+        """{"wheel": Body, "rail": Body} of the last load point that has them; empty but for finite elements."""
+        return next((p.bodies for p in reversed(self.points) if p.bodies), {})
 
     @property
     def has_friction(self):
@@ -153,13 +150,9 @@ class Model:
         """The point with that key, (xi, eta, spin) in steady rolling; or None."""
         if self._found is None:
             self._found = {point.key: point for point in reversed(self.points)}
-        if key in self._found:
-            return self._found[key]
-        for point in self.points:
-            if len(point.key) == len(key) and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15)
-                                                  for a, b in zip(point.key, key)):
-                return point
-        return None
+        return self._found.get(key) or next(
+            (p for p in self.points if len(p.key) == len(key)
+             and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15) for a, b in zip(p.key, key))), None)
 
     def nearest(self, longitudinal_creepage):
         """The point whose xi is nearest."""
@@ -215,10 +208,7 @@ class Result:
 
     def model(self, name):
         """The (first) model of that name; KeyError when it is not part of the result."""
-        for model in self.models:
-            if model.name == name:
-                return model
-        raise KeyError(name)
+        return {model.name: model for model in reversed(self.models)}[name]
 
 
 def place_label(place):
@@ -246,24 +236,17 @@ def _texts(dataset):
     return [_plain(line) for line in dataset[()]] if dataset.shape != (0,) else []
 
 
-def _read_maxima(point):
-    if "stress_maxima" not in point:
-        return []
-    columns = {name: data[()] for name, data in point["stress_maxima"].items()}
-    return [{"body": _plain(body), "measure": _plain(measure), "value": float(value), "place": place}
-            for body, measure, value, place in zip(columns["body"], columns["measure"],
-                                                   columns["value"], columns["place"])]
-
-
 def _read_point(group, number, by_number, nodes):
-    bodies = Bodies(nodes, group["bodies"]) if nodes is not None and "bodies" in group else {}
-    fields = {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}
+    parts = [_attributes(group[name]) if name in group else {}
+             for name in ("error_estimate", "no_bar", "model_error", "richardson")]
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
-             for _, part in sorted(group["subsurface"].items())] if "subsurface" in group else []
-    said = {name: _attributes(group[name]) if name in group else {}
-            for name in ("error_estimate", "no_bar", "model_error", "richardson")}
-    return Point(_attributes(group), fields, said["error_estimate"], number, by_number, below, _read_maxima(group),
-                 bodies, said["no_bar"], said["model_error"], said["richardson"])
+             for _, part in sorted(group.get("subsurface", {}).items())]
+    maxima = {name: data[()] for name, data in group.get("stress_maxima", {}).items()}
+    largest = [{name: each if name == "place" else _plain(each) for name, each in zip(maxima, row)}
+               for row in zip(*maxima.values())]
+    return Point(_attributes(group), {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}, *parts, below,
+                 largest, Bodies(nodes, group["bodies"]) if nodes is not None and "bodies" in group else {}, number,
+                 by_number)
 
 
 def full_sliding(point, percent_of, friction):
@@ -276,54 +259,39 @@ def full_sliding(point, percent_of, friction):
 
 
 def _read_model(key, group, by_number):
-    grid = group["grid"]
-    name = _plain(group.attrs.get("model", key))
+    grid, about = group["grid"], _attributes(group)
+    name = about.get("model", key)
     place = _attributes(group["place"]) if "place" in group else None
     for count in ("position", "patch", "patches") if place else ():
         place[count] = int(place[count])
-    nodes = group.get("bodies")
     # Hertz has one point whatever the case asks for.
-    points = [_read_point(group["points"][key], number, by_number and name != "hertz", nodes)
-              for number, key in enumerate(sorted(group["points"]))]
-    bodies = next((p.bodies for p in reversed(points) if p.bodies), {})
-    return Model(name, _attributes(group["seconds"]), _plain(group.attrs["unknowns"]),
-                 _plain(group.attrs["contact_elements"]), _texts(group["notes"]),
-                 grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]),
-                 points, key, place, bodies, _plain(group.attrs.get("label", "")),
-                 _plain(group.attrs.get("model_error_source", "")))
-
-
-def _read_profiles(file):
-    if "profiles" not in file:
-        return {}
-    return {(_plain(group.attrs["wheel"]), _plain(group.attrs["position"])):
-            {part: group[part][()] for part in ("rail", "wheel")}
-            for group in file["profiles"].values()}
-
-
-def _read_quantities(file):
-    table = file["quantities"]
-    columns = [_texts(table[n]) for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
-    return {name: Quantity(*row) for name, *row in zip(*columns)}
+    points = [_read_point(group["points"][each], number, by_number and name != "hertz", group.get("bodies"))
+              for number, each in enumerate(sorted(group["points"]))]
+    return Model(name, about.get("label", ""), key, _attributes(group["seconds"]), about["unknowns"],
+                 about["contact_elements"], _texts(group["notes"]), about.get("model_error_source", ""),
+                 grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]), place, points)
 
 
 def _read_file(path, directory):
     with h5py.File(path, "r") as file:
-        if _plain(file.attrs.get("format", "")) != "rollfem results":
+        about = _attributes(file)
+        if about.get("format") != "rollfem results":
             raise ResultError(f"{path} is not a result of rollfem")
-        version = _plain(file.attrs.get("format_version", 0))
-        if version != FORMAT_VERSION:
-            raise ResultError(f"{path} has format version {version}, this program reads {FORMAT_VERSION}")
-        if _plain(file.attrs.get("complete", 0)) != 1:
+        if about.get("format_version", 0) != FORMAT_VERSION:
+            raise ResultError(f"{path} has format version {about.get('format_version', 0)}, this program reads "
+                              f"{FORMAT_VERSION}")
+        if about.get("complete") != 1:
             raise ResultError(f"{path} is incomplete, because writing it was interrupted; run the case again")
-        groups = sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))
         case = _attributes(file["case"])
-        by_number = bool(case.get("problem", "steady") in ("shift", "transient")
-                         or case.get("prescribed_forces", ""))
-        models = [_read_model(name, group, by_number) for name, group in groups]
-        return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]),
-                      case, _attributes(file["provenance"]), models,
-                      _read_quantities(file), _read_profiles(file))
+        by_number = bool(case.get("problem", "steady") in ("shift", "transient") or case.get("prescribed_forces", ""))
+        models = [_read_model(name, group, by_number) for name, group in
+                  sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))]
+        columns = [_texts(file["quantities"][n]) for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
+        profiles = {(_plain(group.attrs["wheel"]), _plain(group.attrs["position"])):
+                    {part: group[part][()] for part in ("rail", "wheel")} for group in file.get("profiles", {}).values()}
+        return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]), case,
+                      _attributes(file["provenance"]), models,
+                      {name: Quantity(*row) for name, *row in zip(*columns)}, profiles)
 
 
 def read_rows(path):

@@ -3,21 +3,91 @@ import os
 import re
 from html import escape
 
-from . import looks, places, selection, stresses, tables, wheelset
-from .chooser import chooser
-from .page import figure, made_by, write_page
-from .reader import place_label
+from . import curves, load_points, maps, positions, stresses, styles, tables
+from .page import draw_all, hint, made_by, section, write_page
+from .reader import place_label, read_result
 
-CONVENTIONS = """x is the rolling direction, and material enters the patch at large x (on the right of
+CONVENTIONS = section("Signs", """<p>x is the rolling direction, and material enters the patch at large x (on the right of
 the figures); y is lateral; z points into the wheel. Tractions and forces are those acting on the wheel.
 A positive longitudinal creepage ξ brakes the wheel and gives a negative F<sub>x</sub>; the traction
 coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises with ξ, and the figures draw
-−p<sub>x</sub> for the same reason. Slip is that of the wheel's surface relative to the rail."""
-
+−p<sub>x</sub> for the same reason. Slip is that of the wheel's surface relative to the rail.</p>""")
 
 BARS = ("±: uncertainty left by grid and solver, estimated by the model, in the unit of the value; a word in its place "
         "says why there is none (exact: a closed form; theory: an approximate theory). “model ±”: what the model "
         "neglects on any grid; the notes say how it was estimated.")
+
+# Of the figures of a patch: file name, caption, and the function of the result that draws it or returns None.
+OF_PATCH = (
+    ("creep_curve", "Creep curve: traction coefficient of every model with friction, and beside it the difference from "
+     "the reference model if there are several. Bars: error estimates.", curves.creep_curve),
+    *((f"path_{axis}", f"Along the middle line {across} = 0: contact pressure, and tangential traction under its bound "
+       "(thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two coincide the surfaces slip.",
+       lambda result, axis=axis: curves.path(result, axis)) for axis, across in ("xy", "yx")),
+    ("path_lateral", "Lateral traction along both middle lines. It vanishes along y = 0 where nothing drives the "
+     "material sideways and the patch is symmetric.", curves.lateral_paths),
+    ("strip_force", "Force per strip: pressure and tangential traction summed along rolling, for each mm of width. "
+     "Thin: the same strip sliding fully.", curves.strip_forces),
+    ("outlines", "Contact areas of all models overlaid, with the border between adhesion and slip of each; shaded: the "
+     "zones of the reference model. Material enters on the right.", maps.outlines),
+    ("contact_area", "Zones of adhesion and slip, model by model.", maps.contact_area))
+
+
+def captions(result):
+    """(file name, caption, function that draws it or returns None) of the figures of a patch."""
+    for name, caption, draw in OF_PATCH:
+        yield f"{name}.svg", caption, lambda draw=draw: draw(result)
+    for model in result.models:
+        what = ("px", "Pressure and tangential traction") if model.has_friction else ("pn", "Pressure")
+        yield (f"oblique_{what[0]}_{model.name}.svg", f"{what[1]} over the patch: {styles.label(model)}.",
+               lambda model=model: maps.oblique(result, model))
+    for number, kind, body in stresses.lines(result):
+        yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),
+               lambda number=number: stresses.of_request(result, number))
+
+
+def place_captions(result):
+    """The same for the figures before the patches, when wheel and rail have profiles."""
+    numbers = positions.positions(result)
+    for wheel, position in result.profiles:
+        if position in (numbers[0], numbers[-1]):
+            yield (f"pair_{wheel}_{position:.0f}.svg",
+                   f"The {wheel} wheel on its rail{positions.at_words(result, position)}, with the contact "
+                   "points. Right: the undeformed distance between the two around them.",
+                   lambda wheel=wheel, position=position: positions.pair(result, wheel, position))
+    yield ("wheelset.svg", "The wheelset over its lateral shift: rolling radii and contact angles, without a load "
+           "(lines) and under load (markers); equivalent conicity over the amplitude, from the wave of the free "
+           "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the wavelength.",
+           lambda: positions.wheelset(result))
+    yield ("positions.svg", "Over the positions: where wheel and rail touch, and the results at the first load "
+           "point. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
+           "wheel. Filled: left wheel, open: right wheel.", lambda: positions.sweep(result))
+
+
+# With more patches than this, each gets only the most telling figures.
+MOST_FULL = 8
+
+
+def _telling(scene):
+    """Beginnings of the names of the figures that every patch of a long row has."""
+    reference = load_points.reference_for_forces(scene) or load_points.reference_for_patch(scene)
+    return ("creep_curve", "path_x", "path_y", "outlines", "stress_",
+            *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
+
+
+def all_captions(result):
+    """Of a whole run: the places of the patches, then the figures of each patch, whose names begin
+    with s1_, s2_, ... when there are several."""
+    scenes = result.scenes()
+    if result.models and result.models[0].place:
+        yield from place_captions(result)
+    for number, (label, scene) in enumerate(scenes, 1):
+        for name, caption, draw in captions(scene):
+            if len(scenes) > MOST_FULL and not name.startswith(_telling(scene)):
+                continue
+            if len(scenes) > 1:
+                name, caption = f"s{number}_{name}", f"{label[0].upper()}{label[1:]}. {caption}"
+            yield name, caption, draw
 
 
 # What is in contact and under what load, by a key that only such a case has; the last where no other fits.
@@ -56,53 +126,36 @@ def asked(result):
 
 
 def _numbers(result):
-    reference = selection.reference_for_patch(result)
+    reference = load_points.reference_for_patch(result)
     if reference is None:
         return "<p>No model was run.</p>"
-    html = ["<h2>Patch and pressure</h2>", tables.patch_table(result), tables.published_table(result),
-            f"<p class=hint>Small percentages: difference from {escape(looks.label(reference))}, relative to its value; "
-            f"bold: more than both error bars allow. {BARS}</p>"]
-    failed = [f"{looks.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
+    failed = [f"{styles.label(m)} at ξ = {tables.plain(100 * p['longitudinal_creepage'])} %"
               for m in result.models for p in m.points if not p["converged"]]
-    if failed:
-        html.insert(0, f"<p class=bad>Not converged: {escape('; '.join(failed))}. These numbers "
-                    "cannot be trusted.</p>")
-    return "".join(html)
+    bad = f"<p class=bad>Not converged: {escape('; '.join(failed))}. These numbers cannot be trusted.</p>"
+    return bad * bool(failed) + section(
+        "Patch and pressure", tables.patch_table(result), tables.published_table(result),
+        hint(f"Small percentages: difference from {escape(styles.label(reference))}, relative to its value; "
+             f"bold: more than both error bars allow. {BARS}"))
 
 
 def _forces(result, creep_curve):
-    reference = selection.reference_for_forces(result)
+    reference = load_points.reference_for_forces(result)
     if reference is None:
         return ""
-    models = selection.friction_models(result)
+    models = load_points.friction_models(result)
+    count = len(load_points.all_keys(models))
+    said = f"Small percentages: difference from {escape(styles.label(reference))}, in percent of full sliding " \
+        "(μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow." if len(models) > 1 else ""
+    said += tables.shared_creepage(models)
+    if count > load_points.MOST_ROWS:
+        said += f" {load_points.MOST_ROWS} of {count} load points; all are in creep_curve.csv."
     points = [p for m in models for p in m.points]
-    shared = tables.shared_creepage(models)
-    count = len(selection.all_keys(models))
-    if count > selection.MOST_ROWS:
-        shared += f" {selection.MOST_ROWS} of {count} load points; all are in creep_curve.csv."
-    note = ""
-    if len(models) > 1:
-        note = (f"Small percentages: difference from {escape(looks.label(reference))}, in percent of full "
-                "sliding (μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow.")
-    hint = f"<p class=hint>{note}{shared}</p>" if note or shared else ""
-    html = ["<h2>Traction coefficient −F<sub>x</sub>/F<sub>z</sub></h2>",
-            tables.creepage_table(result, "traction_coefficient"), hint, creep_curve,
-            "<h2>Largest tangential traction |p<sub>x</sub>| [MPa]</h2>",
-            tables.creepage_table(result, "max_traction_x")]
     largest = max(abs(p["normal_force"]) for p in points)
-    if any(abs(p["lateral_force"]) > 1e-4 * largest for p in points):
-        html += ["<h2>Lateral force F<sub>y</sub> [N]</h2>",
-                 tables.creepage_table(result, "lateral_force")]
-    return "".join(html)
-
-
-def _stresses(result, images):
-    largest = stresses.maxima_table(result)
-    if not largest and not images:
-        return ""
-    hint = ("<p class=hint>Over all load points. ±: the model's own error estimate. Places x, y, z; z "
-            "points into the wheel.</p>")
-    return "<h2>Stress in the bodies</h2>" + (largest + hint if largest else "") + images
+    lateral = any(abs(p["lateral_force"]) > 1e-4 * largest for p in points)
+    return "".join(section(heading, tables.creepage_table(result, quantity), *more) for heading, quantity, *more in (
+        ("Traction coefficient −F<sub>x</sub>/F<sub>z</sub>", "traction_coefficient", hint(said), creep_curve),
+        ("Largest tangential traction |p<sub>x</sub>| [MPa]", "max_traction_x"),
+        ("Lateral force F<sub>y</sub> [N]", "lateral_force"))[:3 if lateral else 2])
 
 
 def notes(result):
@@ -111,7 +164,7 @@ def notes(result):
     said = {}
     for model in result.models:
         for note in model.notes + [f"model error: {model.model_error_source}"] * bool(model.model_error_source):
-            words = looks.label(model), re.sub(r"[-+]?\d+(\.\d*)?(e[-+]?\d+)?", "", note)
+            words = styles.label(model), re.sub(r"[-+]?\d+(\.\d*)?(e[-+]?\d+)?", "", note)
             said.setdefault(words, [note, set()])
             if note != said[words][0]:
                 said[words][1].add(model.key)
@@ -120,29 +173,23 @@ def notes(result):
         more = "" if not others else " (and another patch with other numbers)" if len(others) == 1 else (
             f" (and {len(others)} other patches with other numbers)")
         rows.append(f"<li>{escape(name)}: {escape(note + more)}</li>")
-    return "<h2>Notes on the models</h2><ul>" + "".join(rows) + "</ul>" if rows else ""
+    return section("Notes on the models", "<ul>" + "".join(rows) + "</ul>" if rows else "")
 
 
-def _details(result):
-    return "".join(f"<details><summary>all numbers of {escape(looks.label(m))}"
-                   f"{', ' if m.place else ''}{escape(place_label(m.place))}</summary>"
-                   f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
-
-
-def lower(html):
-    """The HTML with every heading one level lower."""
-    for level in (3, 2):
-        html = html.replace(f"<h{level}>", f"<h{level + 1}>").replace(f"</h{level}>", f"</h{level + 1}>")
-    return html
+def lower(html, levels=1):
+    """The HTML with every heading so many levels lower."""
+    return re.sub(r"(</?h)([23])>", lambda found: f"{found[1]}{int(found[2]) + levels}>", html)
 
 
 def _patch(scene, images, heading):
-    """Everything about one patch; `images(start)` gives its figures whose names begin so."""
-    tractions = images("path", "strip_force", "oblique")
-    html = [_numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_curve")),
-            "<h2>Tractions in the patch</h2>" if tractions else "", tractions, _stresses(scene, images("stress_"))]
-    text = "".join(html)
-    return f"<h3>{escape(heading)}</h3>" + lower(lower(text)) if heading else text
+    """Everything about one patch with its figures (page.Drawn)."""
+    largest = stresses.maxima_table(scene)
+    html = "".join([
+        _numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_curve")),
+        section("Tractions in the patch", images("path", "strip_force", "oblique")),
+        section("Stress in the bodies", largest, hint("Over all load points. ±: the model's own error estimate. Places x, "
+                                                      "y, z; z points into the wheel.") * bool(largest), images("stress_"))])
+    return f"<h3>{escape(heading)}</h3>" + lower(html, 2) if heading else html
 
 
 # Of so many patches the printer gets all.
@@ -151,46 +198,71 @@ MOST_PRINTED = 4
 
 def patches(result, figures, name="patch"):
     """The patch; one of several is shown, which the reader chooses. `name`: of the choice."""
-    scenes = result.scenes()
+    if len(result.scenes()) < 2:
+        return "".join(_patch(scene, figures, "") for _, scene in result.scenes())
     articles = []
-    for number, (label, scene) in enumerate(scenes, 1):
-        prefix = f"s{number}_" if len(scenes) > 1 else ""
+    for number, (label, scene) in enumerate(result.scenes(), 1):
+        words = positions.at_words(result, scene.models[0].place["position"])
+        articles.append(_patch(scene, figures.under(f"s{number}_"), label[0].upper() + label[1:] + ("," + words if words else "")))
+    return section("The patches", _chooser(result, articles, name))
 
-        def images(*starts, prefix=prefix):
-            return "".join(figure(f) for f in figures if f.name.startswith(tuple(prefix + s for s in starts)))
 
-        words = places.at_words(result, scene.models[0].place["position"]) if len(scenes) > 1 else ""
-        words = f",{words}" if words else ""
-        articles.append(_patch(scene, images, label[0].upper() + label[1:] + words if words or prefix else ""))
-    if len(scenes) < 2:
-        return "".join(articles)
-    return "<h2>The patches</h2>" + chooser(result, scenes, articles, name, len(scenes) <= MOST_PRINTED)
+def _chooser(result, articles, name):
+    """One of many patches shown at a time, chosen in a table of positions and wheels; without a script. `articles`: HTML
+    of each of the scenes; `name`: of the choice, unlike others of the page."""
+    inputs, rules, parts, cells = [], [], [], {}
+    for number, ((label, scene), article) in enumerate(zip(result.scenes(), articles), 1):
+        this, place = f"{name}{number}", scene.models[0].place
+        cells.setdefault((place["position"], place["wheel"]), []).append(f'<label for="{this}">{place["patch"]:.0f}</label>')
+        inputs.append(f'<input type=radio class=pick name="{name}" id="{this}" aria-label="{escape(label)}"'
+                      f'{" checked" if number == 1 else ""}>')
+        rules.append(f"#{this}:checked~#of-{this}{{display:block}}"
+                     f"#{this}:checked~.chooser [for={this}]{{background:var(--accent);color:var(--ground)}}"
+                     f"#{this}:focus-visible~.chooser [for={this}]{{outline:2px solid var(--ink)}}")
+        parts.append(f'<article class=patch id="of-{this}">{article}</article>')
+    if len(articles) <= MOST_PRINTED:
+        rules.append("@media print{.patch{display:block}}")
+    at, label = positions.along(result)
+    numbers = sorted({position for position, _ in cells})
+    table = tables.table([escape(label.replace(" of the wheelset", "")), *(tables.plain(at[n]) for n in numbers)],
+                         [[f"{wheel} wheel", *("".join(cells.get((n, wheel), ["–"])) for n in numbers)]
+                          for wheel in ("left", "right") if any(key[1] == wheel for key in cells)],
+                         frame="chooser", name="choose a patch")
+    return (f"<section aria-label=\"Patches\"><style>{''.join(rules)}</style>{''.join(inputs)}"
+            "<p class=hint>Choose a patch (1: the most loaded of its wheel); arrow keys go along the row.</p>"
+            f"{table}{''.join(parts)}</section>")
 
 
 def touching(result, figures):
     """The section on where wheel and rail touch, for profiles; otherwise empty."""
     if not (result.models and result.models[0].place):
         return ""
-    row = wheelset.table_of_run(result)
-    shift = "".join(figure(f) for f in figures if f.name == "wheelset.svg")
-    return ((f"<h2>Wheelset over lateral shift</h2>{row}{shift}" if row else "")
-            + "<h2>Where wheel and rail touch</h2>" + places.contact_table(result)
-            + "<p class=hint>Track: y to the right, positive angles rise to the flange; profile "
-            "coordinates: y to the field side. Forces and pressures at the first load point.</p>"
-            + "".join(figure(f) for f in figures if f.name.startswith(("pair_", "positions"))))
+    row = positions.wheelset_table(result)
+    return section("Wheelset over lateral shift", row, figures("wheelset.svg")) * bool(row) + section(
+        "Where wheel and rail touch", positions.contact_table(result),
+        hint("Track: y to the right, positive angles rise to the flange; profile coordinates: y to the field side. Forces "
+             "and pressures at the first load point."), figures("pair_", "positions"))
 
 
-def write_report(result, figures):
-    """Writes report.html; `figures` are what is drawn (build.Drawn)."""
+def build(directory, reference=""):
+    """Draws and writes the report of a folder; returns its result and figures (page.Drawn); those for which it has no data are left out. `reference`: name
+    of the model that the others are compared with, where it is there."""
+    result = read_result(directory)
+    result.reference = reference
+    styles.know({model.name: model.label for model in result.models})
+    figures = draw_all(all_captions(result), result.directory)
     made = result.provenance
-    title = escape(result.title or result.case_file or "rollfem result")
-    write_page(os.path.join(result.directory, "report.html"), title, made_by(made, made), [
-        asked(result), touching(result, figures), patches(result, figures), "<h2>Cost</h2>", tables.cost_table(result),
-        notes(result), "<h2>Signs</h2><p>", CONVENTIONS, "</p>",
-        "<div class=screen><h2>Every load point</h2>", _details(result), "</div>"],
+    details = "".join(f"<details><summary>all numbers of {escape(styles.label(m))}"
+                      f"{', ' if m.place else ''}{escape(place_label(m.place))}</summary>"
+                      f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
+    write_page(os.path.join(result.directory, "report.html"),
+               escape(result.title or result.case_file or "rollfem result"), made_by(made, made), [
+        asked(result), touching(result, figures), patches(result, figures), section("Cost", tables.cost_table(result)),
+        notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"],
         "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
         "wheelset.csv (for a row of shifts), path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
         "ParaView), figures/.")
+    return result, figures
 
 
 # Replacements that turn a verdict for the terminal into HTML.
@@ -201,6 +273,6 @@ def verdict(text):
     """The verdict of a comparison or study, models by the names that figures and tables have."""
     text = escape(text)
     for pattern, look in LOOKS + [(rf"(?<![\w.-]){name}(?![\w-])", label)
-                                  for name, label in looks.LABELS.items()]:
+                                  for name, label in styles.LABELS.items()]:
         text = re.sub(pattern, look, text)
     return f"<p class=say>{text}</p>" if text else ""

@@ -1,82 +1,305 @@
-"""stress.html: what `rollfem stress` found, at all load points that were asked for."""
+"""stress.html: what `rollfem stress` found, at all load points that were asked for: depth profiles, lines, planes and the
+shakedown map."""
+import math
 import os
 from html import escape
 
-from . import looks, words
-from .build import draw_all
-from .figure import folder_of
-from .page import figure, write_page
+import numpy as np
+
+from . import labels, load_points, stresses, styles
+from .figure import Figure
+from .outline import at_points, contour_lines
+from .page import draw_all, hint, section, write_page
+from .panel import nice_step
 from .stress_reader import read_stress
-from .stress_report import figures, load_point
-from .stresses import largest_cell, largest_table
+from .stresses import MEASURES
 from .tables import number, plain, table
+
+DASHES = [(), (7.5, 2.3), (1.5, 1.5), (6, 1.5, 1.5, 1.5)]
+# Load points of one model beside each other: the colours, from the first on.
+POINT_COLOURS = ["blue", "red", "green", "pink", "amber", "sky", "brown", "violet", "wine", "forest"]
+MOST_FIGURES = 40  # of each kind
+
+
+def load_point(model):
+    """Which load point of the model is drawn."""
+    key = tuple(model.data[name] for name in ("longitudinal_creepage", "lateral_creepage", "spin"))
+    return f"step {model.data['step']}" if model.data["step"] else load_points.key_texts([key])[0][key]
+
+
+def entry_name(result, model):
+    """What tells one entry from the others: its model, its load point, or both."""
+    models, points = ({key(m) for m in result.models} for key in (styles.label, load_point))
+    return ", ".join(([styles.label(model)] if len(models) > 1 or len(points) < 2 else [])
+                     + ([load_point(model)] if len(points) > 1 else []))
+
+
+def _shared(result):
+    """The load point that all share, or empty."""
+    points = {load_point(m) for m in result.models}
+    return points.pop() if len(points) == 1 else ""
+
+
+def _by_name(result, prefix):
+    """{(name, body): [(number, model, set)]} of the sets whose names begin so, of some of the names, in order."""
+    names = dict.fromkeys(s.name for m in result.models for s in m.sets if s.name.startswith(prefix))
+    found = {(name, body): [(k, m, m.set(name, body)) for k, m in enumerate(result.models) if m.set(name, body)]
+             for name in list(names)[:MOST_FIGURES] for body in ("wheel", "rail")}
+    return {key: sets for key, sets in found.items() if sets}
+
+
+def depth_profile(result, by_body):
+    """Stresses down from the surface, one panel for each body: {body: sets (_by_name)}."""
+    figure, said = Figure(2), []
+    for _, label, ink in MEASURES:
+        figure.entry(label, ink)
+    for body, parts in by_body.items():
+        under = [f"{v:.2f}".replace("-", "−") if abs(v) >= 5e-3 else "0" for v in (parts[0][2][c][0] for c in "xy")]
+        panel = figure.add(270, 300, f"{body}, under x = {under[0]}, y = {under[1]} mm", "stress [MPa]",
+                           "depth below the surface [mm]")
+        panel.y.flipped, panel.y.limits, panel.y.margin = True, (0.0, None), 0.0
+        panel.level(0, dash=(), upright=True)
+        for place, model, part in parts:
+            for column, _, ink in MEASURES:
+                panel.line(part[column], part["distance"], ink, 1.6, DASHES[place % len(DASHES)])
+            deep = int(np.argmax(part["von_mises"]))
+            said.append(f"{styles.label(model)}, {body}, {load_point(model)}: von Mises up to "
+                        f"{part['von_mises'][deep]:.4g} MPa, {part['distance'][deep]:.3g} mm deep")
+    for place, model in enumerate(result.models if len(result.models) > 1 else ()):
+        figure.entry(entry_name(result, model), "ink", DASHES[place % len(DASHES)])
+    figure.entry(_shared(result))
+    return figure.tell("Stress against depth: ", said)
+
+
+def _looks(result):
+    """A look of each entry: of its model where they differ in that, else a colour for each load point."""
+    if len({m.name for m in result.models}) == len(result.models):
+        return [styles.line(m) for m in result.models]
+    names, points = (list(dict.fromkeys(map(of, result.models))) for of in (lambda m: m.name, load_point))
+    return [{"colour": POINT_COLOURS[points.index(load_point(m)) % len(POINT_COLOURS)],
+             "dash": DASHES[names.index(m.name) % len(DASHES)]} for m in result.models]
+
+
+def along_line(result, body, parts):
+    """Four measures along a line, every model and load point in a look of its own."""
+    looks = _looks(result)
+    return stresses.along_line(
+        [({**looks[place], "name": entry_name(result, model)}, np.stack([part[axis] for axis in "xyz"], axis=1),
+          part.columns) for place, model, part in parts],
+        ", ".join(filter(None, (f"in the {body}", _shared(result)))))
+
+
+def _lattice(part):
+    """In-plane coordinates [across, along] of a plane, with their labels: that of the global frame
+    for a side that follows an axis, else the distance along it; of a skew parallelogram the
+    distance across its first side."""
+    points = np.array([part[c].reshape(part.shape) for c in ("x", "y", "z")])
+    offset = points - points[:, :1, :1]
+    sides, found = [], []
+    for change, name in ((offset[:, 0, -1], "first side [mm]"), (offset[:, -1, 0], "second side [mm]")):
+        side = change / np.linalg.norm(change)
+        axis = int(np.argmax(np.abs(side)))
+        if abs(side[axis]) > 0.999999:
+            found.append((axis, points[axis], f"${'xyz'[axis]}$ [mm]"))
+        else:
+            found.append((-1, np.tensordot(side, offset, 1), name))
+        sides.append(side)
+    if abs(np.dot(*sides)) > 1e-6:
+        along = np.tensordot(sides[0], offset, 1)
+        across = np.linalg.norm(offset - sides[0][:, None, None] * along, axis=0)
+        return along, across, "first side [mm]", "across it [mm]"
+    if found[0][0] > found[1][0] >= 0:  # x to the right, z up
+        found.reverse()
+    return found[0][1], found[1][1], found[0][2], found[1][2]
+
+
+# The colour map viridis, in steps; and where on it the words are white.
+VIRIDIS = ("#440154 #481b6d #46327e #3f4788 #365c8d #2e6e8e #277f8e #21918c #1fa187 #2db27d #4ac16d #73d056 "
+           "#a0da39 #d0e11c #fde725").split()
+
+
+def _shade(number, levels):
+    return VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
+
+
+def _filled(panel, right, up, values):
+    """Areas above ever higher levels over each other. The lattice may be askew: levels are found over the
+    numbers of its points. Returns the levels."""
+    low, high = float(values.min()), float(values.max())
+    step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
+    first = math.floor(low / step + 1e-9)
+    levels = [step * n for n in range(first, first + len(VIRIDIS)) if step * n < high]
+    rows, columns = values.shape
+    # A ring around, beyond the border, closes the lines; the border cuts it off.
+    x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)
+    x[[0, -1]], y[[0, -1]] = (-1e-3, columns - 1 + 1e-3), (-1e-3, rows - 1 + 1e-3)
+    wide = np.pad(values, 1, constant_values=low - 1e3 * (high - low or 1.0))
+    panel.area([_edge(right, up)], VIRIDIS[0])
+    for place, level in enumerate(levels[1:], 1):
+        rings = contour_lines(x, y, wide, level)
+        panel.area([np.stack([at_points(np.arange(columns), np.arange(rows), part, ring)
+                              for part in (right, up)], axis=1) for ring in rings], _shade(place, levels))
+    return levels, step
+
+
+def _edge(right, up):
+    """The border of a lattice."""
+    return np.concatenate([np.stack([part[side] for part in (right, up)], axis=1) for side in (
+        np.s_[0, :], np.s_[1:, -1], np.s_[-1, -2::-1], np.s_[-2:0:-1, 0])])
+
+
+def _scale(figure, levels, step, height):
+    """A panel with the colours of the levels."""
+    panel = figure.add(14, height, " ")
+    panel.x.ticks, panel.x.limits, panel.room_left = [], (0.0, 1.0), 34
+    panel.y.limits = (levels[0], levels[-1] + step)
+    for place, level in enumerate(levels):
+        panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], _shade(place, levels))
+
+
+def plane(model, part):
+    """Filled contours of four measures on a plane."""
+    right, up, right_label, up_label = _lattice(part)
+    figure = Figure(4, f"{styles.label(model)}, {part.body}, {load_point(model)}", in_rows=True)
+    wide, high = np.ptp(right), max(np.ptp(up), 1e-9)
+    for column, label, _ in MEASURES:
+        values = part[column].reshape(part.shape)
+        panel = figure.add(min(300.0, 330.0 * wide / high), 0, f"{label} stress [MPa]", right_label, up_label, equal=True)
+        panel.x.limits, panel.y.limits = (right.min(), right.max()), (up.min(), up.min() + high)
+        levels, step = _filled(panel, right, up, values)
+        peak = np.unravel_index(np.argmax(values), values.shape)
+        for ink, size in (("ground", 4.4), ("ink", 3.6)) if column != "hydrostatic" else ():
+            panel.spots([(right[peak], up[peak])], colour=ink, marker="x", size=size, order=4)
+        panel.fit()
+        _scale(figure, levels, step, panel.height)
+    return figure.tell(f"Stress in the {part.body} on a plane, {styles.label(model)}: ", [
+        f"{label} from {part[column].min():.4g} to {part[column].max():.4g} MPa" for column, label, _ in MEASURES])
+
+
+KINDS = (("line", (7.5, 3), "line contact"), ("circle", (1.5, 1.5), "circular contact"))
+
+
+def _curves(result):
+    """{key of a model: (model, its shakedown at all load points, numbers of those that were asked for)}."""
+    return {m.key: (m, m.data["shakedown"], [other.data["point"] for other in result.models if other.key == m.key])
+            for m in result.models}
+
+
+def shakedown_map(result):
+    """Load factor against tangential coefficient: boundaries of line and circular contact, and every
+    load point of every model. None without a yield stress."""
+    bounds = result.shakedown_map
+    if bounds is None:
+        return None
+    figure = Figure(1)
+    panel = figure.add(440, 300, f"yield stress in shear $k$ = {result.yield_shear_stress:.4g} MPa",
+                       "tangential force over normal force $T/F_z$ [-]", "load factor $p_0/k$ [-]")
+    at, curves = bounds["tangential_coefficient"], _curves(result)
+    top = max([5.2] + [1.15 * p["load_factor"] for _, curve, _ in curves.values() for p in curve])
+    panel.x.limits, panel.y.limits = (0.0, max(at)), (0.0, top)
+    if "ellipse_shakedown" in bounds:
+        panel.line(at, bounds["ellipse_shakedown"], "ink", 1.8,
+                   name=f"shakedown limit of the ellipse, $b/a$ = {bounds['ellipse_ratio']:.3g}")
+    for kind, dash, name in KINDS:
+        panel.line(at, bounds[f"{kind}_shakedown"], "soft", 1.1, dash, name=f"shakedown limit, {name}")
+        panel.line(at, bounds[f"{kind}_elastic"], "sky", 1.1, dash, name=f"elastic limit, {name}")
+    said = []
+    for size, (model, curve, asked) in zip((4.5, 3.2, 2.6, 2.2) * len(curves), curves.values()):
+        look = {**styles.line(model, True), "size": size}  # models that agree stay visible
+        spots = [(p["tangential_coefficient"], p["load_factor"]) for p in curve]
+        chosen = [spots[number_ - 1] for number_ in asked]
+        panel.spots(spots, True, hollow=True, order=4, **{**look, "name": ""})
+        panel.spots(chosen, order=5, **{**look, "name": ""})
+        figure.entry(f"{look['name']} (filled: the load points of the stresses)", look["colour"], look["dash"],
+                     marker=look["marker"])
+        said += [f"{look['name']} at {x:.3g}, {y:.3g}" for x, y in chosen]
+    panel.text(0.012, 0.3, "elastic")
+    if top < 6:  # else there is no room between the limits
+        panel.text(0.008, 3.2, "elastic shakedown")
+    panel.text(0.97, 0.93, "plastic flow at every pass", "end", share=(True, True))
+    return figure.tell("Shakedown map, tangential force over normal force against the load factor: ",
+                       said + ["the words beside it say in which region they are"])
+
+
+def figures(result):
+    """(file name, caption, function that makes the figure or returns None) of everything."""
+    yield "shakedown_map.svg", "Shakedown map.", lambda: shakedown_map(result)
+    depths = {}
+    for (name, body), parts in _by_name(result, "depth_").items():
+        depths.setdefault(name, {})[body] = parts
+    for name, by_body in depths.items():
+        yield (f"{name}.svg", "Stress against depth under the " + name[6:].replace("_", " ") + " of the patch.",
+               lambda by_body=by_body: depth_profile(result, by_body))
+    for (name, body), parts in _by_name(result, "line_").items():
+        yield (f"{name}_{body}.svg", f"Stress in the {body} along {name.replace('_', ' ')}.",
+               lambda body=body, parts=parts: along_line(result, body, parts))
+    several = len({m.key for m in result.models}) < len(result.models)
+    for (name, body), parts in _by_name(result, "plane_").items():
+        for _, model, part in parts:
+            yield (f"{name}_{body}_{model.name}" + f"_{model.data['point']}" * several + ".svg",
+                   f"Stress in the {body} on {name.replace('_', ' ')}; cross: the largest.",
+                   lambda model=model, part=part: plane(model, part))
+
 
 REGIONS = {"elastic": "nothing yields", "elastic shakedown": "yields at first, then residual stresses keep "
            "every further pass elastic", "beyond shakedown": "plastic flow at every pass"}
 
 
-def _heads(result):
-    return [words.html(f"{looks.label(m)}, {load_point(m)}") for m in result.models]
-
-
-def _largest(result):
+def _largest(result, heads):
     """The largest stresses of both bodies, a column for each model and load point."""
     def cell(column, body, measure):
         for found in result.models[column].data["maxima"]:
             if (found["body"], found["measure"]) == (body, measure):
                 over = f", {number(found['over_max_pressure'], 3)} p<sub>0</sub>" if "over_max_pressure" in found else ""
-                return largest_cell(found["value"], found.get("error_estimate", found.get("no_bar", "")),
-                                    found["place"], over)
+                return stresses.largest_cell(found["value"], found.get("error_estimate", found.get("no_bar", "")),
+                                             found["place"], over)
         return None
 
-    return largest_table(_heads(result), cell)
+    return stresses.largest_table(heads, cell)
 
 
-def _contacts(result):
+def _contacts(result, heads):
     columns = (("normal_force", 6), ("max_pressure", 5), ("max_traction", 4), ("tangential_coefficient", 4))
-    rows = [[head, *(number(m.data[name], digits) for name, digits in columns)]
-            for head, m in zip(_heads(result), result.models)]
     return table(["load point", "F<sub>z</sub> [N]", "p<sub>0</sub> [MPa]", "largest |p<sub>t</sub>| [MPa]",
-                  "T/F<sub>z</sub>"], rows)
+                  "T/F<sub>z</sub>"],
+                 [[head, *(number(m.data[name], digits) for name, digits in columns)]
+                  for head, m in zip(heads, result.models)])
 
 
-def _verdicts(result):
+def _verdicts(result, image):
     """One verdict of shakedown for every load point of every model; nothing without a yield stress."""
     if result.yield_shear_stress is None:
         return ""
-    html = [f"<h2>Shakedown, k = {number(result.yield_shear_stress, 4)} MPa</h2>"]
-    for model in {m.key: m for m in result.models}.values():
-        chosen = {m.data["point"] for m in result.models if m.key == model.key}
-        curve = model.data["shakedown"]
-        for point in (p for p in curve if p["point"] in chosen):
+    html = []
+    for model, curve, asked in _curves(result).values():
+        for point in (p for p in curve if p["point"] in asked):
             verdict = point["verdict"]
-            html.append(f"<p class={'bad' if verdict.startswith('beyond') else 'say'}>{escape(looks.label(model))}, "
+            html.append(f"<p class={'bad' if verdict.startswith('beyond') else 'say'}>{escape(styles.label(model))}, "
                         f"ξ = {plain(100 * point['longitudinal_creepage'])} %: {verdict}; {REGIONS[verdict]}.</p>")
         rows = [[plain(100 * p["longitudinal_creepage"]), number(p["tangential_coefficient"], 4),
                  number(p["load_factor"], 4), number(p["ellipse"]["shakedown"], 4),
                  number(p.get("yield_ratio"), 4), number(p["surface_fatigue_index"], 3), p["verdict"]] for p in curve]
-        html.append(table([f"{escape(looks.label(model))}: ξ [%]", "T/F<sub>z</sub>", "p<sub>0</sub>/k",
+        html.append(table([f"{escape(styles.label(model))}: ξ [%]", "T/F<sub>z</sub>", "p<sub>0</sub>/k",
                            "shakedown limit", "σ<sub>v</sub>/(√3 k)", "surface fatigue index", "verdict"], rows))
     ratio = result.models[0].data["shakedown"][0]["ellipse"]["ratio"]
-    html.append(f"<p class=hint>The limit is that of an ellipse b/a = {number(ratio, 3)}, like the patch, in full slip: "
-                "there the largest shear on planes parallel to the surface is k. First yield is judged by the largest "
-                "von Mises stress σ<sub>v</sub> of this contact if known, otherwise by the lower of the elastic "
-                "limits of line and circle.</p>")
-    return "".join(html)
+    return section(f"Shakedown, k = {number(result.yield_shear_stress, 4)} MPa", *html, hint(
+        f"The limit is that of an ellipse b/a = {number(ratio, 3)}, like the patch, in full slip: "
+        "there the largest shear on planes parallel to the surface is k. First yield is judged by the largest "
+        "von Mises stress σ<sub>v</sub> of this contact if known, otherwise by the lower of the elastic "
+        "limits of line and circle."), image)
 
 
 def build(path):
     """Draws what stands with stress.json to figures/ beside it and writes stress.html."""
     directory = os.path.dirname(os.path.abspath(path))
     result = read_stress(directory)
-    looks.know({model.name: model.label for model in result.models})
-    drawn = draw_all(figures(result), folder_of(directory))
-    title = "Stress below the surface: " + escape(result.title)
-    maps = [f for f in drawn if f.name.startswith("shakedown")]
-    below = "".join(map(figure, (f for f in drawn if f not in maps)))
-    write_page(os.path.join(directory, "stress.html"), title, f"from <code>{escape(result.source)}</code>", [
-        "<h2>Load points</h2>", _contacts(result), "<h2>Largest stresses</h2>", _largest(result),
-        "<p class=hint>±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
-        "the wheel). Tension is positive.</p>",
-        _verdicts(result), *map(figure, maps), "<h2>Lines and planes</h2>" + below if below else ""],
+    styles.know({model.name: model.label for model in result.models})
+    drawn = draw_all(figures(result), directory)
+    heads = [labels.html(f"{styles.label(m)}, {load_point(m)}") for m in result.models]
+    write_page(os.path.join(directory, "stress.html"), "Stress below the surface: " + escape(result.title),
+               f"from <code>{escape(result.source)}</code>", [
+        section("Load points", _contacts(result, heads)), "<h2>Largest stresses</h2>", _largest(result, heads),
+        hint("±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
+             "the wheel). Tension is positive."),
+        _verdicts(result, drawn("shakedown")), section("Lines and planes", drawn("depth_", "line_", "plane_"))],
         "Also in this folder: stress.csv with every place, stress.json, figures/.")

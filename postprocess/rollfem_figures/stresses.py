@@ -1,11 +1,10 @@
 """Stress in the bodies: measures, curves along lines and the table of the largest values, of a run as of
 `rollfem stress`."""
-from dataclasses import dataclass
 from html import escape
 
 import numpy as np
 
-from . import keys, looks, selection
+from . import load_points, styles
 from .figure import Figure
 from .tables import measured, number, plain, table
 
@@ -30,17 +29,6 @@ def measures(stress):
     }
 
 
-@dataclass
-class Curve:
-    """What is drawn along a line: name in the legend ("" where it is the heading), look of the curve, places [n, 3], and
-    arrays by measure."""
-
-    name: str
-    look: dict
-    points: np.ndarray
-    values: dict
-
-
 def _position(points):
     """Where the points are along their line: (values, axis label)."""
     change = points[-1] - points[0]
@@ -57,53 +45,40 @@ def _position(points):
 
 
 def along_line(curves, heading):
-    """Four measures along a line; `heading`: what the curves share."""
+    """Four measures along a line; `curves`: look with a name, places [n, 3], arrays by measure; `heading`: what they
+    share."""
     figure = Figure(2)
-    axis_label = _position(curves[0].points)[1]
-    figure.charts((300, 165), [
+    axis_label = _position(curves[0][1])[1]
+    panels = figure.charts((300, 165), [
         (f"{label} stress", axis_label, "[MPa]", 0.0,
-         [(_position(curve.points)[0], curve.values[name], curve.look) for curve in curves])
-        for name, label, _ in MEASURES])
-    for panel in figure.panels:
+         [(_position(points)[0], values[name], look) for look, points, values in curves]) for name, label, _ in MEASURES])
+    for panel in panels:
         panel.x.margin, panel.y.limits = 0.0, (0.0, None)
-    figure.panels[-1].y.limits = (None, None)
-    figure.panels[-1].level(0, dash=())
-    for curve in curves:
-        if curve.name:
-            figure.entry(curve.name, curve.look["colour"], curve.look["dash"])
+    panels[-1].y.limits = (None, None)
+    panels[-1].level(0, dash=())
     figure.entry(heading)
-    figure.seen = f"Stress {heading}, along {axis_label}: " + "; ".join(
-        f"{curve.name} von Mises up to {curve.values['von_mises'].max():.4g} MPa".strip() for curve in curves) + "."
-    return figure
+    return figure.tell(f"Stress {heading}, along {axis_label}: ", [
+        f"{look['name']} von Mises up to {values['von_mises'].max():.4g} MPa" for look, _, values in curves])
 
 
 def lines(result):
     """(number in the case from 0, kind, body) of every request that is a line or follows a surface."""
-    found = {}
-    for model in result.models:
-        for point in model.points:
-            for k, part in enumerate(point.subsurface):
-                if part["kind"] in ("line", "surface"):
-                    found[k] = (k, part["kind"], part["body"])
+    found = {k: (k, part["kind"], part["body"]) for model in result.models for point in model.points
+             for k, part in enumerate(point.subsurface) if part["kind"] in ("line", "surface")}
     return [found[k] for k in sorted(found)]
 
 
 def of_request(result, number_of_request):
     """The stress of every model that has it along one request of a run. None when none has."""
     models = [m for m in result.models if any(p.subsurface for p in m.points)]
-    if not models:
+    key = load_points.typical_key(models) or (models[0].points[0].key if models else None)
+    found = [(model, point.subsurface[number_of_request]) for model in models
+             if (point := model.at(key)) is not None and len(point.subsurface) > number_of_request]
+    if not found:
         return None
-    key = selection.typical_key(models) or models[0].points[0].key
-    curves = []
-    for model in result.models:
-        point = model.at(key)
-        if point is not None and len(point.subsurface) > number_of_request:
-            part = point.subsurface[number_of_request]
-            curves.append(Curve(looks.label(model), looks.line(model), part["points"], measures(part["stress"])))
-    if not curves:
-        return None
-    texts, shared = keys.key_texts(selection.all_keys(result.models))
-    return along_line(curves, ", ".join(filter(None, (f"in the {part['body']}", texts.get(key, ""), shared))))
+    texts, shared = load_points.key_texts(load_points.all_keys(result.models))
+    return along_line([(styles.line(model), part["points"], measures(part["stress"])) for model, part in found],
+                      ", ".join(filter(None, (f"in the {found[0][1]['body']}", texts.get(key, ""), shared))))
 
 
 def caption(kind, body):
@@ -143,6 +118,6 @@ def maxima_table(result):
         more = "" if len(models[column].points) < 2 else f", load point {plain(point.key[0])}" if point.by_number else (
             f", ξ = {plain(100 * point['longitudinal_creepage'])} %")
         name = f"max_{measure}_{body}"
-        return largest_cell(value, point.errors.get(name, point.no_bar.get(name, "")), place, more)
+        return largest_cell(value, point.error_estimate.get(name, point.no_bar.get(name, "")), place, more)
 
-    return largest_table([escape(looks.label(m)) for m in models], cell)
+    return largest_table([escape(styles.label(m)) for m in models], cell)

@@ -4,11 +4,10 @@ from html import escape
 
 import numpy as np
 
-from . import looks, page, report, tables
-from .build import draw_all
-from .figure import Figure, folder_of
+from . import page, report, styles, tables
+from .figure import Figure
 from .reader import Quantity, read_json
-from .words import math
+from .labels import math
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
 SMALLEST = 1e-9  # relative; below it an error is nothing that a figure can show
@@ -45,9 +44,8 @@ def typical_coefficient(place, friction):
 
 def _curve(series, key, across):
     """Positions and errors in percent of the levels; what is exact cannot be drawn."""
-    rows = [(level[across], 100 * level["errors"][key]) for level in series["levels"]
+    return [(level[across], 100 * level["errors"][key]) for level in series["levels"]
             if level["errors"].get(key, 0) > SMALLEST and level[across] > 0]
-    return np.array(rows).T if rows else None
 
 
 # Series of one model refined in different ways: dash, marker, whether it is hollow.
@@ -55,14 +53,12 @@ VARIANTS = [(None, None, False), ((1.5, 1.5), None, True), ((6, 1.5, 1.5, 1.5), 
 
 
 def _look(place, series):
-    """Name of a series, and its look as keyword arguments of a curve."""
+    """The look of a series as keyword arguments of a curve, with its name."""
     same = [s["vary"] for s in place["series"] if s["model"] == series["model"]]
-    name = looks.label(series["model"])
-    if len(same) > 1 and series["vary"]:
-        name += f", {series['vary']}"
+    look = styles.line(series["model"], True)
     dash, marker, hollow = VARIANTS[same.index(series["vary"]) % len(VARIANTS)]
-    colour, own_dash, own_marker = looks.of_model(series["model"])
-    return name, {"colour": colour, "dash": dash or own_dash, "marker": marker or own_marker, "hollow": hollow}
+    name = look["name"] + (f", {series['vary']}" if len(same) > 1 and series["vary"] else "")
+    return {**look, "name": name, "dash": dash or look["dash"], "marker": marker or look["marker"], "hollow": hollow}
 
 
 def _add_band(panel, place, key, friction):
@@ -76,49 +72,38 @@ def _add_band(panel, place, key, friction):
     return level > low
 
 
-def _add_guide(panel, curve):
-    """The slope of order 2 on a surface: error falls as 1/unknowns; whether it is drawn."""
-    at, high = curve
-    if len(at) >= 3:
-        ends = np.array([at[0], at[-1]]) * 1.6
-        panel.line(ends, 1.6 * high[0] * (ends / ends[0]) ** -1, "soft", 1.0, (1.5, 2.2))
-    return len(at) >= 3
+ORDER = {"colour": "soft", "width": 1.0, "dash": (1.5, 2.2)}
 
 
 def errors_figure(place, across, wanted, friction):
     """Errors of the keys against "seconds" or "unknowns", log-log. None when there are none."""
-    curves = {(number, key): curve for number, series in enumerate(place["series"]) for key in wanted
-              if (curve := _curve(series, key, across)) is not None}
-    wanted = [key for key in wanted if key in {k for _, k in curves}]
-    if not wanted:
+    curves = {key: [(series, found) for series in place["series"] if (found := _curve(series, key, across))]
+              for key in wanted}
+    curves = {key: found for key, found in curves.items() if found}
+    if not curves:
         return None
-    figure = Figure(3 if len(wanted) > 4 else 2)
-    guides, bands, said = False, False, []
-    for key in wanted:
+    figure = Figure(3 if len(curves) > 4 else 2)
+    said, extra = {}, {}
+    for key, found in curves.items():
         panel = figure.add(250, 190, _title(place, key),
                            "time for all load points [s]" if across == "seconds" else "unknowns [-]",
                            "error [% of $\\mu$]" if _is_coefficient(key) else "error [%]")
         panel.x.log = panel.y.log = True
-        for number, series in enumerate(place["series"]):
-            if (number, key) in curves:
-                panel.line(*curves[number, key], **_look(place, series)[1])
-                if across == "unknowns" and series["model"] == "halfspace":
-                    guides |= _add_guide(panel, curves[number, key])
-        bands |= _add_band(panel, place, key, friction)
-    for number, series in enumerate(place["series"]):
-        key = next((k for k in wanted if (number, k) in curves), None)
-        if key:
-            name, look = _look(place, series)
-            figure.entry(name, **look)
-            at, high = curves[number, key]
-            said.append(f"{name}, {_title(place, key)}: from {high[0]:.2g} % at {at[0]:.3g} to "
-                        f"{high[-1]:.2g} % at {at[-1]:.3g}")
-    if guides:
-        figure.entry("order 2", "soft", (1.5, 2.2), 1.0)
-    if bands:
-        figure.entry("uncertainty of the reference", fill="band")
-    figure.seen = f"Errors against {across}, both on logarithmic scales. " + "; ".join(said) + "."
-    return figure
+        for series, spots in found:
+            look, (first, last) = _look(place, series), (spots[0], spots[-1])
+            panel.spots(spots, True, **look)
+            said.setdefault(look["name"], f"{look['name']}, {_title(place, key)}: from {first[1]:.2g} % at {first[0]:.3g} to "
+                            f"{last[1]:.2g} % at {last[0]:.3g}")
+            if across == "unknowns" and series["model"] == "halfspace" and len(spots) >= 3:
+                # The slope of order 2 on a surface: error falls as 1/unknowns.
+                ends = np.array([first[0], last[0]]) * 1.6
+                panel.line(ends, 1.6 * first[1] * ends[0] / ends, **ORDER)
+                extra["order 2"] = ORDER
+        if _add_band(panel, place, key, friction):
+            extra["uncertainty of the reference"] = {"fill": "band"}
+    for name in sorted(extra):
+        figure.entry(name, **extra[name])
+    return figure.tell(f"Errors against {across}, both on logarithmic scales. ", said.values())
 
 
 def speed_error(place, friction):
@@ -139,6 +124,11 @@ def _is_reference(place, series, level, key):
             and level["errors"].get(key) == 0)
 
 
+def _noted(html, note):
+    """A cell with a note under it."""
+    return f"{html}<br><span class=d>{note}</span>"
+
+
 def _value_cell(place, series, level, key):
     if key not in level["values"]:
         return "–"
@@ -146,34 +136,30 @@ def _value_cell(place, series, level, key):
     if key not in level["errors"]:
         return html
     if _is_reference(place, series, level, key):
-        return html + "<br><span class=d>the reference</span>"
-    html += f"<br><span class=d>{tables.number(100 * level['errors'][key], 2)} %{' of μ' * _is_coefficient(key)}"
+        return _noted(html, "the reference")
     order = level.get("orders", {}).get(key)
-    return html + (f", order {tables.number(order, 3)}" if order is not None else "") + "</span>"
+    return _noted(html, f"{tables.number(100 * level['errors'][key], 2)} %{' of μ' * _is_coefficient(key)}"
+                  + (f", order {tables.number(order, 3)}" if order is not None else ""))
 
 
 def _limit_cell(limit):
     if limit is None:
         return "–"
-    value = tables.number(limit["value"], 6)
-    html = f"{value} <span class=e>± {tables.number(limit['uncertainty'], 2)}</span><br><span class=d>"
-    if "order" not in limit:
-        return html + ("converged to rounding" if limit.get("settled") else "no order") + "</span>"
-    return html + f"order {tables.number(limit['order'], 3)}{', fitted' if limit['fitted'] else ''}</span>"
+    note = "converged to rounding" if limit.get("settled") else "no order"
+    if "order" in limit:
+        note = f"order {tables.number(limit['order'], 3)}{', fitted' if limit['fitted'] else ''}"
+    return _noted(f"{tables.number(limit['value'], 6)} <span class=e>± {tables.number(limit['uncertainty'], 2)}</span>", note)
 
 
 def _reference_cell(reference):
-    if reference is None:
-        return "–"
-    return tables.measured(reference["value"], reference["uncertainty"], 6) + \
-        f"<br><span class=d>{reference['kind']}</span>"
+    return "–" if reference is None else _noted(
+        tables.measured(reference["value"], reference["uncertainty"], 6), reference["kind"])
 
 
 def _series_table(place, series):
     keys = [k for k in _keys(place) if any(k in level["values"] for level in series["levels"])]
-    rows = [[escape(level["label"]), f"{level['unknowns']:,}".replace(",", " "),
-             tables.number(level["seconds"], 3)] + [_value_cell(place, series, level, k) for k in keys]
-            for level in series["levels"]]
+    rows = [[escape(level["label"]), tables.grouped(level["unknowns"]), tables.number(level["seconds"], 3)]
+            + [_value_cell(place, series, level, k) for k in keys] for level in series["levels"]]
     if series["limits"]:
         rows.append(["limit", "", ""] + [_limit_cell(series["limits"].get(k)) for k in keys])
     rows.append(["reference", "", ""] + [_reference_cell(place["references"].get(k)) for k in keys])
@@ -184,20 +170,17 @@ def _series_table(place, series):
 def _overview(study):
     """One row for each series of each place: the largest pressure, which is the first thing asked for."""
     rows = []
-    for place in study["places"]:
-        for series in place["series"]:
-            levels = [level for level in series["levels"] if "max_pressure" in level["values"]]
-            if not levels:
-                continue
-            name = looks.label(series["model"]) + (f", {series['vary']}" if series["vary"] else "")
-            rows.append([escape(place["name"]), tables.plain(place.get("lateral_shift", 0)),
-                         tables.plain(1e3 * place.get("yaw", 0)), escape(name), escape(levels[-1]["label"]),
-                         _value_cell(place, series, levels[-1], "max_pressure"),
-                         _limit_cell(series["limits"].get("max_pressure")),
-                         tables.number(sum(level["seconds"] for level in series["levels"]), 3)])
-    head = ["patch", "shift [mm]", "yaw [mrad]", "model", "finest level", "p<sub>0</sub> there [MPa]",
-            "p<sub>0</sub>, limit [MPa]", "seconds, all levels"]
-    return "<h2>Largest pressure of every patch</h2>" + tables.table(head, rows)
+    for place, series in ((place, series) for place in study["places"] for series in place["series"]):
+        levels = [level for level in series["levels"] if "max_pressure" in level["values"]]
+        name = styles.label(series["model"]) + (f", {series['vary']}" if series["vary"] else "")
+        rows += [[escape(place["name"]), tables.plain(place.get("lateral_shift", 0)),
+                  tables.plain(1e3 * place.get("yaw", 0)), escape(name), escape(levels[-1]["label"]),
+                  _value_cell(place, series, levels[-1], "max_pressure"),
+                  _limit_cell(series["limits"].get("max_pressure")),
+                  tables.number(sum(level["seconds"] for level in series["levels"]), 3)]] if levels else []
+    return page.section("Largest pressure of every patch", tables.table(
+        ["patch", "shift [mm]", "yaw [mrad]", "model", "finest level", "p<sub>0</sub> there [MPa]",
+         "p<sub>0</sub>, limit [MPa]", "seconds, all levels"], rows)) if len(study["places"]) > 1 else ""
 
 
 HINTS = """±: the model's own estimate; of limits, the uncertainty left by the levels.
@@ -227,51 +210,38 @@ def _figures(study):
                lambda place=place: errors_figure(place, "unknowns", _keys(place), friction))
 
 
-def _series_parts(place, series, heading):
-    """The heading and the table of a series, and what is missing in it."""
-    yield (f"<{heading}>{escape(looks.label(series['model']))}{', refined in ' if series['vary'] else ''}"
-           f"{escape(series['vary'])}</{heading}>")
-    if series["failure"]:
-        yield f"<p class=bad>Levels without a result: {escape(series['failure'])}</p>"
-    if series["left_out"]:
-        yield f"<p class=hint>Too coarse and left out: {escape(series['left_out'])}</p>"
-    if series["levels"]:
-        yield _series_table(place, series)
-
-
-def _place_parts(study, place, images):
+def _place_part(study, place, drawn):
     """Figures and tables of a place."""
-    parts = [images]
+    suffix = f"_{place['key']}.svg" if place["key"] else ".svg"
+    parts = [drawn(f"speed_error{suffix}", f"error_unknowns{suffix}")]
+    heading = "h3" if place["name"] else "h2"
     for series in place["series"]:
-        parts += _series_parts(place, series, "h3" if place["name"] else "h2")
-    title = escape(place["name"])
-    if not title:
-        return parts
+        parts.append(f"<{heading}>{escape(styles.label(series['model']))}{', refined in ' if series['vary'] else ''}"
+                     f"{escape(series['vary'])}</{heading}>")
+        for text, kind, said in ((series["failure"], "bad", "Levels without a result"),
+                                 (series["left_out"], "hint", "Too coarse and left out")):
+            parts.append(f"<p class={kind}>{said}: {escape(text)}</p>" if text else "")
+        parts.append(_series_table(place, series) if series["levels"] else "")
+    title, body = escape(place["name"]), "".join(parts)
     if len(study["places"]) <= MOST_OPEN:
-        return [f"<h2>{title}</h2>", *parts]
-    return [f"<details><summary>{title}</summary>", *parts, "</details>"]
+        return page.section(title, body) if title else body
+    return f"<details><summary>{title}</summary>{body}</details>"
 
 
 def build(directory):
     """Draws the study in `directory` and writes study.html."""
     study = read_json(directory, "study")
-    looks.know(study.get("labels", {}))
-    title = "Refinement study: " + escape(study["title"] or study["case_file"])
-    parts = [report.verdict(study["verdict"]),
-             f"<details><summary>case file {escape(study['case_file'])}</summary>"
-             f"<pre>{escape(study['case_text'])}</pre></details>"]
-    parts += [f"<p class=hint>{escape(note)}.</p>" for note in study["notes"]]
-    if len(study["places"]) > 1:
-        parts.append(_overview(study))
+    styles.know(study.get("labels", {}))
     quantities = {name: Quantity(**quantity) for name, quantity in study["quantities"].items()}
     for place in study["places"]:
         place["quantities"] = quantities
-    drawn = draw_all(_figures(study), folder_of(directory))
-    for place in study["places"]:
-        suffix = f"_{place['key']}.svg" if place["key"] else ".svg"
-        images = "".join(page.figure(f) for f in drawn
-                         if f.name in (f"speed_error{suffix}", f"error_unknowns{suffix}"))
-        parts += _place_parts(study, place, images)
-    parts.append(f"<p class=hint>{HINTS}</p>")
-    page.write_page(os.path.join(directory, "study.html"), title, page.made_by(study["program"], study), parts,
-                    "Also in this folder: study.json and study.csv with every number, figures/.")
+    drawn = page.draw_all(_figures(study), directory)
+    page.write_page(
+        os.path.join(directory, "study.html"), "Refinement study: " + escape(study["title"] or study["case_file"]),
+        page.made_by(study["program"], study), [
+            report.verdict(study["verdict"]),
+            f"<details><summary>case file {escape(study['case_file'])}</summary>"
+            f"<pre>{escape(study['case_text'])}</pre></details>",
+            *(page.hint(f"{escape(note)}.") for note in study["notes"]), _overview(study),
+            *(_place_part(study, place, drawn) for place in study["places"]), page.hint(HINTS)],
+        "Also in this folder: study.json and study.csv with every number, figures/.")

@@ -1,14 +1,58 @@
-"""table.html: a table of creep forces as surfaces and curves, and how far off it is between its points."""
+"""table.html: a table of creep forces that `rollfem table` wrote, as numpy arrays, as surfaces and curves, and how far off
+it is between its points."""
 import os
+from dataclasses import dataclass
 from html import escape
 
+import h5py
 import numpy as np
 
-from .build import draw_all
-from .creep_table import read_table
-from .figure import Figure, folder_of
-from .page import figure, write_page
+from .figure import Figure
+from .files import results_are_sound
+from .page import draw_all, hint, section, write_page
+from .reader import ResultError
 from .tables import number, plain, table
+
+FORCES = ("longitudinal_force", "lateral_force", "spin_moment")
+
+
+@dataclass
+class CreepTable:
+    """Arrays over [axis_ratio or lateral_shift, longitudinal, lateral, spin]; forces over mu F_n, the moment over mu F_n
+    sqrt(a b)."""
+
+    about: dict  # title, program, command, started, poisson_ratio, ...
+    axes: dict  # in the order of the arrays
+    forces: dict
+    force_bar: np.ndarray
+    moment_bar: np.ndarray
+    interpolation: dict
+    checked: np.ndarray  # [points, 10]: a/b or mm, xi', eta', phi', F_x, F_y, M_z interpolated, and solved for
+    wheels: dict  # of every lateral shift; empty over ratios
+
+    @property
+    def first(self):
+        """Name of the first axis."""
+        return next(iter(self.axes))
+
+
+def read_table(directory):
+    """The table of a folder."""
+    path = os.path.join(directory, "table.h5")
+    if not results_are_sound(path):
+        raise ResultError(f"{path}: is damaged; do: run rollfem table again")
+    with h5py.File(path, "r") as file:
+        if file.attrs.get("format") != "rollfem table":
+            raise ResultError(f"{path}: is no table")
+        checked = file["interpolation"]
+        first = "lateral_shift" if "lateral_shift" in file["axes"] else "axis_ratio"
+        wheel = file.get("wheel", {})
+        return CreepTable(
+            dict(file.attrs), {name: file["axes"][name][()] for name in (first, "longitudinal", "lateral", "spin")},
+            {name: file[name][()] for name in FORCES}, file["force_bar"][()], file["moment_bar"][()],
+            dict(checked.attrs), checked["checked"][()] if "checked" in checked else np.zeros((0, 10)),
+            {**dict(getattr(wheel, "attrs", {})), **{name: wheel[name][()] for name in wheel}})
+
 
 # Of each panel: the force, its name, the axis that runs to the right and the one that runs to the back.
 VIEWS = (("longitudinal_force", "$-F_x/μF_n$", "longitudinal", "spin"),
@@ -101,41 +145,46 @@ def surfaces(found):
         _oblique(panel, across[shown], behind[behind >= 0], _plane(found, force, right, back)[:, shown],
                  (LETTER[right], LETTER[back]))
     result.entry(f"{_said_first(found, _first(found))}; creepages that are not shown are 0")
-    result.seen = ("Surfaces of the longitudinal force over longitudinal creepage and spin, of the lateral force over lateral "
-                   "creepage and spin, of the moment over spin and longitudinal creepage: each rises from 0 and levels off.")
-    return result
+    return result.tell("Surfaces: ", ["of the longitudinal force over longitudinal creepage and spin, of the lateral force "
+                                      "over lateral creepage and spin, of the moment over spin and longitudinal creepage: "
+                                      "each rises from 0 and levels off"])
+
+
+def _charts(size, rows, seen):
+    """A figure of panels of that size: title, label of x, of y, and the curves."""
+    result = Figure(4 if len(rows) > 3 else 3)
+    result.charts(size, [(*row, 0.0, curves) for *row, curves in rows])
+    return result.tell(seen, [])
+
+
+DOTS = {"width": 1.5, "marker": "o", "size": 1.8}
 
 
 def curves(found):
     """The same as curves."""
-    result = Figure(3)
-    for force, name, right, back in VIEWS:
-        behind, values = found.axes[back][found.axes[back] >= 0], _plane(found, force, right, back)
-        rows = list(zip(_some(len(behind), 5), COLOURS))
-        result.charts((290, 220), [(name, LETTER[right], name, 0.0, [
-            (found.axes[right], values[row], {"colour": colour, "width": 1.5, "marker": "o", "size": 1.8})
-            for row, colour in rows])])
-        for number_, (row, colour) in enumerate(rows):
-            result.panels[-1].text(0.97, 0.05 + 0.075 * number_, f"{LETTER[back]} = {behind[row]:.3g}", "end", colour,
-                                   share=(True, True))
-    result.seen = "Curves of the three forces over their creepage, each for several values of another."
+    result = _charts((290, 220), [(name, LETTER[right], name, [
+        (found.axes[right], values, {"colour": colour, **DOTS}) for values, _, colour in _rows(found, force, right, back)])
+        for force, name, right, back in VIEWS],
+        "Curves of the three forces over their creepage, each for several values of another")
+    for panel, (force, _, right, back) in zip(result.panels, VIEWS):
+        for place, (_, value, colour) in enumerate(_rows(found, force, right, back)):
+            panel.text(0.97, 0.05 + 0.075 * place, f"{LETTER[back]} = {value:.3g}", "end", colour, share=(True, True))
     return result
+
+
+def _rows(found, force, right, back):
+    """(values over right, value of back, colour) of some curves."""
+    behind, values = found.axes[back][found.axes[back] >= 0], _plane(found, force, right, back)
+    return [(values[row], behind[row], colour) for row, colour in zip(_some(len(behind), 5), COLOURS)]
 
 
 def ratios(found):
     """The forces of each creepage alone, a curve for each ratio of axes or some shifts. None where there is one."""
     count = len(found.axes[found.first])
-    if count < 2:
-        return None
-    chosen = list(zip(_some(count, 7), COLOURS))
-    result = Figure(3)
-    result.charts((290, 220), [(name, LETTER[right], name, 0.0, [
-        (found.axes[right], _forces(found, force, **{found.first: ratio, right: ALL}), {"colour": colour})
-        for ratio, colour in chosen]) for force, name, right, _ in VIEWS])
-    for ratio, colour in chosen:
-        result.entry(_said_first(found, ratio), colour)
-    result.seen = "Forces of each creepage alone: scaled, those of all curves begin alike."
-    return result
+    return None if count < 2 else _charts((290, 220), [(name, LETTER[right], name, [
+        (found.axes[right], _forces(found, force, **{found.first: ratio, right: ALL}),
+         {"colour": colour, "name": _said_first(found, ratio)}) for ratio, colour in zip(_some(count, 7), COLOURS)])
+        for force, name, right, _ in VIEWS], "Forces of each creepage alone: scaled, those of all curves begin alike")
 
 
 def _some_from_zero(axes):
@@ -146,54 +195,50 @@ def _some_from_zero(axes):
             for axis, places in zip(axes, rising)]
 
 
-def _over_shifts(found, values, colour, dash=()):
+def _over_shifts(found, values, colour, **look):
     """Curves between the shifts after which contact jumps."""
     jumps = found.wheels["jump_after"]
     ends = np.flatnonzero(jumps) + 1
     for part in map(slice, [0, *ends], [*ends, len(jumps)]):
-        yield (found.axes["lateral_shift"][part], values[part],
-               {"colour": colour, "width": 1.5, "dash": dash, "marker": "o", "size": 1.8})
+        yield found.axes["lateral_shift"][part], values[part], {"colour": colour, **DOTS, **look}
+
+
+def _shifted(found):
+    return found.first == "lateral_shift" and len(found.axes[found.first]) > 1
 
 
 def shifts(found):
     """Forces of each creepage alone over the shift, gaps where contact jumps. None over ratios, and of one shift."""
-    if found.first != "lateral_shift" or len(found.axes[found.first]) < 2:
+    if not _shifted(found):
         return None
-    result = Figure(3)
     rights = [right for _, _, right, _ in VIEWS]
     chosen = dict(zip(rights, _some_from_zero([found.axes[right] for right in rights])))
-    result.charts((290, 220), [(name, LETTER["lateral_shift"], name, 0.0, [
-        curve for at, colour in zip(chosen[right], COLOURS)
-        for curve in _over_shifts(found, _forces(found, force, **{found.first: ALL, right: at}), colour)])
-        for force, name, right, _ in VIEWS])
-    names = ", ".join(LETTER[right] for right in chosen)
-    for places, colour in zip(zip(*chosen.values()), COLOURS):
-        values = ", ".join(f"{found.axes[right][at] + 0.0:.3g}" for right, at in zip(chosen, places))
-        result.entry(f"{names} = {values}", colour)
-    result.seen = "Forces over the lateral shift of the wheelset, for several values of the creepage that makes them."
-    return result
+    names = [", ".join(f"{found.axes[right][at] + 0.0:.3g}" for right, at in zip(chosen, places))
+             for places in zip(*chosen.values())]
+    return _charts((290, 220), [(name, LETTER["lateral_shift"], name, [
+        curve for at, colour, values in zip(chosen[right], COLOURS, names)
+        for curve in _over_shifts(found, _forces(found, force, **{found.first: ALL, right: at}), colour,
+                                  name=f"{', '.join(LETTER[each] for each in chosen)} = {values}")])
+        for force, name, right, _ in VIEWS],
+        "Forces over the lateral shift of the wheelset, for several values of the creepage that makes them")
 
 
-# Of each panel over the shift: the title, its unit, the factor, and of each curve the entry, its word, colour and dash.
+# Of each panel over the shift: the title, its unit, the factor, and of each curve the entry, its name, colour and dash.
 OF_WHEEL = (("contact angle", "mrad", 1e3, (("contact_angle", "", "blue", ()),)),
             ("rolling radius", "mm", 1, (("rolling_radius", "", "blue", ()),)),
-            ("semi-axes of the ellipse", "mm", 1, (("semi_axis_x", "a", "blue", ()), ("semi_axis_y", "b", "slip", (5, 2)))),
+            ("semi-axes of the ellipse", "mm", 1, (("semi_axis_x", "a, along rolling", "blue", ()),
+                                                ("semi_axis_y", "b, across", "slip", (5, 2)))),
             ("largest pressure", "MPa", 1, (("max_pressure", "", "blue", ()),)))
 
 
 def wheels(found):
     """Where the wheel touches. None over ratios, and of one shift."""
-    if found.first != "lateral_shift" or len(found.axes[found.first]) < 2:
-        return None
-    result = Figure(4)
-    for name, unit, factor, entries in OF_WHEEL:
-        result.charts((230, 200), [(name, LETTER["lateral_shift"], f"{name} [{unit}]", 0.0, [
-            curve for entry, _, colour, dash in entries
-            for curve in _over_shifts(found, factor * found.wheels[entry], colour, dash)])])
-        for number_, (_, word, colour, _) in enumerate(entries if len(entries) > 1 else ()):
-            result.panels[-1].text(0.97, 0.95 - 0.08 * number_, word, "end", colour, share=(True, True))
-    result.seen = "Contact angle, rolling radius, size of the patch and largest pressure over the lateral shift."
-    return result
+    return _charts((230, 200), [(name, LETTER["lateral_shift"], f"{name} [{unit}]", [
+        curve for entry, word, colour, dash in entries
+        for curve in _over_shifts(found, factor * found.wheels[entry], colour, dash=dash, name=word)])
+        for name, unit, factor, entries in OF_WHEEL],
+        "Contact angle, rolling radius, size of the patch and largest pressure over the lateral shift") if _shifted(
+            found) else None
 
 
 def errors(found):
@@ -201,23 +246,34 @@ def errors(found):
     if not len(found.checked):
         return None
     off = found.checked[:, 4:7] - found.checked[:, 7:10]
-    result = Figure(1)
+    result, error = Figure(1), found.interpolation
     panel = result.add(420, 220, "interpolation between the points", "error [%]", "share of points [%]")
     panel.x.log, panel.y.limits = True, (0, 100)
     share = 100 * (np.arange(len(off)) + 1) / len(off)
     for name, size, colour, dash in (("forces, of $μF_n$", np.hypot(off[:, 0], off[:, 1]), "blue", ()),
                                      ("moment, of $μF_n$ $c$", np.abs(off[:, 2]), "slip", (5, 2))):
-        panel.line(np.maximum(100 * np.sort(size), 1e-3), share, colour, 1.6, dash)
-        result.entry(name, colour, dash)
-    error = found.interpolation
-    result.seen = (f"In 95 of 100 points forces are off by at most {100 * error['force_95']:.2g} %, the moment by "
-                   f"{100 * error['moment_95']:.2g} %.")
-    return result
+        panel.line(np.maximum(100 * np.sort(size), 1e-3), share, colour, 1.6, dash, name=name)
+    return result.tell("In 95 of 100 points ", [f"forces are off by at most {100 * error['force_95']:.2g} %, the moment by "
+                                                f"{100 * error['moment_95']:.2g} %"])
+
+
+def figures(found):
+    """(file name, caption, function that makes the figure or returns None) of everything."""
+    varied = "the ratios of the ellipse's axes" if found.first == "axis_ratio" else "shifts of the wheelset"
+    for draw, caption in (
+            (surfaces, "Forces on the wheel of opposite sign, over scaled creepages in steps of the table."),
+            (curves, "The same as curves; creepages that are not named are 0."),
+            (ratios, f"One creepage alone, for {varied}."),
+            (shifts, "One creepage alone over the shift; gaps where contact jumps."),
+            (wheels, "Where the wheel touches, without friction."),
+            (errors, "Share of random points whose interpolation error is no larger.")):
+        yield f"table_{draw.__name__}.svg", caption, lambda draw=draw: draw(found)
 
 
 def _axes(found):
-    return "".join(f"<p><b>{LETTER[name].capitalize() if ' ' in LETTER[name] else LETTER[name]}</b> ({len(values)}): {', '.join(f'{v:.4g}' for v in values)}</p>".replace("-", "−")
-                   for name, values in found.axes.items())
+    names = [LETTER[name].capitalize() if " " in LETTER[name] else LETTER[name] for name in found.axes]
+    return "".join(f"<p><b>{name}</b> ({len(values)}): {', '.join(f'{v:.4g}' for v in values)}</p>".replace("-", "−")
+                   for name, values in zip(names, found.axes.values()))
 
 
 def _said(found):
@@ -227,12 +283,13 @@ def _said(found):
         return number(100 * float(value), 2)
 
     rows = [["bars at the points, largest", percent(found.force_bar.max()), percent(found.moment_bar.max())]]
+    said = "Interpolation was not checked."
     if error["points"]:
         rows += [[f"interpolation, {what}", percent(error["force_" + key]), percent(error["moment_" + key])]
                  for key, what in (("rms", "root mean square"), ("95", "95 of 100 points"), ("max", "largest"))]
-    return table(["error", "forces [% of μF<sub>n</sub>]", "moment [% of μF<sub>n</sub>c]"], rows) + (
-        f"<p class=hint>Interpolation: {error['points']} random points between those of the grid (seed {error['seed']}), each "
-        "solved separately.</p>" if error["points"] else "<p class=hint>Interpolation was not checked.</p>")
+        said = (f"Interpolation: {error['points']} random points between those of the grid (seed {error['seed']}), each "
+                "solved separately.")
+    return table(["error", "forces [% of μF<sub>n</sub>]", "moment [% of μF<sub>n</sub>c]"], rows) + hint(said)
 
 
 def _of_what(found):
@@ -247,20 +304,12 @@ def _of_what(found):
 def build(directory):
     """Draws the table of a folder to its figures/ and writes table.html."""
     found = read_table(directory)
-    drawn = draw_all([
-        ("table_surfaces.svg", "Forces on the wheel of opposite sign, over scaled creepages in steps of the table.", lambda: surfaces(found)),
-        ("table_curves.svg", "The same as curves; creepages that are not named are 0.", lambda: curves(found)),
-        ("table_ratios.svg", "One creepage alone, for " + (
-            "the ratios of the ellipse's axes." if found.first == "axis_ratio" else "shifts of the wheelset."), lambda: ratios(found)),
-        ("table_shifts.svg", "One creepage alone over the shift; gaps where contact jumps.", lambda: shifts(found)),
-        ("table_wheels.svg", "Where the wheel touches, without friction.", lambda: wheels(found)),
-        ("table_errors.svg", "Share of random points whose interpolation error is no larger.", lambda: errors(found))],
-        folder_of(directory))
     about = found.about
     made = f"{escape(about['program'])}, {escape(about['started'])}<br><code>{escape(about['command'])}</code>"
     write_page(os.path.join(directory, "table.html"), escape(about["title"]), made, [
         f"<p>{_of_what(found)}, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
         "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
         "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
-        "<h2>Errors</h2>", _said(found), "<h2>Forces</h2>", *map(figure, drawn), "<h2>Axes</h2>", _axes(found)],
+        section("Errors", _said(found)), section("Forces", draw_all(figures(found), directory)("")),
+        section("Axes", _axes(found))],
         "Beside this file: table.h5, table.csv, interpolation.csv, figures/.")

@@ -3,7 +3,7 @@ import math
 import re
 from html import escape
 
-from . import keys, looks, published, selection
+from . import load_points, published, styles
 from .reader import full_sliding, place_label
 
 
@@ -26,6 +26,11 @@ def number(value, digits=5):
 def plain(value):
     """A number that the user gave, without the digits that it does not need."""
     return f"{value:.6g}".replace("-", "−")
+
+
+def digits(value, count):
+    """A number of so many significant digits, of all that it needs for None."""
+    return plain(value) if count is None else number(value, count)
 
 
 def percent(value):
@@ -59,7 +64,7 @@ def barred(point, quantity, digits=5):
 def with_bar(point, quantity, digits=5):
     """The value of a load point with what is said of its error, and under it what the model leaves out."""
     html = barred(point, quantity, digits)
-    model_error = point.model_errors.get(quantity)
+    model_error = point.model_error.get(quantity)
     if model_error is not None:
         html += f"<br><span class=d>model ±&nbsp;{number(model_error, 2)}</span>"
     return html
@@ -80,19 +85,15 @@ def against(point, base, quantity, scale):
 MANY = 6
 
 
-def table(head, rows, kind=""):
+def table(head, rows, kind="", frame="", name=""):
     """HTML table that scrolls within its frame where it is wider than the page; the first cell of a row is
-    its heading."""
-    name = re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", head[0])).strip()
-    many = " many" if len(head) >= MANY else ""
-    html = [f'<div class="wide{many}" role=region tabindex=0 aria-label="table: {name}">'
-            f'<table class="{kind}"><thead><tr>']
-    html += [f"<th scope=col>{h}</th>" for h in head]
-    html.append("</tr></thead><tbody>")
-    for row in rows:
-        html.append("<tr><th scope=row>" + row[0] + "</th>" + "".join(f"<td>{c}</td>" for c in row[1:]) + "</tr>")
-    html.append("</tbody></table></div>")
-    return "".join(html)
+    its heading. `kind`, `frame`: classes of the two; `name`: for whoever hears it, else the first head."""
+    name = name or "table: " + re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", head[0])).strip()
+    frame = frame or "many" * (len(head) >= MANY)
+    body = "".join("<tr><th scope=row>" + row[0] + "</th>" + "".join(f"<td>{c}</td>" for c in row[1:]) + "</tr>"
+                   for row in rows)
+    return (f'<div class="wide{frame and " " + frame}" role=region tabindex=0 aria-label="{name}"><table class="{kind}">'
+            f'<thead><tr>{"".join(f"<th scope=col>{h}</th>" for h in head)}</tr></thead><tbody>{body}</tbody></table></div>')
 
 
 # What the letters of the files look like on a page.
@@ -129,23 +130,25 @@ def _tells(result, quantity):
     return quantity != "normal_force" or not values or max(values) - min(values) > 1e-6 * abs(values[0])
 
 
+def _compared(head, models, rows):
+    """A table of models beside each other; `rows`: the first cells and the cell of a model (a function)."""
+    return table([head] + [escape(styles.label(m)) for m in models],
+                 [[first] + [cell(m) for m in models] for first, cell in rows])
+
+
 def patch_table(result):
     """Patch, pressure and approach of the first load point of every model."""
-    models = [m for m in result.models if m.points]
-    reference = selection.reference_for_patch(result)
-    rows = []
-    for quantity in PATCH:
-        if not _tells(result, quantity):
-            continue
-        row = [heading(result.quantities[quantity])]
-        for model in models:
-            cell = with_bar(model.points[0], quantity, 6)
-            if model is not reference and reference and reference.points:
-                base = reference.points[0]
-                cell += against(model.points[0], base, quantity, base[quantity])
-            row.append(cell)
-        rows.append(row)
-    return table(["first load point"] + [escape(looks.label(m)) for m in models], rows)
+    reference = load_points.reference_for_patch(result)
+
+    def cell(model, quantity):
+        html = with_bar(model.points[0], quantity, 6)
+        if model is reference or not reference.points:
+            return html
+        return html + against(model.points[0], reference.points[0], quantity, reference.points[0][quantity])
+
+    return _compared("first load point", [m for m in result.models if m.points], [
+        (heading(result.quantities[name]), lambda model, name=name: cell(model, name)) for name in PATCH
+        if _tells(result, name)])
 
 
 def published_table(result):
@@ -153,90 +156,86 @@ def published_table(result):
     rows = published.patches(result)
     if not rows:
         return ""
-    lines = [[heading(result.quantities[name])] + [plain(row[name]) if name in row else "–" for row in rows]
-             for name in PATCH if any(name in row for row in rows)]
-    if any("max_traction_x" in row for row in rows):
-        lines.append([heading(result.quantities["max_traction_x"])] + [_at_creepage(row.get("max_traction_x"))
-                                                            for row in rows])
+
+    def cell(value):
+        if not isinstance(value, dict):
+            return "–" if value is None else plain(value)
+        return f"{plain(value['value'])}<br><span class=d>ξ = {plain(100 * value['xi'])} %</span>"
+
+    lines = [[heading(result.quantities[name])] + [cell(row.get(name)) for row in rows]
+             for name in [*PATCH, "max_traction_x"] if any(name in row for row in rows)]
     said = published.says(result)
     words = f"The thesis says: {escape(said)}. " if said else ""
     return (table(["published"] + [escape(row["name"]).replace(": ", ":<br>") for row in rows], lines)
             + f"<p class=hint>{words}Sources: {escape(published.sources(result))}.</p>")
 
 
-def _at_creepage(entry):
-    """A published value with the creepage it belongs to."""
-    if entry is None:
-        return "–"
-    return f"{plain(entry['value'])}<br><span class=d>ξ = {plain(100 * entry['xi'])} %</span>"
-
-
 def _creepage_head(models):
-    """(heading, number in the key, factor) of what varies over the load points; what they share is in
-    `shared_creepage`."""
-    found = selection.all_keys(models)
-    if any(len(key) == 1 for key in found):
-        return [("load point", 0, 1)]
-    return [(f"{keys.PARTS[k][1]} [{keys.PARTS[k][3]}]", k, keys.PARTS[k][2]) for k in keys.varying(found) or [0]]
+    """(heading, words of a key) of what varies over the load points; what they share is in `shared_creepage`."""
+    told = _told(models)
+    if told is None:
+        return "load point", lambda key: plain(key[0])
+    parts = [(k, *load_points.PARTS[k][2:5]) for k in told]
+    return (", ".join(f"{symbol} [{unit_}]" for _, symbol, _, unit_ in parts),
+            lambda key: ", ".join(plain(key[k] * factor) for k, _, factor, _ in parts))
+
+
+def _told(models):
+    """Which parts of the keys are in a table; None where they are numbers."""
+    found = load_points.all_keys(models)
+    return None if any(len(key) == 1 for key in found) else load_points.varying(found) or [0]
 
 
 def shared_creepage(models):
     """" All at η = 0.1 %.", of what is not zero and not in the table, since it is the same at every load
     point; empty if nothing is."""
-    first = next(iter(selection.all_keys(models)), (0,))
-    told = [k for _, k, _ in _creepage_head(models)]
-    said = [f"{symbol} = {plain(factor * first[k])} {unit}" for k, (_, symbol, factor, unit) in enumerate(keys.PARTS)
-            if len(first) > 1 and first[k] and k not in told]
+    first, told = next(iter(load_points.all_keys(models)), (0,)), _told(models)
+    said = [f"{symbol} = {plain(factor * first[k])} {unit_}"
+            for k, (_, _, symbol, factor, unit_, _) in enumerate(load_points.PARTS)
+            if told is not None and k not in told and first[k]]
     return f" All at {', '.join(said)}." if said else ""
 
 
 def creepage_table(result, quantity):
     """A quantity of friction of every model that has friction at every creepage. Differences to the
     reference are in percent of what full sliding gives in the reference."""
-    models = selection.friction_models(result)
-    reference = selection.reference_for_forces(result)
-    columns = _creepage_head(models)
-    percent_of = result.quantities[quantity].percent_of
-    rows = []
-    for creepages in selection.shown_keys(models):
-        row = [", ".join(plain(creepages[k] * factor) for _, k, factor in columns)]
-        base = reference.at(creepages)
-        for model in models:
-            point = model.at(creepages)
-            cell = "–" if point is None else with_bar(point, quantity)
-            if point and model is not reference and base:
-                sliding = full_sliding(base, percent_of, result.case["friction_coefficient"])
-                cell += against(point, base, quantity, sliding or base[quantity])
-            row.append(cell)
-        rows.append(row)
-    head = [", ".join(c[0] for c in columns)] + [escape(looks.label(m)) for m in models]
-    return table(head, rows)
+    models = load_points.friction_models(result)
+    reference = load_points.reference_for_forces(result)
+    head, words = _creepage_head(models)
+
+    def cell(model, key):
+        point, base = model.at(key), reference.at(key)
+        if point is None:
+            return "–"
+        if model is reference or not base:
+            return with_bar(point, quantity)
+        sliding = full_sliding(base, result.quantities[quantity].percent_of, result.case["friction_coefficient"])
+        return with_bar(point, quantity) + against(point, base, quantity, sliding or base[quantity])
+
+    return _compared(head, models, [(words(key), lambda model, key=key: cell(model, key))
+                                    for key in load_points.shown_keys(models)])
+
+
+def grouped(count):
+    """A whole number, its digits in groups of three."""
+    return f"{count:,}".replace(",", " ")
 
 
 def cost_table(result):
     rows = []
     for model in result.models:
-        other = {k: v for k, v in model.seconds.items() if k != "total"}
-        parts = ", ".join(f"{escape(k)} {number(v, 3)}" for k, v in
-                          sorted(other.items(), key=lambda item: -item[1]))
-        name = escape(looks.label(model))
-        if model.place:
-            name += f"<br><span class=d>{escape(place_label(model.place))}</span>"
-        rows.append([name, number(model.seconds.get('total'), 3),
-                     parts or "–", f"{model.unknowns:,}".replace(",", " "),
-                     f"{model.contact_elements:,}".replace(",", " "), str(len(model.points))])
-    return table(["model", "seconds", "of which", "unknowns", "contact elements", "load points"], rows,
-                 "left")
+        parts = sorted(((s, stage) for stage, s in model.seconds.items() if stage != "total"), key=lambda part: -part[0])
+        place = f"<br><span class=d>{escape(place_label(model.place))}</span>" if model.place else ""
+        rows.append([escape(styles.label(model)) + place, number(model.seconds.get("total"), 3),
+                     ", ".join(f"{escape(stage)} {number(s, 3)}" for s, stage in parts) or "–",
+                     grouped(model.unknowns), grouped(model.contact_elements), str(len(model.points))])
+    return table(["model", "seconds", "of which", "unknowns", "contact elements", "load points"], rows, "left")
 
 
 def points_table(result, model):
     """Every scalar of every load point, but those that are 0 in all."""
-    columns = _creepage_head([model])
-    names = [n for n in result.quantities
-             if n != "converged" and any(p.scalars.get(n) for p in model.points)]
-    rows = [[", ".join(plain(p.key[k] * f) for _, k, f in columns)]
-            + [barred(p, n) for n in names] + ["yes" if p["converged"] else "no"]
-            for p in map(model.at, selection.shown_keys([model]))]
-    quantities = [result.quantities[n] for n in names]
-    head = [(symbol(q.symbol) or escape(q.title)) + unit(q) for q in quantities]
-    return table([", ".join(c[0] for c in columns)] + head + ["converged"], rows)
+    head, words = _creepage_head([model])
+    quantities = {n: q for n, q in result.quantities.items() if n != "converged" and any(p.scalars.get(n) for p in model.points)}
+    rows = [[words(p.key), *(barred(p, n) for n in quantities), "yes" if p["converged"] else "no"]
+            for p in map(model.at, load_points.shown_keys([model]))]
+    return table([head, *((symbol(q.symbol) or escape(q.title)) + unit(q) for q in quantities.values()), "converged"], rows)

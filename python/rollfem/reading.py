@@ -21,23 +21,12 @@ def _reader():
                           "do: apt install python3-h5py") from error
 
 
-def _body(body):
-    return {name: getattr(body, name) for name in ("points", "cells", "displacement", "stress")}
-
-
 def _point(point):
-    return {"scalars": point.scalars, "fields": point.fields, "error_estimate": point.errors, "no_bar": point.no_bar,
-            "model_error": point.model_errors, "richardson": point.richardson,
-            "subsurface": point.subsurface, "stress_maxima": point.stress_maxima,
-            "bodies": {name: _body(body) for name, body in point.bodies.items()}}
+    return {**vars(point), "bodies": {name: vars(body) for name, body in point.bodies.items()}}
 
 
 def _model(model):
-    return ModelResult({
-        "name": model.name, "label": model.label, "key": model.key, "seconds": model.seconds,
-        "unknowns": model.unknowns, "contact_elements": model.contact_elements, "notes": model.notes, "choice": "",
-        "shortfall": "", "model_error_source": model.model_error_source, "dx": model.dx, "dy": model.dy, "x": model.x,
-        "y": model.y, "place": model.place, "points": [_point(point) for point in model.points]})
+    return ModelResult({**vars(model), "choice": "", "shortfall": "", "points": [_point(point) for point in model.points]})
 
 
 def read(folder):

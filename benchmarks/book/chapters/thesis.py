@@ -215,7 +215,7 @@ def _limit_table(letter, result, bent):
     def line(words, key, index, scale=None):
         ours, theirs, third = (m.points[index] for m in (half, fem, bent))
         difference = (theirs[key] - ours[key]) / abs(scale or ours[key])
-        bars = ours.errors.get(key, 0) + theirs.errors.get(key, 0)
+        bars = ours.error_estimate.get(key, 0) + theirs.error_estimate.get(key, 0)
         rows.append([words, _with_bar(ours[key], ours.errors.get(key)), number(third[key], 5),
                      _with_bar(theirs[key], theirs.errors.get(key)), percent(difference),
                      "yes" if abs(theirs[key] - ours[key]) > bars else "no"])

@@ -31,7 +31,7 @@ class PartsTest : public testing::InFolder {
 
 TEST_F(PartsTest, AScaleDoesNotBlowUpAConstantAndHasRoundTicks) {
   EXPECT_EQ(said(R"(
-from rollfem_figures.axes import Axis, nice_step, tick_text
+from rollfem_figures.panel import Axis, nice_step, tick_text
 axis = Axis()
 axis.see([10000.0, 10000.0 + 1e-6, 10000.0 - 1e-6])      # rounding
 low, high = axis.range()
@@ -56,20 +56,20 @@ assert np.allclose(axis.range(), (0.01, 10.0)) and [t for _, t in axis.marks(300
 
 TEST_F(PartsTest, ContoursAreTheLinesOfTheField) {
   EXPECT_EQ(said(R"(
-from rollfem_figures import contours
-from rollfem_figures.profile import on_scale
+from rollfem_figures.outline import at_points, contour_lines
+from rollfem_figures.profiles import on_scale
 x, y = np.linspace(-2, 2, 81), np.linspace(-3, 3, 91)
-rings = contours.lines(x, y, 1 - x[None, :] ** 2 - (y[:, None] / 2) ** 2, 0.0)
+rings = contour_lines(x, y, 1 - x[None, :] ** 2 - (y[:, None] / 2) ** 2, 0.0)
 assert len(rings) == 1 and np.allclose(rings[0][0], rings[0][-1])   # closed
 a, b = rings[0].T
 assert np.abs(a ** 2 + (b / 2) ** 2 - 1).max() < 2e-3
 area = 0.5 * abs(np.sum(a[:-1] * b[1:] - a[1:] * b[:-1]))
 assert abs(area - 2 * np.pi) < 5e-3
 # Two ends at the border, and a saddle makes two lines that do not cross.
-assert len(contours.lines(x, y, x[None, :] + 0 * y[:, None], 0.3)) == 1
-assert len(contours.lines(x, y, x[None, :] * y[:, None] + 1e-3, 0.0)) == 2
+assert len(contour_lines(x, y, x[None, :] + 0 * y[:, None], 0.3)) == 1
+assert len(contour_lines(x, y, x[None, :] * y[:, None] + 1e-3, 0.0)) == 2
 points = np.array([[0.31, -1.7], [-1.99, 2.99]])
-assert np.allclose(contours.at_points(x, y, 3 * x[None, :] - y[:, None], points), 3 * points[:, 0] - points[:, 1])
+assert np.allclose(at_points(x, y, 3 * x[None, :] - y[:, None], points), 3 * points[:, 0] - points[:, 1])
 assert np.allclose(on_scale([0, 1e-3, -1e-2, 1e-1]), [0, 0.6, -1.6, 2.6])
 )"),
             "");
@@ -77,12 +77,12 @@ assert np.allclose(on_scale([0, 1e-3, -1e-2, 1e-1]), [0, 0.6, -1.6, 2.6])
 
 TEST_F(PartsTest, LabelsHaveTheirSymbolsInSvgHtmlAndWords) {
   EXPECT_EQ(said(R"(
-from rollfem_figures import words
+from rollfem_figures import labels
 label = 'coefficient $-F_x/F_z$ at $\\xi$ < 1 %'
-assert words.plain(label) == 'coefficient −Fx/Fz at ξ < 1 %', words.plain(label)
-assert words.html(label) == 'coefficient −<i>F</i><sub>x</sub>/<i>F</i><sub>z</sub> at <i>ξ</i> &lt; 1 %'
-assert words.svg(label).count('class="sub"') == 2 and '&lt;' in words.svg(label)
-assert words.plain(words.math('phi')) == 'φ' and words.plain(words.math('p_0')) == 'p0'
+assert labels.plain(label) == 'coefficient −Fx/Fz at ξ < 1 %', labels.plain(label)
+assert labels.html(label) == 'coefficient −<i>F</i><sub>x</sub>/<i>F</i><sub>z</sub> at <i>ξ</i> &lt; 1 %'
+assert labels.svg(label).count('class="sub"') == 2 and '&lt;' in labels.svg(label)
+assert labels.plain(labels.math('phi')) == 'φ' and labels.plain(labels.math('p_0')) == 'p0'
 )"),
             "");
 }
@@ -159,9 +159,9 @@ rows = re.findall(r'<tr><th scope=row>(.*?)</th>(.*?)</tr>', part)
 at = sorted({float(r['lateral_shift [mm]']) for r in csv.DictReader(open(sys.argv[1] + '/wheelset.csv'))})
 assert [float(shift.replace('−', '-')) for shift, _ in rows] == at, rows
 assert '0.05000' in rows[-1][1] and '16.50' in rows[-1][1], rows
-from rollfem_figures import read_result, wheelset
+from rollfem_figures import positions, read_result
 result = read_result(sys.argv[1])
-figure = wheelset.of_run(result)
+figure = positions.wheelset(result)
 assert 'amplitude of 2 mm is 0.05 by the wave and 0.05 by' in figure.seen, figure.seen
 names = {panel.title: panel for panel in figure.panels}
 low, high = names['equivalent conicity'].y.range()          # a constant is a straight line

@@ -49,14 +49,10 @@ def of_model(model):
     return MODELS.setdefault(_name(model), SPARE[len(MODELS) % len(SPARE)])
 
 
-def line(model):
-    """Keyword arguments of a curve of this model (Panel.line)."""
-    colour, dash, _ = of_model(model)
-    return {"colour": colour, "dash": dash}
-
-
-def marker(model):
-    return of_model(model)[2]
+def line(model, marked=False):
+    """Keyword arguments of a curve of this model (Panel.line), with its markers if `marked`."""
+    colour, dash, marker = of_model(model)
+    return {"colour": colour, "dash": dash, "name": label(model), **({"marker": marker} if marked else {})}
 
 
 def css():

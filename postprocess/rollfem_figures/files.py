@@ -1,10 +1,30 @@
-"""Checksums by which a damaged result is told before anything in it is used: what
-postprocess/write/seal.hpp describes. A file without one is of an earlier version."""
+"""Files: written completely or not at all, and told by their checksums when they are damaged
+(postprocess/write/seal.hpp); one without a checksum is of an earlier version."""
+import contextlib
+import os
 import re
 import zlib
 
 _SEAL = 512  # bytes of the user block before the HDF5 data
 _HDF5 = b"\x89HDF\r\n\x1a\n"
+
+
+@contextlib.contextmanager
+def whole(path):
+    """A temporary name to write to; the file then appears at `path` complete or not at all."""
+    part = f"{path}.part-{os.getpid()}"
+    try:
+        yield part
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)
+
+
+def write_whole(path, text):
+    """Writes a text completely or not at all."""
+    with whole(path) as part, open(part, "w", encoding="utf-8") as file:
+        file.write(text)
 
 
 def results_are_sound(path):

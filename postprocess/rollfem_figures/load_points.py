@@ -1,0 +1,107 @@
+"""Load points: what tells them apart and how that is worded, which to draw when there are more than fit, and which
+model the others are compared with there."""
+
+# Of a key (xi, eta, spin): the scalar, the symbol in figures and on pages, the factor, the unit, and its axis.
+PARTS = (("longitudinal_creepage", r"$\xi$", "ξ", 100, "%", r"longitudinal creepage $\xi$ [%]"),
+         ("lateral_creepage", r"$\eta$", "η", 100, "%", r"lateral creepage $\eta$ [%]"),
+         ("spin", r"$\varphi$", "φ", 1, "rad/mm", r"spin $\varphi$ [rad/mm]"))
+# Of a history: the scalar and its axis.
+STEPS = (("longitudinal_shift", "longitudinal shift since the beginning [mm]"),
+         ("lateral_shift", "lateral shift since the beginning [mm]"),
+         ("spin_shift", "rotation since the beginning [rad]"), ("distance", "distance rolled [mm]"), ("step", "step"))
+
+
+def creepage_axis(points):
+    """What varies along the creep curve: (scalar, factor, axis label)."""
+    if any(p.by_number and p["step"] for p in points):
+        name, label = next((row for row in STEPS[:-1] if any(p[row[0]] for p in points)), STEPS[-1])
+        return name, 1.0, label
+    name, *_, factor, _, label = PARTS[(varying([p.creepages for p in points]) or [0])[0]]
+    return name, factor, label
+
+
+def varying(keys):
+    """Which parts of the keys differ from load point to load point."""
+    return [k for k in range(3) if len({key[k] for key in keys}) > 1]
+
+
+def key_texts(creepages):
+    """What distinguishes the load points, e.g. "ξ = 0.2 %", for each of a list of keys, (xi, eta, spin)
+    or (number,); and what they share, e.g. "η = 0.1 %", empty when it is nothing."""
+    if any(len(c) == 1 for c in creepages):
+        return {c: f"load point {c[0]:.0f}" for c in creepages}, ""
+    # One point: say what is not zero.
+    told = varying(creepages) or [k for k in range(3) if any(c[k] for c in creepages)] or [0]
+
+    def text(key, wanted):
+        return ", ".join(f"{symbol} = {factor * key[k]:.4g} {unit}"
+                         for k, (_, symbol, _, factor, unit, _) in enumerate(PARTS) if wanted(k))
+
+    shared = text(creepages[0], lambda k: k not in told and creepages[0][k]) if creepages else ""
+    return {c: text(c, told.__contains__) for c in creepages}, shared
+
+
+def friction_models(result):
+    return [m for m in result.models if m.has_friction]
+
+
+def with_pressure(result):
+    """The models that have a field of pressure."""
+    return [m for m in result.models if m.points and "pressure" in m.points[0].fields]
+
+
+def reference_for_patch(result):
+    """The requested one, otherwise Hertz if present: it is exact for what it describes."""
+    return _first_of(result.models, (result.reference, "hertz", "halfspace"))
+
+
+def reference_for_forces(result):
+    return _first_of(friction_models(result), (result.reference, "halfspace", "fem"))
+
+
+def _first_of(models, names):
+    return next((m for name in names for m in models if m.name == name), models[0] if models else None)
+
+
+def all_keys(models):
+    """The key of every load point of the models, in the order of the first that has it."""
+    return list(dict.fromkeys(point.key for model in models for point in model.points))
+
+
+def _evenly(found, count):
+    """So many of a list: the first, the last and those evenly between them; the middle one of them for 1."""
+    if len(found) <= count:
+        return found
+    return [found[round(k * (len(found) - 1) / (count - 1))] for k in range(count)] if count > 1 else [
+        found[len(found) // 2]]
+
+
+# Rows of a table of load points; of longer lists it has some, and files have all.
+MOST_ROWS = 60
+
+
+def shown_keys(models):
+    """All keys, or of a long list some."""
+    return _evenly(all_keys(models), MOST_ROWS)
+
+
+def chosen_keys(models, count):
+    """Up to `count` load points with tractions, spread over the creep curve."""
+    def having(keys, what):
+        return [c for c in keys if any((p := m.at(c)) and what(p) for m in models)]
+
+    loaded = having(all_keys(models), lambda p: p["max_traction"] > 0)
+    loaded = having(loaded, lambda p: "pressure" in p.fields) or loaded  # a long list keeps the fields of some
+    if sticking := having(loaded, lambda p: p["adhesion_area"] > 0):  # of those that slip everywhere the first tells all
+        sliding = [c for c in loaded if c not in sticking]
+        loaded = [c for c in loaded if c not in sliding[1:]]
+    return _evenly(loaded, count)
+
+
+def typical_key(models):
+    """One load point at which adhesion and slip are both there, else the middle one."""
+    def imbalance(key):
+        points = [p for m in models if (p := m.at(key)) and p["contact_area"] > 0]
+        return min((abs(p["adhesion_area"] / p["contact_area"] - 0.5) for p in points), default=1.0)
+
+    return min(chosen_keys(models, 10 ** 6), key=imbalance, default=None)

@@ -1,0 +1,269 @@
+"""With profiles: where the wheels touch the rails, and how that goes along a row of positions. And a wheelset over its
+lateral shift: the difference of its rolling radii, its contact angles and its equivalent conicity, from the table that
+`rollfem wheelset` wrote (wheelset.csv) or a run of a row of shifts (wheelset_rigid.csv; its own wheelset.csv has the
+loaded patches of each position)."""
+import math
+import os
+
+import numpy as np
+
+from . import styles, tables
+from .figure import Figure
+from .profiles import draw_pair
+from .reader import read_columns, read_rows
+
+def first_of_scenes(result):
+    """The first model of every patch."""
+    return [scene.models[0] for _, scene in result.scenes()]
+
+
+def positions(result):
+    """Numbers of the positions in the result."""
+    return sorted({m.place["position"] for m in result.models if m.place})
+
+
+def pair(result, wheel, position):
+    """Wheel on rail at one position with the contact points, and the distance between the two; None
+    without profiles."""
+    drawn = result.profiles.get((wheel, position))
+    touching = [m.place for m in first_of_scenes(result) if (m.place["wheel"], m.place["position"]) == (wheel, position)]
+    return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
+
+
+def force_to_the_right(model):
+    """Of the wheel along y of the track at the first load point, N, from the forces in the patch's frame
+    (docs/track.md)."""
+    angle, tilt = model.place["contact_angle"], 1 if model.place["wheel"] == "left" else -1
+    point = model.points[0]
+    return -point["lateral_force"] * math.cos(angle) + tilt * point["normal_force"] * math.sin(angle)
+
+
+PRESSURE = "largest pressure"
+FORCES = ("$F_x$ on the wheel", "force to the right on the wheel")  # those of all its patches
+
+
+def _at(name, factor=1.0):
+    """A scalar of a model's first load point or of its place, times a factor."""
+    return lambda model: factor * (model.place[name] if name in model.place else model.points[0][name])
+
+
+# Panels of the sweep: title, unit, least span of the scale, value of a model.
+PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_rail")),
+          ("contact point on the wheel", "$y$ of its profile [mm]", 2.0, _at("y_wheel")),
+          ("contact angle", "[°]", 0.5, _at("contact_angle", 180 / math.pi)),
+          ("normal force", "[kN]", 1.0, _at("normal_force", 1e-3)),
+          (PRESSURE, "[MPa]", 50.0, _at("max_pressure")),
+          ("contact area", "[mm²]", 5.0, _at("contact_area")),
+          ("length of the patch, along rolling", "[mm]", 1.0, _at("contact_length")),
+          ("width of the patch", "[mm]", 1.0, _at("contact_width")),
+          ("longitudinal creepage $\\xi$", "[%]", 0.02, _at("longitudinal_creepage", 100)),
+          ("spin $\\varphi$", "[rad/m]", 0.02, _at("spin", 1e3)),
+          (FORCES[0], "[kN]", 0.2, _at("longitudinal_force", 1e-3)),
+          (FORCES[1], "[kN]", 0.2, lambda model: force_to_the_right(model) / 1e3))
+
+
+def along(result):
+    """What a row of positions is drawn over: (values by position, axis label): the lateral shift, else
+    the yaw, in which no two are alike; else their numbers."""
+    at = {m.place["position"]: m.place for m in result.models if m.place}
+    for name, factor, label in (("lateral_shift", 1.0, "lateral shift of the wheelset [mm]"),
+                                ("yaw", 1e3, "yaw of the wheelset [mrad]")):
+        values = {number: factor * place[name] for number, place in at.items()}
+        if len({round(v, 9) for v in values.values()}) == len(values) > 1:
+            return values, label
+    return {number: number for number in at}, "position"
+
+
+def at_words(result, position):
+    """" at a lateral shift of 3 mm", where one of a row of positions is; empty of a single one."""
+    at, label = along(result)
+    if len(at) < 2:
+        return ""
+    what, _, unit = label.rstrip("]").partition(" of the wheelset [")
+    return f" at a {what} of {tables.plain(at[position])} {unit}" if unit else f" at position {position:.0f}"
+
+
+WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow markers
+
+
+def reference_of_row(result):
+    """Name of the model that rows are drawn of: one that has most places (Hertz cannot take every patch), of
+    those the reference."""
+    names = list(dict.fromkeys(m.name for m in result.models if m.points and m.place))
+    wished = [name for name in (result.reference, "halfspace", "hybrid", "fem") if name in names] + names
+    return max(wished, key=lambda name: sum(m.name == name for m in result.models))
+
+
+def _row(title, models, at, value):
+    """[(spots (where, value), whether a line joins them)] of one model and wheel: the sum over its patches of a force,
+    else the most loaded patch, then the others."""
+    spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1) for m in models]
+    if title in FORCES:
+        return [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
+    return [(sorted((w, v) for w, v, first in spots if first == joined), joined) for joined in (True, False)]
+
+
+def sweep(result):
+    """Contact point, angle, load, pressure, patch, creepages and forces of both wheels over the positions;
+    None for fewer than 3."""
+    if len(positions(result)) < 3:
+        return None
+    at, label = along(result)
+    models = [m for m in result.models if m.points and "vermeulen" not in m.name]
+    reference = reference_of_row(result)
+    figure, series = Figure(3), {}  # {(name, wheel): (models, look)}
+    for name in dict.fromkeys(m.name for m in models):
+        for wheel, dash, hollow in WHEELS:
+            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
+            look = {**styles.line(name, True), "dash": dash, "width": 1.2, "hollow": hollow}
+            series[name, wheel] = here, {**look, "name": "", "size": 2.8}
+            if any(m.place["wheel"] == wheel for m in models):
+                figure.entry(f"{look.pop('name')}, {wheel} wheel", **look)
+
+    def curves(title, value):
+        for (name, _), (here, look) in series.items():
+            if (name == reference or title in (PRESSURE, *FORCES)) and (
+                    title not in FORCES or any(m.has_friction for m in here)):
+                for spots, joined in _row(title, here, at, value):
+                    if spots:
+                        yield (*zip(*spots), {**look, "joined": joined})
+
+    figure.charts((250, 165), [(title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS])
+    peak = max((m.points[0]["max_pressure"], at[m.place["position"]], m.place["wheel"]) for m in models
+               if m.name == reference)
+    return figure.tell(f"Contact points, contact angle, normal force, pressure, patch, creepages and forces over the {label} "
+                       f"from {min(at.values()):.4g} to {max(at.values()):.4g}: ", [
+                           f"the largest pressure, {peak[0]:.4g} MPa, is at {peak[1]:.4g} on the {peak[2]} wheel"])
+
+
+# Of the table of contacts: heading, what a place has, factor, significant digits (None: as given).
+COLUMNS = (("shift [mm]", "lateral_shift", 1, None), ("yaw [mrad]", "yaw", 1e3, None), ("roll [mrad]", "roll", 1e3, 4),
+           ("y track [mm]", "y_track", 1, 7), ("y rail [mm]", "y_rail", 1, 5), ("y wheel [mm]", "y_wheel", 1, 5),
+           ("angle [°]", "contact_angle", 180 / math.pi, 4), ("radius [mm]", "rolling_radius", 1, 7))
+
+
+def contact_table(result):
+    """One row for every patch: where it is and what the models make of it."""
+    names = list(dict.fromkeys(m.name for m in result.models))
+    rows = []
+    for _, scene in result.scenes():
+        place, found = scene.models[0].place, {m.name: m.points[0] for m in reversed(scene.models) if m.points}
+        rows.append([place["wheel"], f"{place['position']:.0f}", f"{place['patch']:.0f}",
+                     *(tables.digits(factor * place[name], digits) for _, name, factor, digits in COLUMNS),
+                     tables.barred(scene.models[0].points[0], "normal_force"),
+                     *(tables.barred(found[name], "max_pressure") if name in found else "–" for name in names)])
+    return tables.table(["wheel", "position", "patch", *(head for head, *_ in COLUMNS), "F<sub>n</sub> [N]",
+                         *(f"p<sub>0</sub> {styles.label(name)} [MPa]" for name in names)], rows)
+
+
+BOTH = (("left", "blue", (), "o"), ("right", "slip", (5, 2), "s"))
+KINDS = (("wave", "blue", ()), ("harmonic", "slip", (5, 2)))
+UNDER_LOAD = " (markers: under load)"
+SHIFT = "shift to the right [mm]"
+# Least spans of the scales, so that cones, which have one conicity and one angle, are straight lines.
+LEAST_RADIUS, LEAST_ANGLE, LEAST_CONICITY, LEAST_LENGTH = 0.2, 0.5, 0.05, 5.0
+
+
+def _conicity_seen(table):
+    """The conicity in words, at the amplitude nearest to 3 mm that has one."""
+    known = np.flatnonzero(np.isfinite(table["conicity_wave"]))
+    if not known.size:
+        return "the wheelset does not oscillate"
+    at = known[np.argmin(abs(table["lateral_shift"][known] - 3.0))]
+    return (f"the equivalent conicity at an amplitude of {table['lateral_shift'][at]:.3g} mm is "
+            f"{table['conicity_wave'][at]:.3g} by the wave and {table['conicity_harmonic'][at]:.3g} by "
+            f"harmonic linearisation")
+
+
+def _radius_differences(loaded):
+    """[(lateral shift, right less left rolling radius)]; empty for one wheel."""
+    radius = {(p["position"], p["wheel"]): p["rolling_radius"] for p in loaded}
+    return sorted((p["lateral_shift"], radius[p["position"], "right"] - radius[p["position"], "left"])
+                  for p in loaded if p["wheel"] == "left" and (p["position"], "right") in radius)
+
+
+def draw_wheelset(table, loaded=()):
+    """Radii, angles and conicity over the shift: lines rigid; markers `loaded`, the places of the most loaded
+    patches of a run. Where some of these are to the left, so are the lines, mirrored."""
+    shift, difference = table["lateral_shift"], table["radius_difference"]
+    angle = {side: np.degrees(table[f"angle_{side}"]) for side in ("left", "right")}
+    to_the_left = min((place["lateral_shift"] for place in loaded), default=0) < 0
+
+    def line(values, mirrored, **look):
+        if not to_the_left:
+            return shift, values, look
+        return np.concatenate([-shift[:0:-1], shift]), np.concatenate([mirrored[:0:-1], values]), look
+
+    def markers(spots, **look):
+        return [(*zip(*spots), {**look, "joined": False, "order": 5})] if spots else []
+
+    figure = Figure(2)
+    differences = _radius_differences(loaded)
+    angles = []
+    for (side, colour, dash, marker), other in zip(BOTH, ("right", "left")):
+        spots = sorted((p["lateral_shift"], np.degrees(p["contact_angle"])) for p in loaded if p["wheel"] == side)
+        angles += [line(angle[side], angle[other], colour=colour, dash=dash), *markers(spots, colour=colour, marker=marker)]
+        figure.entry(f"{side} wheel" + UNDER_LOAD * bool(spots), colour, dash, marker=marker if spots else None)
+    if differences:
+        figure.entry("right less left" + UNDER_LOAD, "ink", marker="D")
+    length = table["wave_length"] * 1e-3
+    figure.charts((270, 200), [
+        ("rolling radii", SHIFT, "right less left [mm]", LEAST_RADIUS,
+         [line(difference, -difference), *markers(differences, marker="D", size=2.8)]),
+        ("contact angles", SHIFT, "contact angle [°]", LEAST_ANGLE, angles),
+        ("equivalent conicity", "amplitude [mm]", "conicity [-]", LEAST_CONICITY,
+         [(shift, table[f"conicity_{kind}"], {"colour": colour, "dash": dash, "name": f"conicity, {kind}"})
+          for kind, colour, dash in KINDS]),
+        ("length of the wave", "amplitude [mm]", "[m]", LEAST_LENGTH, [(shift, length, {})])])
+    return figure.tell(f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: ", [
+        f"the right rolling radius grows to {difference[-1]:.3g} mm more than the left, the right contact angle to "
+        f"{angle['right'].max():.3g} degrees", _conicity_seen(table)])
+
+
+def build(path):
+    """NAME.svg of a table NAME.csv that `rollfem wheelset` wrote."""
+    draw_wheelset(read_columns(path, "conicity_wave")[1]).save(os.path.splitext(path)[0] + ".svg")
+
+
+def wheelset(result):
+    """The figure of a run over its row of shifts. None without such a row."""
+    path = os.path.join(result.directory, "wheelset_rigid.csv")
+    if not os.path.exists(path):
+        return None
+    reference = reference_of_row(result)
+    return draw_wheelset(read_columns(path, "conicity_wave")[1],
+                 [m.place for m in result.models if m.name == reference and m.place["patch"] == 1])
+
+
+# Columns of the table of a report: (heading, column of wheelset.csv, factor, significant digits).
+OF_SHIFT = (("shift [mm]", "lateral_shift", 1, None), ("r right − left, rigid [mm]", "rigid_radius_difference", 1, 4),
+           ("loaded [mm]", "radius_difference", 1, 4), ("conicity, harmonic", "conicity_harmonic", 1, 4),
+           ("wave", "conicity_wave", 1, 4), ("wave length [m]", "wave_length", 1e-3, 4))
+OF_WHEEL = (("angle [°]", "contact_angle", 180 / np.pi, 4), ("length [mm]", "contact_length", 1, 4),
+            ("width [mm]", "contact_width", 1, 4), ("p<sub>0</sub> [MPa]", "max_pressure", 1, 5),
+            ("F<sub>x</sub> [kN]", "longitudinal_force", 1e-3, 4), ("F<sub>y</sub> [kN]", "lateral_force", 1e-3, 4))
+
+
+def _shift_cell(row, column, factor, digits):
+    if not row[column]:
+        return "–"
+    value = factor * float(row[column])
+    return tables.digits(0 if abs(value) < 1e-9 else value, digits)
+
+
+def wheelset_table(result):
+    """HTML: one line a position, by the model that row figures have; empty without a row of shifts."""
+    path = os.path.join(result.directory, "wheelset.csv")
+    if not os.path.exists(path):
+        return ""
+    reference = reference_of_row(result)
+    rows = [row for row in read_rows(path)[1] if row["model"] == reference and row["point"] == "1"]
+    wheels = [side for side in ("left", "right") if any(row[f"{side} patches"] for row in rows)]
+    columns = OF_SHIFT + tuple((f"{side}: {head}", f"{side} {name}", factor, digits)
+                              for side in wheels for head, name, factor, digits in OF_WHEEL)
+    return (tables.table([column[0] for column in columns],
+                         [[_shift_cell(row, *column[1:]) for column in columns] for row in rows])
+            + f"<p class=hint>Patches by {styles.label(reference)} at the first load point; length and width: most loaded patch of a wheel; "
+            "forces on the wheel, along the track and to the right. Rigid: without a load. Conicity at the "
+            "amplitude of the "
+            "shift: by harmonic linearisation, and that of cones with the same wave (UIC 519, EN 15302).</p>")

@@ -1,0 +1,108 @@
+"""Profiles: one of wheel or rail with its curvature over y below it; and a wheel on its rail with the distance between
+them."""
+import math
+import os
+
+import numpy as np
+
+from .figure import Figure
+from .reader import read_columns, read_rows
+
+LINEAR = 1e-3  # 1/mm: the scale of curvature is linear below, logarithmic beyond: radii from 10 mm to 10 m
+DECADE = 0.6  # how long the linear part is, in decades
+
+
+def joints(s):
+    """Indices of the first of the two rows that every joint of the curvature has."""
+    return np.flatnonzero(np.diff(s) == 0.0)
+
+
+def on_scale(curvature):
+    """Where a curvature (1/mm) is on the scale: linear about 0, logarithmic beyond."""
+    size = np.abs(np.asarray(curvature, dtype=float)) / LINEAR
+    return np.sign(curvature) * np.where(size <= 1, DECADE * size, DECADE + np.log10(np.maximum(size, 1)))
+
+
+def _ticks(curvature):
+    largest = max(np.abs(curvature).max(), LINEAR)
+    sizes = [10.0**e for e in range(-3, int(np.ceil(np.log10(largest))) + 1)]
+    low, high = 2.0 * min(curvature.min(), 0.0), 2.0 * max(curvature.max(), 0.0)
+    shown = [-t for t in sizes if -t >= low] + [0.0] + [t for t in sizes if t <= high]
+    return [(float(on_scale(t)), f"{t:g}".replace("-", "−")) for t in sorted(shown)]
+
+
+def draw_profile(title, columns):
+    """The figure of a profile."""
+    y, z, curvature = (columns[name] for name in ("y", "z", "curvature"))
+    places = joints(columns["s"])
+    figure = Figure(1, title)
+    shape = figure.add(560, 0, "", "$y$, to the field side [mm]", "$z$, down [mm]", equal=True)
+    shape.line(y, z, "blue", 1.8)
+    shape.y.flipped = True
+    if len(places):
+        shape.line(y[places], z[places], "slip", marker="o", size=3.4, joined=False, order=4, name="joint: the radius changes")
+    bend = figure.add(560, 200, "", "$y$, to the field side [mm]", "curvature [1/mm]")
+    for place in places:
+        bend.level(y[place], "soft", (3, 2), 0.6, upright=True)
+    bend.line(y, on_scale(curvature), "blue", 1.5)
+    bend.y.ticks = _ticks(curvature)
+    shape.room_left = bend.room_left = 84  # one below the other
+    figure.seen = (f"{title}: shape from y = {y.min():.4g} to {y.max():.4g} mm, {np.ptp(z):.3g} mm high; curvature "
+                   f"from {curvature.min():.3g} to {curvature.max():.3g} 1/mm, {len(places)} joints.")
+    return figure
+
+
+# Colours of the patches of one wheel, the most loaded first.
+PATCH_COLOURS = ["red", "blue", "green", "pink"]
+
+
+def _as_function(points):
+    """(y, z) of a section with rising y, of an undercut side only what comes first."""
+    order = np.argsort(points[:, 0], kind="stable")
+    y, z = points[order].T
+    keep = np.concatenate([[True], np.diff(y) > 1e-9])
+    return y[keep], z[keep]
+
+
+def draw_pair(drawn, touching, title):
+    """`drawn`: points y, z [n, 2] of "rail" and "wheel" on the track; `touching`: dicts with patch,
+    y_track, z_track (mm), contact_angle (rad), rolling_radius (mm)."""
+    figure = Figure(2)
+    shape = figure.add(380, 0, title, "$y$ on the track, to the right [mm]", "height [mm]", equal=True)
+    gap = figure.add(250, 210, "distance at the axle, unloaded", "$y$ on the track, to the right [mm]", "[mm]")
+    for name, ink in (("rail", "ink"), ("wheel", "blue")):
+        y, z = drawn[name].T
+        shape.line(y, -z, ink, 1.5, name=name)
+    # Vertical distance around the contact, before they are pressed together.
+    rail, wheel = _as_function(drawn["rail"]), _as_function(drawn["wheel"])
+    low, high = min(p["y_track"] for p in touching) - 20, max(p["y_track"] for p in touching) + 20
+    y = np.linspace(max(rail[0][0], wheel[0][0], low), min(rail[0][-1], wheel[0][-1], high), 600)
+    distance = np.interp(y, *rail) - np.interp(y, *wheel)
+    gap.line(y, distance, "blue", 1.5)
+    gap.x.limits, gap.y.limits = (low, high), (-0.02, 0.6)
+    said = []
+    for k, place in enumerate(touching):
+        look = {"colour": PATCH_COLOURS[k % len(PATCH_COLOURS)], "marker": "o", "size": 3.6, "order": 5}
+        at, patch = place["y_track"], f"patch {place['patch']:.0f}"
+        angle = f"{math.degrees(place['contact_angle']):.2f}°"
+        shape.spots([(at, -place["z_track"])], **look)
+        gap.spots([(at, np.interp(at, y, distance))], name=f"{patch}: {angle}, radius {place['rolling_radius']:.3f} mm", **look)
+        said.append(f"{patch} touches at y = {at:.2f} mm under {angle}")
+    return figure.tell(f"{title}: ", said)
+
+
+def _pair_of(path):
+    """What draw_pair takes, from a table of wheel, rail and patches."""
+    title, rows = read_rows(path)
+    drawn = {part: np.array([[float(row["y"]), float(row["z"])] for row in rows if row["part"] == part])
+             for part in ("rail", "wheel")}
+    names = {"y_track": "y", "z_track": "z", "contact_angle": "angle", "rolling_radius": "radius"}
+    return drawn, [{"patch": float(row["part"].split()[1]), **{name: float(row[column]) for name, column in names.items()}}
+                   for row in rows if row["part"].startswith("patch")], title
+
+
+def build(path):
+    """NAME.svg of a table NAME.csv that `rollfem profile` wrote, of one profile or of a case's wheel on its rail."""
+    pair = "part" in read_rows(path)[1][0]
+    figure = draw_pair(*_pair_of(path)) if pair else draw_profile(*read_columns(path, "curvature"))
+    figure.save(os.path.splitext(path)[0] + ".svg")
