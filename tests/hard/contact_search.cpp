@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
 #include <cmath>
 
@@ -69,8 +70,7 @@ TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
   double last = 0.0, largest = 0.0;
   for (double shift = -5.0; shift >= -10.0; shift -= 0.25) {
     const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);
-    const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
-    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+    const auto found = rollfem::testing::contacts_of(input);
     ASSERT_GE(found.size(), 1u) << shift;
     const double angle = found[0].place.contact_angle;
     largest = std::max(largest, angle);
@@ -85,12 +85,10 @@ TEST(FlangeContact, PatchesWithDifferentNormalsStayApart) {
   // Tread and flange root touch together near 5 mm; their normals differ by 0.16 rad, and they are
   // 9 mm apart: one contact, unless less is taken for different.
   contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
-  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
-  const auto pose = find_pose(input, scene, 1);
-  EXPECT_EQ(find_contacts(input, scene, pose, 1, true).at(0).place.patches, 1);
+  EXPECT_EQ(rollfem::testing::contacts_of(input).at(0).place.patches, 1);
   track::SearchOptions options;
   options.merge_angle = 0.1;
-  const auto found = find_contacts(input, scene, pose, 1, true, options);
+  const auto found = rollfem::testing::contacts_of(input, true, options);
   ASSERT_GE(found.size(), 2u);
   EXPECT_EQ(found[0].place.patches, 2);
   EXPECT_GT(std::abs(found[0].place.contact_angle - found[1].place.contact_angle), 0.1);
@@ -110,8 +108,7 @@ TEST(GaugeCorner, ConformalContactIsOnePatchOverManyAngles) {
   // Rail radius 13 under the wheel's 13 to 15: at 6 mm the patch is wide for its load.
   contact::Case input = rollfem::testing::manchester_case(-6.0, -0.0144);
   input.load.vertical_force = 50e3;
-  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
-  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  const auto found = rollfem::testing::contacts_of(input);
   ASSERT_EQ(found[0].place.patches, 1);
   const auto& geometry = found[0].geometry;
   const double turned = std::atan(geometry.rail().at(found[0].reach[1]).slope) -
@@ -138,16 +135,12 @@ TEST(WornWheel, TouchesAtTheRimsOfItsHollow) {
 template <class Error>
 void expect_refused(const contact::Case& input, const track::ProfilePair& pair, bool left,
                     const std::vector<std::string>& parts) {
-  try {
+  const std::string text = rollfem::testing::refusal<Error>([&] {
     const auto scene = track::make_search_scene(input, pair);
     find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
-    FAIL() << "accepted";
-  } catch (const Error& error) {
-    const std::string text = error.what();
-    for (const std::string& part : parts)
-      EXPECT_NE(text.find(part), std::string::npos) << "no '" << part << "' in: " << text;
-    EXPECT_EQ(text.find('\n'), std::string::npos);
-  }
+  });
+  for (const std::string& part : parts) EXPECT_TRUE(rollfem::testing::says(text, part));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
 TEST(Refusal, WheelBesideItsRail) {
@@ -194,13 +187,12 @@ TEST(Refusal, ProfileThatEndsWithinThePatch) {
 
 TEST(Refusal, BothWheelsMustFindTheirRails) {
   contact::Case input = rollfem::testing::manchester_case(90.0, 0.0);
-  try {
-    const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
-    find_contacts(input, scene, 1);
-    FAIL() << "accepted";
-  } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("do: "), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(rollfem::testing::says(
+      rollfem::testing::refusal<std::exception>([&] {
+        find_contacts(input, track::make_search_scene(input, rollfem::testing::manchester_pair()),
+                      1);
+      }),
+      "do: "));
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ MUTATIONS = [
     Mutation("elastic_energy_half", "contact/result/derived.cpp",
              "return 0.5 * grid.element_area() *", "return grid.element_area() *",
              "elastic energy is the work of a load that is there at once",
-             ("unit_derived", "verification_derived_rolling")),
+             ("unit_derived", "verification_halfspace_forces")),
     # contact/: solution
     Mutation("upwind_of_the_wrong_side", "contact/solve/upwind.cpp",
              "(3.0 * u[k] - 4.0 * u[k + 1] + u[k + 2])", "(u[k] - u[k + 2])",

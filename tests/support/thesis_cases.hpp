@@ -6,6 +6,7 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/tangential.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -43,6 +44,28 @@ inline contact::CombinedMaterial steel() {
   return contact::combine(contact::Material{}, contact::Material{});
 }
 
+/// Two bodies of this shear modulus (MPa) and Poisson's ratio.
+inline contact::CombinedMaterial alike(double shear_modulus, double poisson_ratio) {
+  const contact::Material body{2.0 * shear_modulus * (1.0 + poisson_ratio), poisson_ratio};
+  return contact::combine(body, body);
+}
+
+/// Hertz's pressure on an ellipse about the middle.
+inline contact::Field hertz_pressure(const contact::ContactGrid& on, double a, double b,
+                                     double p0) {
+  return on.sample([&](double x, double y) {
+    return p0 * std::sqrt(std::max(0.0, 1.0 - x * x / (a * a) - y * y / (b * b)));
+  });
+}
+
+/// Rigid slip of creepages and spin, the spin taken `ahead` of the middles of elements.
+inline contact::TangentialField slip_of(const contact::ContactGrid& on,
+                                        const contact::Creepage& creepage, double ahead = 0.0) {
+  return {
+      on.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; }),
+      on.sample([&](double x, double) { return creepage.lateral + creepage.spin * (x + ahead); })};
+}
+
 /// Given Hertz pressure on a circle of 6 mm with combined creepage and spin.
 struct Benchmark9 {
   double radius = 6.0;
@@ -50,13 +73,7 @@ struct Benchmark9 {
   double friction = 0.3;
   contact::Creepage creepage{-1e-3, 5e-4, 1e-4};
 
-  static contact::CombinedMaterial material() {
-    contact::CombinedMaterial combined;
-    combined.shear_modulus = 82000.0;
-    combined.poisson_ratio = 0.28;
-    combined.contact_modulus = 82000.0 / 0.72;
-    return combined;
-  }
+  static contact::CombinedMaterial material() { return alike(82000.0, 0.28); }
 
   contact::ContactGrid grid(int across, int margin = 3) const {
     const double cell = 2.0 * radius / across;
@@ -67,19 +84,10 @@ struct Benchmark9 {
   contact::TangentialProblem problem(
       const contact::ContactGrid& on,
       contact::UpwindOrder order = contact::UpwindOrder::second) const {
-    const double ahead = contact::upstream_of_spin(order, on.dx);
     const double p0 = 1.5 * force / (M_PI * radius * radius);
-    contact::TangentialProblem given;
-    given.friction = contact::coulomb(friction);
-    given.pressure = on.sample([&](double x, double y) {
-      const double rest = 1.0 - (x * x + y * y) / (radius * radius);
-      return rest > 0.0 ? p0 * std::sqrt(rest) : 0.0;
-    });
-    given.rigid_slip.x =
-        on.sample([&](double, double y) { return creepage.longitudinal - creepage.spin * y; });
-    given.rigid_slip.y =
-        on.sample([&](double x, double) { return creepage.lateral + creepage.spin * (x + ahead); });
-    return given;
+    return {hertz_pressure(on, radius, radius, p0),
+            slip_of(on, creepage, contact::upstream_of_spin(order, on.dx)),
+            contact::coulomb(friction)};
   }
 };
 

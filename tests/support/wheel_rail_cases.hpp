@@ -63,6 +63,14 @@ inline contact::Case manchester_case(double shift, double yaw) {
   return input;
 }
 
+/// What touches where, of one wheel at the first position.
+inline std::vector<track::WheelRailContact> contacts_of(const contact::Case& input,
+                                                        bool left = true,
+                                                        const track::SearchOptions& options = {}) {
+  const auto scene = track::make_search_scene(input, manchester_pair());
+  return find_contacts(input, scene, find_pose(input, scene, 1), 1, left, options);
+}
+
 /// Smallest height of the wheel's surface above the rail, mm: points of the surface of revolution
 /// about the axle, to 0.02 mm across and as finely along as matters. No outline, no tangents.
 inline double brute_force_distance(const track::SearchScene& scene, double rolling_radius,

@@ -8,11 +8,12 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/history.hpp"
+#include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>
 
-#include "support/line_compliance.hpp"
 #include "support/recorded.hpp"
+#include "support/thesis_cases.hpp"
 #include <cmath>
 #include <complex>
 
@@ -22,7 +23,6 @@ namespace {
 using contact::ContactGrid;
 using contact::Field;
 using contact::TangentialField;
-using testing::LineCompliance;
 
 constexpr double semi_axis = 1.0;   // mm
 constexpr double reference = 20.0;  // mm
@@ -36,13 +36,11 @@ std::complex<double> closed_form(double ka) {
 
 /// F/F_0 of steps of one element over waves of the creepage, when the start is forgotten.
 std::complex<double> rolled(double ka, int across) {
-  contact::CombinedMaterial material;
-  material.shear_modulus = shear_modulus;
-  material.poisson_ratio = poisson_ratio;
-  material.contact_modulus = shear_modulus / (1.0 - poisson_ratio);
   const double cell = 2.0 * semi_axis / across;
-  const ContactGrid grid = ContactGrid::centred(across + 8, 1, cell, 1.0);
-  const LineCompliance compliance(grid, material, reference);
+  ContactGrid grid = ContactGrid::centred(across + 8, 1, cell, 1.0);
+  grid.line_reference = reference;
+  const halfspace::HalfspaceCompliance compliance(grid,
+                                                  testing::alike(shear_modulus, poisson_ratio));
   contact::ContactConditions conditions;
   conditions.given_pressure = grid.sample([](double x, double) {
     return std::sqrt(std::max(0.0, 1.0 - x * x / (semi_axis * semi_axis)));

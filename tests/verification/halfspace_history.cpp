@@ -139,25 +139,33 @@ TEST(Cattaneo, UnloadingLoopLosesTheWorkOfTheClosedForm) {
   rollfem::testing::record("loss_of_the_benchmark", lost_there);
 }
 
-TEST(Spence, ElasticSpherePressedOnARigidOne) {
-  // [ug]: G = 1, nu = 0, K = 0.5, mu = 0.2986: c/a = 0.5, p_n(0) = 1.31 of Hertz's. CONTACT's
-  // example at F = 0.4705 N: approach 0.09874 mm, 0.02392 MPa.
+/// An elastic sphere of Spence's pressed on a rigid one with the first and these further forces.
+Case pressed_sphere(const std::vector<double>& forces) {
   Case input;
   input.file = "test.toml";
   input.wheel.rolling_radius = input.wheel.transverse_radius = 121.5;
   input.wheel.material = {1.0, 0.0};
   input.rail.material = {infinity, 0.0};
   input.friction_coefficient = 0.2986;
-  input.contact_grid.cell_size = {{0.1, 0.1}};
   input.rolling.problem = Problem::shift;
-  const double force = std::pow(70.0 / 90.0, 3);
-  input.load.normal_force = force;
-  for (int k = 2; k <= 35; ++k) {
+  for (const double force : forces) {
     HistoryStep step;
-    step.normal_force = force * std::pow(k / 35.0, 3);
+    step.normal_force = force;
     input.history.push_back(step);
   }
-  input.rolling.creepages.assign(input.history.size(), {});
+  input.rolling.creepages.assign(forces.size(), {});
+  return input;
+}
+
+TEST(Spence, ElasticSpherePressedOnARigidOne) {
+  // [ug]: G = 1, nu = 0, K = 0.5, mu = 0.2986: c/a = 0.5, p_n(0) = 1.31 of Hertz's. CONTACT's
+  // example at F = 0.4705 N: approach 0.09874 mm, 0.02392 MPa.
+  const double force = std::pow(70.0 / 90.0, 3);
+  std::vector<double> forces;
+  for (int k = 2; k <= 35; ++k) forces.push_back(force * std::pow(k / 35.0, 3));
+  Case input = pressed_sphere(forces);
+  input.load.normal_force = force;
+  input.contact_grid.cell_size = {{0.1, 0.1}};
   EXPECT_NEAR(contact::combine(input.wheel.material, input.rail.material).difference, 0.5, 1e-12);
   const ModelResult result = halfspace::run_halfspace(input, {});
   const PointResult& point = result.points.back();
@@ -178,21 +186,9 @@ TEST(Spence, ElasticSpherePressedOnARigidOne) {
 TEST(Spence, FirstStepOnFourElements) {
   // A load whose patch is four elements: friction has changed their displacement alike, and the
   // gap is closed where the approach has followed.
-  Case input;
-  input.file = "test.toml";
-  input.wheel.rolling_radius = input.wheel.transverse_radius = 121.5;
-  input.wheel.material = {1.0, 0.0};
-  input.rail.material = {infinity, 0.0};
-  input.friction_coefficient = 0.2986;
+  Case input = pressed_sphere({0.00011, 0.4495});
   input.contact_grid.elements_across = 20;
-  input.rolling.problem = Problem::shift;
   input.load.normal_force = 0.4495;
-  for (const double force : {0.00011, 0.4495}) {
-    HistoryStep step;
-    step.normal_force = force;
-    input.history.push_back(step);
-  }
-  input.rolling.creepages.assign(input.history.size(), {});
   const ModelResult result = halfspace::run_halfspace(input, {});
   const PointResult& first = result.points.front();
   const Field& pressure = first.fields.traction.n;

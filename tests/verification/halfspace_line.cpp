@@ -5,12 +5,13 @@
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/history.hpp"
 #include "contact/solve/prescribed_force.hpp"
+#include "halfspace/elasticity/compliance.hpp"
 #include "theories/carter.hpp"
 
 #include <gtest/gtest.h>
 
-#include "support/line_compliance.hpp"
 #include "support/recorded.hpp"
+#include "support/thesis_cases.hpp"
 #include <cmath>
 #include <memory>
 
@@ -27,21 +28,20 @@ using contact::Motion;
 using contact::TangentialField;
 using contact::UpwindOrder;
 using Eigen::Vector2d;
-using rollfem::testing::LineCompliance;
+using halfspace::HalfspaceCompliance;
 
 /// A roller whose Hertz contact has half width a, n elements across it, forces in N/mm.
 class Roller {
  public:
   Roller(double a, double radius, const contact::CombinedMaterial& material, double mu, int n,
          UpwindOrder order = UpwindOrder::second)
-      : grid(ContactGrid::centred(n + 2 * (n / 5 + 4), 1, 2.0 * a / n, 1.0)),
+      : grid(line_of(n + 2 * (n / 5 + 4), 2.0 * a / n)),
         friction(mu),
         load(M_PI * a * a * material.contact_modulus / (4.0 * radius)),
         hertz_pressure(2.0 * load / (M_PI * a)),
         whole_(grid, material) {
-    contact::CombinedMaterial alike = material;
-    alike.difference = 0.0;
-    if (material.difference != 0.0) uncoupled_ = std::make_unique<LineCompliance>(grid, alike);
+    if (material.couples())
+      uncoupled_ = std::make_unique<HalfspaceCompliance>(grid, material.uncoupled());
     contact::ContactConditions scene;
     scene.undeformed_distance =
         grid.sample([&](double x, double) { return x * x / (2.0 * radius); });
@@ -81,22 +81,21 @@ class Roller {
   std::unique_ptr<ContactProblem> problem;
 
  private:
-  LineCompliance whole_;
-  std::unique_ptr<LineCompliance> uncoupled_;
+  /// What displacements are relative to, far away, changes neither forces nor pressure.
+  static ContactGrid line_of(int elements, double cell) {
+    ContactGrid line = ContactGrid::centred(elements, 1, cell, 1.0);
+    line.line_reference = 10.0 * elements * cell;
+    return line;
+  }
+
+  HalfspaceCompliance whole_;
+  std::unique_ptr<HalfspaceCompliance> uncoupled_;
   double stiffness_;
 };
 
-contact::CombinedMaterial steel() {
-  contact::CombinedMaterial material;
-  material.shear_modulus = 82000.0;
-  material.poisson_ratio = 0.28;
-  material.contact_modulus = 82000.0 / 0.72;
-  return material;
-}
-
 /// Largest error of Carter's force over the creep curve, relative to mu P.
 double carter_error(int n) {
-  const Roller roller(1.0, 500.0, steel(), 0.3, n);
+  const Roller roller(1.0, 500.0, rollfem::testing::alike(82000.0, 0.28), 0.3, n);
   const theories::CarterContact carter{1.0, roller.hertz_pressure, 0.3, 82000.0 / 0.72};
   double error = 0.0;
   for (const double part : {0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.1}) {
@@ -119,7 +118,7 @@ TEST(Carter, ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder) {
 
 TEST(Carter, TractionsAndSlipOfTheUsersGuide) {
   // a' = 0.6: |xi| = 2.4e-4, |F_x| = 0.64 mu P.
-  const Roller roller(1.0, 500.0, steel(), 0.3, 100);
+  const Roller roller(1.0, 500.0, rollfem::testing::alike(82000.0, 0.28), 0.3, 100);
   const ContactState state = roller.roll(2.4e-4);
   EXPECT_NEAR(roller.force(state) / (0.3 * roller.load), -0.64, 0.64 * 0.001);
   EXPECT_NEAR(roller.load, 178.90, 0.01);
@@ -244,10 +243,7 @@ TEST(Spence, StickRatioOfWeaklyCoupledLineContact) {
   // K'(k)/K(k) = beta/mu for k = c/a (Spence 1975, Johnson 1985), exact while the shear does not
   // act back on the pressure: beta = 0.025. Pressed in small steps, for it depends on the history.
   for (const double beta_over_mu : {1.0, 0.5}) {
-    contact::CombinedMaterial material;
-    material.shear_modulus = 1.0;
-    material.poisson_ratio = 0.0;
-    material.contact_modulus = 1.0;
+    contact::CombinedMaterial material = rollfem::testing::alike(1.0, 0.0);
     material.difference = 0.025;
     const Roller roller(1.0, 100.0, material, 0.025 / beta_over_mu, 200);
     contact::History history(roller.grid, UpwindOrder::second);

@@ -23,15 +23,19 @@ using contact::UpwindOrder;
 using halfspace::HalfspaceCompliance;
 using testing::Benchmark9;
 
-TangentialSolution solve_benchmark_9(int across, UpwindOrder order) {
-  const Benchmark9 benchmark;
+TangentialSolution solve_benchmark_9(int across, UpwindOrder order,
+                                     const contact::Creepage& creepage = Benchmark9().creepage) {
+  Benchmark9 benchmark;
+  benchmark.creepage = creepage;
   const ContactGrid grid = benchmark.grid(across);
   const HalfspaceCompliance compliance(grid, Benchmark9::material());
   return contact::solve_tangential(compliance.rolling(order), benchmark.problem(grid));
 }
 
-testing::Forces forces_of_benchmark_9(int across, UpwindOrder order) {
-  return testing::forces(Benchmark9().grid(across), solve_benchmark_9(across, order).traction);
+testing::Forces forces_of_benchmark_9(int across, UpwindOrder order,
+                                      const contact::Creepage& creepage = Benchmark9().creepage) {
+  return testing::forces(Benchmark9().grid(across),
+                         solve_benchmark_9(across, order, creepage).traction);
 }
 
 /// Root mean square of p - Proj(p - r w), with w of these tractions and the projection worked out
@@ -144,29 +148,21 @@ TEST(SteadyRolling, HoldsCoulombsLawAtEveryElement) {
   EXPECT_GT(adhesion, 100);
 }
 
-/// Tractions with the creepages (xi, eta, phi) on benchmark 9's patch.
-TangentialSolution with_creepage(const contact::Creepage& creepage, int across) {
-  Benchmark9 benchmark;
-  benchmark.creepage = creepage;
-  const ContactGrid grid = benchmark.grid(across);
-  const HalfspaceCompliance compliance(grid, Benchmark9::material());
-  return contact::solve_tangential(compliance.rolling(UpwindOrder::second),
-                                   benchmark.problem(grid));
-}
-
 TEST(SteadyRolling, BrakingGivesANegativeForceOnTheWheel) {
-  const ContactGrid grid = Benchmark9().grid(16);
-  EXPECT_LT(testing::forces(grid, with_creepage({1e-3, 0.0, 0.0}, 16).traction).x, 0.0);
-  EXPECT_LT(testing::forces(grid, with_creepage({0.0, 1e-3, 0.0}, 16).traction).y, 0.0);
-  const testing::Forces spin = testing::forces(grid, with_creepage({0.0, 0.0, 1e-4}, 16).traction);
+  const auto forces = [](const contact::Creepage& creepage) {
+    return forces_of_benchmark_9(16, UpwindOrder::second, creepage);
+  };
+  EXPECT_LT(forces({1e-3, 0.0, 0.0}).x, 0.0);
+  EXPECT_LT(forces({0.0, 1e-3, 0.0}).y, 0.0);
+  const testing::Forces spin = forces({0.0, 0.0, 1e-4});
   // Kalker: F_y = -G c^3 C23 phi, M_z = -G c^4 C33 phi.
   EXPECT_LT(spin.y, 0.0);
   EXPECT_LT(spin.moment, 0.0);
 }
 
 TEST(SteadyRolling, ReversedCreepageReversesTractions) {
-  const TangentialSolution s = with_creepage({-1e-3, 5e-4, 1e-4}, 20);
-  const TangentialSolution r = with_creepage({1e-3, -5e-4, -1e-4}, 20);
+  const TangentialSolution s = solve_benchmark_9(20, UpwindOrder::second, {-1e-3, 5e-4, 1e-4});
+  const TangentialSolution r = solve_benchmark_9(20, UpwindOrder::second, {1e-3, -5e-4, -1e-4});
   const double scale = s.traction.x.cwiseAbs().maxCoeff();
   EXPECT_LT((s.traction.x + r.traction.x).cwiseAbs().maxCoeff(), 1e-4 * scale);
   EXPECT_LT((s.traction.y + r.traction.y).cwiseAbs().maxCoeff(), 1e-4 * scale);
@@ -174,8 +170,8 @@ TEST(SteadyRolling, ReversedCreepageReversesTractions) {
 
 TEST(SteadyRolling, MirroredSceneGivesMirroredTractions) {
   // y -> -y: xi stays, eta and phi change sign; p_x(x, -y), -p_y(x, -y).
-  const TangentialSolution s = with_creepage({-1e-3, 5e-4, 1e-4}, 20);
-  const TangentialSolution m = with_creepage({-1e-3, -5e-4, -1e-4}, 20);
+  const TangentialSolution s = solve_benchmark_9(20, UpwindOrder::second, {-1e-3, 5e-4, 1e-4});
+  const TangentialSolution m = solve_benchmark_9(20, UpwindOrder::second, {-1e-3, -5e-4, -1e-4});
   const ContactGrid grid = Benchmark9().grid(20);
   const double scale = s.traction.x.cwiseAbs().maxCoeff();
   for (int j = 0; j < grid.ny; ++j)
@@ -187,43 +183,8 @@ TEST(SteadyRolling, MirroredSceneGivesMirroredTractions) {
     }
 }
 
-TEST(SteadyRolling, SmallCreepageGivesKalkersCoefficients) {
-  // Circle, nu = 0.25: C11 4.12, C22 3.67, C23 1.47, C33 1.19 (kalker_coefficients.csv, good to
-  // about 1 %, C33 to 3 %); C23 = -C32 by reciprocity.
-  const double G = 82000.0;
-  const double c = 4.0;
-  contact::CombinedMaterial material = Benchmark9::material();
-  material.poisson_ratio = 0.25;
-  const int n = 40;
-  const ContactGrid grid = ContactGrid::centred(n + 6, n + 6, 2 * c / n, 2 * c / n);
-  const HalfspaceCompliance compliance(grid, material);
-  const auto run = [&](double xi, double eta, double phi) {
-    TangentialProblem problem;
-    problem.friction = contact::coulomb(1.0);
-    problem.pressure =
-        grid.sample([&](double x, double y) { return x * x + y * y < c * c ? 1e9 : 0.0; });
-    problem.rigid_slip.x = grid.sample([&](double, double y) { return xi - phi * y; });
-    problem.rigid_slip.y = grid.sample([&](double x, double) { return eta + phi * x; });
-    return testing::forces(
-        grid, contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem).traction);
-  };
-  const double e = 1e-5;
-  const double c11 = -run(e, 0, 0).x / (G * c * c * e);
-  const testing::Forces lateral = run(0, e, 0);
-  const testing::Forces spin = run(0, 0, e / c);
-  const double c22 = -lateral.y / (G * c * c * e);
-  const double c32 = -lateral.moment / (G * c * c * c * e);
-  const double c23 = -spin.y / (G * c * c * c * e / c);
-  const double c33 = -spin.moment / (G * c * c * c * c * e / c);
-  EXPECT_NEAR(c11 / 4.12, 1.0, 0.02);
-  EXPECT_NEAR(c22 / 3.67, 1.0, 0.02);
-  EXPECT_NEAR(c23 / 1.47, 1.0, 0.02);
-  EXPECT_NEAR(c33 / 1.19, 1.0, 0.05);
-  EXPECT_NEAR(-c32 / c23, 1.0, 0.02);
-}
-
 TEST(SteadyRolling, FullSlipIsElementary) {
-  const TangentialSolution s = with_creepage({0.05, 0.0, 0.0}, 20);
+  const TangentialSolution s = solve_benchmark_9(20, UpwindOrder::second, {0.05, 0.0, 0.0});
   const ContactGrid grid = Benchmark9().grid(20);
   const Field bound = Benchmark9().friction * Benchmark9().problem(grid).pressure;
   EXPECT_NEAR(testing::forces(grid, s.traction).x, -bound.sum() * grid.element_area(), 1.0);
@@ -231,8 +192,10 @@ TEST(SteadyRolling, FullSlipIsElementary) {
 }
 
 /// Creep curve of a thesis case by the model; {xi, Fx/Fz}.
-ModelResult creep_curve(char name, int across, const std::vector<double>& xi) {
+ModelResult creep_curve(char name, int across, const std::vector<double>& xi,
+                        UpwindOrder order = UpwindOrder::second) {
   Case input = testing::thesis_case(name);
+  input.rolling.upwind_order = order;
   input.contact_grid.elements_across = across;
   input.rolling.creepages.clear();
   for (const double value : xi) input.rolling.creepages.push_back({value, 0.0, 0.0});
@@ -319,13 +282,8 @@ constexpr ContactRow case_c[] = {{0.001, 0.13514831, 0.13354435, 0.13300248, 500
                                  {0.004, 0.41046727, 0.40748153, 0.40612354, 832.21751}};
 
 TEST(CreepCurve, OfCaseCWithFirstOrderIsContactsOnTheSameGrid) {
-  Case input = testing::thesis_case('c');
-  input.rolling.upwind_order = UpwindOrder::first;
-  input.rolling.creepages.clear();
-  for (const ContactRow& row : case_c) input.rolling.creepages.push_back({row.xi, 0.0, 0.0});
   for (const int across : {40, 80}) {
-    input.contact_grid.elements_across = across;
-    const ModelResult result = halfspace::run_halfspace(input, {});
+    const ModelResult result = creep_curve('c', across, {0.001, 0.002, 0.004}, UpwindOrder::first);
     for (std::size_t k = 0; k < std::size(case_c); ++k)
       EXPECT_NEAR(result.points[k].traction_coefficient,
                   across == 40 ? case_c[k].at_40 : case_c[k].at_80, 2e-4)

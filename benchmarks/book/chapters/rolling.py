@@ -255,7 +255,6 @@ def kalker(bench):
         cost=[Cost("half-space, three load points", model.seconds["total"], model.unknowns),
               Cost("half-space, 57 ellipses", seconds)],
         tests=["verification.KalkersCoefficients.FromTheSolverAt40ElementsForEveryAspectAndPoissonsRatio",
-               "verification.SteadyRolling.SmallCreepageGivesKalkersCoefficients",
                "unit.KalkerCoefficients.AreTheTabulatedOnesAtItsEntries"])
 
 

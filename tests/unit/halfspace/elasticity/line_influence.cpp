@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/line_compliance.hpp"
+#include <cmath>
+#include <random>
 
 namespace rollfem {
 namespace {
@@ -14,8 +15,21 @@ using contact::ContactGrid;
 using contact::Field;
 using contact::SurfaceField;
 using contact::UpwindOrder;
-using testing::random_traction;
-using testing::unlike;
+
+/// Aluminium on steel.
+contact::CombinedMaterial unlike() {
+  return contact::combine({70e3, 0.33}, {210e3, 0.28});
+}
+
+/// Each component of each element from -1 to 1.
+SurfaceField random_traction(int n, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const auto field = [&] {
+    return Field(Field::NullaryExpr(n, [&] { return number(generator); }));
+  };
+  return {field(), field(), field()};
+}
 
 ContactGrid line_of(int n) {
   ContactGrid grid = ContactGrid::centred(n, 1, 0.05, 2.0);
@@ -27,23 +41,92 @@ void expect_same(const Field& one, const Field& other) {
   EXPECT_LT((one - other).cwiseAbs().maxCoeff(), 1e-11 * other.cwiseAbs().maxCoeff());
 }
 
+/// Displacement of the elements, and of two beyond the last, as the sum over all elements of the
+/// half-space's influence integrated along y (Johnson 1985, eq. 2.30 to 2.33).
+SurfaceField summed(const ContactGrid& grid, const contact::CombinedMaterial& material,
+                    const SurfaceField& p) {
+  const double nu = material.poisson_ratio;
+  const double scale = 2.0 * (1.0 - nu) / (M_PI * material.shear_modulus);
+  const double k_over_g = material.difference / material.shear_modulus;
+  const auto log_integral = [&](double s) {
+    return s == 0.0 ? 0.0 : s - s * std::log(std::abs(s) / grid.line_reference);
+  };
+  const int n = grid.nx + 2;
+  SurfaceField u{Field::Zero(n), Field::Zero(n), Field::Zero(n)};
+  for (int to = 0; to < n; ++to)
+    for (int from = 0; from < grid.nx; ++from) {
+      const double k = to - from;
+      const double own =
+          scale * (log_integral((k + 0.5) * grid.dx) - log_integral((k - 0.5) * grid.dx));
+      const double cross = -k_over_g * grid.dx * (std::abs(k + 0.5) - std::abs(k - 0.5));
+      u.x[to] += own * p.x[from] + cross * p.n[from];
+      u.y[to] += own / (1.0 - nu) * p.y[from];
+      u.n[to] += own * p.n[from] - cross * p.x[from];
+    }
+  return u;
+}
+
 TEST(LineInfluence, OfAFourierSumIsThatOfADenseMatrix) {
   const ContactGrid grid = line_of(53);
+  const int n = grid.nx;
   const halfspace::HalfspaceCompliance fast(grid, unlike());
-  const testing::LineCompliance dense(grid, unlike(), grid.line_reference);
-  const SurfaceField p = random_traction(grid.size(), 7);
-  const SurfaceField u = fast.apply(p), v = dense.apply(p);
-  expect_same(u.x, v.x);
-  expect_same(u.y, v.y);
-  expect_same(u.n, v.n);
-  expect_same(fast.normal().apply(p.n), dense.normal().apply(p.n));
-  for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
-    const contact::TangentialField t = fast.rolling(order).apply({p.x, p.y});
-    const contact::TangentialField w = dense.rolling(order).apply({p.x, p.y});
-    expect_same(t.x, w.x);
-    expect_same(t.y, w.y);
-    EXPECT_NEAR(fast.rolling(order).diagonal(), dense.rolling(order).diagonal(),
-                1e-11 * dense.rolling(order).diagonal());
+  const SurfaceField p = random_traction(n, 7);
+  const SurfaceField u = fast.apply(p), v = summed(grid, unlike(), p);
+  expect_same(u.x, v.x.head(n));
+  expect_same(u.y, v.y.head(n));
+  expect_same(u.n, v.n.head(n));
+  const SurfaceField alone = summed(grid, unlike().uncoupled(), p);
+  expect_same(fast.normal().apply(p.n), alone.n.head(n));
+  // (u_i - u_(i+1)) / dx, and (3 u_i - 4 u_(i+1) + u_(i+2)) / (2 dx).
+  const auto rolling_first = [&](const Field& w) -> Field {
+    return (w.head(n) - w.segment(1, n)) / grid.dx;
+  };
+  const auto rolling_second = [&](const Field& w) -> Field {
+    return (3.0 * w.head(n) - 4.0 * w.segment(1, n) + w.tail(n)) / (2.0 * grid.dx);
+  };
+  const contact::TangentialField first = fast.rolling(UpwindOrder::first).apply({p.x, p.y});
+  expect_same(first.x, rolling_first(alone.x));
+  expect_same(first.y, rolling_first(alone.y));
+  const contact::TangentialField second = fast.rolling(UpwindOrder::second).apply({p.x, p.y});
+  expect_same(second.x, rolling_second(alone.x));
+  expect_same(second.y, rolling_second(alone.y));
+  // The diagonal is the mean of what an element does to itself along and across.
+  SurfaceField one{Field::Zero(n), Field::Zero(n), Field::Zero(n)};
+  one.x[7] = one.y[7] = 1.0;
+  const SurfaceField own = summed(grid, unlike().uncoupled(), one);
+  const double diagonal = 0.5 * (rolling_second(own.x)[7] + rolling_second(own.y)[7]);
+  EXPECT_NEAR(fast.rolling(UpwindOrder::second).diagonal(), diagonal, 1e-11 * diagonal);
+  const double diagonal_first = 0.5 * (rolling_first(own.x)[7] + rolling_first(own.y)[7]);
+  EXPECT_NEAR(fast.rolling(UpwindOrder::first).diagonal(), diagonal_first, 1e-11 * diagonal_first);
+}
+
+TEST(LineInfluence, IsSymmetricAndPositive) {
+  const halfspace::HalfspaceCompliance line(line_of(40), unlike());
+  const SurfaceField p = random_traction(40, 1), q = random_traction(40, 2);
+  const auto product = [](const SurfaceField& a, const SurfaceField& b) {
+    return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
+  };
+  const double pp = product(p, line.apply(p));
+  EXPECT_NEAR(product(p, line.apply(q)), product(line.apply(p), q), 1e-12 * pp);
+  EXPECT_GT(pp, 0.0);
+}
+
+TEST(LineInfluence, IsTheHalfspaceUnderVeryLongElements) {
+  const ContactGrid grid = line_of(12);
+  const halfspace::HalfspaceCompliance line(grid, unlike());
+  SurfaceField unit{Field::Zero(12), Field::Zero(12), Field::Zero(12)};
+  unit.x[3] = unit.y[3] = unit.n[3] = 1.0;
+  const SurfaceField u = line.apply(unit);
+  const auto far = [&](int i) {
+    return halfspace::rectangle_influence((i - 3) * grid.dx, 0.0, grid.dx, 1e5, unlike());
+  };
+  // Long elements lower the whole neighbourhood: only differences are comparable.
+  const halfspace::Influence here = far(3);
+  for (int i = 0; i < 12; ++i) {
+    const halfspace::Influence there = far(i);
+    EXPECT_NEAR(u.x[i] - u.x[3], there.xx + there.xn - here.xx - here.xn, 1e-6 * here.xx);
+    EXPECT_NEAR(u.y[i] - u.y[3], there.yy - here.yy, 1e-6 * here.yy);
+    EXPECT_NEAR(u.n[i] - u.n[3], there.nn - there.xn - here.nn + here.xn, 1e-6 * here.nn);
   }
 }
 
