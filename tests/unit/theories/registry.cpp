@@ -45,7 +45,8 @@ TEST(Registry, EveryModelRunsThesisCaseA) {
 
 TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto coefficient = [](const std::string& model, const std::string& section) {
-    return theories::models().run(model, parse_case(plus(curve + section), "a.toml"), {})
+    return theories::models()
+        .run(model, parse_case(plus(curve + section), "a.toml"), {})
         .points[1]
         .traction_coefficient;
   };
@@ -63,7 +64,8 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto with_spin = [&](const std::string& section) {
     std::string text = curve;
     text.insert(text.find("[contact_grid]"), spin);
-    return theories::models().run("fastsim", parse_case(plus(text + section), "a.toml"), {})
+    return theories::models()
+        .run("fastsim", parse_case(plus(text + section), "a.toml"), {})
         .points[1]
         .lateral_force;
   };
