@@ -3,67 +3,312 @@
 #include <fmt/format.h>
 
 #include "convert/input_lines.hpp"
-#include "convert/read_case.hpp"
-#include <cmath>
+#include <initializer_list>
+#include <iterator>
+#include <map>
 
 namespace rollfem::convert {
 
 namespace {
 
-bool rolls(const ContactCase& given) {
-  return given.digits.T == 2 || given.digits.T == 3;
-}
-bool new_influence(int C) {
-  return (C >= 2 && C <= 4) || C == 9;
+/// The last digits of a control integer go to the last of `digits`, and so on; what is before them
+/// is 0.
+void unpack(int packed, std::initializer_list<int*> digits) {
+  for (auto digit = std::rbegin(digits); digit != std::rend(digits); ++digit) {
+    **digit = packed % 10;
+    packed /= 10;
+  }
 }
 
-/// V = 2 of older files and 3 of newer ones: a set of friction parameters for each row of elements.
-bool friction_by_row(const Digits& digits) {
-  return digits.V >= 2;
+void read_digits(InputLines& lines, ContactCase& next) {
+  Digits& d = next.digits;
+  constexpr int seven = 9999999, eight = 99999999;
+  const auto control = [&](const char* name, int most, std::initializer_list<int*> digits) {
+    const auto values = lines.numbers({std::string("the control integers ") + name}, 1);
+    unpack(lines.whole(values[0], name, 0, most), digits);
+    return values.size() > 1 ? values[1] : 0.0;
+  };
+  control("P-B-T-N-F-S", seven, {&d.config, &d.P, &d.B, &d.T, &d.N, &d.F, &d.S});
+  const double damping =
+      control("V-L-D-C-M-Z-E", seven, {&d.V, &d.L, &d.D, &d.C, &d.M, &d.Z, &d.E});
+  d.M2 = lines.whole(damping, "digit M2", 0, 9);
+  control("H-G-I-A-O-W-R", eight, {&d.X, &d.H, &d.G, &d.I, &d.A, &d.O, &d.W, &d.R});
+  if (d.X >= 1) lines.numbers({"the control integers P-S-F-L-R-I-N (X >= 1)"}, 1);
+  if (next.number == 1) d.P = 2;  // as CONTACT does: there is no case before
+}
+
+constexpr int largest_grid = 100000;   // elements along one direction
+constexpr double largest_area = 4e6;   // elements
+constexpr int largest_block = 100000;  // points along one direction
+
+std::size_t count(int n) {
+  return static_cast<std::size_t>(n);
+}
+
+void read_solver(InputLines& lines, ContactCase& next) {
+  const auto limits = lines.numbers({"MAXGS", "MAXIN", "MAXNR", "MAXOUT", "EPS"});
+  next.max_outer = lines.whole(limits[3], "MAXOUT", 1, 9999);
+  const int G = next.digits.G;
+  if (G == 2 || G == 3) lines.numbers({"OMEGAH", "OMEGAS", "INISLP", "OMGSLP"});
+  if (G == 4) lines.numbers({"INISLP", "OMGSLP"});
+  // Six or eight, by version.
+  if (G == 5) lines.numbers({"FDECAY", "BETATH", "KDOWFB", "D_IFC", "D_LIN", "D_CNS"}, 2);
+}
+
+void read_friction(InputLines& lines, ContactCase& next, int sets) {
+  static const std::vector<std::string> by_speed{"FKIN", "F1", "SABSH1", "F2", "SABSH2"};
+  static const std::map<int, std::vector<std::string>> laws{
+      {0, {"FSTAT", "FKIN"}},
+      {2, by_speed},
+      {3, by_speed},
+      {4, by_speed},
+      {6, {"FREF", "TREF", "DFHEAT", "DTHEAT"}}};
+  const int L = next.digits.L;
+  const auto law = laws.find(L);
+  if (law == laws.end())
+    lines.fail(fmt::format("digit L = {}; allowed: 0 to 4 and 6", L),
+               "check for a missing line above it");
+  std::vector<std::string> names = law->second;
+  if (next.module == 1 && next.digits.V > 0) names.insert(names.begin(), "ALPHVF");
+  for (int set = 0; set < sets; ++set) {
+    const auto values = lines.numbers(names);
+    if (L == 0) next.fstat = values[values.size() - 2], next.fkin = values.back();
+  }
+  if (L >= 2) lines.numbers({"MEMDST", "MEM_S0"});
+  next.friction_law = L;
+}
+
+void read_material(InputLines& lines, ContactCase& next) {
+  const Digits& d = next.digits;
+  BodyConstants& bodies = next.bodies;
+  bodies.influence = d.C;
+  if (d.C == 4 && next.module == 3) {
+    const auto method = lines.numbers({"IF_METH", "VARIANT", "NN"});
+    lines.array("the surface inclinations",
+                2 * count(lines.whole(method[2], "NN", 1, largest_grid)));
+  }
+  if (d.C == 4 && next.module == 1) lines.numbers({"IF_METH", "VARIANT"});
+  if (d.C == 9) lines.named("the name of a file of influence coefficients", {}, 0);
+  const auto values = lines.numbers({"POISS1", "POISS2", "GG1", "GG2"});
+  bodies.poisson = {values[0], values[1]};
+  bodies.shear_modulus = {values[2], values[3]};
+  if (d.B == 1) lines.numbers({"FLX_Z"});
+  if (d.M == 1) lines.numbers({"FG1", "FG2", "TC1", "TC2"});
+  if (d.M == 2) lines.numbers({"FLX", "K0_MF", "ALFAMF", "BETAMF"});
+  if (d.M == 3 || d.M == 5) lines.read(bodies.slope_reduction, {"K0_MF", "ALFAMF", "BETAMF"});
+  if (d.M == 4) lines.numbers({"GG3", "LAYTHK", "TAU_C0", "K_TAU"});
+  if (d.M2 == 2) lines.numbers({"CDAMPN", "CDAMPT", "DFNMAX", "DFTMAX"});
+  if (d.H != 3) return;
+  for (int body = 0; body < 2; ++body) lines.numbers({"BKTEMP", "HEATCP", "LAMBDA", "DENSITY"});
+  if (d.M == 4) lines.numbers({"BETAPL"});
+}
+
+void read_potential_contact(InputLines& lines, ContactCase& next) {
+  // What follows MX, MY.
+  static const std::map<int, std::vector<std::string>> sizes{
+      {-6, {"AA", "BNEG", "BPOS", "SCALE"}}, {-5, {"AA", "BB", "SCALE"}},
+      {-4, {"A1", "BB", "SCALE"}},           {-3, {"AA", "BB", "SCALE"}},
+      {-2, {"A1", "AOB", "SCALE"}},          {-1, {"A1", "B1", "SCALE"}},
+      {1, {"XL", "YL", "DX", "DY"}},         {2, {"XL", "YL", "XH", "YH"}},
+      {3, {"XC1", "YC1", "DX", "DY"}},       {4, {"XC1", "YC1", "XCM", "YCM"}}};
+  PotentialContact& area = next.potential;
+  area.ipotcn = lines.whole("IPOTCN", -6, 4);
+  const auto size = sizes.find(area.ipotcn);
+  if (size == sizes.end())
+    lines.fail("IPOTCN = 0; allowed: -6 to -1, 1 to 4", "look at the line above");
+  std::vector<std::string> names{"MX", "MY"};
+  names.insert(names.end(), size->second.begin(), size->second.end());
+  const auto values = lines.numbers(names);
+  area.mx = lines.whole(values[0], "MX", 1, largest_grid);
+  area.my = lines.whole(values[1], "MY", 1, largest_grid);
+  if (static_cast<double>(area.mx) * area.my > largest_area)
+    lines.fail(fmt::format("MX MY = {} by {} elements; allowed: {:g} in all", area.mx, area.my,
+                           largest_area),
+               "take fewer elements");
+  area.size = {};
+  for (std::size_t k = 2; k < values.size(); ++k) area.size[k - 2] = values[k];
+}
+
+void read_planform(InputLines& lines, int iplan) {
+  if (iplan == 2) lines.array("the planform", 6);
+  if (iplan == 3) lines.array("the planform", 8);
+  if (iplan != 4) return;
+  const int patches = lines.whole("NPATCH", 1, 100);
+  lines.array("YSEP", count(patches - 1));
+  lines.array("FAC", count(patches * (patches - 1) / 2));
+}
+
+void read_undeformed_distance(InputLines& lines, ContactCase& next) {
+  UndeformedDistance& distance = next.distance;
+  const auto kind = lines.numbers({"IBASE", "IPLAN"});
+  distance.ibase = lines.whole(kind[0], "IBASE", 1, 9);
+  distance.iplan = lines.whole(kind[1], "IPLAN", 1, 4);
+  if (distance.ibase == 1) {
+    distance.values = lines.numbers({"B1", "B2", "B3", "B4", "B5", "B6"});
+  } else if (distance.ibase == 2) {
+    const auto values = lines.numbers({"NN", "XM", "RX1", "Y1", "DY1"});
+    lines.array("the heights", count(lines.whole(values[0], "NN", 1, largest_grid)));
+  } else if (distance.ibase == 3) {
+    lines.array("the geometry", 8);
+  } else if (distance.ibase == 9) {
+    distance.values =
+        lines.array("H of every element", count(next.potential.mx) * count(next.potential.my));
+  } else {
+    lines.fail(fmt::format("IBASE = {}; allowed: 1, 2, 3, 9", distance.ibase),
+               "check for a missing line above it");
+  }
+  read_planform(lines, distance.iplan);
+}
+
+std::size_t points(const InputLines& lines, double value, const char* name) {
+  return count(lines.whole(value, name, 1, largest_block));
+}
+
+/// As many coordinates of each name as numbers before them say.
+void read_places(InputLines& lines, const std::string& prefix,
+                 std::initializer_list<std::pair<const char*, std::vector<double>*>> axes) {
+  std::vector<std::string> names;
+  for (const auto& [axis, into] : axes) names.push_back(std::string("N") + axis);
+  const auto n = lines.numbers(names);
+  std::size_t k = 0;
+  for (const auto& [axis, into] : axes) {
+    *into = lines.array(prefix + axis, points(lines, n[k], names[k].c_str()));
+    ++k;
+  }
+}
+
+/// Numbers of elements `first`, `first + step`, ... up to `last`, as CONTACT counts, from 1.
+std::vector<double> every(const std::vector<double>& range, int most) {
+  std::vector<double> numbers;
+  for (double k = std::max(range[0], 1.0); k <= std::min(range[2], double(most));
+       k += std::max(range[1], 1.0))
+    numbers.push_back(k);
+  return numbers;
+}
+
+/// Which places across the surface a block of kind 1 to 7 has, and how deep.
+void read_elements(InputLines& lines, int kind, const PotentialContact& area, StressBlock& block) {
+  block.by_element = true;
+  if (kind == 2 || kind == 6) {
+    block.x = every(lines.numbers({"IXL", "IXINC", "IXH"}), area.mx);
+    block.y = every(lines.numbers({"IYL", "IYINC", "IYH"}), area.my);
+  } else if (kind == 3 || kind == 7) {
+    read_places(lines, "I", {{"X", &block.x}, {"Y", &block.y}});
+  } else {
+    block.x = every({1.0, 1.0, double(area.mx)}, area.mx);
+    block.y = every({1.0, 1.0, double(area.my)}, area.my);
+  }
+  if (kind >= 5) return read_places(lines, "", {{"Z", &block.z}});
+  const auto depths = lines.numbers({"NZ", "ZL", "DZ"});
+  const std::size_t n = points(lines, depths[0], "NZ");
+  for (std::size_t k = 0; k < n; ++k)
+    block.z.push_back(depths[1] + static_cast<double>(k) * depths[2]);
+}
+
+void read_subsurface(InputLines& lines, ContactCase& next) {
+  if (next.digits.S < 2) return;
+  lines.numbers({"MATFIL", "OUTPUT"});
+  if (next.digits.S < 3) return;
+  next.stress_blocks.clear();
+  while (const int kind = lines.whole("ISUBS", 0, 9)) {
+    if (kind == 4 || kind == 8)
+      lines.fail(fmt::format("ISUBS = {}; allowed: 0 to 3, 5 to 7, 9", kind),
+                 "look at the line above");
+    StressBlock block;
+    if (kind == 9)
+      read_places(lines, "", {{"X", &block.x}, {"Y", &block.y}, {"Z", &block.z}});
+    else
+      read_elements(lines, kind, next.potential, block);
+    next.stress_blocks.push_back(block);
+  }
+}
+
+ProfileFile read_profile(InputLines& lines, const char* what) {
+  const auto given = lines.named(what, {"MIRRORY", "SCALE", "SMOOTH"}, 2);
+  ProfileFile profile;
+  profile.name = given.text;
+  profile.mirror_y = lines.whole(given.numbers[0], "MIRRORY", -1, 1);
+  profile.scale = given.numbers[1];
+  profile.smooth = given.numbers[2];
+  if (given.numbers.size() > 3) profile.mirror_z = lines.whole(given.numbers[3], "MIRRORZ", -1, 1);
+  const double option = given.numbers.size() > 4 ? given.numbers[4] : 0.0;
+  profile.has_options = option >= 1.0;
+  if (option >= 1.0) lines.numbers({"ISMOOTH", "ZIGTHRS", "KINKHIGH", "KINKLOW", "KINKWID"});
+  if (option >= 2.0) lines.numbers({"ERRHND", "MAXOMIT"});
+  return profile;
+}
+
+void read_wheel_rail(InputLines& lines, ContactCase& next) {
+  WheelRail& pair = next.wheel_rail;
+  const Digits& digits = next.digits;
+  const int Z = digits.Z, E = digits.E;
+  if (digits.D >= 2) {
+    const auto grid = lines.numbers({"DX", "DS", "DQREL", "A_SEP", "D_SEP", "D_COMB"}, 2);
+    pair.cell = {grid[0], grid[1]};
+  }
+  if (Z == 1 || Z == 3) lines.read(pair.track, {"GAUGHT", "GAUGSQ", "GAUGWD", "CANT"});
+  if (Z == 3) pair.rail = read_profile(lines, "the file of the rail's profile");
+  if (Z == 2 || Z == 3)
+    pair.rail_deviations = lines.numbers({"DY", "DZ", "ROLL", "VY", "VZ", "VROLL"});
+  if ((Z == 2 || Z == 3) && digits.F == 3) lines.numbers({"KYRAIL", "FYRAIL", "KZRAIL", "FZRAIL"});
+  if (E == 3 || E == 5) {
+    lines.read(pair.wheelset, {"FBDIST", "FBPOS", "NOMRAD"});
+    pair.wheel = read_profile(lines, "the file of the wheel's profile");
+  }
+  if (E >= 1)
+    lines.read(pair.position, {"S", "Y", digits.N == 0 ? "Z" : "FZ", "ROLL", "YAW", "PITCH"});
+  const char* const last = digits.F == 1 ? "FX" : digits.F == 2 ? "MY" : "VPITCH";
+  if (E >= 2) lines.read(pair.velocity, {"VS", "VY", "VZ", "VROLL", "VYAW", last});
+  if (E == 4 || E == 5) {
+    pair.wheel_deviations = lines.numbers({"DX", "DY", "DZ", "DROLL", "DYAW", "DPITCH"});
+    const auto rates = lines.numbers({"VX", "VY", "VZ", "VROLL", "VYAW", "VPITCH"});
+    pair.wheel_deviations.insert(pair.wheel_deviations.end(), rates.begin(), rates.end());
+  }
 }
 
 void read_single_contact(InputLines& lines, ContactCase& next) {
   const Digits& digits = next.digits;
+  // V = 2 of older files and 3 of newer ones: a set of friction parameters for each row.
+  const bool by_row = digits.V >= 2;
   if (digits.G != 1) read_solver(lines, next);
-  read_kinematics(lines, next);
-  if (digits.L != 1 && !friction_by_row(digits)) read_friction(lines, next, 1);
-  if (new_influence(digits.C)) {
-    if (rolls(next)) read_rolling_step(lines, next);
+  lines.read(next.kinematics, {digits.N == 0 ? "PEN" : "FN", digits.F == 0 ? "CKSI" : "FX",
+                               digits.F == 2 ? "FY" : "CETA", "CPHI"});
+  if (digits.L != 1 && !by_row) read_friction(lines, next, 1);
+  if ((digits.C >= 2 && digits.C <= 4) || digits.C == 9) {
+    next.rolling[3] = digits.T == 2 || digits.T == 3 ? 1.0 / 6.0 : next.rolling[3];
+    if (digits.T == 2 || digits.T == 3) lines.read(next.rolling, {"CHI", "DQ", "VELOC"}, 1);
     read_material(lines, next);
   }
   if (digits.D == 2) read_potential_contact(lines, next);
   if (digits.Z == 2 && next.potential.ipotcn > 0) read_undeformed_distance(lines, next);
-  if (digits.L != 1 && friction_by_row(digits)) read_friction(lines, next, next.potential.my);
+  if (digits.L != 1 && by_row) read_friction(lines, next, next.potential.my);
   if (digits.E == 9)
     lines.array("EXRHS", 2 * static_cast<std::size_t>(next.potential.mx) *
                              static_cast<std::size_t>(next.potential.my));
-  read_subsurface(lines, next);
 }
 
 void read_wheel_on_rail(InputLines& lines, ContactCase& next) {
   const Digits& digits = next.digits;
   if (digits.G != 1) read_solver(lines, next);
-  if (digits.L != 1)
-    read_friction(lines, next,
-                  digits.V == 0 ? 1 : lines.whole(lines.numbers({"NVF"}).front(), "NVF", 1, 10000));
+  if (digits.L != 1) read_friction(lines, next, digits.V == 0 ? 1 : lines.whole("NVF", 1, 10000));
   if (digits.C >= 2 && digits.C <= 4) read_material(lines, next);
   read_wheel_rail(lines, next);
-  read_subsurface(lines, next);
 }
 
 /// What a first case cannot take from one before.
 void check_first(const InputLines& lines, const ContactCase& first) {
   const Digits& digits = first.digits;
-  const auto refuse = [&](const char* digit, const char* what) {
-    lines.fail(
-        fmt::format("digit {} of the first case keeps {} of a previous case, and there is none",
-                    digit, what),
-        "begin with a case that gives all its data");
+  const auto refuse = [&](bool kept, const char* digit, const char* what) {
+    if (kept)
+      lines.fail(
+          fmt::format("digit {} of the first case keeps {} of a previous case, and there is none",
+                      digit, what),
+          "begin with a case that gives all its data");
   };
-  if (digits.L == 1) refuse("L", "the friction");
-  if (digits.D == 0) refuse("D", "the grid");
-  if (digits.C == 0) refuse("C", "the materials");
-  if (digits.Z == 0) refuse("Z", first.module == 1 ? "the track" : "the undeformed distance");
+  refuse(digits.L == 1, "L", "the friction");
+  refuse(digits.D == 0, "D", "the grid");
+  refuse(digits.C == 0, "C", "the materials");
+  refuse(digits.Z == 0, "Z", first.module == 1 ? "the track" : "the undeformed distance");
 }
 
 }  // namespace
@@ -89,6 +334,7 @@ std::vector<ContactCase> read_contact_file(std::string_view text, const std::str
       read_single_contact(lines, next);
     else
       read_wheel_on_rail(lines, next);
+    read_subsurface(lines, next);
     cases.push_back(next);
   }
   if (cases.empty()) lines.fail("the file contains no case", "give an input file of CONTACT");

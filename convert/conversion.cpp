@@ -18,33 +18,23 @@ struct Group {
   std::vector<std::string> notes;
 };
 
-bool is_load(const std::string& key) {
-  return key.rfind("load.", 0) == 0;
-}
-
+/// The same keys, and the same values of those of the load.
 bool same_keys(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](auto& x, auto& y) {
-           return x.first == y.first && (!is_load(x.first) || x.second == y.second);
-         });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto& x, auto& y) {
+    return x.first == y.first && (x.first.rfind("load.", 0) != 0 || x.second == y.second);
+  });
 }
 
 /// A shift from rest is the first step of a transient, whatever its length: then all steps are of
 /// one kind. `next` is the step that rolls.
 void roll_first_step(Group& group, const Equivalent& next) {
-  const double length = next.varied.at("history.step_length");
-  std::map<std::string, double> point{{"history.step_length", length}};
-  const std::map<std::string, std::string> creepages{
-      {"history.longitudinal_shift", "rolling.longitudinal_creepage"},
-      {"history.lateral_shift", "rolling.lateral_creepage"},
-      {"history.spin_shift", "rolling.spin"}};
-  for (const auto& [key, value] : group.points.front()) {
-    const auto creepage = creepages.find(key);
-    if (creepage == creepages.end())
-      point[key] = value;
-    else
-      point[creepage->second] = value / length;
-  }
-  group.points.front() = point;
+  std::map<std::string, double>& point = group.points.front();
+  const double length = point["history.step_length"] = next.varied.at("history.step_length");
+  for (const auto& [shift, creepage] :
+       {std::pair("history.longitudinal_shift", "rolling.longitudinal_creepage"),
+        {"history.lateral_shift", "rolling.lateral_creepage"},
+        {"history.spin_shift", "rolling.spin"}})
+    if (auto found = point.extract(shift)) point[creepage] = found.mapped() / length;
   group.first.problem = "transient";
   group.first.fixed["rolling"] = next.fixed.at("rolling");
   group.notes.push_back(
@@ -92,54 +82,49 @@ std::string values_text(const std::string& key, const std::vector<double>& value
 }
 
 /// Sections in the order in which a case is read.
-constexpr std::array<const char*, 15> sections{
-    "load",           "friction",     "wheel",    "rail",    "geometry", "wheel_profile",
-    "rail_profile",   "track",        "wheelset", "rolling", "history",  "undeformed_distance",
-    "given_pressure", "contact_grid", "halfspace"};
+constexpr std::array<const char*, 16> sections{
+    "load",           "friction",     "wheel",     "rail",    "geometry", "wheel_profile",
+    "rail_profile",   "track",        "wheelset",  "rolling", "history",  "undeformed_distance",
+    "given_pressure", "contact_grid", "halfspace", "fastsim"};
 
-/// Lines of a section; `several` where a list says how many load points there are.
-std::vector<std::string> lines_of(const Group& group, const std::string& section, bool& several) {
-  std::vector<std::string> lines;
-  const auto fixed = group.first.fixed.find(section);
+/// A section of the case file called `name`; empty without a key. `several`: set where a list says
+/// how many load points there are.
+std::string section_text(const Group& group, const std::string& section, const std::string& name,
+                         bool& several) {
+  std::string text;
+  const auto add = [&](const std::string& line) { text += line + "\n"; };
   if (section == "rolling" && group.first.problem != "steady")
-    lines.push_back(fmt::format("problem = \"{}\"", group.first.problem));
-  if (fixed != group.first.fixed.end())
-    lines.insert(lines.end(), fixed->second.begin(), fixed->second.end());
+    add(fmt::format("problem = \"{}\"", group.first.problem));
+  if (const auto fixed = group.first.fixed.find(section); fixed != group.first.fixed.end())
+    for (const std::string& line : fixed->second) add(line);
   for (const auto& [key, value] : group.points.front()) {
     if (key.rfind(section + ".", 0) != 0) continue;
     std::vector<double> values;
     for (const auto& point : group.points) values.push_back(point.at(key));
-    lines.push_back(values_text(key.substr(section.size() + 1), values));
-    several = several || lines.back().find('[') != std::string::npos;
+    const std::string line = values_text(key.substr(section.size() + 1), values);
+    several = several || line.find('[') != std::string::npos;
+    add(line);
   }
-  return lines;
+  if (section == "history" && !several && group.points.size() > 1)
+    add(fmt::format("steps = {}", group.points.size()));
+  if (section == "undeformed_distance" && !group.first.files.empty())
+    add("file = " + quoted(name + "_distance.csv"));
+  return text.empty() ? text : fmt::format("\n[{}]\n", section) + text;
 }
 
 std::string case_text(const Group& group, const std::string& name, const std::string& source) {
-  const std::string which = group.cases.size() == 1 ? "case" : "cases";
-  std::string text = fmt::format("# Made by rollfem convert of {}, {} {}", source, which,
-                                 numbers_text(group.cases));
-  text += group.cases.size() == 1 ? ".\n" : ", one load point each, in this order.\n";
+  const bool one = group.cases.size() == 1;
+  const std::string which =
+      fmt::format("{}, {} {}", source, one ? "case" : "cases", numbers_text(group.cases));
+  std::string text = fmt::format("# Made by rollfem convert of {}{}.\n", which,
+                                 one ? "" : ", one load point each, in this order");
   text += "# Signs, and how every digit is converted: docs/coming_from_contact.md\n";
   text += "# Units: mm, N, MPa, rad. Keys: docs/case-file.md\n";
   for (const std::string& note : group.notes) text += "# note: " + note + "\n";
-  text += fmt::format("\ntitle = {}\nmodels = [\"{}\"]\n",
-                      quoted(fmt::format("{}, {} {}", source, which, numbers_text(group.cases))),
-                      group.first.model);
+  text += fmt::format("\ntitle = {}\nmodels = [\"{}\"]\n", quoted(which), group.first.model);
   bool several = false;
-  std::string body;
-  const auto write = [&](const std::string& section, std::vector<std::string> lines) {
-    if (section == "history" && !several && group.points.size() > 1)
-      lines.push_back(fmt::format("steps = {}", group.points.size()));
-    if (section == "undeformed_distance" && !group.first.files.empty())
-      lines.push_back("file = " + quoted(name + "_distance.csv"));
-    if (lines.empty()) return;
-    body += fmt::format("\n[{}]\n", section);
-    for (const std::string& line : lines) body += line + "\n";
-  };
-  for (const char* section : sections) write(section, lines_of(group, section, several));
-  write("fastsim", lines_of(group, "fastsim", several));
-  return text + body + group.first.stresses;
+  for (const char* section : sections) text += section_text(group, section, name, several);
+  return text + group.first.stresses;
 }
 
 }  // namespace

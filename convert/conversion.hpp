@@ -2,7 +2,7 @@
 // differ only in their load points share one.
 #pragma once
 
-#include "convert/contact_case.hpp"
+#include "convert/contact_reader.hpp"
 #include <map>
 #include <string>
 #include <vector>

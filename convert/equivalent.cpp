@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace rollfem::convert {
 
@@ -14,10 +17,125 @@ std::string with_comment(const std::string& line, const std::string& comment) {
   return comment.empty() ? line : fmt::format("{:<30} # {}", line, comment);
 }
 
-const char* problem_of(int T) {
-  if (T == 0) return "frictionless";
-  if (T == 1) return "shift";
-  return T == 2 ? "transient" : "steady";
+/// What a value of a digit asks for; of other values the last.
+using Words = std::map<int, const char*>;
+const Words friction_words{{2, "friction falling linearly with slip velocity"},
+                           {3, "friction falling with slip velocity by a rational formula"},
+                           {4, "friction falling exponentially with slip velocity"},
+                           {6, "temperature-dependent friction"}};
+const Words material_words{{1, "viscoelastic bodies"},
+                           {2, "the simplified theory with a user-defined flexibility"},
+                           {4, "an elasto-plastic interface layer"},
+                           {5, "FaStrip"}};
+const Words bound_words{{1, "a thin sheet instead of the half-space"},
+                        {3, "a parabolic traction bound with the full theory"},
+                        {4, "normal contact by SDEC"},
+                        {5, "normal contact by KPEC"},
+                        {6, "normal contact by ANALYN"}};
+
+class Judgement {
+ public:
+  Judgement(const ContactCase& given, Equivalent& made)
+      : given_(given), digits_(given.digits), made_(made) {}
+
+  void friction() {
+    if (digits_.T == 0) return;
+    const int law = given_.friction_law;
+    refuse(digits_.V != 0, "V", digits_.V, "friction that varies with position");
+    refuse(law != 0, "L", law, friction_words);
+    made_.refuse(law == 0 && std::abs(given_.fstat - given_.fkin) > 1e-3 * given_.fstat,
+                 fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient for "
+                             "adhesion and slip",
+                             given_.fstat, given_.fkin));
+  }
+
+  void bodies() {
+    const int M = digits_.M, B = digits_.B, C = given_.bodies.influence;
+    refuse(M != 0 && M != 3, "M", M, material_words);
+    if (M == 3) fastsim();
+    refuse(M == 0 && B != 0 && B != 2, "B", B, bound_words);
+    made_.refuse(M == 0 && B == 2 && digits_.N == 0,
+                 "digits B = 2 and N = 0: Hertz's pressure needs the normal force");
+    refuse(digits_.M2 != 0, "M2", digits_.M2, "material damping");
+    refuse(C == 4, "C", C,
+           "influence coefficients for conformal contact (for profiles see halfspace.surface)");
+    refuse(C == 9, "C", C, "influence coefficients read from a file");
+  }
+
+  void problem() {
+    const int T = digits_.T, E = digits_.E;
+    refuse(T > 3, "T", T, "an unknown kind of problem");
+    refuse(digits_.F > 2, "F", digits_.F, "a rail on springs");
+    refuse(given_.module == 3 && E != 0, "E", E,
+           "extra rigid slip given per element (write a file for rolling.extra_slip_file)");
+    refuse(given_.module == 1 && (T == 1 || T == 2), "T", T,
+           "shifts and transient rolling of wheel and rail profiles");
+  }
+
+ private:
+  void refuse(bool refused, const char* digit, int value, const char* what) {
+    made_.refuse(refused, fmt::format("digit {} = {}: {}", digit, value, what));
+  }
+  void refuse(bool refused, const char* digit, int value, const Words& words) {
+    const auto found = words.find(value);
+    refuse(refused, digit, value, (found == words.end() ? *words.rbegin() : *found).second);
+  }
+
+  void fastsim() {
+    const int B = digits_.B;
+    if (given_.module == 1) return refuse(true, "M", 3, "FASTSIM on the patches of profiles");
+    refuse(digits_.T != 3, "M", 3, "FASTSIM for anything but steady rolling");
+    made_.refuse(
+        B != 2 && B != 3,
+        fmt::format("digits M = 3, B = {}: FASTSIM with a pressure other than Hertz's", B));
+    const auto& k = given_.bodies.slope_reduction;
+    made_.refuse(
+        std::any_of(k.begin(), k.end(), [](double factor) { return factor != 1.0; }),
+        fmt::format(
+            "K0_MF, ALFAMF, BETAMF = {:g}, {:g}, {:g}: a reduced initial slope of the creep curve",
+            k[0], k[1], k[2]));
+    refuse(digits_.F != 0, "F", digits_.F, "prescribed forces in FASTSIM");
+  }
+
+  const ContactCase& given_;
+  const Digits& digits_;
+  Equivalent& made_;
+};
+
+void judge_digits(const ContactCase& given, Equivalent& made) {
+  Judgement judge(given, made);
+  judge.friction();
+  judge.bodies();
+  judge.problem();
+}
+
+void note_settings(const ContactCase& given, Equivalent& made) {
+  const Digits& d = given.digits;
+  const auto& nu = given.bodies.poisson;
+  const auto& g = given.bodies.shear_modulus;
+  made.note(true,
+            "digits G, I, A, O, W and MAXGS to EPS are ignored: the solvers need no settings, and "
+            "all fields are in results.h5");
+  made.note(d.S > 0 && (given.module == 1 || d.M != 0),
+            "stresses below the surface (digit S) are not converted: rollfem stress computes them "
+            "after the run");
+  made.note(d.H > 0, "temperatures (digit H) are not calculated");
+  made.note(d.R >= 2, fmt::format("digit R = {}: CONTACT would not run this case", d.R));
+  made.note(d.V != 0 && d.T == 0, "digit V has no effect without friction");
+  made.note(given.bodies.influence == 3,
+            "digit C = 3: tractions are constant in each element here, not linear");
+  made.note(d.M == 3,
+            "FASTSIM uses Kalker's three flexibilities at all creepages; CONTACT blends them into "
+            "one as creepages grow");
+  made.note(d.M == 0 && (d.T == 2 || d.T == 3),
+            "upwind_order = \"first\" is CONTACT's scheme and gives its numbers on its elements; "
+            "delete the line for the more accurate second-order scheme");
+  made.note(
+      given.module == 3 && given.rolling[3] != 1.0 / 6.0 && d.T >= 2 && given.kinematics[3] != 0.0,
+      fmt::format("FACPHI = {:g}: the spin is taken at x + dq/6 here", given.rolling[3]));
+  made.note(given.max_outer == 1 && (nu[0] != nu[1] || g[0] != g[1]) && d.T != 0,
+            "MAXOUT = 1: CONTACT stops after one pass over pressure and friction, which are "
+            "coupled for unlike materials; here both are solved together");
 }
 
 }  // namespace
@@ -51,9 +169,21 @@ void Equivalent::set_word(const std::string& section, const std::string& key,
   fixed[section].push_back(key + " = " + quoted(word));
 }
 
+void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
+                 Equivalent& made) {
+  for (std::size_t body = 0; body < 2; ++body) {
+    const double nu = bodies.poisson[body], G = bodies.shear_modulus[body];
+    made.set(sections[body], "young_modulus", 2.0 * G * (1.0 + nu),
+             fmt::format("MPa, G = {:g}", G));
+    made.set(sections[body], "poisson_ratio", nu);
+  }
+}
+
 Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder) {
   Equivalent made;
-  made.problem = problem_of(given.digits.T);
+  constexpr std::array<const char*, 3> problems{"frictionless", "shift", "transient"};
+  const auto T = static_cast<std::size_t>(given.digits.T);
+  made.problem = T < problems.size() ? problems[T] : "steady";
   // P = 1 keeps the pressure before as a start alone: friction begins from nothing, as with P = 2.
   made.continues = made.history() && given.digits.P == 0;
   judge_digits(given, made);

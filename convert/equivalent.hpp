@@ -2,7 +2,7 @@
 // map of digits and signs is docs/coming_from_contact.md.
 #pragma once
 
-#include "convert/contact_case.hpp"
+#include "convert/contact_reader.hpp"
 #include <map>
 #include <string>
 #include <vector>
@@ -31,6 +31,12 @@ struct Equivalent {
   std::vector<std::string> notes;       ///< what is left out or done otherwise, the physics kept
 
   bool history() const { return problem == "shift" || problem == "transient"; }
+  void refuse(bool refused, const std::string& reason) {
+    if (refused) impossible.push_back(reason);
+  }
+  void note(bool noted, const std::string& text) {
+    if (noted) notes.push_back(text);
+  }
   void set(const std::string& section, const std::string& key, double value,
            const std::string& comment = {});
   void set_pair(const std::string& section, const std::string& key, double first, double second,
@@ -43,8 +49,9 @@ struct Equivalent {
 Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder);
 
 /// Parts of it.
-void judge_digits(const ContactCase& given, Equivalent& made);
-void note_settings(const ContactCase& given, Equivalent& made);
+/// Young's modulus and Poisson's ratio of the two bodies in these sections.
+void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
+                 Equivalent& made);
 void fill_single_contact(const ContactCase& given, Equivalent& made);
 /// Entries for the points of digit S, whose elements begin at (x, y); `sign` is that of our axes.
 struct ElementPlaces {

@@ -57,23 +57,21 @@ void InputLines::fail(const std::string& wrong, const std::string& action) const
   throw contact::InputError(fmt::format("{}:{}: {}; do: {}", name_, line_, wrong, action));
 }
 
-const InputLines::Line& InputLines::take() {
-  const Line& line = lines_[next_++];
-  line_ = line.number;
-  return line;
+void InputLines::demand(const std::string& what) const {
+  if (at_end()) fail("the file ends before " + what, "check that it is complete");
 }
 
-template <class NameOf>
-std::vector<double> InputLines::take_numbers(std::size_t count, std::size_t more,
-                                             const NameOf& name_of) {
+std::vector<double> InputLines::take(std::size_t count, std::size_t more,
+                                     const std::vector<std::string>& names) {
   std::vector<double> values;
   const std::vector<std::string>* fields = nullptr;
   std::size_t at = 0, first = 0;
   while (values.size() < count) {
-    const std::string& missing = name_of(values.size());
+    const std::string& missing = names[std::min(values.size(), names.size() - 1)];
     if (fields == nullptr || at == fields->size()) {
-      if (at_end()) fail("the file ends before " + missing, "check that it is complete");
-      fields = &take().fields;
+      demand(missing);
+      line_ = lines_[next_].number;
+      fields = &lines_[next_++].fields;
       if (first == 0) first = line_;
       at = 0;
     }
@@ -93,12 +91,11 @@ std::vector<double> InputLines::take_numbers(std::size_t count, std::size_t more
 }
 
 std::vector<double> InputLines::numbers(const std::vector<std::string>& names, std::size_t more) {
-  return take_numbers(names.size(), more,
-                      [&](std::size_t k) -> const std::string& { return names[k]; });
+  return take(names.size(), more, names);
 }
 
 std::vector<double> InputLines::array(const std::string& name, std::size_t count) {
-  return take_numbers(count, 0, [&](std::size_t) -> const std::string& { return name; });
+  return take(count, 0, {name});
 }
 
 int InputLines::whole(double value, const char* name, int least, int most) const {
@@ -110,7 +107,7 @@ int InputLines::whole(double value, const char* name, int least, int most) const
 
 InputLines::Named InputLines::named(const std::string& what, const std::vector<std::string>& names,
                                     std::size_t more) {
-  if (at_end()) fail("the file ends before " + what, "check that it is complete");
+  demand(what);
   // The text is taken off its line, whose numbers are then read as those of any other.
   std::vector<std::string>& fields = lines_[next_].fields;
   line_ = lines_[next_].number;

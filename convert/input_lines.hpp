@@ -3,6 +3,8 @@
 // here.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -23,6 +25,14 @@ class InputLines {
   /// Throws contact::InputError naming file, line and the number that is missing.
   std::vector<double> numbers(const std::vector<std::string>& names, std::size_t more = 0);
 
+  /// The same into an array, which keeps what it has beyond them.
+  template <std::size_t size>
+  void read(std::array<double, size>& into, const std::vector<std::string>& names,
+            std::size_t more = 0) {
+    const std::vector<double> values = numbers(names, more);
+    std::copy(values.begin(), values.end(), into.begin());
+  }
+
   /// `count` numbers that share a name, on as many lines as it takes.
   std::vector<double> array(const std::string& name, std::size_t count);
 
@@ -36,6 +46,10 @@ class InputLines {
   /// A count or a choice: `value` as a whole number. Throws contact::InputError, which calls it
   /// `name`, where it is none from `least` to `most`.
   int whole(double value, const char* name, int least, int most) const;
+  /// The same of the next number.
+  int whole(const char* name, int least, int most) {
+    return whole(numbers({name}).front(), name, least, most);
+  }
 
   /// Line on which the last thing read began, from 1.
   std::size_t line() const { return line_; }
@@ -48,10 +62,11 @@ class InputLines {
     std::size_t number;
     std::vector<std::string> fields;
   };
-  const Line& take();
-  /// `count` numbers, `name_of(k)` that of the k-th.
-  template <class NameOf>
-  std::vector<double> take_numbers(std::size_t count, std::size_t more, const NameOf& name_of);
+  /// `count` numbers, the k-th called names[k], or all the same where there is one name.
+  std::vector<double> take(std::size_t count, std::size_t more,
+                           const std::vector<std::string>& names);
+  /// Throws unless a line is left for `what`.
+  void demand(const std::string& what) const;
 
   std::string name_;
   std::vector<Line> lines_;

@@ -49,9 +49,7 @@ bool is_line(double A, double B) {
 
 /// What must be positive, so that what follows from it is a number.
 void judge_values(const ContactCase& given, Equivalent& made) {
-  const auto demand = [&](bool right, const char* what) {
-    if (!right) made.impossible.push_back(what);
-  };
+  const auto demand = [&](bool right, const char* what) { made.refuse(!right, what); };
   for (std::size_t body = 0; body < 2; ++body) {
     const double nu = given.bodies.poisson[body];
     demand(given.bodies.shear_modulus[body] > 0.0, "GG must be positive");
@@ -59,15 +57,15 @@ void judge_values(const ContactCase& given, Equivalent& made) {
   }
   demand(given.kinematics[0] > 0.0,
          given.digits.N == 0 ? "PEN must be positive" : "FN must be positive");
+  const int kind = given.potential.ipotcn;
   const auto& size = given.potential.size;
-  if (given.potential.ipotcn < 0 && given.potential.ipotcn >= -3)
-    demand(size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0,
-           "the curvatures or semi-axes and SCALE behind MX, MY must be positive");
-  const double power = given.potential.ipotcn == -1 ? 1.0 : 2.0;  // of a ratio of semi-axes
-  const double first = given.potential.ipotcn == -2 ? 1.0 : size[0];
-  if (given.potential.ipotcn < 0 && given.potential.ipotcn >= -3)
-    demand(!is_line(std::pow(first, power), std::pow(size[1], power)),
-           "the curvatures differ so much that this is a line contact");
+  if (kind >= 0 || kind < -3) return;
+  demand(size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0,
+         "the curvatures or semi-axes and SCALE behind MX, MY must be positive");
+  const double power = kind == -1 ? 1.0 : 2.0;  // of a ratio of semi-axes
+  const double first = kind == -2 ? 1.0 : size[0];
+  demand(!is_line(std::pow(first, power), std::pow(size[1], power)),
+         "the curvatures differ so much that this is a line contact");
 }
 
 void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
@@ -77,17 +75,15 @@ void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
   made.varied[std::string(made.history() ? "history." : "load.") +
               (digits.N == 0 ? "approach" : "normal_force")] = k[0];
   if (digits.T == 0) return;
-  if (digits.F > 0 && digits.N == 0) {
-    made.impossible.push_back(
-        "digits N = 0, F > 0: tangential forces are relative to a normal force that is not known "
-        "in advance");
-    return;
-  }
-  const std::array<const char*, 2> names{"longitudinal", "lateral"};
-  for (int direction = 0; direction < 2; ++direction) {
-    const double value = sign * k[static_cast<std::size_t>(1 + direction)] + 0.0;  // no -0
-    const std::string name = names[static_cast<std::size_t>(direction)];
-    if (digits.F > direction)
+  made.refuse(digits.F > 0 && digits.N == 0,
+              "digits N = 0, F > 0: tangential forces are relative to a normal force that is not "
+              "known in advance");
+  if (!made.impossible.empty()) return;
+  const std::array<std::string, 2> names{"longitudinal", "lateral"};
+  for (std::size_t direction = 0; direction < 2; ++direction) {
+    const double value = sign * k[1 + direction] + 0.0;  // no -0
+    const std::string& name = names[direction];
+    if (digits.F > static_cast<int>(direction))
       made.varied["rolling." + name + "_force"] = value * given.fstat * k[0];
     else
       made.varied[shift ? "history." + name + "_shift" : "rolling." + name + "_creepage"] = value;
@@ -115,20 +111,14 @@ void set_grid(const ContactCase& given, const Area& area, double sign, Equivalen
 }
 
 Area stated_area(const PotentialContact& given) {
-  const auto& s = given.size;
-  switch (given.ipotcn) {
-    case 1:
-      return {s[0], s[1], s[2], s[3]};
-    case 2:
-      return {s[0], s[1], (s[2] - s[0]) / given.mx, (s[3] - s[1]) / given.my};
-    case 3:
-      return {s[0] - 0.5 * s[2], s[1] - 0.5 * s[3], s[2], s[3]};
-    default: {  // 4: between the centres of the first and the last element
-      const double dx = given.mx > 1 ? (s[2] - s[0]) / (given.mx - 1) : 2.0 * (s[2] - s[0]);
-      const double dy = given.my > 1 ? (s[3] - s[1]) / (given.my - 1) : 2.0 * (s[3] - s[1]);
-      return {s[0] - 0.5 * dx, s[1] - 0.5 * dy, dx, dy};
-    }
-  }
+  const auto& [x, y, u, v] = given.size;  // dx, dy of kinds 1 and 3, the other corner of 2 and 4
+  if (given.ipotcn == 1) return {x, y, u, v};
+  if (given.ipotcn == 3) return {x - 0.5 * u, y - 0.5 * v, u, v};
+  if (given.ipotcn == 2) return {x, y, (u - x) / given.mx, (v - y) / given.my};
+  // 4: between the centres of the first and the last element
+  const double dx = given.mx > 1 ? (u - x) / (given.mx - 1) : 2.0 * (u - x);
+  const double dy = given.my > 1 ? (v - y) / (given.my - 1) : 2.0 * (v - y);
+  return {x - 0.5 * dx, y - 0.5 * dy, dx, dy};
 }
 
 using halfspace::HertzContact;
@@ -145,21 +135,19 @@ struct Ellipse {
 };
 
 HertzContact hertz_of(const ContactCase& given, double A, double B, double modulus) {
-  const double load = given.kinematics[0];
-  return given.digits.N == 1 ? halfspace::hertz_from_force(A, B, modulus, load)
-                             : halfspace::hertz_from_approach(A, B, modulus, load);
+  return (given.digits.N == 1 ? halfspace::hertz_from_force : halfspace::hertz_from_approach)(
+      A, B, modulus, given.kinematics[0]);
 }
 
 Ellipse ellipse_of(const ContactCase& given, double modulus) {
   const auto& s = given.potential.size;
-  const bool by_force = given.digits.N == 1;
-  const double load = given.kinematics[0];
   if (given.potential.ipotcn == -3) {
-    HertzContact hertz = unit_ellipse(s[0], s[1]);
+    const HertzContact hertz = unit_ellipse(s[0], s[1]);
     const contact::Curvatures unit = halfspace::hertz_curvatures(hertz, modulus);
     const HertzContact found =
         halfspace::hertz_from_force(unit.A, unit.B, modulus, hertz.normal_force);
-    const double factor = by_force ? load / hertz.normal_force : load / found.approach;
+    const double factor =
+        given.kinematics[0] / (given.digits.N == 1 ? hertz.normal_force : found.approach);
     return {{s[0], s[1], factor, factor * found.approach, factor * hertz.normal_force},
             {factor * unit.A, factor * unit.B}};
   }
@@ -183,14 +171,10 @@ void judge_resolution(const HertzContact& hertz, double dx, double dy, Equivalen
 
 void fill_ellipse(const ContactCase& given, double modulus, double sign, Equivalent& made) {
   const PotentialContact& potential = given.potential;
-  if (potential.ipotcn == -6) {
-    made.impossible.push_back("IPOTCN = -6: the contact area of SDEC");
-    return;
-  }
-  if (potential.ipotcn <= -4) {
-    made.impossible.push_back(fmt::format("IPOTCN = {}: line contact", potential.ipotcn));
-    return;
-  }
+  if (potential.ipotcn <= -4)
+    return made.refuse(true, potential.ipotcn == -6
+                                 ? "IPOTCN = -6: the contact area of SDEC"
+                                 : fmt::format("IPOTCN = {}: line contact", potential.ipotcn));
   const Ellipse ellipse = ellipse_of(given, modulus);
   const double scale = potential.size[2];
   const double a = ellipse.hertz.semi_axis_x, b = ellipse.hertz.semi_axis_y;
@@ -235,7 +219,7 @@ constexpr double longest_row = 50.0;
 
 void fill_line(const ContactCase& given, Area area, double modulus, double sign, Equivalent& made) {
   const auto& B = given.distance.values;
-  const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
+  const auto refuse = [&](const std::string& what) { made.refuse(true, what); };
   if (given.distance.ibase != 1 || !(B[0] > 0.0) ||
       std::any_of(B.begin() + 1, B.end(), [](double value) { return value != 0.0; }))
     return refuse(
@@ -265,12 +249,13 @@ void fill_line(const ContactCase& given, Area area, double modulus, double sign,
 
 void fill_distance(const ContactCase& given, double modulus, double sign, Equivalent& made) {
   const UndeformedDistance& distance = given.distance;
-  const auto refuse = [&](const std::string& what) { made.impossible.push_back(what); };
-  if (distance.iplan != 1) refuse(fmt::format("IPLAN = {}: a prescribed planform", distance.iplan));
-  if (distance.ibase == 2 || distance.ibase == 3)
-    refuse(fmt::format(
-        "IBASE = {}: this kind of undeformed distance (only 1 and 9 have an equivalent)",
-        distance.ibase));
+  const auto refuse = [&](const std::string& what) { made.refuse(true, what); };
+  made.refuse(distance.iplan != 1,
+              fmt::format("IPLAN = {}: a prescribed planform", distance.iplan));
+  made.refuse(
+      distance.ibase == 2 || distance.ibase == 3,
+      fmt::format("IBASE = {}: this kind of undeformed distance (only 1 and 9 have an equivalent)",
+                  distance.ibase));
   if (!made.impossible.empty()) return;
   const Area area = stated_area(given.potential);
   const auto& B = distance.values;
@@ -295,13 +280,7 @@ void fill_single_contact(const ContactCase& given, Equivalent& made) {
   judge_values(given, made);
   if (!made.impossible.empty()) return;
   const auto sign = turn(given, made);
-  const std::array<const char*, 2> sections{"wheel", "rail"};
-  for (std::size_t body = 0; body < 2; ++body) {
-    const contact::Material of = material(given.bodies, body);
-    made.set(sections[body], "young_modulus", of.young_modulus,
-             fmt::format("MPa, G = {:g}", given.bodies.shear_modulus[body]));
-    made.set(sections[body], "poisson_ratio", of.poisson_ratio);
-  }
+  fill_bodies(given.bodies, {"wheel", "rail"}, made);
   if (!sign) return;
   fill_motion(given, *sign, made);
   if (!made.impossible.empty()) return;

@@ -22,67 +22,61 @@ std::string place(const std::array<double, 3>& p) {
   return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", p[0], p[1], p[2]);
 }
 
-const char* body_of(double z) {
-  return z >= 0.0 ? "wheel" : "rail";
+using Axes = std::array<std::vector<double>, 3>;
+
+/// The points of one block in mm, in our axes.
+Axes axes_of(const StressBlock& given, const ElementPlaces& elements, double sign) {
+  Axes along{given.x, given.y, given.z};
+  if (given.by_element) {
+    for (double& x : along[0]) x = elements.x + (x - 0.5) * elements.dx;
+    for (double& y : along[1]) y = elements.y + (y - 0.5) * elements.dy;
+  }
+  for (std::size_t c = 0; c < 2; ++c)
+    for (double& value : along[c]) value = in_mm(sign * value);
+  for (auto& values : along) std::sort(values.begin(), values.end());
+  return along;
 }
 
-/// A block in mm, in our axes.
-class Block {
- public:
-  Block(const StressBlock& given, const ElementPlaces& elements, double sign)
-      : along_{given.x, given.y, given.z} {
-    if (given.by_element) {
-      for (double& x : along_[0]) x = elements.x + (x - 0.5) * elements.dx;
-      for (double& y : along_[1]) y = elements.y + (y - 0.5) * elements.dy;
-    }
-    for (std::size_t c = 0; c < 2; ++c)
-      for (double& value : along_[c]) value = in_mm(sign * value);
-    for (auto& values : along_) std::sort(values.begin(), values.end());
+/// The direction of which one line has all points: the longest whose points are equally far from
+/// each other and in one body; 3 without any.
+std::size_t line_of(const Axes& along) {
+  std::size_t line = 3;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const bool one_body = c < 2 || along[2].front() * along[2].back() >= 0.0;
+    if (along[c].size() > 1 && one_body && equally_spaced(along[c]) &&
+        (line == 3 || along[c].size() > along[line].size()))
+      line = c;
   }
+  return line;
+}
 
-  /// One line for all points of one direction, if there are some equally far from each other.
-  std::vector<std::string> entries() const {
-    std::size_t line = 3;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const bool one_body = c < 2 || along_[2].front() * along_[2].back() >= 0.0;
-      if (along_[c].size() > 1 && one_body && equally_spaced(along_[c]) &&
-          (line == 3 || along_[c].size() > along_[line].size()))
-        line = c;
-    }
-    std::size_t number = 1;
-    for (std::size_t c = 0; c < 3; ++c)
-      if (c != line) number *= along_[c].size();
-    std::vector<std::string> all;
-    if (number > most_entries) return all;
-    walk(line, {}, 0, all);
-    return all;
-  }
+/// From one place to another, or the point where both are.
+std::string entry(const std::array<double, 3>& from, const std::array<double, 3>& to,
+                  std::size_t points) {
+  const char* const body = std::min(from[2], to[2]) < 0.0 ? "rail" : "wheel";
+  if (points == 1)
+    return fmt::format("[[subsurface.point]]\nbody = \"{}\"\nat = {}\n", body, place(from));
+  return fmt::format("[[subsurface.line]]\nbody = \"{}\"\nfrom = {}\nto = {}\npoints = {}\n", body,
+                     place(from), place(to), points);
+}
 
- private:
-  void walk(std::size_t line, std::array<double, 3> at, std::size_t c,
-            std::vector<std::string>& all) const {
-    if (c == 3) return all.push_back(entry(line, at));
-    if (c == line) return walk(line, at, c + 1, all);
-    for (const double value : along_[c]) {
-      at[c] = value;
-      walk(line, at, c + 1, all);
-    }
-  }
-
-  std::string entry(std::size_t line, std::array<double, 3> at) const {
-    if (line == 3)
-      return fmt::format("[[subsurface.point]]\nbody = \"{}\"\nat = {}\n", body_of(at[2]),
-                         place(at));
-    std::array<double, 3> from = at, to = at;
-    from[line] = along_[line].front();
-    to[line] = along_[line].back();
-    return fmt::format("[[subsurface.line]]\nbody = \"{}\"\nfrom = {}\nto = {}\npoints = {}\n",
-                       body_of(std::min(from[2], to[2]) < 0.0 ? -1.0 : 1.0), place(from), place(to),
-                       along_[line].size());
-  }
-
-  std::array<std::vector<double>, 3> along_;
-};
+/// None where they would be too many.
+std::vector<std::string> entries_of(Axes along) {
+  const std::size_t line = line_of(along);
+  std::vector<double> whole{0.0};
+  if (line < 3) std::swap(whole, along[line]);
+  if (line < 3) along[line] = {0.0};
+  std::vector<std::string> all;
+  if (along[0].size() * along[1].size() * along[2].size() > most_entries) return all;
+  for (const double x : along[0])
+    for (const double y : along[1])
+      for (const double z : along[2]) {
+        std::array<double, 3> from{x, y, z}, to = from;
+        if (line < 3) from[line] = whole.front(), to[line] = whole.back();
+        all.push_back(entry(from, to, whole.size()));
+      }
+  return all;
+}
 
 }  // namespace
 
@@ -92,7 +86,7 @@ void fill_stresses(const ContactCase& given, const ElementPlaces& elements, doub
   std::size_t entries = 0;
   for (const StressBlock& block : given.stress_blocks) {
     if (block.x.empty() || block.y.empty() || block.z.empty()) continue;
-    const auto texts = Block(block, elements, sign).entries();
+    const auto texts = entries_of(axes_of(block, elements, sign));
     entries += texts.size();
     if (texts.empty() || entries > most_entries)
       made.notes.push_back(

@@ -258,11 +258,11 @@ MUTATIONS = [
              "CONTACT's forces are parts of the normal force, not of what friction bears",
              ("unit_converted_cases", "cli_convert")),
     Mutation("converted_bodies", "convert/wheel_rail.cpp",
-             'sections{"rail", "wheel"}', 'sections{"wheel", "rail"}',
+             '{"rail", "wheel"}, made', '{"wheel", "rail"}, made',
              "the first body of CONTACT's module 1 is the wheel",
              ("unit_converted_cases",)),
     Mutation("converted_rotation", "convert/wheel_rail.cpp",
-             "-vpitch * pair.nominal_radius / vs - 1.0", "vpitch * pair.nominal_radius / vs - 1.0",
+             "-vpitch * radius / vs - 1.0", "vpitch * radius / vs - 1.0",
              "wheels of CONTACT's module 1 turn backwards",
              ("unit_converted_cases",)),
     # postprocess/

@@ -89,7 +89,7 @@ TEST(ContactInput, ReadsWheelAndRail) {
   EXPECT_EQ(pair.rail.name, "rail.csv");
   EXPECT_EQ(pair.wheel.mirror_y, 1);
   EXPECT_EQ(pair.wheel.mirror_z, 1);
-  EXPECT_EQ(pair.gauge, 1435.0);
+  EXPECT_EQ(pair.track[2], 1435.0);
   EXPECT_EQ(pair.position[1], 1.5);
   EXPECT_EQ(pair.velocity[5], -20.02);
 }
