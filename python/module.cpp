@@ -2,17 +2,13 @@
 // solving lets other Python threads run, and hears Ctrl-C at every iteration.
 #include "contact/case/case_keys.hpp"
 #include "contact/case/plausibility.hpp"
+#include "python/bindings.hpp"
 #include "python/blas_threads.hpp"
-#include "python/records.hpp"
-#include "python/stress.hpp"
-#include "python/tables.hpp"
 
 #include <optional>
 #include <pybind11/stl.h>
 
 namespace rollfem::python {
-
-namespace py = pybind11;
 
 namespace {
 

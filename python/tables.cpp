@@ -1,6 +1,5 @@
-#include "python/tables.hpp"
-
 #include "postprocess/table/table_files.hpp"
+#include "python/bindings.hpp"
 
 #include <array>
 #include <map>
@@ -10,7 +9,6 @@
 
 namespace rollfem::python {
 
-namespace py = pybind11;
 using namespace py::literals;
 
 namespace {

@@ -95,7 +95,7 @@ def _cost_table(cases):
 def cost_figure(cases):
     """Largest difference from the reference against seconds, one marker for each model and case. None
     when nothing was compared."""
-    figure, said = Figure(2), []
+    figure = Figure(2)
     for quantity, title, of in (("max_pressure", "largest pressure $p_0$", "reference"),
                                 ("traction_coefficient", "traction coefficient", "$\\mu$")):
         spots = {model: [(c["seconds"][model], max(100 * abs(s["largest_difference"]), 1e-4))
@@ -106,15 +106,13 @@ def cost_figure(cases):
         panel.x.log = panel.y.log = True
         for model, pairs in spots.items():
             panel.spots(pairs, size=3.8, **styles.line(model, True))
-            if pairs:
-                said.append(f"{styles.label(model)} {title}: up to {max(pairs, key=lambda pair: pair[1])[1]:.2g} %")
         bars = [100 * s["allowed_there"] for c in cases for s in c["standings"]
                 if s["quantity"] == quantity and s["allowed_there"] > 0]
         if bars:
             panel.y.see([np.median(bars)])
             panel.level(np.median(bars))
     figure.entry("error bars, median", "soft", (1.5, 2.2), 1.0)
-    return figure.tell("Largest difference from the reference against seconds: ", said) if figure.panels else None
+    return figure if figure.panels else None
 
 
 def _missing(case):

@@ -53,7 +53,6 @@ def creep_curve(result):
         beside = figure.add(400, 270, f"difference from {styles.label(reference)}", axis_label, "[% of $\\mu$]")
         beside.y.see([-1.0, 1.0])
         beside.level(0, styles.of_model(reference)[0], (), 1.6)
-    said = []
     for model in models:
         points = model.points if by_step else sorted(model.points, key=lambda p: p[scalar])
         at = np.array([factor * p[scalar] for p in points])
@@ -64,13 +63,12 @@ def creep_curve(result):
         if errors.any():
             top.bars(at, values, errors if model.has_bound else 0 * errors, look["colour"])
         top.x.see(at)
-        said.append(f"{styles.label(model)} from {values[0]:.3g} at {at[0]:.3g} to {values[-1]:.3g} at {at[-1]:.3g}")
         if beside and model is not reference:
             beside.spots([(a, 100 * (v - _coefficient(r, force)) / friction) for a, v, p in zip(at, values, points)
                           if (r := reference.at(p.key))], True, **look)
     if force == "longitudinal_force":
         _draw_published(top, result, models)
-    return figure.tell(f"Traction coefficient {ratio} against {axis_label}: ", said + [f"full slip is {friction:.3g}"])
+    return figure
 
 
 def line_of(axis):
@@ -122,7 +120,7 @@ def _draw_tractions(panel, models, key, curve, field, sides=(1,)):
 
 
 def _panels(result, title, labels, half, curve, thin):
-    """(figure, models, load points) of the pressure and, at several load points, the traction under its bound;
+    """A figure of the pressure and, at several load points, the traction under its bound;
     `curve(model, point, field)` gives what is drawn, None where the model has none. `title` of the first panel; `labels`
     of x, of its y and of the others' y; `half`: which half-width is drawn; `thin`: the entry of the bound."""
     models = load_points.with_pressure(result)
@@ -146,15 +144,7 @@ def _panels(result, title, labels, half, curve, thin):
     if chosen:
         figure.entry(thin, "soft", width=0.8)
     figure.entry(shared)
-    return figure, models, chosen
-
-
-def _ends(curve):
-    """"-3.8 and 3.8 mm", where a curve (positions, values) begins and ends."""
-    positions = [] if curve is None else curve[0][np.isfinite(curve[0])]
-    if not len(positions):
-        return "no place"
-    return f"{positions[0]:.3g} and {positions[-1]:.3g} mm".replace("-", "−")
+    return figure
 
 
 def path(result, axis):
@@ -163,12 +153,8 @@ def path(result, axis):
     if not load_points.with_pressure(result):
         return None
     own = any(m.name in ("fastsim", "strip") for m in load_points.with_pressure(result))
-    figure, models, chosen = _panels(result, "contact pressure", (ALONG[axis], "$p_n$ [MPa]", "$-p_x$ [MPa]"),
-                                     "xy".index(axis), line_of(axis), "traction bound" + "" if own else "traction bound $\\mu p_n$")
-    return figure.tell(f"Contact pressure over {axis}: ", [
-        f"{styles.label(m)} up to {m.points[0]['max_pressure']:.4g} MPa between "
-        f"{_ends(line_of(axis)(m, m.points[0], 'pressure'))}" for m in models]
-        + [f"then tangential traction under its bound at {len(chosen)} load points"] * bool(chosen))
+    return _panels(result, "contact pressure", (ALONG[axis], "$p_n$ [MPa]", "$-p_x$ [MPa]"), "xy".index(axis),
+                   line_of(axis), "traction bound" if own else "traction bound $\\mu p_n$")
 
 
 def strip_forces(result):
@@ -176,11 +162,8 @@ def strip_forces(result):
     sliding of the same strips. None when no model has a pressure field."""
     if not load_points.with_pressure(result):
         return None
-    figure, models, _ = _panels(result, "normal force per strip",
-                                (ALONG["y"], "$\\int p_n dx$ [N/mm]", "$-\\int p_x dx$ [N/mm]"), 1, strip_of,
-                                "full sliding of the strip")
-    return figure.tell("Normal force per mm of width over y: ", [
-        f"{styles.label(m)} up to {strip_of(m, m.points[0], 'pressure')[1].max():.4g} N/mm" for m in models])
+    return _panels(result, "normal force per strip", (ALONG["y"], "$\\int p_n dx$ [N/mm]", "$-\\int p_x dx$ [N/mm]"), 1,
+                   strip_of, "full sliding of the strip")
 
 
 # Below this part of the largest bound p_y is noise on the scale of the figure.
@@ -211,5 +194,4 @@ def lateral_paths(result):
             panel.x.limits = (-half, half)
             panel.y.limits = (low - 0.08 * (high - low), high + 0.08 * (high - low))
             _draw_tractions(panel, models, key, line_of(axis), "traction_y", (1, -1))
-    return figure.tell(f"Lateral traction along both middle lines at {len(chosen)} load points: ", [
-        f"between {min(lows):.3g} and {max(highs):.3g} MPa, under a bound of up to {bound:.4g} MPa"])
+    return figure

@@ -8,12 +8,11 @@ from .files import write_whole
 
 
 class Figure:
-    """`columns`: panels in a row of the file, and of the page too where `in_rows`. `seen`: the
-    alternative text, what the figure shows in words."""
+    """`columns`: panels in a row of the file, and of the page too where `in_rows`."""
 
     def __init__(self, columns=3, heading="", in_rows=False):
         self.panels, self.columns, self.heading, self.in_rows = [], columns, heading, in_rows
-        self.legend, self.seen = [], ""
+        self.legend, self.said = [], ""
 
     def add(self, *arguments, **options):
         """A new panel (Panel), whose named curves have entries in the legend."""
@@ -32,9 +31,14 @@ class Figure:
         self.entry(styles.label(model), colour, dash, marker=own if marker else None)
 
     def tell(self, what, said):
-        """Sets the alternative text: what is shown, and what is said of each curve."""
-        self.seen = f"{what}{'; '.join(said)}."
+        """Sets the alternative text where it is not that of the panels: what is shown, and what is said of it."""
+        self.said = f"{what}{'; '.join(said)}."
         return self
+
+    @property
+    def seen(self):
+        """The figure in words, for whoever hears the page."""
+        return labels.plain(self.said or "; ".join(panel.seen() for panel in self.panels) + ".")
 
     def charts(self, size, rows):
         """A panel of that size for each row of title, label of x, of y, least span of y, and its curves: x, y and
@@ -75,7 +79,7 @@ class Figure:
             wide, high, content = panel.svg()
             parts.append(f'<svg class="plot" width="{wide:.0f}" height="{high:.0f}" '
                          f'viewBox="0 0 {wide:.0f} {high:.0f}" aria-hidden="true">{content}</svg>')
-        seen = escape(labels.plain(self.seen), quote=True)
+        seen = escape(self.seen, quote=True)
         return f'<div class="panels" role="img" aria-label="{seen}">{"".join(parts)}</div>'
 
     def _legend_rows(self, room):
@@ -111,9 +115,8 @@ class Figure:
                 parts.append(f'<g transform="translate({x:.0f} {at:.0f})">{content}</g>')
                 x += width
             at += max(part[1] for part in row)
-        seen = labels.plain(self.seen)
         return (f'<svg xmlns="http://www.w3.org/2000/svg" class="plot" width="{wide:.0f}" height="{at:.0f}" '
-                f'viewBox="0 0 {wide:.0f} {at:.0f}" role="img"><title>{escape(seen)}</title>'
+                f'viewBox="0 0 {wide:.0f} {at:.0f}" role="img"><title>{escape(self.seen)}</title>'
                 f'<style>{styles.css()}</style><rect class="f-ground" width="100%" height="100%"/>'
                 f'{"".join(parts)}</svg>\n')
 

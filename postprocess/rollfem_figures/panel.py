@@ -52,6 +52,12 @@ def even_marks(low, high, step):
             for n in range(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1)]
 
 
+def span_text(values):
+    """"0 to 0.55", or the one value."""
+    low, high = min(values), max(values)
+    return " to ".join(dict.fromkeys("0" if abs(v) < 1e-9 * (high - low) else f"{v:.3g}" for v in (low, high)))
+
+
 class Axis:
     """`limits`: (low, high), either may be None: from what is drawn with a margin, never less than
     `least` apart. `ticks`: [(value, text)] instead of even ones."""
@@ -80,6 +86,11 @@ class Axis:
         given = self.limits
         low, high = (low if given[0] is None else given[0]), (high if given[1] is None else given[1])
         return (low, high) if high > low else (low, low + (abs(low) or 1.0))
+
+    def words(self):
+        """Its limits."""
+        return span_text(self.range()) if self.ticks is None else " to ".join(
+            text for _, text in self.marks(1, False)[::max(1, len(self.ticks) - 1)])
 
     def shares(self, values):
         """Where values are between the limits: 0 to 1."""
@@ -177,7 +188,7 @@ class Panel:
         self.x, self.y = Axis(xlabel, margin=0.03), Axis(ylabel)
         self.equal, self.bare, self.room_left = equal, bare, 54
         self.entry = lambda *look: None  # of the figure's legend
-        self._marks = []
+        self._marks, self._curves = [], {}
 
     def _add(self, order, draw, text=False):
         self._marks.append((order, len(self._marks), text, draw))
@@ -194,6 +205,7 @@ class Panel:
         if not len(x):
             return
         self.entry(name, colour, dash, width if joined else 0, marker, hollow)
+        self._curves.setdefault(name, []).extend(y[np.isfinite(y)])
         if see:
             self.x.see(np.where(np.isfinite(y), x, np.nan)), self.y.see(y)
 
@@ -276,6 +288,14 @@ class Panel:
                     f'class="{"sm " if small else ""}f-{colour}">{labels.svg(text)}</text>')
 
         self._add(order, draw, text=True)
+
+    def seen(self):
+        """What is drawn, in words: between which values of its axes, and of each of its curves with a name."""
+        title, known = self.title.replace("\n", ", "), {name: values for name, values in self._curves.items() if values}
+        up = span_text(sum(known.values(), [])) if known and self.y.ticks is None else self.y.words()
+        named = ", ".join(f"{name} {span_text(values)}" for name, values in known.items() if name)
+        return (f"{title}{': ' * bool(title)}{self.x.label} {self.x.words()}, {self.y.label} {up}"
+                + (f" ({named})" if named else ""))
 
     def fit(self):
         """With equal axes, the height (or the width, if that was None) that the limits ask for."""

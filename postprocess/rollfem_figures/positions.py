@@ -129,11 +129,7 @@ def sweep(result):
                         yield (*zip(*spots), {**look, "joined": joined})
 
     figure.charts((250, 165), [(title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS])
-    peak = max((m.points[0]["max_pressure"], at[m.place["position"]], m.place["wheel"]) for m in models
-               if m.name == reference)
-    return figure.tell(f"Contact points, contact angle, normal force, pressure, patch, creepages and forces over the {label} "
-                       f"from {min(at.values()):.4g} to {max(at.values()):.4g}: ", [
-                           f"the largest pressure, {peak[0]:.4g} MPa, is at {peak[1]:.4g} on the {peak[2]} wheel"])
+    return figure
 
 
 # Of the table of contacts: heading, what a place has, factor, significant digits (None: as given).

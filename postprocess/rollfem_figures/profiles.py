@@ -47,8 +47,6 @@ def draw_profile(title, columns):
     bend.line(y, on_scale(curvature), "blue", 1.5)
     bend.y.ticks = _ticks(curvature)
     shape.room_left = bend.room_left = 84  # one below the other
-    figure.seen = (f"{title}: shape from y = {y.min():.4g} to {y.max():.4g} mm, {np.ptp(z):.3g} mm high; curvature "
-                   f"from {curvature.min():.3g} to {curvature.max():.3g} 1/mm, {len(places)} joints.")
     return figure
 
 
@@ -80,15 +78,13 @@ def draw_pair(drawn, touching, title):
     distance = np.interp(y, *rail) - np.interp(y, *wheel)
     gap.line(y, distance, "blue", 1.5)
     gap.x.limits, gap.y.limits = (low, high), (-0.02, 0.6)
-    said = []
     for k, place in enumerate(touching):
         look = {"colour": PATCH_COLOURS[k % len(PATCH_COLOURS)], "marker": "o", "size": 3.6, "order": 5}
         at, patch = place["y_track"], f"patch {place['patch']:.0f}"
         angle = f"{math.degrees(place['contact_angle']):.2f}°"
         shape.spots([(at, -place["z_track"])], **look)
         gap.spots([(at, np.interp(at, y, distance))], name=f"{patch}: {angle}, radius {place['rolling_radius']:.3f} mm", **look)
-        said.append(f"{patch} touches at y = {at:.2f} mm under {angle}")
-    return figure.tell(f"{title}: ", said)
+    return figure
 
 
 def _pair_of(path):

@@ -203,7 +203,8 @@ def patches(result, figures, name="patch"):
     articles = []
     for number, (label, scene) in enumerate(result.scenes(), 1):
         words = positions.at_words(result, scene.models[0].place["position"])
-        articles.append(_patch(scene, figures.under(f"s{number}_"), label[0].upper() + label[1:] + ("," + words if words else "")))
+        heading = label[0].upper() + label[1:] + ("," + words if words else "")
+        articles.append(_patch(scene, figures.under(f"s{number}_"), heading))
     return section("The patches", _chooser(result, articles, name))
 
 
@@ -245,8 +246,8 @@ def touching(result, figures):
 
 
 def build(directory, reference=""):
-    """Draws and writes the report of a folder; returns its result and figures (page.Drawn); those for which it has no data are left out. `reference`: name
-    of the model that the others are compared with, where it is there."""
+    """Draws and writes the report of a folder; returns its result and its figures (page.Drawn), without those for which
+    it has no data. `reference`: name of the model that the others are compared with, where it is there."""
     result = read_result(directory)
     result.reference = reference
     styles.know({model.name: model.label for model in result.models})

@@ -50,7 +50,7 @@ def _by_name(result, prefix):
 
 def depth_profile(result, by_body):
     """Stresses down from the surface, one panel for each body: {body: sets (_by_name)}."""
-    figure, said = Figure(2), []
+    figure = Figure(2)
     for _, label, ink in MEASURES:
         figure.entry(label, ink)
     for body, parts in by_body.items():
@@ -59,16 +59,13 @@ def depth_profile(result, by_body):
                            "depth below the surface [mm]")
         panel.y.flipped, panel.y.limits, panel.y.margin = True, (0.0, None), 0.0
         panel.level(0, dash=(), upright=True)
-        for place, model, part in parts:
+        for place, _, part in parts:
             for column, _, ink in MEASURES:
                 panel.line(part[column], part["distance"], ink, 1.6, DASHES[place % len(DASHES)])
-            deep = int(np.argmax(part["von_mises"]))
-            said.append(f"{styles.label(model)}, {body}, {load_point(model)}: von Mises up to "
-                        f"{part['von_mises'][deep]:.4g} MPa, {part['distance'][deep]:.3g} mm deep")
     for place, model in enumerate(result.models if len(result.models) > 1 else ()):
         figure.entry(entry_name(result, model), "ink", DASHES[place % len(DASHES)])
     figure.entry(_shared(result))
-    return figure.tell("Stress against depth: ", said)
+    return figure
 
 
 def _looks(result):
@@ -172,8 +169,8 @@ def plane(model, part):
             panel.spots([(right[peak], up[peak])], colour=ink, marker="x", size=size, order=4)
         panel.fit()
         _scale(figure, levels, step, panel.height)
-    return figure.tell(f"Stress in the {part.body} on a plane, {styles.label(model)}: ", [
-        f"{label} from {part[column].min():.4g} to {part[column].max():.4g} MPa" for column, label, _ in MEASURES])
+    return figure.tell("", [f"{label} stress {part[column].min():.4g} to {part[column].max():.4g} MPa"
+                            for column, label, _ in MEASURES])
 
 
 KINDS = (("line", (7.5, 3), "line contact"), ("circle", (1.5, 1.5), "circular contact"))
@@ -203,22 +200,19 @@ def shakedown_map(result):
     for kind, dash, name in KINDS:
         panel.line(at, bounds[f"{kind}_shakedown"], "soft", 1.1, dash, name=f"shakedown limit, {name}")
         panel.line(at, bounds[f"{kind}_elastic"], "sky", 1.1, dash, name=f"elastic limit, {name}")
-    said = []
     for size, (model, curve, asked) in zip((4.5, 3.2, 2.6, 2.2) * len(curves), curves.values()):
         look = {**styles.line(model, True), "size": size}  # models that agree stay visible
         spots = [(p["tangential_coefficient"], p["load_factor"]) for p in curve]
         chosen = [spots[number_ - 1] for number_ in asked]
         panel.spots(spots, True, hollow=True, order=4, **{**look, "name": ""})
-        panel.spots(chosen, order=5, **{**look, "name": ""})
         figure.entry(f"{look['name']} (filled: the load points of the stresses)", look["colour"], look["dash"],
                      marker=look["marker"])
-        said += [f"{look['name']} at {x:.3g}, {y:.3g}" for x, y in chosen]
+        panel.spots(chosen, order=5, **{**look, "name": f"{look['name']} (filled: the load points of the stresses)"})
     panel.text(0.012, 0.3, "elastic")
     if top < 6:  # else there is no room between the limits
         panel.text(0.008, 3.2, "elastic shakedown")
     panel.text(0.97, 0.93, "plastic flow at every pass", "end", share=(True, True))
-    return figure.tell("Shakedown map, tangential force over normal force against the load factor: ",
-                       said + ["the words beside it say in which region they are"])
+    return figure
 
 
 def figures(result):

@@ -57,8 +57,7 @@ def along_line(curves, heading):
     panels[-1].y.limits = (None, None)
     panels[-1].level(0, dash=())
     figure.entry(heading)
-    return figure.tell(f"Stress {heading}, along {axis_label}: ", [
-        f"{look['name']} von Mises up to {values['von_mises'].max():.4g} MPa" for look, _, values in curves])
+    return figure
 
 
 def lines(result):

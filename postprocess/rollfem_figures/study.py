@@ -83,27 +83,24 @@ def errors_figure(place, across, wanted, friction):
     if not curves:
         return None
     figure = Figure(3 if len(curves) > 4 else 2)
-    said, extra = {}, {}
+    extra = {}
     for key, found in curves.items():
         panel = figure.add(250, 190, _title(place, key),
                            "time for all load points [s]" if across == "seconds" else "unknowns [-]",
                            "error [% of $\\mu$]" if _is_coefficient(key) else "error [%]")
         panel.x.log = panel.y.log = True
         for series, spots in found:
-            look, (first, last) = _look(place, series), (spots[0], spots[-1])
-            panel.spots(spots, True, **look)
-            said.setdefault(look["name"], f"{look['name']}, {_title(place, key)}: from {first[1]:.2g} % at {first[0]:.3g} to "
-                            f"{last[1]:.2g} % at {last[0]:.3g}")
+            panel.spots(spots, True, **_look(place, series))
             if across == "unknowns" and series["model"] == "halfspace" and len(spots) >= 3:
                 # The slope of order 2 on a surface: error falls as 1/unknowns.
-                ends = np.array([first[0], last[0]]) * 1.6
-                panel.line(ends, 1.6 * first[1] * ends[0] / ends, **ORDER)
+                ends = np.array([spots[0][0], spots[-1][0]]) * 1.6
+                panel.line(ends, 1.6 * spots[0][1] * ends[0] / ends, **ORDER)
                 extra["order 2"] = ORDER
         if _add_band(panel, place, key, friction):
             extra["uncertainty of the reference"] = {"fill": "band"}
     for name in sorted(extra):
         figure.entry(name, **extra[name])
-    return figure.tell(f"Errors against {across}, both on logarithmic scales. ", said.values())
+    return figure
 
 
 def speed_error(place, friction):

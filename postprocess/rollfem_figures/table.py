@@ -145,16 +145,15 @@ def surfaces(found):
         _oblique(panel, across[shown], behind[behind >= 0], _plane(found, force, right, back)[:, shown],
                  (LETTER[right], LETTER[back]))
     result.entry(f"{_said_first(found, _first(found))}; creepages that are not shown are 0")
-    return result.tell("Surfaces: ", ["of the longitudinal force over longitudinal creepage and spin, of the lateral force "
-                                      "over lateral creepage and spin, of the moment over spin and longitudinal creepage: "
-                                      "each rises from 0 and levels off"])
+    return result.tell(f"Surfaces at {_said_first(found, _first(found))}: ", [
+        f"{name} over {LETTER[right]} and {LETTER[back]}" for _, name, right, back in VIEWS])
 
 
-def _charts(size, rows, seen):
+def _charts(size, rows):
     """A figure of panels of that size: title, label of x, of y, and the curves."""
     result = Figure(4 if len(rows) > 3 else 3)
     result.charts(size, [(*row, 0.0, curves) for *row, curves in rows])
-    return result.tell(seen, [])
+    return result
 
 
 DOTS = {"width": 1.5, "marker": "o", "size": 1.8}
@@ -164,8 +163,7 @@ def curves(found):
     """The same as curves."""
     result = _charts((290, 220), [(name, LETTER[right], name, [
         (found.axes[right], values, {"colour": colour, **DOTS}) for values, _, colour in _rows(found, force, right, back)])
-        for force, name, right, back in VIEWS],
-        "Curves of the three forces over their creepage, each for several values of another")
+        for force, name, right, back in VIEWS])
     for panel, (force, _, right, back) in zip(result.panels, VIEWS):
         for place, (_, value, colour) in enumerate(_rows(found, force, right, back)):
             panel.text(0.97, 0.05 + 0.075 * place, f"{LETTER[back]} = {value:.3g}", "end", colour, share=(True, True))
@@ -184,7 +182,7 @@ def ratios(found):
     return None if count < 2 else _charts((290, 220), [(name, LETTER[right], name, [
         (found.axes[right], _forces(found, force, **{found.first: ratio, right: ALL}),
          {"colour": colour, "name": _said_first(found, ratio)}) for ratio, colour in zip(_some(count, 7), COLOURS)])
-        for force, name, right, _ in VIEWS], "Forces of each creepage alone: scaled, those of all curves begin alike")
+        for force, name, right, _ in VIEWS])
 
 
 def _some_from_zero(axes):
@@ -219,8 +217,7 @@ def shifts(found):
         curve for at, colour, values in zip(chosen[right], COLOURS, names)
         for curve in _over_shifts(found, _forces(found, force, **{found.first: ALL, right: at}), colour,
                                   name=f"{', '.join(LETTER[each] for each in chosen)} = {values}")])
-        for force, name, right, _ in VIEWS],
-        "Forces over the lateral shift of the wheelset, for several values of the creepage that makes them")
+        for force, name, right, _ in VIEWS])
 
 
 # Of each panel over the shift: the title, its unit, the factor, and of each curve the entry, its name, colour and dash.
@@ -236,9 +233,7 @@ def wheels(found):
     return _charts((230, 200), [(name, LETTER["lateral_shift"], f"{name} [{unit}]", [
         curve for entry, word, colour, dash in entries
         for curve in _over_shifts(found, factor * found.wheels[entry], colour, dash=dash, name=word)])
-        for name, unit, factor, entries in OF_WHEEL],
-        "Contact angle, rolling radius, size of the patch and largest pressure over the lateral shift") if _shifted(
-            found) else None
+        for name, unit, factor, entries in OF_WHEEL]) if _shifted(found) else None
 
 
 def errors(found):
@@ -246,15 +241,14 @@ def errors(found):
     if not len(found.checked):
         return None
     off = found.checked[:, 4:7] - found.checked[:, 7:10]
-    result, error = Figure(1), found.interpolation
+    result = Figure(1)
     panel = result.add(420, 220, "interpolation between the points", "error [%]", "share of points [%]")
     panel.x.log, panel.y.limits = True, (0, 100)
     share = 100 * (np.arange(len(off)) + 1) / len(off)
     for name, size, colour, dash in (("forces, of $μF_n$", np.hypot(off[:, 0], off[:, 1]), "blue", ()),
                                      ("moment, of $μF_n$ $c$", np.abs(off[:, 2]), "slip", (5, 2))):
         panel.line(np.maximum(100 * np.sort(size), 1e-3), share, colour, 1.6, dash, name=name)
-    return result.tell("In 95 of 100 points ", [f"forces are off by at most {100 * error['force_95']:.2g} %, the moment by "
-                                                f"{100 * error['moment_95']:.2g} %"])
+    return result
 
 
 def figures(found):

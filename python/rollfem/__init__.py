@@ -12,9 +12,8 @@ from ._core import models as _models
 from ._core import version as _version
 from .case import Case
 from .reading import read
-from .result import FIELDS, QUANTITIES, ModelResult, Point, Result
+from .result import FIELDS, QUANTITIES, ModelResult, Point, Result, stress_measures
 from .solving import AccuracyWarning, DoubtWarning, solve
-from .stress import stress_measures
 from .sweeping import Sweep, sweep
 from .table import Table, TableForces
 

@@ -130,6 +130,14 @@ class Case:
         else:
             self.core = self._parsed()
 
+    @classmethod
+    def of(cls, file, data):
+        """From the contents of a case file, whose name is "" where there is none."""
+        case = cls.__new__(cls)
+        case._file, case._data = file, data
+        case.core = case._parsed()
+        return case
+
     def _parsed(self):
         name = self._file or "case"
         text = "\n".join(_tables(self._data, [])).lstrip("\n") + "\n"
@@ -145,11 +153,8 @@ class Case:
         asked = nested({**(changes or {}), **keys})
         data = self.data
         _drop(data, asked)
-        made = Case.__new__(Case)
-        made._file, made._data = self._file, data
-        _merge(made._data, asked)
-        made.core = made._parsed()
-        return made
+        _merge(data, asked)
+        return Case.of(self._file, data)
 
     def __getitem__(self, name):
         """case["friction.coefficient"], or a section as a dict. KeyError for keys the case does not set."""
@@ -205,7 +210,7 @@ class Case:
         return hash(self.text)
 
     def __reduce__(self):
-        return _restored, (self._file, self.data)
+        return Case.of, (self._file, self.data)
 
     def __repr__(self):
         count = self.load_points
@@ -220,10 +225,3 @@ def _drop(data, asked):
             data.pop(name, None)
         elif isinstance(asked[name], dict):
             _drop(data.get(name, {}), asked[name])
-
-
-def _restored(file, data):
-    case = Case.__new__(Case)
-    case._file, case._data = file, data
-    case.core = case._parsed()
-    return case

@@ -5,7 +5,7 @@ import sys
 import tomllib
 
 from . import _core
-from .case import Case, _restored
+from .case import Case
 from .result import ModelResult, Result
 
 
@@ -52,7 +52,7 @@ class StoredCase(Case):
     @property
     def core(self):
         """Reads the case."""
-        return _restored(self._file, self._data).core
+        return Case.of(self._file, self._data).core
 
     @property
     def title(self):

@@ -1,0 +1,30 @@
+// What the module rollfem._core is made of, beside module.cpp.
+#pragma once
+
+#include "rollfem/rollfem.hpp"
+#include <memory>
+#include <pybind11/pybind11.h>
+
+namespace rollfem::python {
+
+namespace py = pybind11;
+using Shared = std::shared_ptr<const Result>;
+
+/// Results as dictionaries, one for each model and patch, in the order of the run. Arrays are views
+/// of the result itself: nothing is copied, and each keeps the whole result alive.
+py::list models_of(const Shared& result);
+
+/// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
+py::dict quantities();
+/// {name: (unit, description, sign)}
+py::dict fields();
+
+/// {"hydrostatic", "von_mises", "tresca", "orthogonal_shear": [...], "principal": [..., 3]} of
+/// stresses [..., 6], MPa: xx, yy, zz, xy, yz, xz (contact/result/stress_measures.hpp). Raises
+/// ValueError where the last axis is not of six.
+py::dict stress_measures(const py::object& components);
+
+/// The class CreepTable, on which rollfem.Table is made.
+void define_tables(py::module_& module);
+
+}  // namespace rollfem::python
