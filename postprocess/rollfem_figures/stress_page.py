@@ -212,7 +212,7 @@ def shakedown_map(result):
     if top < 6:  # else there is no room between the limits
         panel.text(0.008, 3.2, "elastic shakedown")
     panel.text(0.97, 0.93, "plastic flow at every pass", "end", share=(True, True))
-    return figure
+    return figure.tell("Shakedown map, ", [panel.seen()])
 
 
 def figures(result):
