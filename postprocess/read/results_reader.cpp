@@ -2,7 +2,6 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
-#include "postprocess/read/earlier_errors.hpp"
 #include "postprocess/write/hdf5_objects.hpp"
 #include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/seal.hpp"
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 namespace fs = std::filesystem;
 
@@ -75,9 +73,9 @@ void check_format(hid_t file, const std::string& path) {
     throw InputError(fmt::format(
         "{} is an HDF5 file, but not a result of rollfem; do: name the results.h5 of a run", path));
   const double version = read_number(file, "format_version");
-  if (version != hdf5_format_version && version != 1.0)
+  if (version != hdf5_format_version)
     throw InputError(fmt::format(
-        "{} has format version {}, this program reads 1 and {}; do: run the case again with this "
+        "{} has format version {}, this program reads {}; do: run the case again with this "
         "version of rollfem, or read it with the version that wrote it ({})",
         path, version, hdf5_format_version, read_text(open_group(file, "provenance"), "version")));
   if (!has_attribute(file, "complete") || read_number(file, "complete") != 1.0)
@@ -160,25 +158,12 @@ contact::ContactGrid read_grid(hid_t model) {
   return grid;
 }
 
-/// Names of the scalars that every load point of the file has, or may have: files of earlier
-/// versions have fewer.
-std::set<std::string> stored_quantities(hid_t file) {
-  std::set<std::string> names;
-  for (const std::string& line : read_lines(file, "documentation"))
-    names.insert(line.substr(0, line.find(" [")));
-  return names;
-}
-
-void read_quantities(hid_t group, const std::set<std::string>& stored, PointResult& point) {
+void read_quantities(hid_t group, PointResult& point) {
   for (const contact::Quantity& quantity : contact::quantities())
     if (has_attribute(group, quantity.name))
       quantity.member.set(point, read_number(group, quantity.name));
-    else if (!quantity.member.may_be_absent && stored.count(quantity.name) != 0)
+    else if (!quantity.member.may_be_absent)
       throw std::runtime_error(fmt::format("there is no attribute {}", quantity.name));
-  if (!has_member(group, "derived")) return;  // of format_minor 2 and before
-  for (const auto& [name, value] : read_numbers(open_group(group, "derived")))
-    if (const contact::Quantity* quantity = contact::find_quantity(name))
-      quantity->member.set(point, value);
 }
 
 std::map<std::string, double> read_by_quantity(hid_t point, const char* name) {
@@ -230,28 +215,15 @@ std::vector<contact::StressMaximum> read_maxima(hid_t point) {
   return maxima;
 }
 
-/// What stands once in a file and all its load points are read with.
-struct FileTraits {
-  std::set<std::string> quantities;  ///< that are stored
-  bool relative_errors = false;      ///< of format version 1
-  double friction_coefficient = 0.0;
-};
-
-FileTraits traits_of(hid_t file, const contact::Case& input) {
-  return {stored_quantities(file), read_number(file, "format_version") == 1.0,
-          input.friction_coefficient};
-}
-
-PointResult read_point(hid_t group, const contact::ContactGrid& grid, const FileTraits& traits) {
+PointResult read_point(hid_t group, const contact::ContactGrid& grid) {
   PointResult point;
-  read_quantities(group, traits.quantities, point);
+  read_quantities(group, point);
   point.error_estimate = read_by_quantity(group, "error_estimate");
   point.model_error = read_by_quantity(group, "model_error");
   point.richardson = read_by_quantity(group, "richardson");
   if (has_member(group, "no_bar")) point.no_bar = read_texts(open_group(group, "no_bar"));
   read_fields(group, grid, point.fields);
   point.stress_maxima = read_maxima(group);
-  if (traits.relative_errors) make_errors_absolute(point, traits.friction_coefficient);
   return point;
 }
 
@@ -291,10 +263,9 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
       result.place->patch = model.patch;
     }
     result.grid = read_grid(group);
-    const FileTraits traits = traits_of(file, input_);
     const Handle points = open_group(group, "points");
     for (const std::string& number : members(points))
-      result.points.push_back(read_point(open_group(points, number), result.grid, traits));
+      result.points.push_back(read_point(open_group(points, number), result.grid));
     result.bodies = postprocess::read_bodies(group);
     return result;
   });

@@ -25,7 +25,6 @@ constexpr int format = 4;
 constexpr auto grace = std::chrono::milliseconds(500);
 
 const char* const about_name = "about.txt";
-const char* const lock_name = "lock";  // of earlier versions
 const char* const record_suffix = ".point";
 const char* const part_suffix = ".part";
 
@@ -41,8 +40,7 @@ bool is_record(const fs::path& name) {
 }
 
 bool is_ours(const fs::path& name) {
-  return name == about_name || name == lock_name || is_record(name) ||
-         name.extension() == part_suffix;
+  return name == about_name || is_record(name) || name.extension() == part_suffix;
 }
 
 /// A case is what its file says and what the files say that it names.

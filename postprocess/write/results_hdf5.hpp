@@ -9,12 +9,8 @@
 namespace rollfem::postprocess {
 
 /// Raised when names or meanings change: a reader of an earlier one must refuse the file.
-/// 2: error estimates are absolute, of version 1 they were relative.
 inline constexpr int hdf5_format_version = 2;
-/// Raised when something is added, which every reader of the version may leave unread. Of version
-/// 1: 0 (no such attribute in the file): without bodies; 1: models/NAME/bodies at one load point;
-/// 2: models/NAME/points/NUMBER/bodies at any; 3: quantities, and what was in the group derived of
-/// a load point is among its attributes.
+/// Raised when something is added, which a reader of the version may ignore.
 inline constexpr int hdf5_format_minor = 0;
 
 /// The bytes of results.h5. The file is made in memory: HDF5 cannot fail on a full disk half-way,

@@ -73,7 +73,6 @@ void write_bodies(hid_t model, const contact::ModelResult& result) {
   for (const BodyField& body : result.bodies) {
     const Handle group = create_group(all, body.name, "The whole segment, both halves");
     write_mesh(group, body);
-    // Where format_minor 1 has them.
     for (const char* name : {"displacement", "stress"})
       link(model, fmt::format("{}/{}/{}", group_of(kept.back()), body.name, name), group, name);
   }
@@ -85,10 +84,6 @@ std::vector<std::size_t> points_with_bodies(hid_t model) {
   const std::size_t count = members(open_group(model, "points")).size();
   for (std::size_t k = 0; k < count; ++k)
     if (has_member(open_group(model, fmt::format("points/{:04}", k)), "bodies")) found.push_back(k);
-  // Of format_minor 1.
-  if (found.empty())
-    found.push_back(
-        static_cast<std::size_t>(read_number(open_group(model, "bodies"), "load_point")));
   return found;
 }
 
@@ -103,8 +98,7 @@ std::vector<BodyField> read_bodies(hid_t model) {
 
 std::vector<BodyValues> read_body_values(hid_t model, std::size_t point,
                                          const std::vector<BodyField>& bodies) {
-  const bool beside = has_member(open_group(model, fmt::format("points/{:04}", point)), "bodies");
-  const Handle all = open_group(model, beside ? group_of(point) : "bodies");
+  const Handle all = open_group(model, group_of(point));
   std::vector<BodyValues> values;
   for (const BodyField& body : bodies) {
     const Handle group = open_group(all, body.name);
