@@ -6,8 +6,8 @@
 #include "contact/solve/models.hpp"
 #include "models/fem/session.hpp"
 #include "models/solving/solving.hpp"
-#include "postprocess/write/checkpoint_folder.hpp"
-#include "postprocess/write/folder_owner.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
+#include "postprocess/files/folder_owner.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <filesystem>

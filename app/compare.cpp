@@ -6,10 +6,10 @@
 #include "models/registry.hpp"
 #include "models/solving/solving.hpp"
 #include "postprocess/compare/comparison.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
+#include "postprocess/files/result_folder.hpp"
+#include "postprocess/files/seal.hpp"
 #include "postprocess/read/results_reader.hpp"
-#include "postprocess/write/checkpoint_folder.hpp"
-#include "postprocess/write/result_folder.hpp"
-#include "postprocess/write/seal.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

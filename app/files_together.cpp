@@ -1,7 +1,7 @@
 #include "app/files_together.hpp"
 
 #include "contact/base/errors.hpp"
-#include "postprocess/write/result_folder.hpp"
+#include "postprocess/files/result_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
+#include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
 

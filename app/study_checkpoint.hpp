@@ -4,8 +4,8 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "models/fem/session.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/study/study.hpp"
-#include "postprocess/write/checkpoint_folder.hpp"
 
 #include <chrono>
 #include <optional>

@@ -5,6 +5,7 @@
 #include "app/table_grid.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/registry.hpp"
+#include "postprocess/files/result_folder.hpp"
 #include "postprocess/table/table_files.hpp"
 
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
+#include "postprocess/files/result_folder.hpp"
 
 #include <cstdlib>
 #include <memory>

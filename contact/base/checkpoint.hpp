@@ -1,5 +1,5 @@
 // Finished load points that outlive the run. The models only keep and find records here; the
-// program decides where they are (postprocess/write/checkpoint_folder.hpp).
+// program decides where they are (postprocess/files/checkpoint_folder.hpp).
 #pragma once
 
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "halfspace/elasticity/smooth_map.hpp"
-#include "postprocess/write/named_values.hpp"
+#include "postprocess/hdf5/named_values.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 
 #include "models/caches/correction_cache.hpp"
 #include "models/program/version.hpp"
-#include "postprocess/write/named_values.hpp"
+#include "postprocess/hdf5/named_values.hpp"
 
 #include <filesystem>
 #include <unistd.h>

@@ -2,9 +2,9 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
-#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/files/seal.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/results_hdf5.hpp"
-#include "postprocess/write/seal.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 
 #include <fmt/format.h>

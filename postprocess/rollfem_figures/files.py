@@ -1,5 +1,5 @@
 """Files: written completely or not at all, and told by their checksums when they are damaged
-(postprocess/write/seal.hpp); one without a checksum is of an earlier version."""
+(postprocess/files/seal.hpp); one without a checksum is of an earlier version."""
 import contextlib
 import os
 import re

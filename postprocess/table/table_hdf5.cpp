@@ -1,7 +1,7 @@
 #include "contact/base/errors.hpp"
+#include "postprocess/files/seal.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/table/table_files.hpp"
-#include "postprocess/write/hdf5_objects.hpp"
-#include "postprocess/write/seal.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "postprocess/write/json_head.hpp"
 
-#include "postprocess/write/seal.hpp"
+#include "postprocess/files/seal.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -58,11 +58,6 @@ struct RunRecord {
   std::vector<RigidWheelset> rigid_row = {};
 };
 
-/// Throws contact::InputError when write_results could not write to `directory`: a file, a folder
-/// that holds other things than an earlier result, no permission. Leaves nothing behind; call it
-/// before the models run.
-void check_directory(const std::string& directory);
-
 /// Writes everything but figures and report. Files are made in a folder beside `directory` and
 /// moved in when all are complete; on failure (disk full, no permission) nothing is left behind and
 /// contact::InputError says what happened. An earlier result in `directory` is replaced, files that

@@ -2,7 +2,7 @@
 
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 

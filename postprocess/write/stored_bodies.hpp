@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/result/result.hpp"
-#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -3,8 +3,8 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
 #include "contact/result/quantities.hpp"
+#include "postprocess/files/seal.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/seal.hpp"
 
 #include <nlohmann/json.hpp>
 

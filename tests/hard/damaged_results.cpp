@@ -1,9 +1,9 @@
 // Damaged results and records: none of them is used. ROLLFEM_DAMAGED=10000 tries as many of each.
 #include "contact/base/errors.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
+#include "postprocess/files/seal.hpp"
 #include "postprocess/read/results_reader.hpp"
-#include "postprocess/write/checkpoint_folder.hpp"
 #include "postprocess/write/results_hdf5.hpp"
-#include "postprocess/write/seal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -50,6 +50,7 @@ ROOMS = {
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance"],
+    "postprocess": ["files", "hdf5", "table", "write", "read", "compare", "study", "stress"],
     "models": ["program", "caches", "fem", "choice", "solving", ""],
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}

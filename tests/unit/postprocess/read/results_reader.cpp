@@ -4,9 +4,9 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
+#include "postprocess/files/seal.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/results_hdf5.hpp"
-#include "postprocess/write/seal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The pages of compare and study, made by Debian's Python from written data: self-contained, with
 // every case, model and figure. Skipped with a message where numpy or h5py is not installed.
 #include "postprocess/compare/comparison.hpp"
+#include "postprocess/files/result_folder.hpp"
 #include "postprocess/study/study.hpp"
 #include "postprocess/write/output.hpp"
-#include "postprocess/write/result_folder.hpp"
 
 #include <gtest/gtest.h>
 

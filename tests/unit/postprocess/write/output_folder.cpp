@@ -1,7 +1,7 @@
 // A result appears whole or not at all, and nobody's files are lost.
 #include "contact/base/errors.hpp"
+#include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/output.hpp"
-#include "postprocess/write/result_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
 
-#include "postprocess/write/seal.hpp"
+#include "postprocess/files/seal.hpp"
 
 #include <fmt/core.h>
 

@@ -33,6 +33,11 @@ class ResultFolder {
   bool committed_ = false;
 };
 
+/// Throws contact::InputError when no result could be written to `directory`: a file, a folder
+/// that holds other things than an earlier result, no permission. Leaves nothing behind; call it
+/// before the models run.
+void check_directory(const std::string& directory);
+
 /// The folder as an absolute path without links and trailing slash. Throws contact::InputError when
 /// it has no name or cannot be looked for.
 std::filesystem::path resolved_folder(const std::string& directory);

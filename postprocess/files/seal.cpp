@@ -1,4 +1,4 @@
-#include "postprocess/write/seal.hpp"
+#include "postprocess/files/seal.hpp"
 
 #include "contact/base/errors.hpp"
 

@@ -1,9 +1,9 @@
-#include "postprocess/write/checkpoint_folder.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
-#include "postprocess/write/result_folder.hpp"
+#include "postprocess/files/result_folder.hpp"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "postprocess/write/hdf5_objects.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
 
 #include <fmt/core.h>
 

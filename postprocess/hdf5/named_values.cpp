@@ -1,9 +1,9 @@
-#include "postprocess/write/named_values.hpp"
+#include "postprocess/hdf5/named_values.hpp"
 
 #include "contact/base/errors.hpp"
-#include "postprocess/write/hdf5_objects.hpp"
-#include "postprocess/write/result_folder.hpp"
-#include "postprocess/write/seal.hpp"
+#include "postprocess/files/result_folder.hpp"
+#include "postprocess/files/seal.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
 
 #include <fmt/format.h>
 

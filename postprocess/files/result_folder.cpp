@@ -1,7 +1,6 @@
-#include "postprocess/write/result_folder.hpp"
+#include "postprocess/files/result_folder.hpp"
 
 #include "contact/base/errors.hpp"
-#include "postprocess/write/output.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "postprocess/read/record_check.hpp"
+#include "postprocess/write/record_check.hpp"
 
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/point_table.hpp"

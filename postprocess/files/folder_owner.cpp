@@ -1,7 +1,7 @@
-#include "postprocess/write/folder_owner.hpp"
+#include "postprocess/files/folder_owner.hpp"
 
 #include "contact/base/errors.hpp"
-#include "postprocess/write/result_folder.hpp"
+#include "postprocess/files/result_folder.hpp"
 
 #include <fmt/core.h>
 
