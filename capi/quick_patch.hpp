@@ -2,11 +2,13 @@
 // that is kept: what rollfem.h solves nearly always.
 #pragma once
 
-#include "capi/influence_tables.hpp"
-#include "capi/pressure_solver.hpp"
-#include "capi/traction_solver.hpp"
 #include "contact/result/patch_size.hpp"
+#include "contact/result/result.hpp"
+#include "contact/scene/friction_law.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/solve/bound_constrained_cg.hpp"
+#include "contact/solve/friction_newton.hpp"
+#include "halfspace/elasticity/few_elements.hpp"
 #include "track/search/contact_search.hpp"
 
 #include <array>
@@ -15,16 +17,6 @@
 
 namespace rollfem::capi {
 
-/// What is told of a patch: signs and frame as contact::PointResult has them.
-struct PatchForces {
-  contact::Creepage creepage;
-  double normal_force = 0.0, longitudinal_force = 0.0, lateral_force = 0.0;  ///< N
-  double spin_moment = 0.0;                                                  ///< N mm
-  double length = 0.0, width = 0.0;                                          ///< mm
-  double area = 0.0, adhesion_area = 0.0;                                    ///< mm^2
-  double max_pressure = 0.0;                                                 ///< MPa
-};
-
 /// A contact that carries the vertical load of its wheel alone.
 struct QuickProblem {
   const track::WheelRailContact& contact;  ///< its geometry is that of `geometry`
@@ -32,7 +24,7 @@ struct QuickProblem {
   contact::Creepage creepage;
   std::array<double, 2> direction{0.0, 1.0};  ///< of the load, y and z of the patch frame
   double force = 0.0;                         ///< N along it
-  double friction = 0.0;
+  contact::Friction friction;
   double follows = 0.0;  ///< how far the grid follows the surface (contact::Scene::follows_surface)
 };
 
@@ -44,30 +36,41 @@ class QuickPatch {
   /// A grid with more across the patch is better solved by transforms.
   static constexpr int most_across = 20;
 
-  QuickPatch(const InfluenceTables& tables, int across);
+  QuickPatch(const halfspace::InfluenceTables& tables, int across);
 
-  /// Nothing where the contact has several regions, or one that the grid or this iteration does not
-  /// hold: those are for the solvers of the model halfspace, which say why if they fail as well.
-  std::optional<PatchForces> solve(const QuickProblem& problem);
+  /// Checked as every result is, kept until the next call. Null where the contact has several
+  /// regions, or one that the grid or this iteration does not hold: those are for the solvers of
+  /// the model halfspace, which say why if they fail as well.
+  const contact::PointResult* solve(const QuickProblem& problem);
 
  private:
+  bool solve_or_throw(const QuickProblem& problem);
   std::optional<contact::PatchSize> find_patch(const QuickProblem& problem);
   bool solve_on(const QuickProblem& problem, const contact::ChartedGeometry& geometry);
   bool share_load(const QuickProblem& problem, const contact::Field& distance,
                   const contact::TangentialField& slip);
+  void press(const contact::Field& distance, double force, double tolerance, bool anew);
+  bool rub(const QuickProblem& problem, const contact::Field& weights,
+           const contact::TangentialField& slip, bool anew);
   bool is_held(const QuickProblem& problem) const;
   double load_of_friction() const;
-  PatchForces forces(const QuickProblem& problem) const;
+  void fill_fields(const QuickProblem& problem);
+  void fill_sums(const QuickProblem& problem);
 
-  const InfluenceTables& tables_;
+  const halfspace::InfluenceTables& tables_;
   int across_;
-  const InfluenceTable* table_ = nullptr;
+  const halfspace::InfluenceTable* table_ = nullptr;
   contact::ContactGrid grid_;
-  /// Per row of the grid: y of the patch frame, climb of the surface and its cosine, and the parts
-  /// of a pressure and of a lateral traction along the load.
-  std::vector<double> place_, climb_, cosine_, carried_, of_lateral_;
-  PressureSolver pressure_;
-  TractionSolver tractions_;
+  /// Per row of the grid: y of the patch frame, climb of the surface and its cosine, and the part
+  /// of a lateral traction along the load.
+  std::vector<double> place_, climb_, cosine_, of_lateral_;
+  contact::Field carried_;  ///< per element: part of a pressure along the load
+  contact::Field pressure_;
+  contact::TangentialField traction_;
+  contact::PointResult point_;
+  contact::BoundConstrainedCg normal_;
+  contact::FrictionNewton newton_;
+  halfspace::FewElementsRolling rolling_;
 };
 
 }  // namespace rollfem::capi

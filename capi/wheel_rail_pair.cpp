@@ -1,7 +1,8 @@
 #include "capi/wheel_rail_pair.hpp"
 
-#include "capi/patch_solution.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/result/validity.hpp"
+#include "halfspace/model/level.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>
@@ -69,6 +70,21 @@ const track::WheelRailContact& contact_of(const contact::Scene& scene,
   return found->contact;
 }
 
+/// The first load point by the model halfspace on one grid, without the coarser ones that error
+/// bars need. Throws contact::SolveError and contact::InputError as the model does.
+contact::PointResult solve_patch(const contact::Scene& scene, int across) {
+  const halfspace::PatchSearch search(scene);
+  const halfspace::PatchExtent extent = search.extent();
+  contact::LevelResult level = halfspace::solve_level(scene, search, extent.length / across,
+                                                      extent.width / across, nullptr, "", {});
+  contact::ModelResult result;
+  result.name = "halfspace";
+  result.grid = level.grid;
+  result.points = std::move(level.points);
+  contact::check_validity(scene, result);
+  return std::move(result.points.front());
+}
+
 PatchForces forces_of(const contact::PointResult& point) {
   PatchForces found;
   found.creepage = point.creepage;
@@ -84,13 +100,16 @@ PatchForces forces_of(const contact::PointResult& point) {
   return found;
 }
 
-SolvedPatch patch_of(const PatchForces& forces, const track::WheelRailContact& contact) {
-  SolvedPatch patch{
-      forces, contact.origin, contact.place.contact_angle, contact.place.rolling_radius, {}};
+SolvedPatch patch_of(const contact::PointResult& point, const track::WheelRailContact& contact) {
+  SolvedPatch patch{forces_of(point),
+                    contact.origin,
+                    contact.place.contact_angle,
+                    contact.place.rolling_radius,
+                    {}};
   for (int d = 0; d < 3; ++d)
-    patch.force[d] = forces.longitudinal_force * contact.along[d] +
-                     forces.lateral_force * contact.across[d] +
-                     forces.normal_force * contact.normal[d];
+    patch.force[d] = point.longitudinal_force * contact.along[d] +
+                     point.lateral_force * contact.across[d] +
+                     point.normal_force * contact.normal[d];
   return patch;
 }
 
@@ -151,11 +170,12 @@ class WheelRailPair::Borrowed {
 WheelRailPair::WheelRailPair(Case input)
     : input_(std::move(input)),
       search_(track::search_scene_of(input_)),
-      material_(contact::combine(input_.wheel.material, input_.rail.material)) {
+      material_(contact::combine(input_.wheel.material, input_.rail.material)),
+      friction_(contact::coulomb(input_.friction_coefficient)) {
   const int across = input_.contact_grid.elements_across;
   if (!material_.couples() && across <= QuickPatch::most_across)
-    tables_ =
-        std::make_unique<InfluenceTables>(across + 2 * QuickPatch::margin, material_.uncoupled());
+    tables_ = std::make_unique<halfspace::InfluenceTables>(across + 2 * QuickPatch::margin,
+                                                           material_.uncoupled());
 }
 
 SolvedWheel WheelRailPair::solve(const WheelState& state) const {
@@ -204,12 +224,12 @@ bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) cons
   geometry.surface = contact::ContactSurface::of(
       std::make_shared<const contact::PatchGeometry>(std::move(only->geometry)));
   geometry.surface.follows = track::follows_surface(only->spread_of_normals);
-  const std::optional<PatchForces> forces = workspace.patch->solve(
-      {*only, geometry, creepage, track::upwards(only->place), *input.load.vertical_force,
-       input.friction_coefficient, geometry.surface.follows});
-  if (!forces) return false;
+  const contact::PointResult* point =
+      workspace.patch->solve({*only, geometry, creepage, track::upwards(only->place),
+                              *input.load.vertical_force, friction_, geometry.surface.follows});
+  if (point == nullptr) return false;
   wheel.count = 1;
-  wheel.patches[0] = patch_of(*forces, *only);
+  wheel.patches[0] = patch_of(*point, *only);
   add_to_sums(wheel.patches[0], *only, wheel);
   return true;
 }
@@ -219,8 +239,7 @@ void WheelRailPair::solve_with_care(const Case& input, SolvedWheel& wheel) const
       track::make_scenes(input, search_, search_options());
   std::vector<SolvedPatch> patches;
   const auto add = [&](const contact::Scene& scene, const track::WheelRailContact& contact) {
-    patches.push_back(patch_of(
-        forces_of(solve_patch(scene, contact, input.contact_grid.elements_across)), contact));
+    patches.push_back(patch_of(solve_patch(scene, input.contact_grid.elements_across), contact));
     add_to_sums(patches.back(), contact, wheel);
   };
   if (placed.size() == 1)

@@ -26,6 +26,16 @@ struct WheelState {
   double vertical_force = 0.0;
 };
 
+/// What is told of a patch: signs and frame as contact::PointResult has them.
+struct PatchForces {
+  contact::Creepage creepage;
+  double normal_force = 0.0, longitudinal_force = 0.0, lateral_force = 0.0;  ///< N
+  double spin_moment = 0.0;                                                  ///< N mm
+  double length = 0.0, width = 0.0;                                          ///< mm
+  double area = 0.0, adhesion_area = 0.0;                                    ///< mm^2
+  double max_pressure = 0.0;                                                 ///< MPa
+};
+
 struct SolvedPatch {
   PatchForces forces;
   std::array<double, 3> origin{};  ///< contact point, track frame, mm
@@ -68,8 +78,9 @@ class WheelRailPair {
   contact::Case input_;
   track::SearchScene search_;
   contact::CombinedMaterial material_;
+  contact::Friction friction_;
   /// Null where bodies are unlike or the grid is too fine for it.
-  std::unique_ptr<InfluenceTables> tables_;
+  std::unique_ptr<halfspace::InfluenceTables> tables_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Workspace>> idle_;
 };

@@ -20,9 +20,9 @@ ContactResidual contact_residual(const ContactFields& fields) {
   const Field& bound = fields.traction_bound;
   if (bound.size() != n || fields.traction.x.size() != n || fields.traction.y.size() != n)
     return residual;
-  const Field size =
-      (fields.traction.x.array().square() + fields.traction.y.array().square()).sqrt();
-  const double excess = (size - bound).maxCoeff();
+  double excess = 0.0;
+  for (Eigen::Index k = 0; k < n; ++k)
+    excess = std::max(excess, std::hypot(fields.traction.x[k], fields.traction.y[k]) - bound[k]);
   if (excess > 0.0) residual.excess = excess / bound.maxCoeff();
   return residual;
 }

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
 
 namespace rollfem::contact {
 
@@ -18,21 +18,12 @@ namespace {
 /// Pressures below 0 by more than this are no rounding: relative to the largest.
 constexpr double rounding = 1e-6;
 
-/// One load point under the gate.
-struct Examined {
-  const Scene& scene;
-  const ModelResult& result;
-  const ResultKind& kind;
-  std::size_t index;
-  const PointResult& point() const { return result.points[index]; }
-};
-
 /// "load point 2 of 7: "
-std::string place_of(const Examined& at) {
-  return fmt::format("load point {} of {}: ", at.index + 1, at.result.points.size());
+std::string place_of(const CheckedPoint& at) {
+  return fmt::format("load point {} of {}: ", at.index + 1, at.count);
 }
 
-[[noreturn]] void refuse(const Examined& at, const std::string& wrong) {
+[[noreturn]] void refuse(const CheckedPoint& at, const std::string& wrong) {
   throw SolveError(place_of(at) + wrong);
 }
 
@@ -43,8 +34,8 @@ bool all_finite(const Values& values) {
   });
 }
 
-void check_scalars(const Examined& at) {
-  const PointResult& point = at.point();
+void check_scalars(const CheckedPoint& at) {
+  const PointResult& point = at.point;
   if (!point.converged)
     refuse(at, fmt::format("not converged, residual {:.3g}; do: use another grid or model",
                            point.residual));
@@ -58,8 +49,8 @@ void check_scalars(const Examined& at) {
 }
 
 /// Displacements and stresses in the bodies, and the fields on the contact.
-void check_fields(const Examined& at) {
-  const PointResult& point = at.point();
+void check_fields(const CheckedPoint& at) {
+  const PointResult& point = at.point;
   const auto fail = [&](const std::string& what) {
     refuse(at,
            what + " that are not finite; do: check the case for extremely large or small values");
@@ -82,25 +73,19 @@ void check_fields(const Examined& at) {
 }
 
 /// Columns and rows of the grid that have an element under pressure.
-std::array<int, 2> elements_across(const ContactGrid& grid, const Field& pressure) {
-  std::set<int> columns;
-  std::set<int> rows;
-  for (int k = 0; k < grid.size(); ++k)
-    if (pressure[k] > 0.0) {
-      columns.insert(k % grid.nx);
-      rows.insert(k / grid.nx);
-    }
-  return {static_cast<int>(columns.size()), static_cast<int>(rows.size())};
+std::array<Eigen::Index, 2> elements_across(const ContactGrid& grid, const Field& pressure) {
+  const auto loaded = Eigen::Map<const Eigen::ArrayXXd>(pressure.data(), grid.nx, grid.ny) > 0.0;
+  return {loaded.rowwise().any().count(), loaded.colwise().any().count()};
 }
 
-bool has_grid(const Examined& at) {
-  const ContactGrid& grid = at.result.grid;
-  return grid.size() > 0 && at.point().fields.traction.n.size() == grid.size();
+bool has_grid(const CheckedPoint& at) {
+  const ContactGrid& grid = at.grid;
+  return grid.size() > 0 && at.point.fields.traction.n.size() == grid.size();
 }
 
-void check_fineness(const Examined& at) {
-  const ContactGrid& grid = at.result.grid;
-  const auto [along, across] = elements_across(grid, at.point().fields.traction.n);
+void check_fineness(const CheckedPoint& at) {
+  const ContactGrid& grid = at.grid;
+  const auto [along, across] = elements_across(grid, at.point.fields.traction.n);
   if ((grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across) return;
   throw UnfitGrid(
       place_of(at) +
@@ -111,9 +96,9 @@ void check_fineness(const Examined& at) {
           along, across, grid.dx, grid.dy, fewest_elements_across));
 }
 
-void check_held(const Examined& at) {
-  const PointResult& point = at.point();
-  const ContactGrid& grid = at.result.grid;
+void check_held(const CheckedPoint& at) {
+  const PointResult& point = at.point;
+  const ContactGrid& grid = at.grid;
   const double x = point.patch_x_middle.value_or(0.0);
   const double y = point.patch_y_middle.value_or(0.0);
   const auto beyond = [](double middle, double extent, double first, double cell, int count) {
@@ -137,8 +122,8 @@ void check_held(const Examined& at) {
                     grid.ny * grid.dy));
 }
 
-void check_bounds(const Examined& at) {
-  const ContactFields& fields = at.point().fields;
+void check_bounds(const CheckedPoint& at) {
+  const ContactFields& fields = at.point.fields;
   const Field& pressure = fields.traction.n;
   if (pressure.size() == 0) return;
   const double largest = pressure.maxCoeff();
@@ -160,17 +145,10 @@ void check_bounds(const Examined& at) {
                            fields.traction_bound.maxCoeff()));
 }
 
-/// A model that gives one point for all loads takes the largest.
-NormalLoad load_of(const Examined& at) {
-  if (at.result.points.size() == at.scene.points.size()) return at.scene.points[at.index].load;
-  return largest_load(at.scene);
-}
-
-void check_balance(const Examined& at) {
-  const NormalLoad load = load_of(at);
-  // A given pressure is the load.
-  if (at.scene.given_pressure || !load.force) return;
-  const PointResult& point = at.point();
+void check_balance(const CheckedPoint& at) {
+  const NormalLoad& load = at.load;
+  if (!load.force) return;
+  const PointResult& point = at.point;
   const double carried =
       load.direction[0] * point.lateral_force + load.direction[1] * point.normal_force;
   const double imbalance = std::abs(carried / *load.force - 1.0);
@@ -181,12 +159,11 @@ void check_balance(const Examined& at) {
 }
 
 /// Bodies that carry a force have come together since they touched.
-void check_approach(const Examined& at) {
-  const bool touching = at.scene.geometry.has_surfaces() && !at.scene.given_pressure;
-  if (!touching || at.point().approach > 0.0) return;
+void check_approach(const CheckedPoint& at) {
+  if (!at.touching || at.point.approach > 0.0) return;
   refuse(at, fmt::format("the bodies have come together by {:.4g} mm and carry {:.6g} N; allowed: "
                          "more than 0; do: please report this case, it is a defect of the program",
-                         at.point().approach, at.point().normal_force));
+                         at.point.approach, at.point.normal_force));
 }
 
 /// The largest of a figure over the load points, for a warning.
@@ -240,18 +217,27 @@ double smallest_radius(const Scene& scene) {
 
 }  // namespace
 
+void check_point(const CheckedPoint& at) {
+  check_scalars(at);
+  check_fields(at);
+  if (has_grid(at)) {
+    check_fineness(at);
+    check_held(at);
+  }
+  check_bounds(at);
+  check_balance(at);
+  check_approach(at);
+}
+
 void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind) {
-  for (std::size_t k = 0; k < result.points.size(); ++k) {
-    const Examined at{scene, result, kind, k};
-    check_scalars(at);
-    check_fields(at);
-    if (has_grid(at)) {
-      check_fineness(at);
-      check_held(at);
-    }
-    check_bounds(at);
-    check_balance(at);
-    check_approach(at);
+  const std::size_t count = result.points.size();
+  const bool touching = scene.geometry.has_surfaces() && !scene.given_pressure;
+  for (std::size_t k = 0; k < count; ++k) {
+    NormalLoad load;
+    // A given pressure is the load; a model that gives one point for all loads takes the largest.
+    if (!scene.given_pressure)
+      load = count == scene.points.size() ? scene.points[k].load : largest_load(scene);
+    check_point({result.grid, result.points[k], load, touching, kind, k, count});
   }
 }
 

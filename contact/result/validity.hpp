@@ -27,11 +27,24 @@ inline constexpr double largest_approach_part = 0.02;
 /// strength in shear, 300 to 600 MPa.
 inline constexpr double largest_elastic_pressure = 3000.0;
 
-/// Throws SolveError for the first load point that is not converged, has a number that is not
+/// A load point and what it is checked against.
+struct CheckedPoint {
+  const ContactGrid& grid;
+  const PointResult& point;
+  NormalLoad load{};     ///< without a force nothing has to balance
+  bool touching = true;  ///< the bodies have surfaces that come together
+  ResultKind kind{};
+  std::size_t index = 0, count = 1;  ///< of the load points of the result
+};
+
+/// Throws SolveError for a load point that is not converged, has a number that is not
 /// finite, a patch that the grid does not hold or that has fewer than fewest_elements_across
 /// elements along a side, a tensile pressure, a gap under pressure or an overlap beside it, a
 /// traction beyond its bound, a force that is not the load asked for, or bodies that carry a force
 /// and have not come together. The text names load point, figure, limit and what to do.
+void check_point(const CheckedPoint& at);
+
+/// The same for the first of all load points that is so.
 void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind = {});
 
 /// "warning: ..." sentences, each of the worst load point: patch or approach that are not small

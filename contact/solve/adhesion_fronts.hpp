@@ -13,8 +13,14 @@ namespace rollfem::contact {
 
 class AdhesionFronts {
  public:
-  /// `elements`: grid indices of the contact elements, in the order of `adheres` below.
-  AdhesionFronts(const ContactGrid& grid, const std::vector<Eigen::Index>& elements);
+  AdhesionFronts() = default;
+  AdhesionFronts(const ContactGrid& grid, const std::vector<Eigen::Index>& elements) {
+    begin(grid, elements);
+  }
+
+  /// Of another problem, in the memory there is. `elements`: grid indices of the contact elements,
+  /// in the order of `adheres` below.
+  void begin(const ContactGrid& grid, const std::vector<Eigen::Index>& elements);
 
   /// `adheres`: of each contact element, by the iterate. Behind an element that slipped at the last
   /// call and adheres now, as the one ahead of it does, slipping elements are made to adhere: those
@@ -30,11 +36,11 @@ class AdhesionFronts {
   enum class State : char { exterior, slip, adhesion };
 
   State at(const std::vector<State>& states, int i, int j) const;
-  bool extend_row(int j, const std::vector<State>& now, std::vector<char>& adheres);
+  bool extend_row(int j, std::vector<char>& adheres);
 
   ContactGrid grid_;
   std::vector<int> place_;  ///< of a grid element among the contact elements, -1: none
-  std::vector<State> before_;
+  std::vector<State> before_, now_;
   std::vector<int> moves_;  ///< of a row, in turn
 };
 

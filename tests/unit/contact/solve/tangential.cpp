@@ -84,19 +84,21 @@ TEST(Gmres, SolvesANonsymmetricSystemAndReportsTheTrueResidual) {
     matrix(i + 1, i) = -0.7;
   }
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(40, -1.0, 2.0);
-  const auto apply = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(matrix * v); };
-  const auto none = [](const Eigen::VectorXd& v) { return v; };
+  const auto apply = [&](const Gmres::Given& v, Gmres::Vector result) { result = matrix * v; };
+  const auto none = [](const Gmres::Given& v, Gmres::Vector result) { result = v; };
+  Gmres gmres;
+  Eigen::VectorXd x(40);
   for (const int restart : {5, 100}) {
-    const GmresResult result = gmres(apply, none, b, {1e-10, 400, restart});
+    const GmresResult result = gmres.solve(apply, none, b, {1e-10, 400, restart}, x);
     EXPECT_TRUE(result.converged);
-    EXPECT_LT((matrix * result.solution - b).norm(), 1.01e-10 * b.norm());
-    EXPECT_NEAR((matrix * result.solution - b).norm() / b.norm(), result.residual, 1e-12);
+    EXPECT_LT((matrix * x - b).norm(), 1.01e-10 * b.norm());
+    EXPECT_NEAR((matrix * x - b).norm() / b.norm(), result.residual, 1e-12);
   }
   const Eigen::MatrixXd inverse = matrix.inverse();
-  const auto exact = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(inverse * v); };
-  EXPECT_EQ(gmres(apply, exact, b, {1e-8, 400, 50}).iterations, 1);
-  EXPECT_EQ(gmres(apply, none, Eigen::VectorXd::Zero(40), {1e-8, 400, 50}).iterations, 0);
-  EXPECT_FALSE(gmres(apply, none, b, {1e-12, 3, 50}).converged);
+  const auto exact = [&](const Gmres::Given& v, Gmres::Vector result) { result = inverse * v; };
+  EXPECT_EQ(gmres.solve(apply, exact, b, {1e-8, 400, 50}, x).iterations, 1);
+  EXPECT_EQ(gmres.solve(apply, none, Eigen::VectorXd::Zero(40), {1e-8, 400, 50}, x).iterations, 0);
+  EXPECT_FALSE(gmres.solve(apply, none, b, {1e-12, 3, 50}, x).converged);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "capi/influence_tables.hpp"
+#include "halfspace/elasticity/influence_tables.hpp"
 
 #include "halfspace/elasticity/influence.hpp"
 
 #include <cmath>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 namespace {
 
@@ -15,16 +15,15 @@ InfluenceTable table_of(int n, double ratio, const contact::CombinedMaterial& ma
   InfluenceTable table;
   table.ratio = ratio;
   table.n = n;
-  std::vector<halfspace::Influence> ahead(static_cast<std::size_t>(n) + 2);
+  std::vector<Influence> ahead(static_cast<std::size_t>(n) + 2);
   const auto of = [&](int i) {
-    halfspace::Influence found = ahead[static_cast<std::size_t>(std::abs(i))];
+    Influence found = ahead[static_cast<std::size_t>(std::abs(i))];
     if (i < 0) found.xy = -found.xy;
     return found;
   };
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i <= n + 1; ++i)
-      ahead[static_cast<std::size_t>(i)] =
-          halfspace::rectangle_influence(i, j * ratio, 1.0, ratio, material);
+      ahead[static_cast<std::size_t>(i)] = rectangle_influence(i, j * ratio, 1.0, ratio, material);
     if (j == 0)
       table.diagonal =
           0.25 * (3.0 * (of(0).xx + of(0).yy) - 4.0 * (of(1).xx + of(1).yy) + of(2).xx + of(2).yy);
@@ -53,4 +52,4 @@ const InfluenceTable* InfluenceTables::nearest(double ratio) const {
   return &tables_[static_cast<std::size_t>(place)];
 }
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace

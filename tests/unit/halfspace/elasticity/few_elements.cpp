@@ -1,11 +1,12 @@
-// The solvers of the C interface, which sum over elements in memory that they keep, against those
-// of contact/solve with the half-space's transforms, on the same grids.
-#include "capi/pressure_solver.hpp"
-#include "capi/traction_solver.hpp"
+// The contact solvers with sums over few elements, as the C interface uses them, against the same
+// with the half-space's transforms, on the same grids.
+#include "contact/solve/bound_constrained_cg.hpp"
+#include "contact/solve/friction_newton.hpp"
 #include "contact/solve/leading_edge.hpp"
 #include "contact/solve/normal.hpp"
 #include "contact/solve/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/few_elements.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +16,10 @@
 namespace {
 
 using namespace rollfem;
-using capi::InfluenceTable;
-using capi::InfluenceTables;
 using contact::ContactGrid;
 using contact::Field;
+using halfspace::InfluenceTable;
+using halfspace::InfluenceTables;
 
 constexpr int n = 20;
 
@@ -45,9 +46,12 @@ struct Case {
 };
 
 Field pressure_of(const Case& of) {
-  capi::PressureSolver quick(n);
-  const std::vector<double> carried(n, 1.0);
-  EXPECT_TRUE(quick.solve({of.table, of.grid, of.distance, carried, of.force, 1e-10}, true));
+  contact::BoundConstrainedCg quick;
+  contact::NormalOptions options;
+  options.tolerance = 1e-10;
+  const Field carried = Field::Ones(n * n);
+  quick.solve_sum(halfspace::FewElementsNormal{of.table, of.grid.dx, carried}, of.distance,
+                  of.force / of.grid.element_area(), options, {});
   return quick.pressure();
 }
 
@@ -55,7 +59,7 @@ double largest_difference(const Field& a, const Field& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-TEST(QuickSolvers, PressureIsThatOfTheHalfSpace) {
+TEST(FewElements, PressureIsThatOfTheHalfSpace) {
   for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.1, 30.0, 3.0), Case(2.1, 6.0, 13.0)}) {
     const halfspace::HalfspaceCompliance compliance(of.grid, contact::combine({}, {}));
     contact::NormalOptions options;
@@ -67,15 +71,20 @@ TEST(QuickSolvers, PressureIsThatOfTheHalfSpace) {
   }
 }
 
-TEST(QuickSolvers, TractionsAreThoseOfTheHalfSpace) {
+TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
   const double friction = 0.3;
-  capi::TractionSolver quick(n, 15 * 15);
+  halfspace::FewElementsRolling elements(n, 15 * 15);
+  contact::FrictionNewton quick;
+  const contact::Friction law = contact::coulomb(friction);
   for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.1, 30.0, 3.0), Case(2.1, 6.0, 13.0)}) {
     const Field pressure = pressure_of(of), weights = contact::upwind_weights(of.grid, pressure);
     const halfspace::HalfspaceCompliance compliance(of.grid, contact::combine({}, {}));
     const contact::EdgeFittedRolling rolling(compliance.rolling(contact::UpwindOrder::first),
                                              compliance.rolling(contact::UpwindOrder::second),
                                              weights);
+    ASSERT_TRUE(elements.set(of.table, pressure, weights));
+    const auto count = static_cast<Eigen::Index>(elements.places().size());
+    contact::TangentialField traction;
     contact::TangentialOptions options;
     options.tolerance = 1e-9;
     // Mostly adhesion, sliding all over, spin alone, all together; the last from the one before.
@@ -84,25 +93,32 @@ TEST(QuickSolvers, TractionsAreThoseOfTheHalfSpace) {
           contact::Creepage{0.0, 0.0, 1e-3}, contact::Creepage{-1e-3, 5e-4, 2e-4},
           contact::Creepage{-1e-3, 6e-4, 2e-4}}) {
       const contact::TangentialField slip = contact::uniform_slip(creepage, of.grid);
-      const auto exact = contact::solve_tangential(
-          rolling, {pressure, slip, contact::coulomb(friction), 1.0}, options, {});
+      const auto exact =
+          contact::solve_tangential(rolling, {pressure, slip, law, 1.0}, options, {});
       const bool anew = creepage.lateral != 6e-4;
-      ASSERT_TRUE(quick.solve({of.table, of.grid, pressure, weights, slip, friction, 1e-9}, anew));
+      quick.solve(elements, {of.grid, pressure, slip, *law, 1.0}, elements.places(), options,
+                  anew ? contact::TangentialField() : traction);
+      traction = {Field::Zero(n * n), Field::Zero(n * n)};
+      for (Eigen::Index e = 0; e < count; ++e) {
+        const Eigen::Index k = elements.places()[static_cast<std::size_t>(e)];
+        traction.x[k] = quick.traction()[e];
+        traction.y[k] = quick.traction()[count + e];
+      }
       const double bound = 1e-6 * friction * pressure.maxCoeff();
-      EXPECT_LT(largest_difference(quick.traction().x, exact.traction.x), bound);
-      EXPECT_LT(largest_difference(quick.traction().y, exact.traction.y), bound);
-      EXPECT_EQ(quick.adhering(), std::count(exact.state.begin(), exact.state.end(),
-                                             contact::ElementState::adhesion));
+      EXPECT_LT(largest_difference(traction.x, exact.traction.x), bound);
+      EXPECT_LT(largest_difference(traction.y, exact.traction.y), bound);
+      EXPECT_EQ(
+          std::count(quick.adheres().begin(), quick.adheres().end(), 1),
+          std::count(exact.state.begin(), exact.state.end(), contact::ElementState::adhesion));
     }
   }
 }
 
-TEST(QuickSolvers, SayWhenTheyCannot) {
+TEST(FewElements, SayWhenTheyCannot) {
   const Case of(1.0, 10.0, 10.0);
   const Field pressure = pressure_of(of), weights = contact::upwind_weights(of.grid, pressure);
-  const contact::TangentialField slip = contact::uniform_slip({1e-3, 0.0, 0.0}, of.grid);
-  capi::TractionSolver small(n, 20);
-  EXPECT_FALSE(small.solve({of.table, of.grid, pressure, weights, slip, 0.3, 1e-6}, true));
+  halfspace::FewElementsRolling small(n, 20);
+  EXPECT_FALSE(small.set(of.table, pressure, weights));
   EXPECT_EQ(tables().nearest(1e3), nullptr);
   EXPECT_EQ(tables().nearest(1e-3), nullptr);
 }

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 /// Of elements of 1 by `ratio`; an element's effect `i` columns and `j` rows farther is at
 /// row(j)[i], |i| <= n, 0 <= j < n. The normal one times dx is that of elements of dx; the
@@ -39,4 +39,4 @@ class InfluenceTables {
   std::vector<InfluenceTable> tables_;
 };
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace

@@ -1,0 +1,323 @@
+#include "contact/solve/friction_newton.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// The full-stick solution is only a start, but what its tractions lack from row to row puts the
+/// borders of adhesion wrong in single rows: 1e-2 cost up to 50 Newton steps where this costs 7.
+constexpr double full_stick_tolerance = 1e-3;
+
+/// Drag (times r) at the first attempt, below which it is dropped, and from which it is given up.
+constexpr double first_drag = 0.3;
+constexpr double least_drag = 3e-3;
+constexpr double largest_drag = 100.0;
+
+/// A problem with drag only makes a better start, relative to the creepage load.
+constexpr double drag_tolerance = 1e-3;
+constexpr int patience_with_drag = 25;
+
+/// Length of a GMRES cycle before it restarts; bounds the memory.
+constexpr int krylov_restart = 80;
+
+void enlarge(Eigen::VectorXd& values, Eigen::Index n) {
+  if (values.size() < n) values.resize(n);
+}
+
+}  // namespace
+
+FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
+                                             const FrictionProblem& problem,
+                                             const std::vector<Index>& places,
+                                             const TangentialOptions& options,
+                                             const TangentialField& start) {
+  compliance_ = &compliance;
+  problem_ = &problem;
+  places_ = &places;
+  options_ = &options;
+  r_ = 1.0 / compliance.diagonal();
+  feels_slip_ = problem.law.feels_slip();
+  drag_ = 0.0;
+  effort_ = {};
+  stood_still_ = false;
+  lay_out(static_cast<Index>(places.size()));
+  for (Index e = 0; e < count_; ++e) bound_[e] = law_at(e, 0.0).value;
+  gather(problem.rigid_slip, rigid_slip_);
+  const double creepage_load = r_ * rigid_slip_.norm();
+  if (count_ == 0 || creepage_load == 0.0) {
+    evaluate_at_rest(*point_);
+  } else {
+    find_first_point(start);
+    fronts_.begin(problem.grid, places);
+    // Relative to the creepage load; to the bound where that is smaller, so that a low friction
+    // coefficient does not make anything look converged.
+    iterate(std::min(creepage_load, bound_.norm()), options);
+  }
+  linearise(*point_);
+  return effort_;
+}
+
+void FrictionNewton::lay_out(Index count) {
+  count_ = count;
+  constexpr Index vectors = 29;
+  enlarge(memory_, vectors * count);
+  double* next = memory_.data();
+  const auto place = [&](Vector& vector, Index size) {
+    new (&vector) Vector(next, size);
+    next += size;
+  };
+  for (Vector* vector : {&rigid_slip_, &dragged_from_, &direction_, &slip_change_, &right_})
+    place(*vector, 2 * count);
+  place(bound_, count);
+  for (Point& point : points_) {
+    for (Vector* vector : {&point.traction, &point.slip, &point.value, &point.trial})
+      place(*vector, 2 * count);
+    if (feels_slip_)
+      place(point.bound, count);
+    else
+      new (&point.bound) Vector(bound_.data(), count);
+  }
+  for (Eigen::VectorXd* vector : {&at_.normal, &at_.left}) enlarge(*vector, 2 * count);
+  enlarge(at_.factor, count);
+  at_.by_slip.resize(feels_slip_ ? 2 * count : 0);
+}
+
+void FrictionNewton::gather(const TangentialField& field, Vector& values) const {
+  for (Index e = 0; e < count_; ++e) {
+    const Index k = (*places_)[static_cast<std::size_t>(e)];
+    values[e] = field.x[k];
+    values[count_ + e] = field.y[k];
+  }
+}
+
+void FrictionNewton::iterate(double scale, const TangentialOptions& options) {
+  double previous = infinity;
+  int with_this_drag = 0;
+  for (int step = 0; step <= options.max_newton_steps; ++step) {
+    const double residual = point_->norm / scale;
+    effort_.newton_steps = step;
+    effort_.residual = residual;
+    if (drag_ == 0.0 && residual <= options.tolerance) return;
+    if (step == options.max_newton_steps || drag_ > largest_drag / r_) break;
+    const bool settled = drag_ > 0.0 && residual <= drag_tolerance;
+    const int patience = drag_ > 0.0 ? patience_with_drag : options.patience;
+    if (!settled && ++with_this_drag <= patience && advance(residual, previous)) {
+      previous = residual;
+      continue;
+    }
+    set_drag(settled ? 0.25 * drag_ : std::max(4.0 * drag_, first_drag / r_));
+    previous = infinity;
+    with_this_drag = 0;
+  }
+  throw SolveError(fmt::format(
+      "the tangential contact iteration did not converge: residual {:.3g} of the "
+      "creepage load after {} Newton steps and {} Krylov iterations, required {:.3g}",
+      point_->norm / scale, effort_.newton_steps, effort_.krylov_iterations, options.tolerance));
+}
+
+void FrictionNewton::project(Vector& traction, const Vector& bound) const {
+  for (Index e = 0; e < count_; ++e) {
+    const double size = std::hypot(traction[e], traction[count_ + e]);
+    if (size <= bound[e]) continue;
+    traction[e] *= bound[e] / size;
+    traction[count_ + e] *= bound[e] / size;
+  }
+}
+
+/// What the law says of an element at a slip of the problem.
+FrictionLaw::Bound FrictionNewton::law_at(Index e, double slip) const {
+  const Index k = (*places_)[static_cast<std::size_t>(e)];
+  FrictionLaw::Bound bound =
+      problem_->law.bound(problem_->pressure[k], problem_->slip_factor * slip);
+  bound.by_slip *= problem_->slip_factor;
+  return bound;
+}
+
+/// Goes on from the point with this drag, with none where it is small.
+void FrictionNewton::set_drag(double drag) {
+  drag_ = r_ * drag < least_drag ? 0.0 : drag;
+  dragged_from_ = point_->traction;
+  fronts_.forget();
+  evaluate(*point_);
+}
+
+/// From the traction and slip of a point.
+void FrictionNewton::evaluate(Point& point) const {
+  point.trial = point.traction - r_ * point.slip;
+  if (drag_ > 0.0) point.trial -= r_ * drag_ * (point.traction - dragged_from_);
+  if (feels_slip_)
+    for (Index e = 0; e < count_; ++e)
+      point.bound[e] = law_at(e, std::hypot(point.slip[e], point.slip[count_ + e])).value;
+  point.value = point.trial;
+  project(point.value, point.bound);
+  point.value = point.traction - point.value;
+  point.norm = point.value.norm();
+}
+
+void FrictionNewton::evaluate_from_traction(Point& point) const {
+  compliance_->apply(point.traction, point.slip);
+  point.slip += rigid_slip_;
+  evaluate(point);
+}
+
+void FrictionNewton::evaluate_at_rest(Point& point) const {
+  point.traction.setZero();
+  point.slip = rigid_slip_;
+  evaluate(point);
+}
+
+/// The projected full-stick solution or what the caller has, whichever is nearer.
+void FrictionNewton::find_first_point(const TangentialField& start) {
+  const Index size = problem_->pressure.size();
+  if (start.x.size() != size || start.y.size() != size) {
+    stick_fully(*point_);
+    return;
+  }
+  gather(start, point_->traction);
+  project(point_->traction, bound_);
+  evaluate_from_traction(*point_);
+  evaluate_at_rest(*trial_);
+  if (point_->norm < 0.1 * trial_->norm) return;
+  stick_fully(*trial_);
+  if (!(point_->norm < trial_->norm)) std::swap(point_, trial_);
+}
+
+void FrictionNewton::stick_fully(Point& point) {
+  at_.adheres.assign(static_cast<std::size_t>(count_), 1);
+  compliance_->linearise(at_, r_, 0.0);
+  right_ = -r_ * rigid_slip_;
+  const auto matrix = [this](const Gmres::Given& p, Gmres::Vector result) {
+    compliance_->apply(p, result);
+    result *= r_;
+  };
+  const auto preconditioner = [this](const Gmres::Given& p, Gmres::Vector result) {
+    compliance_->precondition(p, result);
+  };
+  effort_.krylov_iterations +=
+      gmres_
+          .solve(matrix, preconditioner, right_,
+                 {full_stick_tolerance, options_->max_krylov_iterations, krylov_restart},
+                 point.traction)
+          .iterations;
+  project(point.traction, bound_);
+  evaluate_from_traction(point);
+}
+
+void FrictionNewton::linearise(const Point& point) {
+  at_.adheres.assign(static_cast<std::size_t>(count_), 0);
+  for (Index e = 0; e < count_; ++e) {
+    const Index f = count_ + e;
+    const double bound = point.bound[e];
+    const double size = std::hypot(point.trial[e], point.trial[f]);
+    at_.adheres[static_cast<std::size_t>(e)] = size <= bound;
+    at_.normal[e] = size > 0.0 ? point.trial[e] / size : 0.0;
+    at_.normal[f] = size > 0.0 ? point.trial[f] / size : 0.0;
+    at_.factor[e] = size > 0.0 ? bound / size : 1.0;
+    const double reached = std::max(bound, std::hypot(point.traction[e], point.traction[f]));
+    at_.left[e] = point.traction[e] / reached;
+    at_.left[f] = point.traction[f] / reached;
+  }
+  if (feels_slip_) find_law_by_slip(point);
+}
+
+void FrictionNewton::find_law_by_slip(const Point& point) {
+  at_.by_slip.setZero();
+  for (Index e = 0; e < count_; ++e) {
+    const double size = std::hypot(point.slip[e], point.slip[count_ + e]);
+    if (size == 0.0) continue;
+    const double derivative = law_at(e, size).by_slip / size;
+    at_.by_slip[e] = derivative * point.slip[e];
+    at_.by_slip[count_ + e] = derivative * point.slip[count_ + e];
+  }
+}
+
+void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result) const {
+  compliance_->apply(p, result);
+  result *= r_;
+  for (Index e = 0; e < count_; ++e) {
+    const Index f = count_ + e;
+    // Change of the element's bound with its slip.
+    const double by_slip =
+        feels_slip_ ? (at_.by_slip[e] * result[e] + at_.by_slip[f] * result[f]) / r_ : 0.0;
+    result[e] += r_ * drag_ * p[e];
+    result[f] += r_ * drag_ * p[f];
+    if (at_.adheres[static_cast<std::size_t>(e)]) continue;
+    const double dx = result[e] - p[e];
+    const double dy = result[f] - p[f];
+    const double along = at_.normal[e] * dx + at_.normal[f] * dy;
+    result[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]) - by_slip * at_.normal[e];
+    result[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]) - by_slip * at_.normal[f];
+  }
+}
+
+/// How exactly the linear system is solved: loosely at first, more exactly as Newton's method
+/// converges fast (Eisenstat & Walker 1996, choice 2), never better than the tolerance needs.
+double FrictionNewton::forcing(double residual, double previous) const {
+  const double ratio = previous < infinity ? residual / previous : 1.0;
+  const double wanted = std::min(options_->krylov_tolerance, 0.5 * ratio * ratio);
+  return std::max({wanted, 0.1 * options_->tolerance / residual, 1e-10});
+}
+
+/// J dp = -F. Where the bodies all but slide, the part across the slip may bring the preconditioned
+/// iteration to a standstill, which the identity in its place does not: slower, but it arrives.
+void FrictionNewton::find_direction(double tolerance) {
+  compliance_->linearise(at_, r_, r_ * drag_);
+  right_ = -point_->value;
+  const auto solved = [&](const auto& preconditioner) {
+    const GmresResult solution = gmres_.solve(
+        [this](const Gmres::Given& p, Gmres::Vector result) { apply_jacobian(p, result); },
+        preconditioner, right_, {tolerance, options_->max_krylov_iterations, krylov_restart},
+        direction_);
+    effort_.krylov_iterations += solution.iterations;
+    return solution.residual;
+  };
+  constexpr double standstill = 0.5;
+  if (!stood_still_) {
+    const double residual = solved([this](const Gmres::Given& p, Gmres::Vector result) {
+      compliance_->precondition(p, result);
+    });
+    if (residual <= standstill) return;
+    stood_still_ = true;
+  }
+  solved([this](const Gmres::Given& p, Gmres::Vector result) {
+    compliance_->precondition_surely(p, result);
+  });
+}
+
+/// One damped Newton step. False when no step along the Newton direction reduces |F|.
+bool FrictionNewton::advance(double residual, double previous) {
+  linearise(*point_);
+  const bool extended = fronts_.extend(at_.adheres);
+  if (step_along(residual, previous)) return true;
+  if (!extended) return false;
+  linearise(*point_);
+  return step_along(residual, previous);
+}
+
+bool FrictionNewton::step_along(double residual, double previous) {
+  find_direction(forcing(residual, previous));
+  compliance_->apply(direction_, slip_change_);
+  double length = 1.0;
+  constexpr int most_halvings = 20;
+  for (int halving = 0; halving < most_halvings; ++halving, length *= 0.5) {
+    trial_->traction = point_->traction + length * direction_;
+    trial_->slip = point_->slip + length * slip_change_;
+    evaluate(*trial_);
+    if (trial_->norm <= (1.0 - 1e-4 * length) * point_->norm) {
+      std::swap(point_, trial_);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,99 @@
+// The semi-smooth Newton method of the friction problem (tangential.hpp) on the elements in
+// contact, in memory that is kept from one problem to the next.
+#pragma once
+
+#include "contact/scene/friction_law.hpp"
+#include "contact/solve/adhesion_fronts.hpp"
+#include "contact/solve/element_operator.hpp"
+#include "contact/solve/gmres.hpp"
+#include "contact/solve/tangential.hpp"
+
+#include <initializer_list>
+#include <vector>
+
+namespace rollfem::contact {
+
+/// The problem as tangential.hpp has it.
+struct FrictionProblem {
+  const ContactGrid& grid;
+  const Field& pressure;
+  const TangentialField& rigid_slip;
+  const FrictionLaw& law;
+  double slip_factor = 1.0;
+};
+
+class FrictionNewton {
+ public:
+  struct Effort {
+    int newton_steps = 0;
+    int krylov_iterations = 0;
+    double residual = 0.0;
+  };
+
+  /// `places`: grid indices of the elements in contact. `start`: tractions to begin with, empty for
+  /// the projected full-stick solution. Throws SolveError when it does not converge.
+  Effort solve(ElementOperator& compliance, const FrictionProblem& problem,
+               const std::vector<Eigen::Index>& places, const TangentialOptions& options,
+               const TangentialField& start);
+
+  /// On the elements in contact, as it is, within the bound to the tolerance: projected it would
+  /// hide what is left.
+  const Eigen::Map<Eigen::VectorXd>& traction() const { return point_->traction; }
+  const std::vector<char>& adheres() const { return at_.adheres; }
+
+ private:
+  using Vector = Eigen::Map<Eigen::VectorXd>;
+  using Index = Eigen::Index;
+
+  /// F(p) = p - Proj_{|.|<=g}(p - r w(p)) and what its generalised Jacobian needs.
+  struct Point {
+    Vector traction{nullptr, 0};
+    Vector slip{nullptr, 0};
+    Vector value{nullptr, 0};  ///< F, MPa
+    Vector trial{nullptr, 0};  ///< q = p - r w
+    Vector bound{nullptr, 0};  ///< g; that at rest where the law does not feel slip
+    double norm = 0.0;         ///< of F
+  };
+
+  void lay_out(Index count);
+  void gather(const TangentialField& field, Vector& values) const;
+  void iterate(double scale, const TangentialOptions& options);
+  void project(Vector& traction, const Vector& bound) const;
+  FrictionLaw::Bound law_at(Index e, double slip) const;
+  void set_drag(double drag);
+  void evaluate(Point& point) const;
+  void evaluate_from_traction(Point& point) const;
+  void evaluate_at_rest(Point& point) const;
+  void find_first_point(const TangentialField& start);
+  void stick_fully(Point& point);
+  void linearise(const Point& point);
+  void find_law_by_slip(const Point& point);
+  void apply_jacobian(const Gmres::Given& p, Gmres::Vector result) const;
+  double forcing(double residual, double previous) const;
+  void find_direction(double tolerance);
+  bool advance(double residual, double previous);
+  bool step_along(double residual, double previous);
+
+  ElementOperator* compliance_ = nullptr;
+  const FrictionProblem* problem_ = nullptr;
+  const std::vector<Index>* places_ = nullptr;
+  const TangentialOptions* options_ = nullptr;
+  double r_ = 1.0;
+  Index count_ = 0;
+  bool feels_slip_ = false;
+  double drag_ = 0.0;  ///< c in w + c (p - p'), of the unit of T
+  Eigen::VectorXd memory_;
+  Vector rigid_slip_{nullptr, 0};
+  Vector bound_{nullptr, 0};         ///< g at rest
+  Vector dragged_from_{nullptr, 0};  ///< p'
+  Vector direction_{nullptr, 0}, slip_change_{nullptr, 0}, right_{nullptr, 0};
+  Point points_[2];
+  Point *point_ = &points_[0], *trial_ = &points_[1];
+  Linearisation at_;
+  AdhesionFronts fronts_;
+  Gmres gmres_;
+  Effort effort_;
+  bool stood_still_ = false;  ///< the full preconditioner has once
+};
+
+}  // namespace rollfem::contact

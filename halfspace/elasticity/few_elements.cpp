@@ -1,0 +1,140 @@
+#include "halfspace/elasticity/few_elements.hpp"
+
+#include <cstdlib>
+
+namespace rollfem::halfspace {
+
+using contact::Field;
+
+void FewElementsNormal::apply(const Field& q, Field& displacement) const {
+  const int n = table.n;
+  displacement.setZero(q.size());
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Eigen::Index k = j * n + i;
+      if (q[k] == 0.0) continue;
+      const double p = q[k] / carried[k];
+      for (int l = 0; l < n; ++l) {
+        const double* influence = table.row(table.nn, std::abs(l - j)) - i;
+        double* at = displacement.data() + static_cast<std::ptrdiff_t>(l) * n;
+        for (int m = 0; m < n; ++m) at[m] += p * influence[m];
+      }
+    }
+  displacement = dx * displacement.cwiseQuotient(carried);
+}
+
+FewElementsRolling::FewElementsRolling(int n, int most_elements)
+    : n_(n),
+      most_(most_elements),
+      matrix_(2 * most_elements, 2 * most_elements),
+      rows_(static_cast<std::size_t>(n)) {
+  places_.reserve(static_cast<std::size_t>(most_elements));
+}
+
+bool FewElementsRolling::set(const InfluenceTable& table, const Field& pressure,
+                             const Field& weights) {
+  diagonal_ = table.diagonal;
+  if (!gather(pressure)) return false;
+  fill_matrix(table, weights);
+  return true;
+}
+
+bool FewElementsRolling::gather(const Field& pressure) {
+  places_.clear();
+  rows_in_use_ = 0;
+  count_ = 0;
+  for (int j = 0; j < n_; ++j) {
+    const Index first = count_;
+    for (int i = 0; i < n_; ++i) {
+      if (!(pressure[j * n_ + i] > 0.0)) continue;
+      if (count_++ == most_) return false;
+      places_.push_back(j * n_ + i);
+    }
+    if (count_ == first) continue;
+    if (count_ - first > most_in_row) return false;
+    Row& row = rows_[rows_in_use_++];
+    row.first = first;
+    row.length = count_ - first;
+  }
+  return count_ > 0;
+}
+
+/// D u at an element is (1 + w) d - w d', d' that of the next element upstream.
+void FewElementsRolling::fill_matrix(const InfluenceTable& table, const Field& weights) {
+  for (Index a = 0; a < count_; ++a) {
+    const Index place = places_[static_cast<std::size_t>(a)], i = place % n_;
+    const double here = 1.0 + weights[place], ahead = -weights[place];
+    double* along = &matrix_(a, 0);
+    double* across = &matrix_(count_ + a, 0);
+    for (std::size_t k = 0; k < rows_in_use_; ++k) {
+      const Row& row = rows_[k];
+      const auto rows =
+          static_cast<int>(place / n_ - places_[static_cast<std::size_t>(row.first)] / n_);
+      const double sign = rows < 0 ? -1.0 : 1.0;
+      const double* xx = table.row(table.xx, std::abs(rows)) + i;
+      const double* yy = table.row(table.yy, std::abs(rows)) + i;
+      const double* xy = table.row(table.xy, std::abs(rows)) + i;
+      for (Index b = row.first; b < row.first + row.length; ++b) {
+        const Index at = -(places_[static_cast<std::size_t>(b)] % n_);
+        along[b] = here * xx[at] + ahead * xx[at + 1];
+        across[count_ + b] = here * yy[at] + ahead * yy[at + 1];
+        along[count_ + b] = across[b] = sign * (here * xy[at] + ahead * xy[at + 1]);
+      }
+    }
+  }
+}
+
+void FewElementsRolling::apply(const Given& p, Vector result) {
+  result.noalias() = matrix_.topLeftCorner(2 * count_, 2 * count_) * p;
+}
+
+/// The Jacobian of a row of elements by itself.
+void FewElementsRolling::fill_block(const Row& row, const contact::Linearisation& at, double r,
+                                    double drag) {
+  const Index length = row.length;
+  block_.resize(2 * length, 2 * length);
+  for (Index k = 0; k < length; ++k) {
+    const Index e = row.first + k, f = count_ + e;
+    auto x = block_.row(k);
+    auto y = block_.row(length + k);
+    for (const Index half : {Index(0), Index(1)}) {
+      const Index source = half * count_ + row.first;
+      x.segment(half * length, length) = r * matrix_.row(e).segment(source, length);
+      y.segment(half * length, length) = r * matrix_.row(f).segment(source, length);
+    }
+    x[k] += drag;
+    y[length + k] += drag;
+    if (at.adheres[static_cast<std::size_t>(e)]) continue;
+    x[k] -= 1.0;
+    y[length + k] -= 1.0;
+    for (Index c = 0; c < 2 * length; ++c) {
+      const double dx = x[c], dy = y[c], along = at.normal[e] * dx + at.normal[f] * dy;
+      x[c] = at.factor[e] * (dx - along * at.left[e]);
+      y[c] = at.factor[e] * (dy - along * at.left[f]);
+    }
+    x[k] += 1.0;
+    y[length + k] += 1.0;
+  }
+}
+
+void FewElementsRolling::linearise(const contact::Linearisation& at, double r, double drag) {
+  for (std::size_t k = 0; k < rows_in_use_; ++k) {
+    fill_block(rows_[k], at, r, drag);
+    rows_[k].factors.compute(block_);
+  }
+}
+
+void FewElementsRolling::precondition(const Given& p, Vector result) {
+  BlockVector right, solution;
+  for (std::size_t k = 0; k < rows_in_use_; ++k) {
+    const Row& row = rows_[k];
+    right.resize(2 * row.length);
+    right.head(row.length) = p.segment(row.first, row.length);
+    right.tail(row.length) = p.segment(count_ + row.first, row.length);
+    solution = row.factors.solve(right);
+    result.segment(row.first, row.length) = solution.head(row.length);
+    result.segment(count_ + row.first, row.length) = solution.tail(row.length);
+  }
+}
+
+}  // namespace rollfem::halfspace

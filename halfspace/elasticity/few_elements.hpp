@@ -1,0 +1,75 @@
+// The half-space on few elements, for which sums over the elements are quicker than transforms:
+// normal and rolling blocks that the contact solvers apply without taking memory, from influence
+// coefficients that are computed once (influence_tables.hpp).
+#pragma once
+
+#include "contact/solve/element_operator.hpp"
+#include "halfspace/elasticity/influence_tables.hpp"
+
+#include <Eigen/LU>
+
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// The normal block for contact::BoundConstrainedCg, in terms of q = carried p.
+struct FewElementsNormal {
+  const InfluenceTable& table;
+  double dx;                      ///< mm
+  const contact::Field& carried;  ///< per element: part of the pressure along the load
+
+  void apply(const contact::Field& q, contact::Field& displacement) const;
+  /// So few elements need none.
+  void precondition(const contact::Field& residual, contact::Field& result) const {
+    result = residual;
+  }
+};
+
+/// T = D A_tt between the elements in contact as a matrix, preconditioned by the exact inverse of
+/// the Jacobian of each row of elements along rolling.
+class FewElementsRolling : public contact::ElementOperator {
+ public:
+  FewElementsRolling(int n, int most_elements);
+
+  /// Takes in the elements under pressure. `weights`: contact::upwind_weights. False when there are
+  /// none, more than `most_elements` or too many in a row.
+  bool set(const InfluenceTable& table, const contact::Field& pressure,
+           const contact::Field& weights);
+  /// Their indices on the grid.
+  const std::vector<Eigen::Index>& places() const { return places_; }
+
+  double diagonal() const override { return diagonal_; }
+  void apply(const Given& p, Vector result) override;
+  void linearise(const contact::Linearisation& at, double r, double drag) override;
+  void precondition(const Given& p, Vector result) override;
+
+ private:
+  static constexpr int most_in_row = 32;
+  using Block =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2 * most_in_row, 2 * most_in_row>;
+  using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * most_in_row, 1>;
+  using Index = Eigen::Index;
+
+  /// Elements of one row of the grid, and the factors of their own Jacobian.
+  struct Row {
+    Index first = 0;
+    Index length = 0;
+    Eigen::PartialPivLU<Block> factors;
+  };
+
+  bool gather(const contact::Field& pressure);
+  void fill_matrix(const InfluenceTable& table, const contact::Field& weights);
+  void fill_block(const Row& row, const contact::Linearisation& at, double r, double drag);
+
+  int n_;
+  Index most_;
+  Index count_ = 0;
+  double diagonal_ = 1.0;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix_;
+  std::vector<Index> places_;
+  std::vector<Row> rows_;  ///< the first of them in use
+  std::size_t rows_in_use_ = 0;
+  Block block_;
+};
+
+}  // namespace rollfem::halfspace
