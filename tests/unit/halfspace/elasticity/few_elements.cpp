@@ -1,12 +1,13 @@
 // The contact solvers with sums over few elements, as the C interface uses them, against the same
 // with the half-space's transforms, on the same grids.
+#include "halfspace/elasticity/few_elements.hpp"
+
 #include "contact/solve/bound_constrained_cg.hpp"
 #include "contact/solve/friction_newton.hpp"
 #include "contact/solve/leading_edge.hpp"
 #include "contact/solve/normal.hpp"
 #include "contact/solve/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/few_elements.hpp"
 
 #include <gtest/gtest.h>
 
