@@ -233,27 +233,34 @@ class Solving(unittest.TestCase):
         np.testing.assert_array_equal(found[0][0].traction_coefficient, again[0].traction_coefficient)
 
 
-class Tables(unittest.TestCase):
+class MadeTables(unittest.TestCase):
+    """Those that the program makes of `case` once for all tests of a class."""
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        file = rollfem.Case(SMALL, table={"axis_ratio": [0.5, 2.0], "points": [4, 3, 5], "largest": [2.0, 2.0, 2.0],
-                                          "check_points": 10}).write(os.path.join(cls.folder.name, "small.toml"))
+        cls.addClassCleanup(cls.folder.cleanup)
         cls.path = os.path.join(cls.folder.name, "out")
+        file = cls.case().write(os.path.join(cls.folder.name, "case.toml"))
         subprocess.run([PROGRAM, "table", file, "-o", cls.path, "--no-report", "-q"], check=True)
         cls.table = rollfem.Table(cls.path)
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
+    def expect_columns(self, numbers):
+        rows, columns = np.genfromtxt(os.path.join(self.path, "table.csv"), delimiter=",", skip_header=1), self.table.columns()
+        for number, name in numbers.items():
+            np.testing.assert_allclose(rows[:, number], columns[name], rtol=1e-6, atol=1e-9)
+
+
+class Tables(MadeTables):
+    @staticmethod
+    def case():
+        return rollfem.Case(SMALL, table={"axis_ratio": [0.5, 2.0], "points": [4, 3, 5], "largest": [2.0, 2.0, 2.0],
+                                          "check_points": 10})
 
     def test_arrays_are_those_of_the_csv(self):
         self.assertEqual(self.table.shape, (2, 4, 3, 5))
-        rows = np.genfromtxt(os.path.join(self.path, "table.csv"), delimiter=",", skip_header=1)
-        columns = self.table.columns()
-        for number, name in enumerate(("axis_ratio", "longitudinal", "lateral", "spin", "longitudinal_force",
-                                       "lateral_force", "spin_moment")):
-            np.testing.assert_allclose(rows[:, number], columns[name], rtol=1e-6, atol=1e-9)
+        self.expect_columns(dict(enumerate(("axis_ratio", "longitudinal", "lateral", "spin", "longitudinal_force",
+                                            "lateral_force", "spin_moment"))))
         self.assertEqual(self.table.interpolation["points"], 10)
         self.assertIn("2 x 4 x 3 x 5", repr(self.table))
 
@@ -280,29 +287,17 @@ class Tables(unittest.TestCase):
             rollfem.Table(os.path.join(self.folder.name, "nothing"))
 
 
-class ShiftedTables(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.case = rollfem.Case(os.path.join(ROOT, "cases", "s1002_uic60_left.toml")).with_(
+class ShiftedTables(MadeTables):
+    @staticmethod
+    def case():
+        return rollfem.Case(os.path.join(ROOT, "cases", "s1002_uic60_left.toml")).with_(
             contact_grid={"elements_across": 12},
             table={"lateral_shift": [1.0, 3.0], "lateral_shift_step": 1.0, "points": [2, 2, 3], "check_points": 10})
-        cls.path = os.path.join(cls.folder.name, "out")
-        subprocess.run([PROGRAM, "table", cls.case.write(os.path.join(cls.folder.name, "c.toml")), "-o", cls.path,
-                        "--no-report", "-q"], check=True)
-        cls.table = rollfem.Table(cls.path)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     def test_arrays_are_those_of_the_csv(self):
         self.assertEqual(self.table.shape, (3, 3, 3, 3))
-        rows = np.genfromtxt(os.path.join(self.path, "table.csv"), delimiter=",", skip_header=1)
-        columns = self.table.columns()
-        for number, name in {0: "lateral_shift", 1: "longitudinal", 4: "longitudinal_force", 6: "spin_moment",
-                             10: "force_along_normal"}.items():
-            np.testing.assert_allclose(rows[:, number], columns[name], rtol=1e-6, atol=1e-9)
+        self.expect_columns({0: "lateral_shift", 1: "longitudinal", 4: "longitudinal_force", 6: "spin_moment",
+                             10: "force_along_normal"})
         shifts = np.genfromtxt(os.path.join(self.path, "shifts.csv"), delimiter=",", names=True)
         np.testing.assert_allclose(shifts["rolling_radius_mm"], self.table.wheels["rolling_radius"], rtol=1e-8)
         np.testing.assert_allclose(self.table.wheel_at([1.0, 2.0])["contact_angle"], self.table.wheels["contact_angle"][:2])

@@ -1,20 +1,15 @@
 // The pages of compare and study, made by Debian's Python from written data: self-contained, with
-// every case, model and figure. Skipped with a message where numpy or h5py is not installed.
+// every case, model and figure.
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/study/study.hpp"
-#include "postprocess/write/output.hpp"
 
 #include <gtest/gtest.h>
 
-#include "support/output_in_folder.hpp"
+#include "support/drawn_pages.hpp"
 #include "support/output_placed_run.hpp"
-#include "support/output_python.hpp"
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -24,28 +19,8 @@ namespace {
 using testing::contents;
 using testing::scripts;
 
-std::size_t count(const std::string& text, const std::string& piece) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
-    ++found;
-  return found;
-}
-
-void expect_self_contained(const std::string& page) {
-  for (const char* link : {"http:", "https:", "src=\"/", "<script", "@import", "url(", "<img"})
-    EXPECT_EQ(page.find(link), std::string::npos) << link;
-  EXPECT_EQ(count(page, "<figure>"), count(page, "role=\"img\" aria-label="));
-  EXPECT_NE(page.find("name=viewport"), std::string::npos);
-  EXPECT_NE(page.find("@media print"), std::string::npos);
-}
-
-class PagesTest : public testing::InFolder {
+class PagesTest : public testing::DrawnPages {
  protected:
-  void SetUp() override {
-    if (!testing::python_can_import("h5py, numpy"))
-      GTEST_SKIP() << "no figures without apt install python3-numpy python3-h5py";
-  }
-
   ComparedCase written(const std::string& name, const RunRecord& run) {
     write_results((base_ / name).string(), run);
     ComparedCase compared;
@@ -77,16 +52,15 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = contents(base_ / "compare.html");
   expect_self_contained(page);
-  for (const char* text :
-       {"Comparison of models on 3 cases", "second &lt;case&gt;",
-        "it cannot handle this &amp; that", "is left out", "no contact", "failed",
-        "Within the error bars of half-space: ", "Cost", "Force per strip", "Lateral traction",
-        "id=\"one\"",
-        "largest longitudinal traction |p<sub>x</sub>|<br><span class=d>% of μ p<sub>0</sub>"})
-    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_TRUE(testing::says(
+      page, "Comparison of models on 3 cases", "second &lt;case&gt;",
+      "it cannot handle this &amp; that", "is left out", "no contact", "failed",
+      "Within the error bars of half-space: ", "Cost", "Force per strip", "Lateral traction",
+      "id=\"one\"",
+      "largest longitudinal traction |p<sub>x</sub>|<br><span class=d>% of μ p<sub>0</sub>"));
   // Ten figures in the first case, one less in the second without Hertz, and differences against
   // cost.
-  EXPECT_EQ(count(page, "<figure>"), 20U);
+  EXPECT_EQ(testing::count(page, "<figure>"), 20U);
   // Names of the page, not of the program, and no symbols of a terminal.
   EXPECT_EQ(page.find("bars of halfspace"), std::string::npos);
   EXPECT_EQ(page.find(" of mu"), std::string::npos);
@@ -108,11 +82,10 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = contents(base_ / "compare.html");
   expect_self_contained(page);
-  for (const char* text :
-       {"Where wheel and rail touch", "y track [mm]", "with the contact points",
-        "left wheel,<br>position 1,<br>patch 2 of 2", "Left wheel, position 1, patch 1 of 2",
-        "Beyond them: FEM (p<sub>0</sub> 30 %"})
-    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_TRUE(testing::says(page, "Where wheel and rail touch", "y track [mm]",
+                            "with the contact points", "left wheel,<br>position 1,<br>patch 2 of 2",
+                            "Left wheel, position 1, patch 1 of 2",
+                            "Beyond them: FEM (p<sub>0</sub> 30 %"));
 }
 
 TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
@@ -144,27 +117,21 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = contents(base_ / "study.html");
   expect_self_contained(page);
-  for (const char* text :
-       {"a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
-        "ran out of memory", "Finest levels against their references: half-space (grid) ",
-        "order 2", "no order", "exact", "extrapolated",
-        "<th scope=col>largest pressure p<sub>0</sub> [MPa]"})
-    EXPECT_NE(page.find(text), std::string::npos) << text;
-  EXPECT_EQ(count(page, "<figure>"), 2U);
+  EXPECT_TRUE(testing::says(
+      page, "a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
+      "ran out of memory", "Finest levels against their references: half-space (grid) ", "order 2",
+      "no order", "exact", "extrapolated", "<th scope=col>largest pressure p<sub>0</sub> [MPa]"));
+  EXPECT_EQ(testing::count(page, "<figure>"), 2U);
   for (const char* name : {"speed_error.svg", "error_unknowns.svg"})
     EXPECT_NE(contents(base_ / "figures" / name).find("</svg>"), std::string::npos) << name;
 }
 
-/// What rollfem_figures/published.py gives for a result, name by name.
-std::string published(const fs::path& folder) {
-  return testing::python("import sys; sys.path.insert(0, '" + scripts +
-                             "'); sys.dont_write_bytecode = True\n"
-                             "from rollfem_figures import published, read_result\n"
-                             "r = read_result(sys.argv[1])\n"
-                             "print(*[row['name'] for _, s in r.scenes() for row in "
-                             "published.patches(s) + published.creep_curves(s)], sep='; ')",
-                         folder.string());
-}
+/// Prints what rollfem_figures/published.py gives for a result, name by name.
+const char* const published = R"(
+from rollfem_figures import published, read_result
+r = read_result(sys.argv[1])
+print(*[row['name'] for _, s in r.scenes() for row in published.patches(s) + published.creep_curves(s)], sep='; ')
+)";
 
 TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
   RunRecord run = testing::synthetic_run();
@@ -176,7 +143,7 @@ TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
     run.input.rail.transverse_radius = rail;
     run.input.wheel.transverse_radius = wheel;
     write_results((base_ / name).string(), run);
-    return published(base_ / name);
+    return said(published, base_ / name);
   };
   EXPECT_NE(names("a", 2000.0, contact::infinity).find("thesis: Hertz, from a diagram"),
             std::string::npos);
@@ -202,7 +169,7 @@ TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
   }
   const auto names = [&](const char* name) {
     write_results((base_ / name).string(), run);
-    return published(base_ / name);
+    return said(published, base_ / name);
   };
   EXPECT_NE(names("left").find("thesis: SRS (FE)"), std::string::npos);
   for (contact::ModelResult& model : run.models) model.place->lateral_shift = 3.0;

@@ -1,33 +1,14 @@
 // What figures and pages are made of, asked one by one in Debian's Python: scales, contours, words,
-// the structure of a page. Skipped with a message where numpy or h5py is not installed.
-#include "postprocess/write/output.hpp"
-
+// the structure of a page.
 #include <gtest/gtest.h>
 
-#include "support/output_in_folder.hpp"
+#include "support/drawn_pages.hpp"
 #include "support/output_placed_run.hpp"
-#include "support/output_python.hpp"
-#include <string>
 
 namespace rollfem::postprocess {
 namespace {
 
-using testing::scripts;
-
-/// What a script prints that finds the package; empty where all its assertions hold.
-std::string said(const std::string& script, const std::string& argument = "") {
-  return testing::python("import sys\nsys.dont_write_bytecode = True\nsys.path.insert(0, '" +
-                             scripts + "')\nimport numpy as np\n" + script,
-                         argument);
-}
-
-class PartsTest : public testing::InFolder {
- protected:
-  void SetUp() override {
-    if (!testing::python_can_import("h5py, numpy"))
-      GTEST_SKIP() << "no figures without apt install python3-numpy python3-h5py";
-  }
-};
+class PartsTest : public testing::DrawnPages {};
 
 TEST_F(PartsTest, AScaleDoesNotBlowUpAConstantAndHasRoundTicks) {
   EXPECT_EQ(said(R"(
@@ -88,9 +69,7 @@ assert labels.plain(labels.math('phi')) == 'φ' and labels.plain(labels.math('p_
 }
 
 TEST_F(PartsTest, APageIsReadByEarAndHasEveryPatchOfARow) {
-  const std::string folder = (base_ / "row").string();
-  write_results(folder, testing::placed_run(3));
-  ASSERT_EQ(make_report(folder, scripts), "");
+  const std::string folder = draw(testing::placed_run(3)).string();
   EXPECT_EQ(said(R"(
 import re
 from html.parser import HTMLParser
@@ -148,9 +127,7 @@ RunRecord with_cones(RunRecord run) {
 }
 
 TEST_F(PartsTest, ARowOfShiftsHasItsWheelsetInATableAndAFigure) {
-  const std::string folder = (base_ / "row").string();
-  write_results(folder, with_cones(testing::placed_run(3)));
-  ASSERT_EQ(make_report(folder, scripts), "");
+  const std::string folder = draw(with_cones(testing::placed_run(3))).string();
   EXPECT_EQ(said(R"(
 import csv, re
 text = open(sys.argv[1] + '/report.html', encoding='utf-8').read()
