@@ -148,19 +148,6 @@ TEST(HardRolling, LongPatchesHaveKalkersAsymptote) {
   EXPECT_NEAR(patch.forces({0.5, 0, 0}).x / -patch.sliding_force(), 1.0, 1e-3);
 }
 
-TEST(HardRolling, PoissonRatiosAtBothEndsGiveKalkersTable) {
-  // kalker_coefficients.csv, circle: C11, C22 at nu = 0 and 0.5.
-  for (const auto& [nu, c11, c22] : {std::tuple{0.0, 3.40, 3.40}, {0.4999, 5.20, 3.98}}) {
-    Patch patch;
-    patch.nu = nu;
-    patch.nx = patch.ny = 40;
-    patch.friction = 1e4;
-    const double unit = -patch.G * patch.a * patch.b * 1e-4;
-    EXPECT_NEAR(patch.forces({1e-4, 0, 0}).x / unit / c11, 1.0, 0.02) << nu;
-    EXPECT_NEAR(patch.forces({0, 1e-4, 0}).y / unit / c22, 1.0, 0.02) << nu;
-  }
-}
-
 TEST(HardRolling, FewElementsAndStretchedCells) {
   const Patch fine{6.0, 6.0, 48, 48};
   const contact::Creepage creepage{1e-3, -5e-4, 1e-5};
@@ -208,27 +195,6 @@ TEST(HardRolling, EveryCreepageOnAFineGridConverges) {
     EXPECT_LE(s.residual, 1e-6);
     EXPECT_LE(s.newton_steps, 20);
   }
-}
-
-TEST(HardRolling, ShiftOfCattaneoAndMindlin) {
-  // Benchmark 3 with nu = 0, where the closed form is exact but for p_y: c/a = (1 - Q/mu P)^(1/3).
-  Patch patch;
-  patch.nu = 0.0;
-  patch.nx = patch.ny = 48;
-  const double theta = 0.5;
-  const double sliding = patch.friction * patch.normal_force();
-  // Both bodies alike: (2 - nu)/G of each is 2/G; shift = 3 mu P/(16 a) (4/G) (1 - theta^2).
-  const double shift = 3.0 * sliding / (16.0 * patch.a) * 4.0 / patch.G * (1.0 - theta * theta);
-  const HalfspaceCompliance compliance(patch.grid(), patch.material());
-  TangentialProblem problem = patch.problem({});
-  problem.rigid_slip.x.setConstant(shift);
-  const TangentialSolution s = contact::solve_tangential(compliance.shift(), problem);
-  const testing::Forces f = testing::forces(patch.grid(), s.traction);
-  EXPECT_NEAR(-f.x / sliding, 1.0 - theta * theta * theta, 0.004);
-  const double adhesion =
-      static_cast<double>(std::count(s.state.begin(), s.state.end(), ElementState::adhesion)) *
-      patch.grid().element_area();
-  EXPECT_NEAR(std::sqrt(adhesion / M_PI) / patch.a, theta, 0.02);
 }
 
 TEST(HardRolling, ForcesOfOneNewtonAndTenMeganewtonAreSimilar) {

@@ -4,9 +4,7 @@
 #include "fem/linear/linear_solver.hpp"
 #include "fem/mesh/chart.hpp"
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
+#include "support/fem_fields.hpp"
 #include "support/fem_test_support.hpp"
 #include <array>
 #include <cmath>
@@ -21,6 +19,20 @@ inline constexpr contact::Material manufactured_material{1000.0, 0.3};
 struct Manufactured {
   fem::SurfaceShape shape;
 
+  dealii::Tensor<1, 3> displacement(const dealii::Point<3>& place) const {
+    dealii::Tensor<1, 3> u;
+    dealii::Tensor<2, 3> gradient;
+    evaluate(place, u, gradient);
+    return u;
+  }
+  dealii::Tensor<2, 3> gradient(const dealii::Point<3>& place) const {
+    dealii::Tensor<1, 3> u;
+    dealii::Tensor<2, 3> gradient;
+    evaluate(place, u, gradient);
+    return gradient;
+  }
+
+ private:
   void evaluate(const dealii::Point<3>& place, dealii::Tensor<1, 3>& u,
                 dealii::Tensor<2, 3>& gradient) const {
     const auto chart = shape.coordinates(place);
@@ -51,38 +63,34 @@ struct Manufactured {
 };
 
 inline dealii::Tensor<2, 3> stress_of(const dealii::Tensor<2, 3>& gradient) {
-  const double nu = manufactured_material.poisson_ratio;
-  const double mu = manufactured_material.young_modulus / (2 * (1 + nu));
-  dealii::Tensor<2, 3> stress = mu * (gradient + transpose(gradient));
-  for (unsigned int d = 0; d < 3; ++d) stress[d][d] += 2 * mu * nu / (1 - 2 * nu) * trace(gradient);
-  return stress;
+  return stress_of(gradient, manufactured_material);
 }
 
-/// int sigma(u_exact) : grad N, so that surface tractions need not be written down.
 inline fem::Vector manufactured_load(const fem::Body& body, const Manufactured& exact) {
-  const auto& element = body.dofs().get_fe();
-  dealii::FEValues<3> values(
-      body.mapping(), element, dealii::QGauss<3>(element.degree + 2),
-      dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values);
-  auto b = fem::make_vector(body.dofs());
-  b.zero_out_ghost_values();
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  dealii::Tensor<1, 3> displacement;
-  dealii::Tensor<2, 3> gradient;
-  for (const auto& cell : body.dofs().active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    values.reinit(cell);
-    cell->get_dof_indices(indices);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      exact.evaluate(values.quadrature_point(q), displacement, gradient);
-      const auto stress = stress_of(gradient) * values.JxW(q);
-      for (unsigned int i = 0; i < indices.size(); ++i)
-        b(indices[i]) +=
-            stress[element.system_to_component_index(i).first] * values.shape_grad(i, q);
-    }
-  }
-  b.compress(dealii::VectorOperation::add);
-  return b;
+  return load_of_stress(body.problem(), [&](const dealii::Point<3>& place) {
+    return stress_of(exact.gradient(place));
+  });
+}
+
+/// Squares in the energy norm: of the error of a displacement, and of the exact one.
+inline std::array<double, 2> energies(const fem::Body& body, const Manufactured& exact,
+                                      const fem::Vector& u) {
+  std::array<double, 2> squares{};
+  std::vector<dealii::Tensor<2, 3>> gradients;
+  for_each_cell(
+      body.problem(), body.dofs().get_fe().degree + 2, [&](const auto&, const auto& values) {
+        gradients.resize(values.n_quadrature_points);
+        values[dealii::FEValuesExtractors::Vector(0)].get_function_gradients(u, gradients);
+        for (const unsigned int q : values.quadrature_point_indices()) {
+          const auto gradient = exact.gradient(values.quadrature_point(q));
+          const dealii::Tensor<2, 3> difference = gradients[q] - gradient;
+          const double weight = values.JxW(q);
+          squares[0] += scalar_product(stress_of(difference), difference) * weight;
+          squares[1] += scalar_product(stress_of(gradient), gradient) * weight;
+        }
+      });
+  for (double& square : squares) square = dealii::Utilities::MPI::sum(square, MPI_COMM_WORLD);
+  return squares;
 }
 
 }  // namespace rollfem::testing

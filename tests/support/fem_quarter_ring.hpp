@@ -2,6 +2,7 @@
 // axisymmetric displacement.
 #pragma once
 
+#include "fem/discretisation/cell_terms.hpp"
 #include "fem/linear/linear_solver.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -13,6 +14,7 @@
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
+#include "support/fem_fields.hpp"
 #include <cmath>
 #include <functional>
 
@@ -75,34 +77,32 @@ class QuarterRing {
     return b;
   }
 
-  /// Calls f(cell, values) with values, gradients, places and weights at Gauss points.
+  /// Calls f(radius, radial stress, hoop stress) at Gauss points, with the dilatation of `problem`.
   template <class F>
-  void for_each_cell(unsigned int points, const F& f) const {
-    dealii::FEValues<3> values(mapping_, element_, dealii::QGauss<3>(points),
-                               dealii::update_values | dealii::update_gradients |
-                                   dealii::update_quadrature_points | dealii::update_JxW_values);
-    for (const auto& cell : dofs_.active_cell_iterators()) {
-      values.reinit(cell);
-      f(cell, values);
-    }
+  void for_each_stress(const fem::ElasticProblem& problem, const fem::Vector& u,
+                       unsigned int points, const F& f) const {
+    fem::CellStress stress(problem);
+    std::vector<dealii::Tensor<2, 3>> gradients;
+    for_each_cell(problem, points, [&](const auto& cell, const auto& values) {
+      stress.reinit(cell, u);
+      gradients.resize(values.n_quadrature_points);
+      values[dealii::FEValuesExtractors::Vector(0)].get_function_gradients(u, gradients);
+      for (const auto q : values.quadrature_point_indices()) {
+        const auto p = values.quadrature_point(q);
+        const double r = std::hypot(p[0], p[1]), c = p[0] / r, s = p[1] / r;
+        const auto sigma = stress.at(gradients[q], p);
+        f(r, c * c * sigma[0] + s * s * sigma[1] + 2 * s * c * sigma[3],
+          s * s * sigma[0] + c * c * sigma[1] - 2 * s * c * sigma[3]);
+      }
+    });
   }
 
   /// L2 error relative to the exact radial displacement u(r).
   double error(const fem::Vector& u, const std::function<double(double)>& exact) const {
-    double difference = 0, size = 0;
-    std::vector<dealii::Tensor<1, 3>> computed;
-    for_each_cell(options_.degree + 2, [&](const auto&, const auto& values) {
-      computed.resize(values.n_quadrature_points);
-      values[dealii::FEValuesExtractors::Vector(0)].get_function_values(u, computed);
-      for (const auto q : values.quadrature_point_indices()) {
-        const auto place = values.quadrature_point(q);
-        const dealii::Tensor<1, 3> radial({place[0], place[1], 0.0});
-        const double r = radial.norm();
-        difference += (computed[q] - exact(r) / r * radial).norm_square() * values.JxW(q);
-        size += exact(r) * exact(r) * values.JxW(q);
-      }
+    return displacement_error(problem(), u, [&](const dealii::Point<3>& p) {
+      const double r = std::hypot(p[0], p[1]);
+      return exact(r) / r * dealii::Tensor<1, 3>({p[0], p[1], 0.0});
     });
-    return std::sqrt(difference / size);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include "contact/case/case.hpp"
 #include "contact/scene/patch_geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -43,18 +44,36 @@ inline HeightAndSlope circle(double radius, double y) {
 
 /// Wheel of a rolling radius with a circular profile on a rail with one, both level at the contact:
 /// convex radii > 0 as in the case file. Profiles known to `reach` on both sides.
-inline std::shared_ptr<const contact::PatchGeometry> circles(double rolling_radius,
-                                                             double wheel_radius,
-                                                             double rail_radius,
-                                                             double reach = 25.0) {
+inline contact::PatchGeometry circle_pair(double rolling_radius, double wheel_radius,
+                                          double rail_radius, double reach = 20.0) {
   const auto rail =
       sampled_curve(-reach, reach, 0.05, [&](double y) { return circle(-rail_radius, y); });
   const auto wheel = sampled_curve(-reach, reach, 0.05, [&](double w) {
     const auto [value, slope] = circle(-wheel_radius, w);
     return HeightAndSlope{rolling_radius + value, slope};
   });
+  return {rail, wheel, {{0.0, 0.0, rolling_radius}, {0.0, 1.0, 0.0}}, -reach, reach};
+}
+
+inline std::shared_ptr<const contact::PatchGeometry> circles(double rolling_radius,
+                                                             double wheel_radius,
+                                                             double rail_radius,
+                                                             double reach = 25.0) {
   return std::make_shared<contact::PatchGeometry>(
-      rail, wheel, contact::Axle{{0.0, 0.0, rolling_radius}, {0.0, 1.0, 0.0}}, -reach, reach);
+      circle_pair(rolling_radius, wheel_radius, rail_radius, reach));
+}
+
+/// A sphere of that radius about a point of the axle: whatever the axle's direction, one surface.
+inline contact::PatchGeometry sphere_on_circle(double radius, double rail_radius,
+                                               const contact::Vector3& axle, double reach = 20.0) {
+  const auto rail =
+      sampled_curve(-reach, reach, 0.05, [&](double y) { return circle(-rail_radius, y); });
+  const double width = std::min(0.99 * radius, radius * std::abs(axle[2]) + 3.0 * reach);
+  const auto wheel = sampled_curve(-width, width, 0.1, [&](double w) {
+    const double height = std::sqrt(radius * radius - w * w);
+    return HeightAndSlope{height, -w / height};
+  });
+  return {rail, wheel, {{0.0, 0.0, radius}, axle}, -reach, reach};
 }
 
 /// Zone B of S1002 (y from -26 to 32.16) and A (to 60): z outward over y, mm.

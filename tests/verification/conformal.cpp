@@ -1,21 +1,16 @@
 // Conformal contact on the curved half-space: CONTACT's deep groove, in which friction carries a
 // part of the load, and its corner in a root, whose sum of pressure is not the force.
 #include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
 #include "halfspace/model/model.hpp"
 
 #include <gtest/gtest.h>
 
-#include "support/places.hpp"
+#include "support/committed_cases.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
 
 using namespace rollfem;
-
-contact::Case conformal_case(const std::string& name) {
-  return contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/conformal_" + name + ".toml");
-}
 
 contact::PointResult point_of(const contact::Case& input) {
   return halfspace::run_halfspace(input, {}).points.front();
@@ -23,7 +18,7 @@ contact::PointResult point_of(const contact::Case& input) {
 
 /// The groove's ball under no longitudinal force.
 contact::Case rolling_in_groove(double radius) {
-  contact::Case input = conformal_case("groove");
+  contact::Case input = rollfem::testing::committed_case("conformal_groove");
   input.rail.transverse_radius = -radius;
   input.rolling.problem = contact::Problem::steady;
   input.rolling.forces = {{0.0, {}}};
@@ -49,7 +44,7 @@ TEST(DeepGroove, RollsFreelyAsInContact) {
     EXPECT_NEAR(point.creepage.longitudinal, creepage, 3e-3 * -creepage);
     EXPECT_NEAR(point.normal_force, 10e3, 1e-6 * 10e3);
     // Without friction 0.6 and 0.9 % more, which is no difference of half-spaces.
-    input.rolling = conformal_case("groove").rolling;
+    input.rolling = rollfem::testing::committed_case("conformal_groove").rolling;
     EXPECT_GT(point_of(input).max_pressure, 1.004 * point.max_pressure);
   }
 }
@@ -58,7 +53,8 @@ TEST(CornerInARoot, SumOfPressureIsNotTheForce) {
   // CONTACT's example `conformal`, case 2: 91.84 kN is the sum of its pressure, 89.25 kN its part
   // along the approach, 1012 MPa. Its distance grows as x^2 along the normal where here the wheel
   // closes along z: 0.8 % in force, 0.5 % in p0.
-  const contact::ModelResult result = halfspace::run_halfspace(conformal_case("corner"), {});
+  const contact::ModelResult result =
+      halfspace::run_halfspace(rollfem::testing::committed_case("conformal_corner"), {});
   const contact::PointResult& point = result.points.front();
   const double sum = point.fields.traction.n.sum() * result.grid.element_area();
   EXPECT_NEAR(sum, 91.84e3, 0.012 * 91.84e3);
@@ -78,7 +74,7 @@ TEST(DeepGroove, OfHalfAPatchOf44DegreesNeedsRounderBodies) {
 
 TEST(DeepGroove, ThatFitsTooWellIsRefusedWithTheReason) {
   // Half the patch is 44 degrees in a groove of 10.02 mm, where circles go on as straight flanks.
-  contact::Case input = conformal_case("groove");
+  contact::Case input = rollfem::testing::committed_case("conformal_groove");
   input.rail.transverse_radius = -10.02;
   input.contact_grid.elements_across = 8;
   // Flanks touch along their whole length.

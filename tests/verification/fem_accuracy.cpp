@@ -1,26 +1,22 @@
 // The accuracy that a case asks for, by finite elements on case a without friction: reached with an
 // estimate of the right size, or said not to be reached.
-#include "contact/case/case_reader.hpp"
 #include "contact/result/refinement.hpp"
 #include "fem/elasticity/model.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"
-#include "support/places.hpp"
-#include <cmath>
+#include "support/temporary_folder.hpp"
 #include <cstdlib>
-#include <string>
 
 namespace {
 
 using namespace rollfem;
 
 contact::Case frictionless_case_a() {
-  contact::Case input =
-      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_a.toml");
+  contact::Case input = rollfem::testing::committed_case('a', {0.0});
   input.rolling.problem = contact::Problem::frictionless;
-  input.rolling.creepages = {contact::Creepage{}};
   input.output.fields = false;
   input.fem.cell_size.reset();
   return input;
@@ -55,8 +51,8 @@ TEST(FemAccuracy, ThatMemoryDoesNotAllowIsSaidAndTheFinestResultIsThere) {
   const contact::ModelResult result = fem::run_fem(input, {});
   unsetenv("ROLLFEM_MEMORY_GB");
   ASSERT_EQ(result.points.size(), 1u);
-  for (const char* part : {"accuracy = 1e-05", "not reached", "0.4 GB are available"})
-    EXPECT_NE(result.shortfall.find(part), std::string::npos) << result.shortfall;
+  EXPECT_TRUE(rollfem::testing::says(result.shortfall, "accuracy = 1e-05", "not reached",
+                                     "0.4 GB are available"));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // The error bars of finite elements on a random contact, which is none of the cases a to f, against
 // cells of half the size and their bars. benchmarks/fem_bars.cpp counts how often bars hold.
-#include "contact/base/checkpoint.hpp"
 #include "fem/elasticity/model.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
@@ -9,27 +8,10 @@
 #include "support/bar_coverage.hpp"
 #include "support/mpi_environment.hpp"
 #include "support/random_wheel_rail.hpp"
-#include <map>
-#include <string>
+#include "support/records_in_memory.hpp"
 
 namespace rollfem {
 namespace {
-
-/// Levels that both runs have are solved once.
-class Memory : public contact::Checkpoint {
- public:
-  std::optional<std::string> find(const std::string& name) override {
-    const auto found = records_.find(name);
-    if (found == records_.end()) return {};
-    return found->second;
-  }
-  void keep(const std::string& name, const std::string& record) override {
-    records_[name] = record;
-  }
-
- private:
-  std::map<std::string, std::string> records_;
-};
 
 TEST(FemBars, HoldOutsideTheFamilyAndAreNotUseless) {
   testing::RandomWheelRail contacts(1);
@@ -37,7 +19,7 @@ TEST(FemBars, HoldOutsideTheFamilyAndAreNotUseless) {
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(contact::Scene(input));
   input.fem.extent = 3.0 * std::max(hertz.semi_axis_x, hertz.semi_axis_y);
   input.subsurface = testing::points_below(hertz.semi_axis_x, hertz.semi_axis_y);
-  Memory levels;
+  testing::RecordsInMemory levels;  // those that both runs have are solved once
   const auto run = [&](double parts) {
     input.fem.cell_size = std::min(hertz.semi_axis_x, hertz.semi_axis_y) / parts;
     return fem::run_fem(contact::Scene(input), {}, &levels).points.front();

@@ -24,32 +24,12 @@ Errors errors(const fem::SurfaceShape& shape, double cell_size, int degree) {
   options.degree = degree;
   const fem::Body body(shape, manufactured_material, options, MPI_COMM_SELF);
   const Manufactured exact{shape};
-  const auto& element = body.dofs().get_fe();
-  const dealii::FEValuesExtractors::Vector vector(0);
-  dealii::FEValues<3> values(body.mapping(), element, dealii::QGauss<3>(degree + 2),
-                             dealii::update_values | dealii::update_gradients |
-                                 dealii::update_quadrature_points | dealii::update_JxW_values);
   auto u = fem::make_vector(body.dofs());
-  dealii::Tensor<1, 3> displacement;
-  dealii::Tensor<2, 3> gradient;
   fem::make_factorisation(body.problem())->solve(u, manufactured_load(body, exact));
-  double l2 = 0, l2_exact = 0, energy = 0, energy_exact = 0;
-  std::vector<dealii::Tensor<1, 3>> fe_values(values.n_quadrature_points);
-  std::vector<dealii::Tensor<2, 3>> fe_gradients(values.n_quadrature_points);
-  for (const auto& cell : body.dofs().active_cell_iterators()) {
-    values.reinit(cell);
-    values[vector].get_function_values(u, fe_values);
-    values[vector].get_function_gradients(u, fe_gradients);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      exact.evaluate(values.quadrature_point(q), displacement, gradient);
-      const dealii::Tensor<2, 3> difference = fe_gradients[q] - gradient;
-      l2 += (fe_values[q] - displacement).norm_square() * values.JxW(q);
-      l2_exact += displacement.norm_square() * values.JxW(q);
-      energy += scalar_product(stress_of(difference), difference) * values.JxW(q);
-      energy_exact += scalar_product(stress_of(gradient), gradient) * values.JxW(q);
-    }
-  }
-  return {std::sqrt(l2 / l2_exact), std::sqrt(energy / energy_exact)};
+  const auto [error, whole] = energies(body, exact, u);
+  return {displacement_error(body.problem(), u,
+                             [&](const dealii::Point<3>& p) { return exact.displacement(p); }),
+          std::sqrt(error / whole)};
 }
 
 void expect_order(const fem::SurfaceShape& shape, double cell_size, int degree) {

@@ -1,6 +1,5 @@
 // The hybrid: nothing where bodies are half-spaces, the strain of a loaded wheel where it is one,
 // and the finite elements' pressure and forces where the surfaces are steep.
-#include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/model/model.hpp"
 #include "hybrid/compliance.hpp"
@@ -9,23 +8,20 @@
 
 #include <gtest/gtest.h>
 
+#include "support/committed_cases.hpp"
+#include "support/elastic_sphere.hpp"
 #include "support/mpi_environment.hpp"
-#include "support/places.hpp"
 #include "support/recorded.hpp"
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace {
 
 using namespace rollfem;
 
-contact::Case study_on_40(const std::string& name, std::vector<double> creepages) {
-  contact::Case input =
-      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
+contact::Case study_on_40(char name, const std::vector<double>& creepages) {
+  contact::Case input = rollfem::testing::committed_case(name, creepages);
   input.contact_grid.elements_across = 40;
-  input.rolling.creepages.clear();
-  for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
   return input;
 }
 
@@ -38,9 +34,7 @@ contact::ModelResult hybrid_of(const contact::Case& input) {
 contact::SurfaceField beyond(const halfspace::SmoothMap& map) {
   const double a = map.loads.half_length, b = map.loads.half_width;
   const auto grid = contact::ContactGrid::centred(16, 16, 0.1 * a, 0.1 * b);
-  const contact::Field hertz = grid.sample([&](double x, double y) {
-    return 1e3 * std::sqrt(std::max(0.0, 1.0 - x * x / (a * a) - y * y / (b * b)));
-  });
+  const contact::Field hertz = rollfem::testing::hertz_pressure(grid, a, b, 1e3);
   // Half a body carries friction along rolling, and to both sides.
   const contact::Field sides =
       hertz.cwiseProduct(grid.sample([&](double, double y) { return y / b; }));
@@ -67,7 +61,7 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
   // On a curved common surface it still adds something; with stresses below the surface it is
   // meshed. The bars hold a tenth of what is
   // added.
-  contact::Case input = study_on_40("b", {0.0});
+  contact::Case input = study_on_40('b', {0.0});
   input.wheel.transverse_radius = 100.0;
   input.wheel.material.young_modulus = contact::infinity;
   input.rail.transverse_radius = contact::infinity;
@@ -86,7 +80,7 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
 
 TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
   // With as many cells as quadratic ones, linear ones once had a fit that was not determined.
-  contact::Case input = study_on_40("b", {0.0});
+  contact::Case input = study_on_40('b', {0.0});
   input.rail.material.young_modulus = contact::infinity;
   input.fem.extent = 25.0;
   contact::Scene scene(input);
@@ -101,7 +95,7 @@ TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
 
 TEST(Hybrid, AddsNothingToBodiesThatAreHalfSpaces) {
   // Radii of 4 m under 0.05 N: patch over radius is 1e-5, and with it what curvature adds.
-  contact::Case input = study_on_40("a", {0.001});
+  contact::Case input = study_on_40('a', {0.001});
   input.wheel.rolling_radius = 4000.0;
   input.rail.transverse_radius = 4000.0;
   input.load.normal_force = 0.05;
@@ -116,7 +110,7 @@ TEST(Hybrid, AddsNothingToBodiesThatAreHalfSpaces) {
 TEST(Hybrid, HasTheStrainOfALoadedWheel) {
   // Case a: by a perturbation of the half-space 0.0030 at rest and 0.0023 above it at 0.1 %, where
   // finite elements on the same cells are 0.0035 above.
-  const contact::Case input = study_on_40("a", {0.0, 0.001});
+  const contact::Case input = study_on_40('a', {0.0, 0.001});
   const auto result = hybrid_of(input);
   const auto half = halfspace::run_halfspace(input, {});
   EXPECT_NEAR(result.points[0].traction_coefficient, 0.0030, 0.0002);
@@ -131,7 +125,7 @@ TEST(Hybrid, MeetsTheLimitOfFiniteElements) {
   // Case f: limits by benchmarks/hybrid_limits.py, good to 0.07 MPa and 0.0005 (0.0007 at 0.3 %).
   // Asked are 0.05 % of p0 and 0.1 % of mu. On forty elements across p0 is 0.055 % below its limit,
   // as the half-space's on the common surface is: 582.997 of 583.319 MPa.
-  const auto result = hybrid_of(study_on_40("f", {0.0, 0.001, 0.003}));
+  const auto result = hybrid_of(study_on_40('f', {0.0, 0.001, 0.003}));
   const double on_this_grid = 582.997 / 583.319;
   EXPECT_NEAR(result.points[0].max_pressure / (581.17 * on_this_grid), 1.0, 5e-4);
   EXPECT_NEAR(result.points[2].max_pressure / (580.20 * on_this_grid), 1.0, 5e-4);
@@ -141,42 +135,20 @@ TEST(Hybrid, MeetsTheLimitOfFiniteElements) {
 }
 
 TEST(Hybrid, HasTheSlipOfAnElasticSphere) {
-  // Under Hertz's pressure of 50 kN on a flat rail, in units of p0 a/(G R), positive as creepage:
-  // a polynomial through Lur'e's series (benchmarks/book/elastic_sphere.py, fem_sphere.cpp).
-  const auto exact = [](double x, double y) { return 0.24021 - 0.0464 * x * x - 0.1993 * y * y; };
-  constexpr double radius = 405.0, semi_axis = 5.0868168, max_pressure = 922.6121;
-  contact::Case input = study_on_40("a", {0.0});
-  input.wheel.transverse_radius = radius;
+  using rollfem::testing::ElasticSphere;
+  contact::Case input = study_on_40('a', {0.0});
+  input.wheel.transverse_radius = ElasticSphere::radius;
   input.rail.transverse_radius = contact::infinity;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
-  const auto grid = contact::ContactGrid::centred(20, 20, 0.1 * semi_axis, 0.1 * semi_axis);
+  const auto grid = contact::ContactGrid::centred(20, 20, 0.1 * ElasticSphere::semi_axis,
+                                                  0.1 * ElasticSphere::semi_axis);
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
   const hybrid::HybridCompliance compliance(scene, geometry, grid,
                                             fem::find_smooth_parts(scene, {}));
-  const contact::Field hertz = grid.sample([](double x, double y) {
-    return max_pressure * std::sqrt(std::max(0.0, 1.0 - (x * x + y * y) / semi_axis / semi_axis));
-  });
-  const contact::Field none = contact::Field::Zero(grid.size());
-  const contact::Response response = compliance.respond({none, none, hertz});
-  const double shear_modulus = 210e3 / 2.6;
-  const double unit = max_pressure * semi_axis / radius / shear_modulus;
-  double sum = 0.0, exact_sum = 0.0, weight = 0.0, squares = 0.0;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 1; i + 1 < grid.nx; ++i) {
-      const auto& u = response.displacement.x;
-      const int e = grid.index(i, j);
-      const double stretch = (u[grid.index(i + 1, j)] - u[grid.index(i - 1, j)]) / (2.0 * grid.dx);
-      const double slip = (response.curvature_slip.x[e] - stretch) / unit;
-      const double at = exact(grid.x(i) / semi_axis, grid.y(j) / semi_axis);
-      weight += hertz[e];
-      sum += hertz[e] * slip;
-      exact_sum += hertz[e] * at;
-      squares += hertz[e] * (slip - at) * (slip - at);
-    }
-  rollfem::testing::record("mean", sum / exact_sum);
-  rollfem::testing::record("shape", std::sqrt(squares * weight) / exact_sum);
-  EXPECT_NEAR(sum / exact_sum, 1.0, 0.02);
-  EXPECT_LT(std::sqrt(squares * weight) / exact_sum,
-            0.03);  // over the patch; 0.09 by a plain fit of degree 6
+  const ElasticSphere slip(compliance, grid);
+  rollfem::testing::record("mean", slip.mean);
+  rollfem::testing::record("shape", slip.shape);
+  EXPECT_NEAR(slip.mean, 1.0, 0.02);
+  EXPECT_LT(slip.shape, 0.03);  // over the patch; 0.09 by a plain fit of degree 6
 }

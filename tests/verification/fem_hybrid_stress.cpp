@@ -1,6 +1,5 @@
 // Stresses below the surface by the hybrid: Hertz's where bodies are half-spaces, and those of
 // finite elements where they are not.
-#include "contact/case/case_reader.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/model/model.hpp"
@@ -9,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"
-#include "support/places.hpp"
 #include "support/recorded.hpp"
 #include <algorithm>
 #include <cmath>
@@ -21,12 +20,10 @@ namespace {
 
 using namespace rollfem;
 
-contact::Case frictionless_case(const std::string& name) {
-  contact::Case input =
-      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
+contact::Case frictionless_case(char name) {
+  contact::Case input = rollfem::testing::committed_case(name, {0.0});
   input.contact_grid.elements_across = 40;
   input.rolling.problem = contact::Problem::frictionless;
-  input.rolling.creepages = {{}};
   return input;
 }
 
@@ -61,7 +58,7 @@ double largest_von_mises(const contact::PointResult& point, const std::string& b
 
 TEST(HybridStress, IsThatOfHertzInBodiesThatAreHalfSpaces) {
   // Radii of 4 m under 0.05 N: patch over radius is 1e-5. Johnson (1985), 3.43, on the axis.
-  contact::Case input = frictionless_case("a");
+  contact::Case input = frictionless_case('a');
   input.wheel.rolling_radius = input.wheel.transverse_radius = 4000.0;
   input.rail.transverse_radius = contact::infinity;
   input.load.normal_force = 0.05;
@@ -95,7 +92,7 @@ TEST(HybridStress, IsThatOfFiniteElementsOnSteepSurfaces) {
   // 319.0, 285.3, 251.4 in both.
   const std::vector<std::vector<double>> elements{{308.25, 357.16, 351.61, 321.43, 284.25, 247.79},
                                                   {256.23, 332.77, 343.30, 322.80, 291.55, 258.44}};
-  contact::Case input = frictionless_case("f");
+  contact::Case input = frictionless_case('f');
   input.output.stress_maxima = true;
   input.subsurface = {line_down(true, 6.0, 7), line_down(false, 6.0, 7)};
   const auto point = hybrid_of(input, 2.0);

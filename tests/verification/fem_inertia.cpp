@@ -2,17 +2,16 @@
 // a half-space, the spinning disc behind the wheel's expansion; and that it vanishes as V^2.
 #include "contact/base/errors.hpp"
 #include "contact/base/material.hpp"
-#include "contact/case/case_reader.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/compliance.hpp"
 #include "fem/trace/rolling_inertia.hpp"
 
+#include "support/committed_cases.hpp"
 #include "support/fem_elastic_block.hpp"
 #include "support/fem_quarter_ring.hpp"
 #include "support/fem_test_support.hpp"
-#include "support/places.hpp"
 #include "support/recorded.hpp"
 #include <array>
 #include <cmath>
@@ -82,19 +81,8 @@ RingErrors ring_errors(double poisson_ratio, unsigned int cells) {
   fem::make_factorisation(problem)->solve(u, fem::centrifugal_load(problem));
   const SpinningRing exact(options.material, omega, options.inner_radius, options.outer_radius);
   RingErrors errors{ring.error(u, [&](double r) { return exact.displacement(r); }), 0};
-  fem::CellStress stress(problem);
-  std::vector<dealii::Tensor<2, 3>> gradients;
-  ring.for_each_cell(options.degree, [&](const auto& cell, const auto& values) {
-    stress.reinit(cell, u);
-    gradients.resize(values.n_quadrature_points);
-    values[dealii::FEValuesExtractors::Vector(0)].get_function_gradients(u, gradients);
-    for (const auto q : values.quadrature_point_indices()) {
-      const auto p = values.quadrature_point(q);
-      const double r = std::hypot(p[0], p[1]), c = p[0] / r, s = p[1] / r;
-      const auto sigma = stress.at(gradients[q], p);
-      const double hoop = s * s * sigma[0] + c * c * sigma[1] - 2 * s * c * sigma[3];
-      errors.hoop_stress = std::max(errors.hoop_stress, std::abs(hoop / exact.hoop_stress(r) - 1));
-    }
+  ring.for_each_stress(problem, u, options.degree, [&](double r, double, double hoop) {
+    errors.hoop_stress = std::max(errors.hoop_stress, std::abs(hoop / exact.hoop_stress(r) - 1));
   });
   return errors;
 }
@@ -258,10 +246,7 @@ TEST(WheelExpansion, IsThatOfASpinningDiscWhateverTheSegment) {
 }
 
 std::vector<contact::PointResult> case_a(double speed, const std::vector<double>& creepages) {
-  contact::Case input =
-      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_a.toml");
-  input.rolling.creepages.clear();
-  for (const double creepage : creepages) input.rolling.creepages.push_back({creepage, 0.0, 0.0});
+  contact::Case input = committed_case('a', creepages);
   input.rolling.speed = speed;
   input.fem.inertia = true;
   input.fem.extent = 60;

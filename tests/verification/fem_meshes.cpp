@@ -1,26 +1,17 @@
 // The same contact under different meshes: the program's two families, segments of two sizes, and
 // meshes of a user whose lines follow neither rolling nor the lateral direction.
-#include "contact/case/case_reader.hpp"
 #include "fem/elasticity/run_level.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/committed_cases.hpp"
 #include "support/mesh_examples.hpp"
 #include "support/mpi_environment.hpp"
-#include "support/places.hpp"
 #include <cmath>
-#include <string>
 
 namespace {
 
 using namespace rollfem;
-
-contact::Case study_case(const std::string& name, double creepage) {
-  contact::Case input =
-      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_" + name + ".toml");
-  input.rolling.creepages = {{creepage, 0.0, 0.0}};
-  return input;
-}
 
 /// A rail of transverse radius 2000 mm, with graded lines along and across that are turned by 20
 /// degrees about z, and every node inside moved by up to a fifth of a cell: distorted hexahedra.
@@ -48,7 +39,7 @@ TEST(FemMeshFamilies, AgreeOnTheCurvedCase) {
   // Faces of gmsh's meshes do not make up the contact elements, so that what cells of their size
   // lack of short waves stays in them: forces differ by what that is worth at four cells in the
   // semi-axis.
-  contact::Case input = study_case("e", 0.002);
+  contact::Case input = rollfem::testing::committed_case('e', {0.002});
   const auto one = fem::run_level(input, {0.94, "", false}, {}).points.front();
   input.fem.mesh = contact::MeshFamily::gmsh;
   const auto other = fem::run_level(input, {0.94, "", false}, {}).points.front();
@@ -62,7 +53,7 @@ TEST(FemUserMeshes, GiveHertzOnTurnedAndDistortedHexahedra) {
   // smaller semi-axis: p0 is off Hertz's by what four elements across bring (half-spaces have +0.8
   // % there, with edges elsewhere in the elements), and the distorted mesh must not add to it.
   const rollfem::testing::TemporaryFolder folder;
-  contact::Case input = study_case("a", 0.002);
+  contact::Case input = rollfem::testing::committed_case('a', {0.002});
   const auto own = fem::run_level(input, {1.88, "", false}, {}).points.front();
   input.file = folder.path("case.toml");
   folder.file("rail.msh", meshes::msh_text(distorted_rail()));
@@ -77,7 +68,7 @@ TEST(FemSegments, LeaveTheForceWithoutCreepageWhereverTheyEnd) {
   // Four and eight larger semi-axes. The force is the strain of the wheel's circles under load,
   // which a perturbation of the half-space puts at 0.0030 of F_z; without -u_n/R it would be
   // -0.006.
-  contact::Case input = study_case("a", 0.0);
+  contact::Case input = rollfem::testing::committed_case('a', {0.0});
   double coefficient[2];
   for (const int k : {0, 1}) {
     input.fem.extent = k == 0 ? 43.5 : 87.0;

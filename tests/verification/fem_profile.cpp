@@ -9,7 +9,7 @@
 
 #include "support/mpi_environment.hpp"
 #include "support/patch_case.hpp"
-#include "support/patch_examples.hpp"
+#include "support/profile_patches.hpp"
 #include "support/profile_scenes.hpp"
 #include <cmath>
 #include <memory>

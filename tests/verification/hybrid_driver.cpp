@@ -1,6 +1,5 @@
 // Everything the driver can do holds for the hybrid: without anything to add it is the curved
 // half-space in every kind of problem, and what is added that has a closed form comes out.
-#include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
 #include "hybrid/model.hpp"
@@ -8,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/places.hpp"
+#include "support/committed_cases.hpp"
 #include <cmath>
 #include <string>
 #include <vector>
@@ -17,9 +16,8 @@ namespace {
 
 using namespace rollfem;
 
-contact::Case case_of(const std::string& name) {
-  contact::Case input =
-      contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/" + name + ".toml");
+contact::Case on_16_across(const std::string& name) {
+  contact::Case input = rollfem::testing::committed_case(name);
   input.contact_grid.cell_size.reset();
   input.contact_grid.extent.reset();
   input.contact_grid.elements_across = 16;
@@ -53,7 +51,7 @@ void expect_half_space(contact::Scene scene) {
 
 /// Case e pushed to and fro without rolling.
 contact::Case shifted() {
-  contact::Case input = case_of("thesis_e");
+  contact::Case input = on_16_across("thesis_e");
   input.rolling.problem = contact::Problem::shift;
   input.rolling.creepages.assign(3, {});
   for (const double way : {0.006, 0.004, -0.008}) {
@@ -77,7 +75,7 @@ halfspace::SmoothParts springs(double softness) {
 }  // namespace
 
 TEST(HybridDriver, PrescribedForces) {
-  contact::Case input = case_of("thesis_e");
+  contact::Case input = on_16_across("thesis_e");
   input.rolling.creepages = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1e-4}};
   input.rolling.forces = {{-10e3, std::nullopt}, {-5e3, 2e3}};
   const auto result = hybrid_of(input, {});
@@ -98,7 +96,7 @@ TEST(HybridDriver, LoadHistory) {
 }
 
 TEST(HybridDriver, TransientRolling) {
-  contact::Case input = case_of("cattaneo_to_carter");
+  contact::Case input = on_16_across("cattaneo_to_carter");
   input.rolling.creepages.resize(4);
   input.history.resize(4);
   expect_half_space(input);
@@ -106,7 +104,7 @@ TEST(HybridDriver, TransientRolling) {
 
 TEST(HybridDriver, PatchesOfProfilesInBalance) {
   for (const char* name : {"s1002_uic60_left", "s1002_uic60_right"}) {
-    contact::Case input = case_of(name);
+    contact::Case input = on_16_across(name);
     input.rolling.creepages.resize(1);
     for (const track::PlacedScene& placed : track::make_scenes(input))
       expect_half_space(placed.scene);
@@ -114,7 +112,7 @@ TEST(HybridDriver, PatchesOfProfilesInBalance) {
 }
 
 TEST(HybridDriver, AccuracyIsReached) {
-  contact::Case input = case_of("thesis_f");
+  contact::Case input = on_16_across("thesis_f");
   input.rolling.creepages.resize(1);
   input.accuracy = 0.002;
   input.accuracy_of = {"max_pressure"};
@@ -123,7 +121,7 @@ TEST(HybridDriver, AccuracyIsReached) {
 }
 
 TEST(HybridDriver, ASpringBelowTheRailSinks) {
-  contact::Case input = case_of("thesis_a");
+  contact::Case input = on_16_across("thesis_a");
   input.rolling.creepages.resize(1);
   const double softness = 1e-6;
   const auto with = hybrid_of(input, springs(softness)).points.front();

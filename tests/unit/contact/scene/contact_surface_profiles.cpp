@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/patch_examples.hpp"
+#include "support/profile_patches.hpp"
 #include <array>
 #include <cmath>
 

@@ -13,7 +13,7 @@
 
 #include "support/fem_test_support.hpp"
 #include "support/mesh_examples.hpp"
-#include "support/patch_examples.hpp"
+#include "support/profile_patches.hpp"
 #include "support/profile_scenes.hpp"
 #include <cmath>
 #include <vector>

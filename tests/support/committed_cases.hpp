@@ -1,0 +1,24 @@
+// The cases of the folder cases/.
+#pragma once
+
+#include "contact/case/case_reader.hpp"
+
+#include "support/places.hpp"
+#include <string>
+#include <vector>
+
+namespace rollfem::testing {
+
+inline contact::Case committed_case(const std::string& name) {
+  return contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/" + name + ".toml");
+}
+
+/// Case a to f of the thesis, rolling with these longitudinal creepages.
+inline contact::Case committed_case(char name, const std::vector<double>& creepages) {
+  contact::Case input = committed_case(std::string("thesis_") + name);
+  input.rolling.creepages.clear();
+  for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
+  return input;
+}
+
+}  // namespace rollfem::testing
