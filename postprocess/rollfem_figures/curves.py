@@ -3,16 +3,17 @@ import math
 
 import numpy as np
 
-from . import load_points, published, styles
+from . import load_points, styles
 from .figure import Figure
 from .outline import ALONG, extent, loaded_runs
+from .published import published
 
 
 def _draw_published(panel, result, models):
     """Values of others as points, where our curves are: a point far outside would shrink them."""
     own = [p["longitudinal_creepage"] for m in models for p in m.points]
     room = 0.05 * (max(own) - min(own))
-    for number, row in enumerate(published.creep_curves(result)):
+    for number, row in enumerate(published(result)["creep_curve"]):
         panel.spots([(100 * xi, value) for xi, value in zip(row["xi"], row["traction_coefficient"])
                      if min(own) - room <= xi <= max(own) + room],
                     marker="s^*"[number % 3], size=5.5, hollow="open", order=4, name=row["name"])

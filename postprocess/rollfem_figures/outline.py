@@ -143,21 +143,21 @@ def patch_panel(figure, title, labels, half, scale, narrowest):
     return panel
 
 
+def _blurred(values):
+    """Sums over neighbours with weights 1, 2, 1 along both axes; outside is 0."""
+    for axis in (0, 1):
+        wide = np.moveaxis(np.pad(values, [(int(axis == k), int(axis == k)) for k in (0, 1)]), axis, 0)
+        values = np.moveaxis(wide[:-2] + 2 * wide[1:-1] + wide[2:], 0, axis)
+    return values
+
+
 def spread(state):
     """1 in adhesion, 0 in slip, averaged over neighbours so that the border between the zones runs
     through the steps of the elements, and continued beyond the edge of the patch."""
-    values = np.where(state == ADHESION, 1.0, 0.0)
-    known = (state > 0).astype(float)
+    values, known = np.where(state == ADHESION, 1.0, 0.0), (state > 0).astype(float)
     for _ in range(2):
-        total, weight = np.zeros_like(values), np.zeros_like(values)
-        wide, mask = np.pad(values * known, 1), np.pad(known, 1)
-        for j, weight_j in enumerate((1, 2, 1)):
-            for i, weight_i in enumerate((1, 2, 1)):
-                part = (slice(j, j + values.shape[0]), slice(i, i + values.shape[1]))
-                total += weight_j * weight_i * wide[part]
-                weight += weight_j * weight_i * mask[part]
-        values = total / np.maximum(weight, 1e-9)
-        known = (weight > 0).astype(float)
+        weight = _blurred(known)
+        values, known = _blurred(values * known) / np.maximum(weight, 1e-9), (weight > 0).astype(float)
     return values
 
 

@@ -2,6 +2,7 @@
 lateral shift: the difference of its rolling radii, its contact angles and its equivalent conicity, from the table that
 `rollfem wheelset` wrote (wheelset.csv) or a run of a row of shifts (wheelset_rigid.csv; its own wheelset.csv has the
 loaded patches of each position)."""
+import itertools
 import math
 import os
 
@@ -11,6 +12,7 @@ from . import styles, tables
 from .figure import Figure
 from .profiles import draw_pair
 from .reader import read_columns, read_rows
+
 
 def first_of_scenes(result):
     """The first model of every patch."""
@@ -111,22 +113,16 @@ def sweep(result):
     at, label = along(result)
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
     reference = reference_of_row(result)
-    figure, series = Figure(3), {}  # {(name, wheel): (models, look)}
-    for name in dict.fromkeys(m.name for m in models):
-        for wheel, dash, hollow in WHEELS:
-            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
-            look = {**styles.line(name, True), "dash": dash, "width": 1.2, "hollow": hollow}
-            series[name, wheel] = here, {**look, "name": "", "size": 2.8}
-            if any(m.place["wheel"] == wheel for m in models):
-                figure.entry(f"{look.pop('name')}, {wheel} wheel", **look)
+    figure = Figure(3)
 
     def curves(title, value):
-        for (name, _), (here, look) in series.items():
+        for name, (wheel, dash, hollow) in itertools.product(dict.fromkeys(m.name for m in models), WHEELS):
+            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
+            look = {**styles.line(name, True), "name": f"{styles.label(name)}, {wheel} wheel", "dash": dash, "width": 1.2,
+                    "hollow": hollow, "size": 2.8}
             if (name == reference or title in (PRESSURE, *FORCES)) and (
                     title not in FORCES or any(m.has_friction for m in here)):
-                for spots, joined in _row(title, here, at, value):
-                    if spots:
-                        yield (*zip(*spots), {**look, "joined": joined})
+                yield from ((*zip(*spots), {**look, "joined": joined}) for spots, joined in _row(title, here, at, value) if spots)
 
     figure.charts((250, 165), [(title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS])
     return figure

@@ -43,25 +43,11 @@ def _case(result):
     return {}
 
 
-def creep_curves(result):
-    """Rows name, source, xi (list), traction_coefficient (list, -F_x/F_z)."""
-    return _case(result).get("creep_curve", [])
-
-
-def patches(result):
-    """Rows name, source, and of semi_axis_x, semi_axis_y, contact_length, contact_width (mm),
-    contact_area (mm²), max_pressure (MPa), approach (mm), max_traction_x ({"xi", "value" in MPa}) those
-    that are known."""
-    return _case(result).get("patch", [])
-
-
-def says(result):
-    """Remarks of the 2012 study on the case; empty if there are none."""
-    return _case(result).get("says", "")
-
-
-def sources(result):
-    """One sentence for each source of what the case has."""
-    rows = patches(result) + creep_curves(result)
-    used = dict.fromkeys(row["source"] for row in rows)
-    return "; ".join(_all()["sources"][name] for name in used)
+def published(result):
+    """What is known of the case: `creep_curve`, rows name, source, xi (list), traction_coefficient (list, -F_x/F_z);
+    `patch`, rows name, source, and of semi_axis_x, semi_axis_y, contact_length, contact_width (mm), contact_area (mm²),
+    max_pressure (MPa), approach (mm), max_traction_x ({"xi", "value" in MPa}) those that are known; `says`, remarks of the
+    2012 study; `sources`, one sentence for each. Empty where nothing is."""
+    found = {"creep_curve": [], "patch": [], "says": "", **_case(result)}
+    used = dict.fromkeys(row["source"] for row in found["patch"] + found["creep_curve"])
+    return {**found, "sources": "; ".join(_all()["sources"][name] for name in used)}

@@ -82,12 +82,9 @@ def all_captions(result):
     if result.models and result.models[0].place:
         yield from place_captions(result)
     for number, (label, scene) in enumerate(scenes, 1):
-        for name, caption, draw in captions(scene):
-            if len(scenes) > MOST_FULL and not name.startswith(_telling(scene)):
-                continue
-            if len(scenes) > 1:
-                name, caption = f"s{number}_{name}", f"{label[0].upper()}{label[1:]}. {caption}"
-            yield name, caption, draw
+        first, words = (f"s{number}_", f"{label[0].upper()}{label[1:]}. ") if len(scenes) > 1 else ("", "")
+        telling = _telling(scene) if len(scenes) > MOST_FULL else ""
+        yield from ((first + name, words + caption, draw) for name, caption, draw in captions(scene) if name.startswith(telling))
 
 
 # What is in contact and under what load, by a key that only such a case has; the last where no other fits.

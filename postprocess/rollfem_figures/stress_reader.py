@@ -61,10 +61,9 @@ def _rows(path):
     """{(model key, load point, set, body): {column: array}} of stress.csv, columns without their units."""
     groups = {}
     for row in read_rows(path)[1]:
-        (model, point, name, body), numbers = list(row.values())[:4], list(row.items())[4:]
-        for column, value in numbers:
-            groups.setdefault((model, int(point), name, body), {}).setdefault(column, []).append(float(value))
-    return {key: {name: np.array(values) for name, values in group.items()} for key, group in groups.items()}
+        names, (model, point, name, body, *numbers) = list(row)[4:], row.values()
+        groups.setdefault((model, int(point), name, body), []).append([float(number) for number in numbers])
+    return {key: dict(zip(names, np.array(rows).T)) for key, rows in groups.items()}
 
 
 def read_stress(directory):
@@ -75,14 +74,10 @@ def read_stress(directory):
         if data["format"] != 2:
             raise ResultError(f"{directory}: stress.json has format {data['format']}, not 2; do: run rollfem stress again")
         rows = _rows(os.path.join(directory, "stress.csv"))
-        models = []
-        for entry in data["models"]:
-            sets = [StressSet(s["name"], s["kind"], s["body"],
-                              (s["points_across"], s["points_along"]),
-                              rows[(entry["key"], entry["point"], s["name"], s["body"])], s["largest"])
-                    for s in entry["sets"]]
-            models.append(StressModel(entry["name"], entry["key"], sets, entry,
-                                      entry.get("label", "")))
+        models = [StressModel(entry["name"], entry["key"], [
+            StressSet(s["name"], s["kind"], s["body"], (s["points_across"], s["points_along"]),
+                      rows[entry["key"], entry["point"], s["name"], s["body"]], s["largest"]) for s in entry["sets"]],
+            entry, entry.get("label", "")) for entry in data["models"]]
         return StressResult(directory, data["title"], data["source"], models,
                             data.get("yield_shear_stress"), data.get("shakedown_map"))
     except (OSError, KeyError, IndexError, ValueError) as error:

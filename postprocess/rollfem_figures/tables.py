@@ -3,7 +3,8 @@ import math
 import re
 from html import escape
 
-from . import load_points, published, styles
+from . import load_points, styles
+from .published import published
 from .reader import full_sliding, place_label
 
 
@@ -153,7 +154,8 @@ def patch_table(result):
 
 def published_table(result):
     """What others give for the patch of this case; empty without any."""
-    rows = published.patches(result)
+    known = published(result)
+    rows = known["patch"]
     if not rows:
         return ""
 
@@ -164,10 +166,9 @@ def published_table(result):
 
     lines = [[heading(result.quantities[name])] + [cell(row.get(name)) for row in rows]
              for name in [*PATCH, "max_traction_x"] if any(name in row for row in rows)]
-    said = published.says(result)
-    words = f"The thesis says: {escape(said)}. " if said else ""
+    words = f"The thesis says: {escape(known['says'])}. " if known["says"] else ""
     return (table(["published"] + [escape(row["name"]).replace(": ", ":<br>") for row in rows], lines)
-            + f"<p class=hint>{words}Sources: {escape(published.sources(result))}.</p>")
+            + f"<p class=hint>{words}Sources: {escape(known['sources'])}.</p>")
 
 
 def _creepage_head(models):

@@ -128,9 +128,10 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
 
 /// Prints what rollfem_figures/published.py gives for a result, name by name.
 const char* const published = R"(
-from rollfem_figures import published, read_result
-r = read_result(sys.argv[1])
-print(*[row['name'] for _, s in r.scenes() for row in published.patches(s) + published.creep_curves(s)], sep='; ')
+from rollfem_figures import read_result
+from rollfem_figures.published import published
+known = [published(s) for _, s in read_result(sys.argv[1]).scenes()]
+print(*[row['name'] for each in known for row in each['patch'] + each['creep_curve']], sep='; ')
 )";
 
 TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
