@@ -8,6 +8,8 @@ import importlib
 import os
 import sys
 
+from .reader import ResultError, read_rows
+
 # Module whose build(path) draws, by the file that such a folder holds, and by a column that such a table has.
 OF_FOLDER = (("compare.json", "compare"), ("study.json", "study"), ("table.h5", "table"), ("", "report"))
 OF_TABLE = (("part", "profiles"), ("conicity_wave", "positions"), ("curvature", "profiles"))
@@ -17,10 +19,6 @@ def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
     parser.add_argument("path", help="a folder, stress.json or NAME.csv that rollfem has written")
     path = parser.parse_args().path
-    try:
-        from .reader import ResultError
-    except ImportError as error:
-        sys.exit(f"figures need numpy and h5py: {error}\napt install python3-numpy python3-h5py")
     try:
         # Only what the call asks for is loaded: the user waits for every module.
         importlib.import_module(f".{_module_of(path)}", __package__).build(path)
@@ -34,7 +32,6 @@ def _module_of(path):
         return "stress_page"
     if not path.endswith(".csv"):
         return next(module for name, module in OF_FOLDER if os.path.exists(os.path.join(path, name)) or not name)
-    from .reader import ResultError, read_rows
     columns = next(iter(read_rows(path)[1]), ())
     for column, module in OF_TABLE:
         if column in columns:
