@@ -31,35 +31,27 @@ def _pieces(symbols):
             yield "", other.replace("-", "−")
 
 
+def _written(text, plain, forms):
+    """The label with its pieces as these functions of them make them."""
+    return "".join("".join(forms.get(kind, plain)(piece) for kind, piece in _pieces(part)) if symbols else plain(part)
+                   for symbols, part in _parts(text.replace("\\,", " ")))
+
+
 def svg(text):
     """The label as content of <text>."""
-    out = []
-    for symbols, part in _parts(text.replace("\\,", " ")):
-        if not symbols:
-            out.append(escape(part))
-            continue
-        for kind, piece in _pieces(part):
-            if kind == "sub":
-                out.append(f'<tspan class="sub" dy="3">{escape(piece)}</tspan><tspan dy="-3">&#8203;</tspan>')
-            elif kind:
-                out.append(f'<tspan class="it">{escape(piece)}</tspan>')
-            else:
-                out.append(escape(piece))
-    return "".join(out)
+    return _written(text, escape, {
+        "it": lambda piece: f'<tspan class="it">{escape(piece)}</tspan>',
+        "sub": lambda piece: f'<tspan class="sub" dy="3">{escape(piece)}</tspan><tspan dy="-3">&#8203;</tspan>'})
 
 
 def html(text):
-    tags = {"it": "i", "sub": "sub"}
-    return "".join(
-        "".join(f"<{tags[kind]}>{escape(piece)}</{tags[kind]}>" if kind else escape(piece)
-                for kind, piece in _pieces(part)) if symbols else escape(part)
-        for symbols, part in _parts(text.replace("\\,", " ")))
+    return _written(text, escape, {"it": lambda piece: f"<i>{escape(piece)}</i>",
+                                   "sub": lambda piece: f"<sub>{escape(piece)}</sub>"})
 
 
 def plain(text):
     """The label as it is read."""
-    return "".join("".join(piece for _, piece in _pieces(part)) if symbols else part
-                   for symbols, part in _parts(text.replace("\\,", " ")))
+    return _written(text, str, {})
 
 
 def width(text, size=12.0):

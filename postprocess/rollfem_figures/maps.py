@@ -86,9 +86,9 @@ def outlines(result):
             if found is None:
                 continue
             if model is shaded and found.has_state:
-                panel.area(found.outline, "slip", 0.3, 0)
-                panel.area(found.adhesion, "ground", 1, 0)
-                panel.area(found.adhesion, "adhesion", 0.35, 0)
+                panel.area(found.outline, "slip", 0.3, order=0)
+                panel.area(found.adhesion, "ground", order=0)
+                panel.area(found.adhesion, "adhesion", 0.35, order=0)
             colour, dash, _ = styles.of_model(model)
             panel.paths([*found.outline, *found.borders], colour, 1.3, dash)
     if shaded is not None:
@@ -128,15 +128,15 @@ def _strips(panel, view, model, values, state, count=24):
     for depth, j in enumerate(rows):
         ends = view(model.x[columns], model.y[j], values[j, columns])
         base = view(model.x[columns[[0, -1]]], model.y[j])
-        panel.area([np.concatenate([ends, base[::-1]])], "ground", 1, 2 + depth)
+        panel.area([np.concatenate([ends, base[::-1]])], "ground", order=2 + depth)
         if state is None:
             kinds = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, 3, 0)
         else:
             kinds = np.maximum(state[j, columns][:-1], state[j, columns][1:])
         starts = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
         for a, b in zip(starts, [*starts[1:], len(kinds)]):  # segments of one colour are one line
-            panel.paths([ends[a:b + 1]], ("grey", "adhesion", "slip", "ink")[int(kinds[a])], 1.2, (), 2 + depth,
-                        0.6 if kinds[a] == 0 else 1)
+            panel.paths([ends[a:b + 1]], ("grey", "adhesion", "slip", "ink")[int(kinds[a])],
+                        opacity=0.6 if kinds[a] == 0 else 1, order=2 + depth)
 
 
 def _frame(panel, view, unit_label):

@@ -1,5 +1,6 @@
 """A panel of a figure: axes and what is drawn in them, written as SVG with classes for colours, so
 that the page that holds it decides on light or dark ground (styles.css)."""
+import functools
 import math
 
 import numpy as np
@@ -179,6 +180,17 @@ def _path(look, data, opacity=1):
     return f'<path {look}{shade} d="{data}"/>' if data else ""
 
 
+def _later(order, text=False):
+    """Makes a method's result part of the panel, drawn when the limits of the axes are known, after what has a smaller
+    `order`."""
+    def wrap(draw):
+        @functools.wraps(draw)
+        def add(self, *arguments, order=order, **options):
+            self._marks.append((order, len(self._marks), text, lambda: draw(self, *arguments, **options)))
+        return add
+    return wrap
+
+
 class Panel:
     """`width`, `height` of the field between the axes, px. `equal`: mm of both axes are as long: the
     height follows from the limits, which must be given. `bare`: no axes."""
@@ -189,9 +201,6 @@ class Panel:
         self.equal, self.bare, self.room_left = equal, bare, 54
         self.entry = lambda *look: None  # of the figure's legend
         self._marks, self._curves = [], {}
-
-    def _add(self, order, draw, text=False):
-        self._marks.append((order, len(self._marks), text, draw))
 
     def _tenths(self, x, y):
         points = np.stack([self.x.shares(x) * self.width, (1.0 - self.y.shares(y)) * self.height], axis=-1)
@@ -204,25 +213,17 @@ class Panel:
         x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
         if not len(x):
             return
+        whole = np.isfinite(x) & np.isfinite(y)
         self.entry(name, colour, dash, width if joined else 0, marker, hollow)
         self._curves.setdefault(name, []).extend(y[np.isfinite(y)])
         if see:
             self.x.see(np.where(np.isfinite(y), x, np.nan)), self.y.see(y)
-
-        def draw():
-            whole = np.isfinite(x) & np.isfinite(y)
-            points = self._tenths(np.where(whole, x, 0), np.where(whole, y, 0))
-            known = np.flatnonzero(whole)
-            runs = np.split(points[known], np.flatnonzero(np.diff(known) > 1) + 1) if joined else []
-            text = _path(strokes(colour, width, dash, scale=_SCALE),
-                         "".join(_moves(r, False) for r in runs if len(r) > 1), opacity)
-            if marker:
-                fill = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
-                text += _path(strokes(colour, 1.2, (), fill, _SCALE),
-                              marker_path(marker, *points[whole].T.tolist(), round(size * _SCALE)), opacity)
-            return text
-
-        self._add(order, draw)
+        known = np.flatnonzero(whole)
+        runs = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1) if joined else []
+        self.paths([np.stack([x[run], y[run]], axis=1) for run in runs], colour, width, dash, opacity, order=order)
+        if marker:
+            fill = None if hollow == "open" or marker in "xP+" else "ground" if hollow else colour
+            self._markers(x[whole], y[whole], marker, size, strokes(colour, 1.2, (), fill, _SCALE), opacity, order=order)
 
     def spots(self, pairs, joined=False, **look):
         """A line of pairs of coordinates; their markers alone unless `joined`."""
@@ -230,64 +231,55 @@ class Panel:
 
     def bars(self, x, y, errors, colour):
         """Error bars with caps."""
-        x, y, errors = (np.asarray(v, dtype=float) for v in (x, y, errors))
         self.y.see(y - errors), self.y.see(y + errors)
+        self._bars(x, y - errors, y + errors, colour)
 
-        def draw():
-            low, high = self._tenths(x, y - errors), self._tenths(x, y + errors)
-            data = "".join(f"M{a} {b}V{c}m-25 0h50M{a - 25} {b}h50" for (a, b), (_, c) in
-                           zip(low.tolist(), high.tolist()) if b - c > 4)
-            return _path(strokes(colour, 1, (), None, _SCALE), data)
+    @_later(2)
+    def _markers(self, x, y, marker, size, look, opacity):
+        return _path(look, marker_path(marker, *self._tenths(x, y).T.tolist(), round(size * _SCALE)), opacity)
 
-        self._add(2, draw)
+    @_later(2)
+    def _bars(self, x, low, high, colour):
+        data = "".join(f"M{a} {b}V{c}m-25 0h50M{a - 25} {b}h50" for (a, b), (_, c) in
+                       zip(self._tenths(x, low).tolist(), self._tenths(x, high).tolist()) if b - c > 4)
+        return _path(strokes(colour, 1, (), None, _SCALE), data)
 
-    def area(self, rings, fill, opacity=1, order=1):
+    @_later(1)
+    def area(self, rings, fill, opacity=1):
         """Areas within closed lines [n, 2]; a line within another makes a hole."""
-        def draw():
-            data = "".join(_moves(self._tenths(*ring.T), True) for ring in rings if len(ring) > 2)
-            what = f'fill="{fill}"' if fill.startswith("#") else strokes(None, 1, (), fill)
-            return _path(f'fill-rule="evenodd" {what}', data, opacity)
+        data = "".join(_moves(self._tenths(*ring.T), True) for ring in rings if len(ring) > 2)
+        what = f'fill="{fill}"' if fill.startswith("#") else strokes(None, 1, (), fill)
+        return _path(f'fill-rule="evenodd" {what}', data, opacity)
 
-        self._add(order, draw)
-
-    def paths(self, lines, colour, width=1.2, dash=(), order=2, opacity=1):
+    @_later(2)
+    def paths(self, lines, colour, width=1.2, dash=(), opacity=1):
         """Several lines [n, 2] alike, as one path."""
-        def draw():
-            data = "".join(_moves(self._tenths(*part.T), False) for part in lines if len(part) > 1)
-            return _path(strokes(colour, width, dash, None, _SCALE), data, opacity)
+        data = "".join(_moves(self._tenths(*part.T), False) for part in lines if len(part) > 1)
+        return _path(strokes(colour, width, dash, None, _SCALE), data, opacity)
 
-        self._add(order, draw)
-
+    @_later(1)
     def level(self, value, colour="soft", dash=(1.5, 2.2), width=1.0, upright=False):
         """A line all across the panel."""
-        def draw():
-            share = (self.x if upright else self.y).shares([value])[0]
-            wide, high = self.width * _SCALE, self.height * _SCALE
-            return _path(strokes(colour, width, dash, None, _SCALE),
-                         f"M{share * wide:.0f} 0v{high:.0f}" if upright else f"M0 {(1 - share) * high:.0f}h{wide:.0f}")
+        share = (self.x if upright else self.y).shares([value])[0]
+        wide, high = self.width * _SCALE, self.height * _SCALE
+        return _path(strokes(colour, width, dash, None, _SCALE),
+                     f"M{share * wide:.0f} 0v{high:.0f}" if upright else f"M0 {(1 - share) * high:.0f}h{wide:.0f}")
 
-        self._add(1, draw)
-
+    @_later(0)
     def band(self, low, high, fill="band"):
         """Shaded between two values of y."""
-        def draw():
-            top, bottom = ((1 - s) * self.height * _SCALE for s in np.clip(self.y.shares([high, low]), 0, 1))
-            return f'<path class="f-{fill}" d="M0 {top:.0f}h{self.width * _SCALE:.0f}V{bottom:.0f}h-{self.width * _SCALE:.0f}z"/>'
+        top, bottom = ((1 - s) * self.height * _SCALE for s in np.clip(self.y.shares([high, low]), 0, 1))
+        wide = self.width * _SCALE
+        return _path(f'class="f-{fill}"', f"M0 {top:.0f}h{wide:.0f}V{bottom:.0f}h-{wide:.0f}z")
 
-        self._add(0, draw)
-
-    def text(self, x, y, text, anchor="start", colour="soft", shift=(0, 0), share=(False, False), small=True,
-             order=5):
+    @_later(5, text=True)
+    def text(self, x, y, text, anchor="start", colour="soft", shift=(0, 0), share=(False, False), small=True):
         """A word at a place, moved by `shift` px to the right and down; `share`: x, y are shares of the
         panel, from the left and from below."""
-        def draw():
-            across = x if share[0] else self.x.shares([x])[0]
-            up = y if share[1] else self.y.shares([y])[0]
-            return (f'<text x="{_number(across * self.width + shift[0])}" '
-                    f'y="{_number((1 - up) * self.height + shift[1])}" text-anchor="{anchor}" '
-                    f'class="{"sm " if small else ""}f-{colour}">{labels.svg(text)}</text>')
-
-        self._add(order, draw, text=True)
+        across = x if share[0] else self.x.shares([x])[0]
+        up = y if share[1] else self.y.shares([y])[0]
+        return (f'<text x="{_number(across * self.width + shift[0])}" y="{_number((1 - up) * self.height + shift[1])}" '
+                f'text-anchor="{anchor}" class="{"sm " if small else ""}f-{colour}">{labels.svg(text)}</text>')
 
     def seen(self):
         """What is drawn, in words: between which values of its axes, and of each of its curves with a name."""

@@ -179,12 +179,10 @@ def draw_wheelset(table, loaded=()):
     patches of a run. Where some of these are to the left, so are the lines, mirrored."""
     shift, difference = table["lateral_shift"], table["radius_difference"]
     angle = {side: np.degrees(table[f"angle_{side}"]) for side in ("left", "right")}
-    to_the_left = min((place["lateral_shift"] for place in loaded), default=0) < 0
+    left = slice(None, 0, -1) if any(place["lateral_shift"] < 0 for place in loaded) else slice(0)
 
     def line(values, mirrored, **look):
-        if not to_the_left:
-            return shift, values, look
-        return np.concatenate([-shift[:0:-1], shift]), np.concatenate([mirrored[:0:-1], values]), look
+        return np.concatenate([-shift[left], shift]), np.concatenate([mirrored[left], values]), look
 
     def markers(spots, **look):
         return [(*zip(*spots), {**look, "joined": False, "order": 5})] if spots else []

@@ -108,14 +108,14 @@ def _oblique(panel, x, y, z, names):
     low, high = min(0.0, z.min()) + 0.0, max(0.0, z.max())
     c = (z - low) / (high - low)
     corners = view(np.array([0, 1, 1, 0, 0]), np.array([0, 0, 1, 1, 0]), -low / (high - low))
-    panel.paths([corners], "soft", 0.8, (3, 3), 1)
+    panel.paths([corners], "soft", 0.8, (3, 3), order=1)
     rows = [view(a, b[row], c[row]) for row in range(len(y))]
     for row in range(len(y) - 1, -1, -1):
         order = 2 + len(y) - row
         if row:
-            panel.area([np.concatenate([rows[row], rows[row - 1][::-1]])], "ground", 1, order)
-            panel.paths(list(np.stack([rows[row], rows[row - 1]], axis=1)), "blue", 0.6, (), order, 0.45)
-        panel.paths([rows[row]], "blue", 1.3, (), order)
+            panel.area([np.concatenate([rows[row], rows[row - 1][::-1]])], "ground", order=order)
+            panel.paths(list(np.stack([rows[row], rows[row - 1]], axis=1)), "blue", 0.6, opacity=0.45, order=order)
+        panel.paths([rows[row]], "blue", 1.3, order=order)
     panel.x.limits, panel.y.limits = (-0.2, 1.6), (-0.3, 1.52)
     text = {"order": 1000, "colour": "ink"}
     for place, axis, (start, end), shift in ((view(np.array([0, 1]), 0, 0), x, (0, -1), (0, 14)),
@@ -127,7 +127,7 @@ def _oblique(panel, x, y, z, names):
     for level in (low, high):
         spot = view(0, 0, (level - low) / (high - low))
         panel.text(*spot, f"{round(level, 2) + 0.0:.2f}".replace("-", "−"), "end", shift=(-4, 4), **text)
-    panel.paths([view(0, 0, np.array([0, 1]))], "soft", 0.9, (), 1000)
+    panel.paths([view(0, 0, np.array([0, 1]))], "soft", 0.9, order=1000)
 
 
 def _said_first(found, place):
