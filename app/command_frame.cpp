@@ -1,6 +1,7 @@
 #include "app/command_frame.hpp"
 
 #include "app/interruption.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/case/plausibility.hpp"
 #include "models/program/processes.hpp"
 #include "models/program/program_folders.hpp"
@@ -164,6 +165,15 @@ void write_whole(const std::string& directory, const postprocess::RunRecord& rec
   postprocess::write_results(directory, record);
   say_when_interrupted("the results were written to " + directory +
                        ", but not completely; repeat the same command");
+}
+
+void refuse_other_result(const fs::path& directory, const std::string& own) {
+  for (const char* other : {"summary.json", "compare.json", "study.json"})
+    if (other != own && fs::exists(directory / other))
+      throw contact::InputError(
+          fmt::format("{} holds the result of another command ({}); do: name another folder with "
+                      "-o",
+                      directory.string(), other));
 }
 
 void warn_of_doubts(const contact::Case& input) {

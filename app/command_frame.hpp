@@ -88,6 +88,10 @@ class CommandFrame {
 /// Writes a result folder; Ctrl-C waits until it is whole.
 void write_whole(const std::string& directory, const postprocess::RunRecord& record);
 
+/// Throws contact::InputError when another of run, compare and study has written to `directory`;
+/// `own` is the file that this one would write.
+void refuse_other_result(const std::filesystem::path& directory, const std::string& own);
+
 /// Warnings about values of the case that look like slips of units, also with -q.
 void warn_of_doubts(const contact::Case& input);
 

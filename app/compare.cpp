@@ -16,10 +16,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
 
 namespace rollfem::app {
 
@@ -28,13 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using postprocess::ComparedCase;
-
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+using postprocess::contents_of;
 
 /// A case with the folder of its results, and what was there before.
 struct Task {
@@ -73,8 +65,8 @@ bool is_sound(const Task& task, const nlohmann::json& summary) {
 /// The result of an earlier call stands: the same case, program and models, written to the end, and
 /// not damaged since.
 bool is_done(const Task& task) {
-  if (contents(task.folder / "case.toml") != task.input.text) return false;
-  const std::string text = contents(task.folder / "summary.json");
+  if (contents_of(task.folder / "case.toml") != task.input.text) return false;
+  const std::string text = contents_of(task.folder / "summary.json");
   if (postprocess::check_json_seal(text) != postprocess::Seal::intact) {
     if (!text.empty())
       std::cerr << fmt::format(
@@ -116,7 +108,7 @@ std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRe
                            const std::vector<std::string>& models) {
   std::vector<Task> tasks;
   std::map<std::string, std::string> names;
-  std::string text = contents(directory_of(request) / "compare.json");
+  std::string text = contents_of(directory_of(request) / "compare.json");
   // What does not fit its checksum is as good as not there: the models are tried again.
   if (postprocess::check_json_seal(text) != postprocess::Seal::intact) text.clear();
   const auto before = nlohmann::json::parse(text, nullptr, false);
@@ -138,18 +130,6 @@ std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRe
   return tasks;
 }
 
-/// What would only come out after the computing.
-void check_folders(const CompareRequest& request, const std::vector<Task>& tasks) {
-  const fs::path directory = directory_of(request);
-  for (const char* other : {"summary.json", "study.json"})
-    if (fs::exists(directory / other))
-      throw contact::InputError(
-          fmt::format("compare: {} holds the result of another command ({}); do: name another "
-                      "folder with -o",
-                      directory.string(), other));
-  for (const Task& task : tasks) postprocess::check_directory(task.folder.string());
-}
-
 /// A message of InputError without what to do: nothing is to be done about a model left out.
 std::string reason_alone(const std::string& message) {
   return message.substr(0, std::min(message.find("; allowed:"), message.find("; do:")));
@@ -164,7 +144,7 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
   compared.friction = task.input.friction_coefficient;
   if (task.done) {
     if (how.first) postprocess::remove_records(task.folder.string());
-    compared.summary = contents(task.folder / "summary.json");
+    compared.summary = contents_of(task.folder / "summary.json");
     compared.missing = task.missing;
     return compared;
   }
@@ -188,7 +168,7 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
     record.pairs = std::move(solved.pairs);
     write_whole(task.folder.string(), record);
     if (!failed) frame.forget_kept();
-    compared.summary = contents(task.folder / "summary.json");
+    compared.summary = contents_of(task.folder / "summary.json");
   } catch (const contact::SolveError& error) {
     if (!how.together && how.session != nullptr) throw;
     compared.missing.push_back({"every model", error.what(), true});
@@ -198,11 +178,10 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
 
 /// The data, whole or as before.
 void write_data(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
-  const fs::path directory = directory_of(request);
-  std::error_code error;
-  fs::create_directories(directory, error);
-  postprocess::replace_file(directory / "compare.json", postprocess::comparison_json(record));
-  postprocess::replace_file(directory / "compare.csv", postprocess::comparison_csv(record));
+  postprocess::FilesTogether files(directory_of(request));
+  files.write("compare.json", postprocess::comparison_json(record));
+  files.write("compare.csv", postprocess::comparison_csv(record));
+  files.commit();
 }
 
 void report_and_tell(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
@@ -293,7 +272,11 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
   if (frame.idle()) return;
   if (frame.first())
     for (const Task& task : tasks) warn_of_doubts(task.input);
-  if (frame.first()) check_folders(request, tasks);
+  // What would only come out after the computing.
+  if (frame.first()) {
+    refuse_other_result(directory_of(request), "compare.json");
+    for (const Task& task : tasks) postprocess::check_directory(task.folder.string());
+  }
   frame.own(directory_of(request));
   for (const Task& task : tasks) frame.own(task.folder);
   postprocess::ComparisonRecord record;

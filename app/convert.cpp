@@ -4,6 +4,7 @@
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/registry.hpp"
+#include "postprocess/files/files_together.hpp"
 
 #include <fmt/format.h>
 
@@ -27,21 +28,12 @@ constexpr std::size_t largest_input = 200u << 20;  // bytes
 /// Files that are taken away again unless they are kept.
 class Written {
  public:
-  explicit Written(const fs::path& directory) : directory_(directory) {
-    std::error_code error;
-    made_directory_ = fs::create_directories(directory, error);
-    if (error || !fs::is_directory(directory))
-      throw contact::InputError(
-          fmt::format("convert: the folder {} cannot be created; do: name another with -o",
-                      directory.string()));
-  }
+  explicit Written(const fs::path& directory) : directory_(directory), folders_(directory) {}
   Written(const Written&) = delete;
   Written& operator=(const Written&) = delete;
   ~Written() {
     if (kept_) return;
     for (const fs::path& path : paths_) remove(path);
-    std::error_code ignored;
-    if (made_directory_) fs::remove(directory_, ignored);  // only when it is empty
   }
 
   void write(const std::string& name, const std::string& text) {
@@ -63,11 +55,15 @@ class Written {
     std::error_code ignored;
     fs::remove(path, ignored);
   }
-  void keep() { kept_ = true; }
+  void keep() {
+    kept_ = true;
+    folders_.keep();
+  }
 
  private:
   fs::path directory_;
-  bool made_directory_ = false, kept_ = false;
+  postprocess::MadeFolders folders_;
+  bool kept_ = false;
   std::vector<fs::path> paths_;
 };
 

@@ -1,6 +1,5 @@
 #include "app/mesh.hpp"
 
-#include "app/files_together.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "fem/elasticity/mesh_report.hpp"
@@ -9,6 +8,7 @@
 #include "models/program/processes.hpp"
 #include "models/registry.hpp"
 #include "models/solving/case_scenes.hpp"
+#include "postprocess/files/files_together.hpp"
 #include "postprocess/write/vtu.hpp"
 
 #include <fmt/format.h>
@@ -98,7 +98,7 @@ void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
       bodies.push_back(std::move(body));
     }
   if (modelling::processes().first()) {
-    FilesTogether files("mesh", folder);
+    postprocess::FilesTogether files(folder);
     for (const MeshedBody& body : bodies) {
       files.write(body.name + ".msh", body.msh);
       files.write(body.name + ".vtu", postprocess::BodyVtu(body.refined).text());

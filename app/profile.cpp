@@ -192,17 +192,8 @@ std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
 }
 
 fs::path folder_for(const ProfileRequest& request) {
-  const fs::path folder =
-      request.directory.empty()
-          ? fs::path("results") / (fs::path(request.name).stem().string() + "_profile")
-          : fs::path(request.directory);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw contact::InputError(
-        fmt::format("profile: the folder {} cannot be created: {}; do: name another with -o",
-                    folder.string(), error ? error.message() : "it is a file"));
-  return folder;
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / (fs::path(request.name).stem().string() + "_profile");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "app/stress.hpp"
 
-#include "app/files_together.hpp"
 #include "app/hybrid_stress.hpp"
 #include "app/stress_choice.hpp"
 #include "app/stress_places.hpp"
@@ -8,6 +7,7 @@
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "models/program/program_folders.hpp"
+#include "postprocess/files/files_together.hpp"
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/stress/stress_report.hpp"
 #include "postprocess/write/output.hpp"
@@ -163,7 +163,7 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   if (report.models.empty()) throw InputError(left_out);
 
   const fs::path folder = output_folder(file, request).lexically_normal();
-  FilesTogether files("stress", folder);
+  postprocess::FilesTogether files(folder);
   files.write("stress.csv", stress_csv(report));
   files.write("stress.json", stress_json(report));
   remove_figures(folder);

@@ -1,6 +1,5 @@
 #include "app/study.hpp"
 
-#include "app/files_together.hpp"
 #include "app/study_checkpoint.hpp"
 #include "app/study_checks.hpp"
 #include "app/study_levels.hpp"
@@ -11,6 +10,7 @@
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/expected_choice.hpp"
 #include "models/solving/solving.hpp"
+#include "postprocess/files/files_together.hpp"
 #include "postprocess/study/study.hpp"
 #include "theories/registry.hpp"
 
@@ -205,7 +205,7 @@ std::string failures_of(const postprocess::StudyRecord& record) {
 
 void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord& record) {
   const std::string directory = directory_of(request).string();
-  FilesTogether files("study", directory);
+  postprocess::FilesTogether files(directory);
   files.write("study.json", postprocess::study_json(record));
   files.write("study.csv", postprocess::study_csv(record));
   files.commit();

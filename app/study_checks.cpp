@@ -5,6 +5,7 @@
 #include "contact/base/nearest_name.hpp"
 #include "contact/base/text_fields.hpp"
 #include "models/registry.hpp"
+#include "postprocess/files/files_together.hpp"
 
 #include <fmt/format.h>
 
@@ -20,21 +21,6 @@ namespace {
 using contact::InputError;
 using postprocess::ReferenceRule;
 using postprocess::StudyPlace;
-
-void check_directory(const StudyRequest& request) {
-  const fs::path directory = directory_of(request);
-  for (const char* other : {"summary.json", "compare.json"})
-    if (fs::exists(directory / other))
-      throw InputError(fmt::format(
-          "study: {} holds the result of another command ({}); do: name another folder with -o",
-          directory.string(), other));
-  fs::path there = fs::absolute(directory).lexically_normal();
-  while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
-  if (!fs::is_directory(there))
-    throw InputError(fmt::format(
-        "study: the folder {} cannot be created: {} is a file; do: name another folder with -o",
-        directory.string(), there.string()));
-}
 
 /// A domain can be varied where the program chooses it.
 void check_domain(const contact::Case& input) {
@@ -144,7 +130,8 @@ void check_call(const StudyRequest& request, const contact::Case& input,
   }
   if (request.levels != 0 && (request.levels < 2 || request.levels > 8))
     throw InputError(fmt::format("--levels {}: allowed: 2 to 8; do: correct it", request.levels));
-  check_directory(request);
+  refuse_other_result(directory_of(request), "study.json");
+  const postprocess::FilesTogether trial(directory_of(request));
 }
 
 std::vector<std::string> named_models(const StudyRequest& request,

@@ -1,6 +1,5 @@
 #include "app/table.hpp"
 
-#include "app/files_together.hpp"
 #include "app/table_filling.hpp"
 #include "app/table_grid.hpp"
 #include "contact/case/case_reader.hpp"
@@ -76,7 +75,7 @@ std::string summary_of(const CreepTable& table, double seconds) {
 
 void write_and_tell(const TableRequest& request, const CreepTable& table, double seconds) {
   const fs::path directory = table_directory(request);
-  FilesTogether files("table", directory);
+  postprocess::FilesTogether files(directory);
   files.write("table.h5", postprocess::table_hdf5(table));
   files.write("table.csv", postprocess::table_csv(table));
   files.write("interpolation.csv", postprocess::interpolation_csv(table));

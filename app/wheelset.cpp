@@ -1,10 +1,10 @@
 #include "app/wheelset.hpp"
 
-#include "app/files_together.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/program/program_folders.hpp"
 #include "models/registry.hpp"
+#include "postprocess/files/files_together.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
 #include "track/motion/placed_scenes.hpp"
@@ -117,7 +117,7 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
       request.directory.empty()
           ? fs::path("results") / (fs::path(request.case_file).stem().string() + "_wheelset")
           : fs::path(request.directory);
-  FilesTogether files("wheelset", folder);
+  postprocess::FilesTogether files(folder);
   files.write("wheelset.csv", postprocess::rigid_wheelset_csv(rigid_row(rows)));
   files.commit();
   const double last = rows.back().touch.lateral_shift;

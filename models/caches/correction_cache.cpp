@@ -113,7 +113,6 @@ std::string CorrectionCache::keep(const contact::Scene& correction,
   values.texts["words"] = halfspace::correction_words(correction);
   values.texts["made"] = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   try {
-    fs::create_directories(folder_);
     postprocess::write_named_values(file_of(folder_, key), values);
   } catch (const std::exception& error) {
     return fmt::format("the correction could not be stored for other runs: {}", error.what());

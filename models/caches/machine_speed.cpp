@@ -41,8 +41,6 @@ std::optional<MachineSpeed> machine_speed() {
 }
 
 void keep_machine_speed(const fs::path& file, const MachineSpeed& speed) {
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
   postprocess::NamedValues values;
   values.numbers["times"] = speed.times;
   values.texts["made"] = speed.made;

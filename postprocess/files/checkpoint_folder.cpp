@@ -3,13 +3,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
-#include "postprocess/files/result_folder.hpp"
+#include "postprocess/files/files_together.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -27,13 +25,6 @@ constexpr auto grace = std::chrono::milliseconds(500);
 const char* const about_name = "about.txt";
 const char* const record_suffix = ".point";
 const char* const part_suffix = ".part";
-
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 bool is_record(const fs::path& name) {
   return name.extension() == record_suffix;
@@ -58,7 +49,7 @@ unsigned long long checksum_of(const contact::Case& input) {
        {&input.wheel.profile.name, &input.rail.profile.name, &input.wheel.mesh, &input.rail.mesh})
     if (const fs::path file = fs::path(input.file).parent_path() / *name;
         !name->empty() && fs::is_regular_file(file, error))
-      hash = contact::checksum(contents(file), hash);
+      hash = contact::checksum(contents_of(file), hash);
   return hash;
 }
 
@@ -157,7 +148,7 @@ void CheckpointFolder::look_at(const contact::Case& input) {
     found_ = 0;
     return;
   }
-  const std::string about = contents(folder_ / about_name);
+  const std::string about = contents_of(folder_ / about_name);
   const auto refuse = [&](const std::string& other) {
     throw InputError(fmt::format(
         "--resume: {} holds load points {}; do: run without --resume to start anew (they are then "
@@ -188,7 +179,7 @@ std::optional<std::string> CheckpointFolder::find(const std::string& name) {
   const fs::path file = folder_ / (name + record_suffix);
   std::error_code error;
   if (!fs::exists(file, error)) return {};
-  std::optional<std::string> record = opened(about_, name, contents(file));
+  std::optional<std::string> record = opened(about_, name, contents_of(file));
   if (!record)
     warn_(
         fmt::format("warning: {} is damaged, or belongs to another load point or case; its load "

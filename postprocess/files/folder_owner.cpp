@@ -10,8 +10,6 @@
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
-#include <fstream>
-#include <sstream>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <thread>
@@ -36,28 +34,15 @@ std::string owner_text(const std::string& command) {
                      command);
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 /// What the owner says of itself; it may be about to write it.
 std::string owner_of(const fs::path& file) {
   for (int attempt = 0; attempt < 10; ++attempt) {
-    const std::string text = text_of(file);
+    const std::string text = contents_of(file);
     if (text.size() > owner_head.size() && text.back() == '\n')
       return text.substr(owner_head.size(), text.size() - owner_head.size() - 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   return "an unknown process";
-}
-
-void remove_made(fs::path folder, const fs::path& topmost) {
-  std::error_code error;
-  if (topmost.empty()) return;
-  while (fs::remove(folder, error) && folder != topmost) folder = folder.parent_path();
 }
 
 }  // namespace
@@ -89,15 +74,10 @@ bool FolderOwner::lock() {
 }
 
 FolderOwner::FolderOwner(const std::string& directory, const std::string& command)
-    : file_(resolved_folder(directory).string() + ".lock") {
-  std::error_code error;
-  for (fs::path p = file_.parent_path(); !fs::exists(p, error) && p.has_relative_path();
-       p = p.parent_path())
-    topmost_created_ = p;
-  fs::create_directories(file_.parent_path(), error);
+    : file_(resolved_folder(directory).string() + ".lock"), parents_(file_.parent_path()) {
   try {
     while (!lock()) continue;
-    const std::string before = text_of(file_), text = owner_text(command);
+    const std::string before = contents_of(file_), text = owner_text(command);
     if (!before.empty() && before.rfind(owner_head, 0) != 0)
       throw contact::InputError(
           fmt::format("{} is in the way: rollfem needs this name for its lock, but did not write "
@@ -109,25 +89,19 @@ FolderOwner::FolderOwner(const std::string& directory, const std::string& comman
     }
   } catch (...) {
     if (lock_ >= 0) ::close(lock_);
-    remove_made(file_.parent_path(), topmost_created_);
     throw;
   }
 }
 
 std::vector<fs::path> FolderOwner::made() const {
   std::vector<fs::path> all{file_};
-  if (topmost_created_.empty()) return all;
-  for (fs::path p = file_.parent_path(); p.has_relative_path(); p = p.parent_path()) {
-    all.push_back(p);
-    if (p == topmost_created_) break;
-  }
+  all.insert(all.end(), parents_.list().begin(), parents_.list().end());
   return all;
 }
 
 FolderOwner::~FolderOwner() {
   ::unlink(file_.c_str());  // while it is locked: who waits for it notices
   ::close(lock_);
-  remove_made(file_.parent_path(), topmost_created_);
 }
 
 }  // namespace rollfem::postprocess

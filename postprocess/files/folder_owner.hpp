@@ -2,6 +2,8 @@
 // before the first model runs until everything is written.
 #pragma once
 
+#include "postprocess/files/files_together.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,7 +28,7 @@ class FolderOwner {
   bool lock();
 
   std::filesystem::path file_;
-  std::filesystem::path topmost_created_;  ///< first missing parent that was made, or empty
+  MadeFolders parents_;
   int lock_ = -1;
 };
 

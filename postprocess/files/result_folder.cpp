@@ -25,39 +25,6 @@ namespace {
 
 using contact::InputError;
 
-[[noreturn]] void fail(const std::string& doing, const fs::path& path, int error) {
-  const char* advice = "choose another folder with -o";
-  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another disk with -o";
-  if (error == EFBIG) advice = "raise the limit of file size (ulimit -f)";
-  throw InputError(fmt::format("cannot {} {}: {}; nothing was written, {}", doing, path.string(),
-                               std::strerror(error), advice));
-}
-
-/// Beyond the limit of file size a write then fails with EFBIG instead of ending the program.
-class IgnoreFileSizeSignal {
- public:
-  IgnoreFileSizeSignal() : previous_(std::signal(SIGXFSZ, SIG_IGN)) {}
-  ~IgnoreFileSizeSignal() {
-    if (previous_ != SIG_ERR) std::signal(SIGXFSZ, previous_);
-  }
-  IgnoreFileSizeSignal(const IgnoreFileSizeSignal&) = delete;
-  IgnoreFileSizeSignal& operator=(const IgnoreFileSizeSignal&) = delete;
-
- private:
-  void (*previous_)(int);
-};
-
-/// Returns 0 or the error number.
-int write_all(int file, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(file, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return ::fsync(file) == 0 ? 0 : errno;
-}
-
 bool is_result_folder(const fs::path& folder) {
   std::ifstream file(folder / "summary.json");
   const auto summary = nlohmann::json::parse(file, nullptr, false);
@@ -70,7 +37,7 @@ fs::path resolved_folder(const std::string& directory) {
   if (directory.empty()) throw InputError("the output folder has an empty name; give one with -o");
   std::error_code error;
   fs::path path = fs::weakly_canonical(fs::absolute(directory), error);
-  if (error) fail("find", directory, error.value());
+  if (error) fail_to("find", directory, error.value());
   if (!path.has_filename()) path = path.parent_path();
   return path;
 }
@@ -81,7 +48,7 @@ void check_target(const fs::path& target) {
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
   if (status.type() == fs::file_type::not_found) return;
-  if (error) fail("look at", target, error.value());
+  if (error) fail_to("look at", target, error.value());
   if (!fs::is_directory(status))
     throw InputError(fmt::format("{} is a file, not a folder; give the result another name with -o",
                                  target.string()));
@@ -91,12 +58,18 @@ void check_target(const fs::path& target) {
                     "folder below it with -o",
                     target.string()));
   const bool empty = fs::is_empty(target, error);
-  if (error) fail("read", target, error.value());
+  if (error) fail_to("read", target, error.value());
   if (!empty && !is_result_folder(target))
     throw InputError(
         fmt::format("{} holds files that are not an earlier result of rollfem (no matching "
                     "summary.json) and would be lost; choose a new or empty folder with -o",
                     target.string()));
+}
+
+fs::path checked_target(const std::string& directory) {
+  const fs::path target = resolved_folder(directory);
+  check_target(target);
+  return target;
 }
 
 /// Whether a file of an earlier result, relative to its folder, is one that rollfem makes.
@@ -153,55 +126,10 @@ void remove_stale_partials(const fs::path& target) {
   for (const fs::path& folder : stale) fs::remove_all(folder, error);
 }
 
-/// Removes the empty folders from `folder` up to `topmost`; others may have put files there.
-void remove_empty(fs::path folder, const fs::path& topmost) {
-  std::error_code error;
-  if (topmost.empty()) return;
-  while (fs::remove(folder, error) && folder != topmost) folder = folder.parent_path();
-}
-
 }  // namespace
 
-void write_file(const fs::path& path, std::string_view content) {
-  const IgnoreFileSizeSignal guard;
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) fail("write", path, errno);
-  int error = write_all(file, content);
-  if (::close(file) != 0 && error == 0) error = errno;
-  if (error == 0) return;
-  ::unlink(path.c_str());
-  fail("write", path, error);
-}
-
-void replace_file(const fs::path& path, std::string_view content) {
-  const fs::path part = path.string() + ".part";
-  ::unlink(part.c_str());
-  write_file(part, content);
-  if (::rename(part.c_str(), path.c_str()) != 0) fail("write", path, errno);
-  flush_folder(path.parent_path());
-}
-
-void flush_folder(const fs::path& folder) {
-  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) return;
-  ::fsync(file);
-  ::close(file);
-}
-
-ResultFolder::ResultFolder(const std::string& directory) : target_(resolved_folder(directory)) {
-  check_target(target_);
-  const fs::path parent = target_.parent_path();
-  fs::path missing;
-  std::error_code error;
-  for (fs::path p = parent; !fs::exists(p, error) && p.has_relative_path(); p = p.parent_path())
-    missing = p;
-  topmost_created_ = missing;
-  fs::create_directories(parent, error);
-  if (error) {
-    const int reason = error.value();
-    remove_empty(parent, missing);
-    fail("make the folder", parent, reason);
-  }
+ResultFolder::ResultFolder(const std::string& directory)
+    : target_(checked_target(directory)), parents_(target_.parent_path()) {
   remove_stale_partials(target_);
   const std::string stem = fmt::format("{}.partial-{}", target_.string(), ::getpid());
   for (int attempt = 0; attempt < 100; ++attempt) {
@@ -213,9 +141,7 @@ ResultFolder::ResultFolder(const std::string& directory) : target_(resolved_fold
     }
     if (errno != EEXIST) break;
   }
-  const int reason = errno;
-  remove_empty(parent, missing);
-  fail("make the folder", partial_, reason);
+  fail_to("make the folder", partial_, errno);
 }
 
 ResultFolder::~ResultFolder() {
@@ -223,14 +149,13 @@ ResultFolder::~ResultFolder() {
   if (committed_) return;
   std::error_code error;
   fs::remove_all(partial_, error);
-  remove_empty(target_.parent_path(), topmost_created_);
 }
 
 void ResultFolder::write(const std::string& name, std::string_view content) {
   const fs::path path = partial_ / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
-  if (error) fail("make the folder", path.parent_path(), error.value());
+  if (error) fail_to("make the folder", path.parent_path(), error.value());
   write_file(path, content);
 }
 
@@ -244,19 +169,19 @@ void ResultFolder::commit() {
   const bool replaces = fs::exists(target_, error) && !fs::is_empty(target_, error);
   if (!replaces) {
     if (::rename(partial_.c_str(), target_.c_str()) != 0)
-      fail("move the result to", target_, errno);
+      fail_to("move the result to", target_, errno);
     committed_ = true;
   } else {
     fs::path old_folder = partial_;  // after the exchange the old result has the partial's name
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
-      if (errno != EINVAL && errno != ENOSYS) fail("replace the result in", target_, errno);
+      if (errno != EINVAL && errno != ENOSYS) fail_to("replace the result in", target_, errno);
       old_folder = fmt::format("{}.old-{}", target_.string(), ::getpid());
       if (::rename(target_.c_str(), old_folder.c_str()) != 0)
-        fail("replace the result in", target_, errno);
+        fail_to("replace the result in", target_, errno);
       if (::rename(partial_.c_str(), target_.c_str()) != 0) {
         const int reason = errno;
         ::rename(old_folder.c_str(), target_.c_str());
-        fail("move the result to", target_, reason);
+        fail_to("move the result to", target_, reason);
       }
     }
     committed_ = true;
@@ -264,6 +189,7 @@ void ResultFolder::commit() {
     carry_over(old_folder, target_, {}, all_saved);
     if (all_saved) fs::remove_all(old_folder, error);
   }
+  parents_.keep();
   flush_folder(target_.parent_path());
 }
 

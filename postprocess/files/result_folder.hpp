@@ -2,6 +2,8 @@
 // flushed to disk and moved in together. An earlier result stays intact until then.
 #pragma once
 
+#include "postprocess/files/files_together.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -27,8 +29,8 @@ class ResultFolder {
 
  private:
   std::filesystem::path target_;
+  MadeFolders parents_;
   std::filesystem::path partial_;
-  std::filesystem::path topmost_created_;  ///< first missing parent that was made, or empty
   int lock_ = -1;  ///< file descriptor, tells other runs that this one is alive
   bool committed_ = false;
 };
@@ -41,17 +43,5 @@ void check_directory(const std::string& directory);
 /// The folder as an absolute path without links and trailing slash. Throws contact::InputError when
 /// it has no name or cannot be looked for.
 std::filesystem::path resolved_folder(const std::string& directory);
-
-/// Writes and flushes one new file. Throws contact::InputError naming file and reason; then nothing
-/// is left of it.
-void write_file(const std::filesystem::path& path, std::string_view content);
-
-/// Writes a file that may be there already: whole and on the disk, or left as it was. The content
-/// is made in `path`.part first. Throws as write_file does.
-void replace_file(const std::filesystem::path& path, std::string_view content);
-
-/// Puts what has happened to the names in a folder on the disk. Best effort: some file systems
-/// cannot.
-void flush_folder(const std::filesystem::path& folder);
 
 }  // namespace rollfem::postprocess

@@ -1,15 +1,10 @@
 #include "postprocess/hdf5/named_values.hpp"
 
-#include "contact/base/errors.hpp"
-#include "postprocess/files/result_folder.hpp"
+#include "postprocess/files/files_together.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
-#include <system_error>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -48,18 +43,7 @@ NamedValues values_of(hid_t file) {
 }  // namespace
 
 void write_named_values(const fs::path& path, const NamedValues& values) {
-  // A name of its own: two processes may be at it.
-  const fs::path part = fmt::format("{}.{}.part", path.string(), ::getpid());
-  std::error_code error;
-  fs::remove(part, error);
-  write_file(part, image_of(values));
-  fs::rename(part, path, error);
-  if (error) {
-    const std::string reason = error.message();
-    fs::remove(part, error);
-    throw contact::InputError(fmt::format("cannot write {}: {}", path.string(), reason));
-  }
-  flush_folder(path.parent_path());
+  replace_file(path, image_of(values));
 }
 
 std::optional<NamedValues> read_named_values(const fs::path& path) {

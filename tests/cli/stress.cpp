@@ -315,7 +315,7 @@ TEST_F(StressTest, WrongCallsAreRefused) {
       {{"--yield-strength", "0"}, "a stress > 0"},
       {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "both given"},
       {{"--depth", "-1"}, "a depth > 0"},
-      {{"-o", "r/results.h5/x"}, "cannot be created"},
+      {{"-o", "r/results.h5/x"}, "cannot make the folder"},
   };
   const auto before = folder.made();
   for (const auto& [arguments, part] : calls) expect_refused(stress(arguments), part);

@@ -1,0 +1,131 @@
+#include "postprocess/files/files_together.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace rollfem::postprocess {
+namespace {
+
+/// Beyond the limit of file size a write then fails with EFBIG instead of ending the program.
+class IgnoreFileSizeSignal {
+ public:
+  IgnoreFileSizeSignal() : previous_(std::signal(SIGXFSZ, SIG_IGN)) {}
+  ~IgnoreFileSizeSignal() {
+    if (previous_ != SIG_ERR) std::signal(SIGXFSZ, previous_);
+  }
+  IgnoreFileSizeSignal(const IgnoreFileSizeSignal&) = delete;
+  IgnoreFileSizeSignal& operator=(const IgnoreFileSizeSignal&) = delete;
+
+ private:
+  void (*previous_)(int);
+};
+
+/// Returns 0 or the error number.
+int write_all(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return ::fsync(file) == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+void fail_to(const std::string& doing, const fs::path& path, int error) {
+  const char* advice = "choose another folder with -o";
+  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another disk with -o";
+  if (error == EFBIG) advice = "raise the limit of file size (ulimit -f)";
+  throw contact::InputError(fmt::format("cannot {} {}: {}; nothing was written, {}", doing,
+                                        path.string(), std::strerror(error), advice));
+}
+
+void write_file(const fs::path& path, std::string_view content) {
+  const IgnoreFileSizeSignal guard;
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) fail_to("write", path, errno);
+  int error = write_all(file, content);
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0) return;
+  ::unlink(path.c_str());
+  fail_to("write", path, error);
+}
+
+void flush_folder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
+MadeFolders::MadeFolders(const fs::path& folder) {
+  std::error_code error;
+  for (fs::path p = fs::absolute(folder).lexically_normal();
+       !fs::exists(p, error) && p.has_relative_path(); p = p.parent_path())
+    made_.push_back(p);
+  fs::create_directories(folder, error);
+  if (!error && fs::is_directory(folder, error)) return;
+  const int reason = error ? error.value() : ENOTDIR;
+  for (const fs::path& p : made_) fs::remove(p, error);
+  fail_to("make the folder", folder, reason);
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code ignored;
+  for (const fs::path& p : made_) fs::remove(p, ignored);
+}
+
+FilesTogether::FilesTogether(const fs::path& folder)
+    : folder_(folder.empty() ? "." : folder), made_(folder_) {}
+
+FilesTogether::~FilesTogether() {
+  std::error_code ignored;
+  for (const std::string& name : names_) fs::remove(part_of(name), ignored);
+}
+
+/// A name of its own: two processes may write the same file.
+fs::path FilesTogether::part_of(const std::string& name) const {
+  return folder_ / fmt::format("{}.{}.part", name, ::getpid());
+}
+
+void FilesTogether::write(const std::string& name, std::string_view content) {
+  ::unlink(part_of(name).c_str());
+  write_file(part_of(name), content);
+  names_.push_back(name);
+}
+
+void FilesTogether::commit() {
+  for (const std::string& name : names_)
+    if (::rename(part_of(name).c_str(), (folder_ / name).c_str()) != 0)
+      fail_to("write", folder_ / name, errno);
+  flush_folder(folder_);
+  names_.clear();
+  made_.keep();
+}
+
+void replace_file(const fs::path& path, std::string_view content) {
+  FilesTogether files(path.parent_path());
+  files.write(path.filename().string(), content);
+  files.commit();
+}
+
+std::string contents_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace rollfem::postprocess
