@@ -26,4 +26,14 @@ inline void expect_contact_laws(const contact::PointResult& point, double fricti
   }
 }
 
+/// Forces are the sums of the tractions to within so many N.
+inline void expect_forces_of_fields(const contact::ModelResult& result, double tolerance) {
+  const double area = result.grid.element_area();
+  for (const contact::PointResult& point : result.points) {
+    const contact::SurfaceField& p = point.fields.traction;
+    EXPECT_NEAR(area * p.x.sum(), point.longitudinal_force, tolerance);
+    EXPECT_NEAR(area * p.y.sum(), point.lateral_force, tolerance);
+  }
+}
+
 }  // namespace rollfem::testing

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
-#include <random>
+#include "support/random_field.hpp"
 
 namespace rollfem::testing {
 
@@ -38,19 +38,6 @@ inline fem::BodyOptions small_options() {
   return options;
 }
 
-inline contact::SurfaceField random_field(const contact::ContactGrid& grid, unsigned int seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  contact::SurfaceField field{contact::Field(grid.size()), contact::Field(grid.size()),
-                              contact::Field(grid.size())};
-  for (int e = 0; e < grid.size(); ++e) {
-    field.x[e] = uniform(generator);
-    field.y[e] = uniform(generator);
-    field.n[e] = uniform(generator);
-  }
-  return field;
-}
-
 /// x and n even, y odd about y = 0.
 inline contact::SurfaceField symmetric_part(const contact::ContactGrid& grid,
                                             const contact::SurfaceField& field) {
@@ -64,10 +51,6 @@ inline contact::SurfaceField symmetric_part(const contact::ContactGrid& grid,
       result.n[e] = 0.5 * (field.n[e] + field.n[m]);
     }
   return result;
-}
-
-inline double dot(const contact::SurfaceField& a, const contact::SurfaceField& b) {
-  return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
 }
 
 }  // namespace rollfem::testing

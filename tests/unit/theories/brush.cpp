@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/contact_laws.hpp"
+#include "support/thesis_cases.hpp"
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -17,15 +19,6 @@ namespace rollfem::theories {
 using namespace halfspace;
 namespace {
 
-contact::Case scene(double rail_radius = 500.0) {
-  contact::Case input;
-  input.load.normal_force = 50e3;
-  input.friction_coefficient = 0.55;
-  input.wheel.rolling_radius = 405.0;
-  input.rail.transverse_radius = rail_radius;
-  return input;
-}
-
 const contact::ChartedGeometry& plane(const contact::Case& input) {
   static std::optional<contact::ChartedGeometry> kept;
   return kept.emplace(input, contact::Chart::plane);
@@ -34,7 +27,7 @@ const contact::ChartedGeometry& plane(const contact::Case& input) {
 TEST(Brush, FlexibilitiesGiveTheForcesOfTheLinearTheory) {
   const HertzContact ellipse{6.0, 2.5, 0, 0, 0};
   const BrushFlexibilities flexibilities = kalker_flexibilities(6.0, 2.5, 80769.0, 0.3);
-  const contact::Case input = scene();
+  const contact::Case input = testing::thesis_case('b');
   const auto strip_at = [&](double y) {
     return ellipse_strip(ellipse, y, std::numeric_limits<double>::infinity(),
                          BoundShape::parabolic);
@@ -94,7 +87,7 @@ TEST(Brush, SlipOpposesTheTractionAndTractionStaysWithinTheBound) {
 
 double observed_order(BoundShape bound, const contact::Creepage& creepage,
                       double CreepForces::*member) {
-  const contact::Case input = scene();
+  const contact::Case input = testing::thesis_case('b');
   const EllipticPatch patch = elliptic_patch(input);
   const auto force = [&](int n) {
     FastsimOptions options;
@@ -114,7 +107,7 @@ TEST(Fastsim, ConvergesAsItsHeaderSays) {
 }
 
 TEST(Fastsim, OneFlexibilityIsTheSameForOneCreepage) {
-  const contact::Case input = scene();
+  const contact::Case input = testing::thesis_case('b');
   const EllipticPatch patch = elliptic_patch(input);
   FastsimOptions one;
   one.flexibilities = Flexibilities::one;
@@ -132,7 +125,7 @@ TEST(Fastsim, OneFlexibilityIsTheSameForOneCreepage) {
 }
 
 TEST(Fastsim, IsMirroredWithTheScene) {
-  const contact::Case input = scene();
+  const contact::Case input = testing::thesis_case('b');
   const EllipticPatch patch = elliptic_patch(input);
   const CreepForces here = fastsim(patch, {1e-3, 5e-4, 1e-4}).forces;
   const CreepForces mirrored = fastsim(patch, {1e-3, -5e-4, -1e-4}).forces;
@@ -142,26 +135,23 @@ TEST(Fastsim, IsMirroredWithTheScene) {
 }
 
 TEST(Fastsim, ModelForcesAreThoseOfItsFields) {
-  contact::Case input = scene(100.0);
+  contact::Case input = testing::thesis_case('c');
   input.contact_grid.elements_across = 80;
   input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 1e-4}, {0.05, 0, 0}};
   for (const BoundShape bound : {BoundShape::parabolic, BoundShape::elliptic}) {
     FastsimOptions options;
     options.bound = bound;
     const contact::ModelResult result = run_fastsim(input, {}, options);
-    for (const contact::PointResult& point : result.points) {
-      const double area = result.grid.element_area();
-      EXPECT_NEAR(area * point.fields.traction.x.sum(), point.longitudinal_force, 2e-3 * 27500);
-      EXPECT_NEAR(area * point.fields.traction.y.sum(), point.lateral_force, 2e-3 * 27500);
+    testing::expect_forces_of_fields(result, 2e-3 * 27500);
+    for (const contact::PointResult& point : result.points)
       EXPECT_LE(point.adhesion_area, point.contact_area * (1 + 1e-12));
-    }
     EXPECT_EQ(result.points[0].longitudinal_force, 0.0);
     EXPECT_NEAR(result.points[2].traction_coefficient, 0.55, 1e-3);
   }
 }
 
 TEST(Fastsim, ErrorEstimateCoversTheErrorOfResolution) {
-  contact::Case input = scene();
+  contact::Case input = testing::thesis_case('b');
   input.rolling.creepages = {{1e-3, 0, 0}, {1e-3, 5e-4, 1e-4}, {0, 0, 5e-4}};
   FastsimOptions fine;
   fine.strips = fine.strip_elements = 1600;
@@ -181,7 +171,8 @@ TEST(Fastsim, HoldsFromNarrowToWidePatchesAndFromLittleToMuchFriction) {
   for (const double rail_radius : {0.5, 3e5})
     for (const double friction : {1e-4, 500.0})
       for (const double force : {1.0, 1e7}) {
-        contact::Case input = scene(rail_radius);
+        contact::Case input = testing::thesis_case('b');
+        input.rail.transverse_radius = rail_radius;
         input.friction_coefficient = friction;
         input.load.normal_force = force;
         const EllipticPatch patch = elliptic_patch(input);
@@ -199,7 +190,7 @@ TEST(Fastsim, HoldsFromNarrowToWidePatchesAndFromLittleToMuchFriction) {
 }
 
 TEST(Fastsim, WithoutFrictionHasNoForce) {
-  contact::Case input = scene();
+  contact::Case input = testing::thesis_case('b');
   input.friction_coefficient = 0.0;
   input.rolling.creepages = {{1e-3, 1e-3, 1e-4}};
   const contact::PointResult point = run_fastsim(input, {}).points[0];

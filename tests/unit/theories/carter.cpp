@@ -7,7 +7,8 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <gtest/gtest.h>
 
-#include "support/hertz_line.hpp"
+#include "support/contact_laws.hpp"
+#include "support/thesis_cases.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -22,7 +23,7 @@ const double pi = std::acos(-1.0);
 /// Benchmark 2: a = 1, R = 500, G = 82000, nu = 0.28, mu = 0.3.
 CarterContact benchmark() {
   const double modulus = 82000.0 / (1.0 - 0.28);
-  const testing::HertzLine line = testing::hertz_line(500.0, modulus, pi * modulus / (4.0 * 500.0));
+  const LineHertz line = line_hertz(500.0, modulus, pi * modulus / (4.0 * 500.0), 1.0);
   return {line.half_width, line.max_pressure, 0.3, modulus};
 }
 
@@ -106,11 +107,8 @@ TEST(Carter, SlipOpposesTheTraction) {
 }
 
 contact::Case wide_patch() {
-  contact::Case input;
-  input.load.normal_force = 50e3;
+  contact::Case input = testing::thesis_case('a');
   input.friction_coefficient = 0.3;
-  input.wheel.rolling_radius = 405.0;
-  input.rail.transverse_radius = 2000.0;
   input.rolling.creepages = {{0, 0, 0}, {5e-4, 0, 0}, {0.01, 0, 0}};
   return input;
 }
@@ -127,9 +125,7 @@ TEST(Carter, ModelForcesAreThoseOfItsFields) {
   contact::Case input = wide_patch();
   input.contact_grid.elements_across = 80;
   const contact::ModelResult result = run_carter(input, {});
-  for (const contact::PointResult& point : result.points)
-    EXPECT_NEAR(result.grid.element_area() * point.fields.traction.x.sum(),
-                point.longitudinal_force, 2e-3 * 0.3 * point.normal_force);
+  testing::expect_forces_of_fields(result, 2e-3 * 0.3 * 50e3);
 }
 
 TEST(Carter, ModelRefusesWhatItCannotSolve) {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "support/profile_scenes.hpp"
+#include "support/temporary_folder.hpp"
 #include <cmath>
-#include <string>
 
 namespace {
 
@@ -37,14 +37,13 @@ TEST(EquivalentEllipse, FrictionWithoutABoundDoesNotCarryTheWheel) {
       theories::models().run("vermeulen-johnson", scene, {}).points.at(0);
   EXPECT_NEAR(bounded.normal_force * std::cos(0.8) + bounded.lateral_force * std::sin(0.8),
               *scene.points[0].load.force, 1e-6 * *scene.points[0].load.force);
-  for (const double eta : {-0.01, -0.02}) try {
-      scene.points[0].creepage.lateral = eta;
-      theories::models().run("linear", scene, {});
-      FAIL() << eta << " accepted";
-    } catch (const contact::SolveError& error) {
-      EXPECT_NE(std::string(error.what()).find("this theory does not bound"), std::string::npos)
-          << error.what();
-    }
+  for (const double eta : {-0.01, -0.02}) {
+    scene.points[0].creepage.lateral = eta;
+    EXPECT_TRUE(rollfem::testing::says(rollfem::testing::refusal<contact::SolveError>(
+                                           [&] { theories::models().run("linear", scene, {}); }),
+                                       "this theory does not bound"))
+        << eta;
+  }
   // Where it hardly matters the theory's forces are its own.
   scene.points[0].load.direction = {std::sin(0.005), std::cos(0.005)};
   EXPECT_NO_THROW(theories::models().run("linear", scene, {}));

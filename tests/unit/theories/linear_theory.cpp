@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/thesis_cases.hpp"
 #include <array>
 #include <cmath>
 #include <vector>
@@ -132,11 +133,7 @@ TEST(LinearTheory, HasTheSignsOfForcesOnTheWheel) {
 }
 
 TEST(LinearTheory, ModelHasTractionsWithTheForcesOfTheCoefficients) {
-  contact::Case input;
-  input.load.normal_force = 50e3;
-  input.friction_coefficient = 0.55;
-  input.wheel.rolling_radius = 405.0;
-  input.rail.transverse_radius = 500.0;
+  contact::Case input = testing::thesis_case('b');
   input.rolling.creepages = {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e-5}};
   input.contact_grid.elements_across = 80;
   const contact::ModelResult result = run_linear(input, {});
@@ -151,10 +148,7 @@ TEST(LinearTheory, ModelHasTractionsWithTheForcesOfTheCoefficients) {
 }
 
 TEST(LinearTheory, ModelRefusesExtraSlipFromAFile) {
-  contact::Case input;
-  input.load.normal_force = 50e3;
-  input.wheel.rolling_radius = 405.0;
-  input.rail.transverse_radius = 500.0;
+  contact::Case input = testing::thesis_case('b');
   input.rolling.extra_slip = contact::ExtraSlip::file;
   input.rolling.extra_slip_values = contact::Lattice{"slip.csv", 4, 4, -20, -20, 13, 13, {}};
   input.rolling.extra_slip_values->values.assign(2, std::vector<double>(16, 1e-4));

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "support/contact_laws.hpp"
+#include "support/thesis_cases.hpp"
 
 namespace rollfem::theories {
 
@@ -32,35 +33,23 @@ TEST(VermeulenJohnson, TendsToTheLinearTheoryAndToFullSlip) {
 }
 
 TEST(VermeulenJohnson, ModelForcesAndMomentAreThoseOfItsTractions) {
-  contact::Case input;
-  input.load.normal_force = 50e3;
-  input.friction_coefficient = 0.55;
-  input.wheel.rolling_radius = 405.0;
-  input.rail.transverse_radius = 500.0;
+  contact::Case input = testing::thesis_case('b');
   input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 0}, {0, -2e-3, 0}, {0.05, 0, 0}};
   input.contact_grid.elements_across = 120;
   const contact::ModelResult result = run_vermeulen_johnson(input, {});
   const contact::ContactGrid& grid = result.grid;
-  const contact::Field x = grid.sample([](double px, double) { return px; });
-  const contact::Field y = grid.sample([](double, double py) { return py; });
+  testing::expect_forces_of_fields(result, 2e-3 * 27500);
   for (const contact::PointResult& point : result.points) {
     const contact::SurfaceField& p = point.fields.traction;
-    const double scale = 0.55 * 50e3;
-    const double area = grid.element_area();
-    EXPECT_NEAR(area * p.x.sum(), point.longitudinal_force, 2e-3 * scale);
-    EXPECT_NEAR(area * p.y.sum(), point.lateral_force, 2e-3 * scale);
-    EXPECT_NEAR(area * (x.dot(p.y) - y.dot(p.x)), point.spin_moment,
-                2e-3 * scale * point.semi_axis_x);
+    EXPECT_NEAR(testing::forces(grid, {p.x, p.y}).moment, point.spin_moment,
+                2e-3 * 27500 * point.semi_axis_x);
   }
   EXPECT_EQ(result.points[0].traction_coefficient, 0.0);
   EXPECT_NEAR(result.points[3].traction_coefficient, 0.55, 1e-12);
 }
 
 TEST(VermeulenJohnson, ModelRefusesSpin) {
-  contact::Case input;
-  input.load.normal_force = 50e3;
-  input.wheel.rolling_radius = 405.0;
-  input.rail.transverse_radius = 500.0;
+  contact::Case input = testing::thesis_case('b');
   input.rolling.creepages = {{1e-3, 0, 1e-5}};
   EXPECT_THROW(run_vermeulen_johnson(input, {}), contact::InputError);
 }

@@ -9,22 +9,14 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
-#include "support/hertz_line.hpp"
+#include "support/thesis_cases.hpp"
 #include <cmath>
 
 namespace rollfem::halfspace {
 namespace {
 
-contact::Case thesis_case_a() {
-  contact::Case input;
-  input.load.normal_force = 50e3;
-  input.wheel.rolling_radius = 405.0;
-  input.rail.transverse_radius = 2000.0;
-  return input;
-}
-
 TEST(Hertz, GivesCaseAToAllDigitsShown) {
-  const HertzContact hertz = hertz_of_scene(thesis_case_a());
+  const HertzContact hertz = hertz_of_scene(testing::thesis_case('a'));
   EXPECT_NEAR(hertz.semi_axis_x, 3.79236, 5e-6);
   EXPECT_NEAR(hertz.semi_axis_y, 10.87295, 5e-6);
   EXPECT_NEAR(hertz.max_pressure, 578.967, 5e-4);
@@ -115,10 +107,10 @@ TEST(Hertz, LongEllipseTendsToTheLine) {
   const double modulus = 1e5;
   const HertzContact ellipse = hertz_from_force(1e-2, 1e-9, modulus, 1e4);
   const double force_per_length = 0.5 * M_PI * ellipse.semi_axis_x * ellipse.max_pressure;
-  const testing::HertzLine line = testing::hertz_line(0.5 / 1e-2, modulus, force_per_length);
+  const LineHertz line = line_hertz(0.5 / 1e-2, modulus, force_per_length, 1.0);
   EXPECT_NEAR(line.half_width / ellipse.semi_axis_x, 1.0, 1e-4);
   EXPECT_NEAR(line.max_pressure / ellipse.max_pressure, 1.0, 1e-4);
-  const testing::HertzLine benchmark = testing::hertz_line(500.0, 82000.0 / 0.72, 178.896);
+  const LineHertz benchmark = line_hertz(500.0, 82000.0 / 0.72, 178.896, 1.0);
   EXPECT_NEAR(benchmark.half_width, 1.0, 1e-5);
   EXPECT_NEAR(benchmark.max_pressure, 113.889, 1e-3);
 }
@@ -131,56 +123,8 @@ TEST(Hertz, RefusesWhatIsNoEllipticContact) {
   EXPECT_THROW(hertz_from_approach(1e-3, 1e-3, 1e5, -1e-3), contact::InputError);
 }
 
-TEST(HertzAxisStress, OfACircleHasThePublishedMaxima) {
-  struct Row {
-    double nu, tau, depth;
-  };
-  for (const Row& row : {Row{0.25, 0.32168, 0.4643}, Row{0.28, 0.31465, 0.4742},
-                         Row{0.30, 0.31002, 0.4809}, Row{0.50, 0.26635, 0.5479}}) {
-    const HertzContact unit{1.0, 1.0, 1.0};
-    const auto tau = [&](double z) {
-      const testing::AxisStress s = testing::hertz_axis_stress(unit, row.nu, z);
-      EXPECT_NEAR(s.xx, s.yy, 1e-14);
-      return 0.5 * std::abs(s.xx - s.zz);
-    };
-    EXPECT_NEAR(tau(row.depth), row.tau, 6e-6);
-    EXPECT_LT(tau(row.depth - 0.01), tau(row.depth));
-    EXPECT_LT(tau(row.depth + 0.01), tau(row.depth));
-    const double z = 0.7;  // the elementary form of the circle
-    const testing::AxisStress s = testing::hertz_axis_stress(unit, row.nu, z);
-    EXPECT_NEAR(s.zz, -1.0 / (1.0 + z * z), 1e-14);
-    EXPECT_NEAR(s.xx, -(1 + row.nu) * (1 - z * std::atan(1 / z)) + 0.5 / (1 + z * z), 1e-14);
-  }
-}
-
-TEST(HertzAxisStress, AgreesWithContactBelowCaseA) {
-  // reference/contact_subsurface_a.csv: CONTACT, case a: z, sxx, syy, szz.
-  const double rows[][4] = {{0.5, -383.311, -340.510, -573.375}, {1, -276.966, -283.211, -557.459},
-                            {2, -137.465, -194.151, -503.644},   {3, -64.6025, -132.593, -437.695},
-                            {4, -28.1380, -90.6904, -373.829},   {6, -1.13786, -42.7999, -270.821},
-                            {8, 5.22582, -20.2541, -199.750},    {12, 5.77334, -3.95558, -117.141}};
-  const HertzContact hertz = hertz_of_scene(thesis_case_a());
-  for (const auto& row : rows) {
-    const testing::AxisStress s = testing::hertz_axis_stress(hertz, 0.3, row[0]);
-    EXPECT_NEAR(s.xx, row[1], 0.002 * hertz.max_pressure) << row[0];
-    EXPECT_NEAR(s.yy, row[2], 0.002 * hertz.max_pressure) << row[0];
-    EXPECT_NEAR(s.zz, row[3], 0.002 * hertz.max_pressure) << row[0];
-  }
-}
-
-TEST(HertzAxisStress, OfALongEllipseIsThatOfTheLine) {
-  const double z = 0.78615;
-  const HertzContact ellipse{1.0, 1e6, 1.0};  // differs from the line by O(a/b)
-  const testing::AxisStress s = testing::hertz_axis_stress(ellipse, 0.3, z);
-  EXPECT_NEAR(s.xx, -((1 + 2 * z * z) / std::sqrt(1 + z * z) - 2 * z), 1e-6);
-  EXPECT_NEAR(s.zz, -1.0 / std::sqrt(1 + z * z), 1e-6);
-  EXPECT_NEAR(s.yy, 0.3 * (s.xx + s.zz), 1e-6);
-  EXPECT_NEAR(0.5 * (s.xx - s.zz), 0.30028, 1e-5);
-}
-
 TEST(HertzModel, HasOnePointWithTheFieldsOfTheClosedForm) {
-  contact::Case input = thesis_case_a();
-  input.friction_coefficient = 0.55;
+  contact::Case input = testing::thesis_case('a');
   input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
   const contact::ModelResult result = theories::run_hertz(input, {});
   ASSERT_EQ(result.points.size(), 1u);

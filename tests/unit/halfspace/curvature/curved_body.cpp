@@ -6,8 +6,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "support/random_field.hpp"
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace {
@@ -33,43 +33,33 @@ BodySurface paraboloid(double curvature_x, double curvature_y) {
   return surface;
 }
 
-SurfaceField random_tractions(const ContactGrid& grid, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> value(-1.0, 1.0);
-  const auto field = [&] { return grid.sample([&](double, double) { return value(generator); }); };
-  return {field(), field(), field()};
-}
-
-double product(const SurfaceField& a, const SurfaceField& b) {
-  return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
-}
-
 const ContactGrid skewed{11, 7, 0.3, 0.5, -1.2, -1.9};
 
 TEST(CurvedBody, IsSymmetric) {
   const CurvedBody body(skewed, paraboloid(1.0 / 40.0, -1.0 / 70.0));
-  const SurfaceField p = random_tractions(skewed, 1), q = random_tractions(skewed, 2);
+  const SurfaceField p = rollfem::testing::random_field(skewed, 1),
+                     q = rollfem::testing::random_field(skewed, 2);
   const SurfaceField of_p = body.apply(p).correction, of_q = body.apply(q).correction;
-  const double size = std::sqrt(product(of_p, of_p) * product(q, q));
-  EXPECT_NEAR(product(q, of_p), product(p, of_q), 1e-12 * size);
-  EXPECT_GT(std::abs(product(q, of_p)), 1e-6 * size);
+  const double size = std::sqrt(rollfem::testing::dot(of_p, of_p) * rollfem::testing::dot(q, q));
+  EXPECT_NEAR(rollfem::testing::dot(q, of_p), rollfem::testing::dot(p, of_q), 1e-12 * size);
+  EXPECT_GT(std::abs(rollfem::testing::dot(q, of_p)), 1e-6 * size);
 }
 
 TEST(CurvedBody, FlatOneIsTheHalfSpace) {
   const CurvedBody body(skewed, paraboloid(0.0, 0.0));
-  const SurfaceField c = body.apply(random_tractions(skewed, 3)).correction;
-  EXPECT_EQ(product(c, c), 0.0);
+  const SurfaceField c = body.apply(rollfem::testing::random_field(skewed, 3)).correction;
+  EXPECT_EQ(rollfem::testing::dot(c, c), 0.0);
 }
 
 TEST(CurvedBody, IsLinearInTheHeight) {
-  const SurfaceField t = random_tractions(skewed, 4);
+  const SurfaceField t = rollfem::testing::random_field(skewed, 4);
   const SurfaceField c = CurvedBody(skewed, paraboloid(0.01, 0.02)).apply(t).correction;
   const SurfaceField along = CurvedBody(skewed, paraboloid(0.02, 0.0)).apply(t).correction;
   const SurfaceField across = CurvedBody(skewed, paraboloid(0.0, 0.04)).apply(t).correction;
   const SurfaceField half{0.5 * (along.x + across.x), 0.5 * (along.y + across.y),
                           0.5 * (along.n + across.n)};
   const SurfaceField difference{c.x - half.x, c.y - half.y, c.n - half.n};
-  EXPECT_LT(product(difference, difference), 1e-24 * product(c, c));
+  EXPECT_LT(rollfem::testing::dot(difference, difference), 1e-24 * rollfem::testing::dot(c, c));
 }
 
 /// Strain along a meridian at the pole of a sphere of radius 1 under two opposite Hertz caps of

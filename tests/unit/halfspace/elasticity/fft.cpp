@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include <random>
+#include "support/random_field.hpp"
 
 namespace rollfem::halfspace {
 namespace {
@@ -17,16 +17,6 @@ using contact::Field;
 using contact::SurfaceField;
 using contact::TangentialField;
 using contact::UpwindOrder;
-
-Field random_field(int n, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Field::NullaryExpr(n, [&](Eigen::Index) { return uniform(engine); });
-}
-
-SurfaceField random_surface_field(int n, unsigned seed) {
-  return {random_field(n, seed), random_field(n, seed + 1), random_field(n, seed + 2)};
-}
 
 /// Displacement at any (also exterior) column and row by summing over all elements.
 void direct(const ContactGrid& grid, const contact::CombinedMaterial& material,
@@ -58,7 +48,7 @@ TEST(Fft, SizesAreEvenSmoothAndLargeEnough) {
 
 TEST(Fft, RoundTripGivesTheFieldBack) {
   const PaddedFft fft(13, 7, 30, 16);
-  const Field field = random_field(13 * 7, 5);
+  const Field field = testing::random_field(ContactGrid::centred(13, 7, 1.0, 1.0), 5).n;
   PaddedFft::Spectrum spectrum;
   fft.forward(field, spectrum);
   Field back;
@@ -73,7 +63,7 @@ class ComplianceOfGrid : public ::testing::TestWithParam<std::pair<int, int>> {
 };
 
 TEST_P(ComplianceOfGrid, EqualsDirectSummation) {
-  const SurfaceField p = random_surface_field(grid.size(), 1);
+  const SurfaceField p = testing::random_field(grid, 1);
   const SurfaceField u = compliance.apply(p);
   const double scale = u.n.cwiseAbs().maxCoeff();
   const Field normal = compliance.normal().apply(p.n);
@@ -97,8 +87,8 @@ TEST_P(ComplianceOfGrid, EqualsDirectSummation) {
 }
 
 TEST_P(ComplianceOfGrid, RollingIsTheUpwindDifferenceUpToTheBorder) {
-  const SurfaceField p{random_field(grid.size(), 3), random_field(grid.size(), 4),
-                       Field::Zero(grid.size())};
+  SurfaceField p = testing::random_field(grid, 3);
+  p.n.setZero();
   for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
     const TangentialField w = compliance.rolling(order).apply({p.x, p.y});
     const double scale = w.x.cwiseAbs().maxCoeff();
@@ -121,22 +111,20 @@ TEST_P(ComplianceOfGrid, RollingIsTheUpwindDifferenceUpToTheBorder) {
 
 TEST_P(ComplianceOfGrid, IsSymmetricAndPositiveDefinite) {
   for (unsigned seed = 10; seed < 20; ++seed) {
-    const SurfaceField p = random_surface_field(grid.size(), seed);
-    const SurfaceField q = random_surface_field(grid.size(), seed + 100);
-    const auto product = [](const SurfaceField& a, const SurfaceField& b) {
-      return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
-    };
-    const double energy = product(p, compliance.apply(p));
+    const SurfaceField p = testing::random_field(grid, seed);
+    const SurfaceField q = testing::random_field(grid, seed + 100);
+    const double energy = testing::dot(p, compliance.apply(p));
     EXPECT_GT(energy, 0.0);
-    EXPECT_NEAR(product(q, compliance.apply(p)), product(p, compliance.apply(q)), 1e-12 * energy);
+    EXPECT_NEAR(testing::dot(q, compliance.apply(p)), testing::dot(p, compliance.apply(q)),
+                1e-12 * energy);
   }
 }
 
 TEST_P(ComplianceOfGrid, NormalPreconditionerIsSymmetricPositiveDefinite) {
   const contact::NormalOperator& normal = compliance.normal();
   for (unsigned seed = 30; seed < 40; ++seed) {
-    const Field p = random_field(grid.size(), seed);
-    const Field q = random_field(grid.size(), seed + 100);
+    const Field p = testing::random_field(grid, seed).n,
+                q = testing::random_field(grid, seed + 100).n;
     const double energy = p.dot(normal.precondition(p));
     EXPECT_GT(energy, 0.0);
     EXPECT_NEAR(q.dot(normal.precondition(p)), p.dot(normal.precondition(q)), 1e-12 * energy);

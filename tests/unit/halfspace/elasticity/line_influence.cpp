@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_field.hpp"
 #include <cmath>
-#include <random>
 
 namespace rollfem {
 namespace {
@@ -19,16 +19,6 @@ using contact::UpwindOrder;
 /// Aluminium on steel.
 contact::CombinedMaterial unlike() {
   return contact::combine({70e3, 0.33}, {210e3, 0.28});
-}
-
-/// Each component of each element from -1 to 1.
-SurfaceField random_traction(int n, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  const auto field = [&] {
-    return Field(Field::NullaryExpr(n, [&] { return number(generator); }));
-  };
-  return {field(), field(), field()};
 }
 
 ContactGrid line_of(int n) {
@@ -70,7 +60,7 @@ TEST(LineInfluence, OfAFourierSumIsThatOfADenseMatrix) {
   const ContactGrid grid = line_of(53);
   const int n = grid.nx;
   const halfspace::HalfspaceCompliance fast(grid, unlike());
-  const SurfaceField p = random_traction(n, 7);
+  const SurfaceField p = testing::random_field(grid, 7);
   const SurfaceField u = fast.apply(p), v = summed(grid, unlike(), p);
   expect_same(u.x, v.x.head(n));
   expect_same(u.y, v.y.head(n));
@@ -101,13 +91,11 @@ TEST(LineInfluence, OfAFourierSumIsThatOfADenseMatrix) {
 }
 
 TEST(LineInfluence, IsSymmetricAndPositive) {
-  const halfspace::HalfspaceCompliance line(line_of(40), unlike());
-  const SurfaceField p = random_traction(40, 1), q = random_traction(40, 2);
-  const auto product = [](const SurfaceField& a, const SurfaceField& b) {
-    return a.x.dot(b.x) + a.y.dot(b.y) + a.n.dot(b.n);
-  };
-  const double pp = product(p, line.apply(p));
-  EXPECT_NEAR(product(p, line.apply(q)), product(line.apply(p), q), 1e-12 * pp);
+  const ContactGrid grid = line_of(40);
+  const halfspace::HalfspaceCompliance line(grid, unlike());
+  const SurfaceField p = testing::random_field(grid, 1), q = testing::random_field(grid, 2);
+  const double pp = testing::dot(p, line.apply(p));
+  EXPECT_NEAR(testing::dot(p, line.apply(q)), testing::dot(line.apply(p), q), 1e-12 * pp);
   EXPECT_GT(pp, 0.0);
 }
 
