@@ -1,5 +1,5 @@
 #include "app/table_source.hpp"
-#include "halfspace/model/many.hpp"
+#include "halfspace/model/rolling_ellipse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr double least_moment_bar = 0.002;
 /// Half of what a list of points is solved to: forces within 0.2 % of mu F_n everywhere.
 constexpr double largest_correction = 0.0015;
 
-TablePoint point_of(const halfspace::ManyForces& found) {
+TablePoint point_of(const halfspace::EllipseForces& found) {
   const auto& [along, across, moment] = found.correction;
   return {{found.limit.longitudinal, found.limit.lateral, found.limit.spin_moment},
           0.0,
@@ -47,15 +47,12 @@ class EllipseSource : public TableSource {
  private:
   std::vector<TablePoint> solve(double ratio, const Scaled& scale,
                                 const std::vector<Scaled>& creepages) const {
-    std::vector<halfspace::CreepPoint> points;
+    std::vector<halfspace::ScaledCreepage> points;
     for (const Scaled& creepage : creepages)
-      points.push_back({0, creepage[0] / scale[0], creepage[1] / scale[1], creepage[2] / scale[2]});
-    halfspace::ManyOptions options;
-    options.largest_correction = largest_correction;
-    options.threads = 1;
+      points.push_back({creepage[0] / scale[0], creepage[1] / scale[1], creepage[2] / scale[2]});
     std::vector<TablePoint> found;
-    for (const halfspace::ManyForces& one :
-         halfspace::solve_many({{ratio, poisson_ratio_}}, points, options))
+    for (const halfspace::EllipseForces& one :
+         halfspace::roll_ellipse({ratio, poisson_ratio_}, points, {largest_correction}))
       found.push_back(point_of(one));
     return found;
   }

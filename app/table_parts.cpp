@@ -2,7 +2,6 @@
 
 #include "contact/base/threads.hpp"
 #include "contact/result/record.hpp"
-#include "halfspace/model/many.hpp"
 
 #include <fmt/format.h>
 
@@ -99,13 +98,16 @@ class SharedParts {
   std::mutex telling_;
 };
 
+/// Points that a thread solves and keeps at once.
+constexpr std::size_t longest_part = 64;
+
 }  // namespace
 
 std::vector<TablePart> parts_of(std::size_t points, std::size_t of_a_group) {
   std::vector<TablePart> parts;
   for (std::size_t begin = 0; begin < points;) {
     const std::size_t end_of_group = (begin / of_a_group + 1) * of_a_group;
-    const std::size_t end = std::min({begin + halfspace::longest_chain, end_of_group, points});
+    const std::size_t end = std::min({begin + longest_part, end_of_group, points});
     parts.push_back({begin, end});
     begin = end;
   }

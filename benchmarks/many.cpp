@@ -1,7 +1,6 @@
 // Forces of many creepages on many ellipses: errors against a fine grid, and milliseconds a point.
-#include "halfspace/model/many.hpp"
-
 #include "halfspace/closed_forms/kalker.hpp"
+#include "halfspace/model/rolling_ellipse.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +15,9 @@
 namespace {
 
 using namespace rollfem;
-using halfspace::CreepPoint;
-using halfspace::EllipseShape;
-using halfspace::ManyForces;
-using halfspace::ManyOptions;
+using halfspace::EllipseAccuracy;
+using halfspace::EllipseForces;
+using halfspace::ScaledCreepage;
 
 constexpr double nu = 0.28;
 
@@ -28,40 +26,36 @@ double cpu_seconds() {
 }
 
 /// Creepages whose linear forces are `size` of the bound, in the shares `way` of xi, eta and phi.
-CreepPoint point_of(std::size_t shape, double ratio, double size,
-                    const std::array<double, 3>& way) {
+ScaledCreepage creepage_of(double ratio, double size, const std::array<double, 3>& way) {
   const double a = std::sqrt(ratio);
   const auto c = halfspace::kalker_coefficients(a, 1.0 / a, nu);
-  return {shape, size * way[0] / c.c11, size * way[1] / c.c22,
+  return {size * way[0] / c.c11, size * way[1] / c.c22,
           size * way[2] / std::max(std::abs(c.c23), c.c33)};
 }
 
-/// Seven creepages on each shape from a fifth of the bound to eight times, in random directions, of
+/// Seven creepages on an ellipse from a fifth of the bound to eight times, in random directions, of
 /// which each component is 0 with a probability of 0.3.
-std::vector<CreepPoint> sample_of(const std::vector<EllipseShape>& shapes) {
-  std::vector<CreepPoint> points;
-  std::mt19937 random(7);
+std::vector<ScaledCreepage> sample_of(double ratio, std::mt19937& random) {
+  std::vector<ScaledCreepage> creepages;
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  for (std::size_t s = 0; s < shapes.size(); ++s)
-    for (int k = 0; k < 7; ++k) {
-      std::array<double, 3> way{};
-      double size = 0.0;
-      for (double& x : way) {
-        x = 2.0 * uniform() - 1.0;
-        if (uniform() < 0.3) x = 0.0;
-        size += std::abs(x);
-      }
-      if (size == 0.0) way[static_cast<std::size_t>(k % 3)] = size = 1.0;
-      points.push_back(
-          point_of(s, shapes[s].axis_ratio, 0.2 * std::pow(40.0, k / 6.0) / size, way));
+  for (int k = 0; k < 7; ++k) {
+    std::array<double, 3> way{};
+    double size = 0.0;
+    for (double& x : way) {
+      x = 2.0 * uniform() - 1.0;
+      if (uniform() < 0.3) x = 0.0;
+      size += std::abs(x);
     }
-  return points;
+    if (size == 0.0) way[static_cast<std::size_t>(k % 3)] = size = 1.0;
+    creepages.push_back(creepage_of(ratio, 0.2 * std::pow(40.0, k / 6.0) / size, way));
+  }
+  return creepages;
 }
 
 /// A part of a table: every combination of eight steps of each creepage, in turns, so that
 /// neighbours follow each other.
-std::vector<CreepPoint> table_of(double ratio) {
-  std::vector<CreepPoint> points;
+std::vector<ScaledCreepage> table_of(double ratio) {
+  std::vector<ScaledCreepage> points;
   const auto step = [](int k) { return 0.05 * (std::pow(1.9, k) - 1.0); };
   constexpr int n = 8;
   for (int i = 0; i < n; ++i)
@@ -69,25 +63,31 @@ std::vector<CreepPoint> table_of(double ratio) {
       for (int k = 0; k < n; ++k) {
         const int eta = i % 2 == 0 ? j : n - 1 - j;
         const int phi = (i * n + j) % 2 == 0 ? k : n - 1 - k;
-        points.push_back(point_of(0, ratio, 1.0, {step(i), step(eta), step(phi)}));
+        points.push_back(creepage_of(ratio, 1.0, {step(i), step(eta), step(phi)}));
       }
   return points;
 }
 
-void compare(const std::vector<EllipseShape>& shapes, int reference) {
-  const std::vector<CreepPoint> points = sample_of(shapes);
-  ManyOptions options;
-  options.threads = 1;
-  double begin = cpu_seconds();
-  const std::vector<ManyForces> all = halfspace::solve_many(shapes, points, options);
+/// Forces at samples of all ellipses, each creepage from nothing.
+std::vector<EllipseForces> forces_of(const std::vector<double>& ratios,
+                                     const EllipseAccuracy& accuracy) {
+  std::vector<EllipseForces> all;
+  std::mt19937 random(7);
+  for (const double ratio : ratios)
+    for (const ScaledCreepage& creepage : sample_of(ratio, random))
+      all.push_back(halfspace::roll_ellipse({ratio, nu}, {creepage}, accuracy)[0]);
+  return all;
+}
+
+void compare(const std::vector<double>& ratios, int reference) {
+  const double begin = cpu_seconds();
+  const std::vector<EllipseForces> all = forces_of(ratios, {});
   const double seconds = cpu_seconds() - begin;
-  options.largest_correction = 0.0;
-  options.most_across = reference;
-  const std::vector<ManyForces> fine = halfspace::solve_many(shapes, points, options);
+  const std::vector<EllipseForces> fine = forces_of(ratios, {0.0, reference});
   int good = 0, within_bars = 0;
   double worst_force = 0.0, worst_moment = 0.0;
   std::array<int, 3> on_grid{};
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
     const auto& [limit, bar, across] = all[k];
     const auto& exact = fine[k].limit;
     const double force =
@@ -106,7 +106,7 @@ void compare(const std::vector<EllipseShape>& shapes, int reference) {
       "{} points, each from nothing: {:.1f} CPU ms a point; {} within 0.2 % of mu F_n and 1 % of "
       "mu F_n c (against {} across), largest {:.2f} and {:.2f} %; {} within their bars; on 20, 40, "
       "80 across: {}, {}, {}\n",
-      points.size(), 1e3 * seconds / static_cast<double>(points.size()), good, reference,
+      all.size(), 1e3 * seconds / static_cast<double>(all.size()), good, reference,
       100.0 * worst_force, 100.0 * worst_moment, within_bars, on_grid[0], on_grid[1], on_grid[2]);
 }
 
@@ -114,15 +114,14 @@ void compare(const std::vector<EllipseShape>& shapes, int reference) {
 
 int main(int count, char** words) {
   const int reference = count > 1 ? std::atoi(words[1]) : 160;
-  std::vector<EllipseShape> shapes;
-  for (const double ratio : {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
-    shapes.push_back({ratio, nu});
   for (const double ratio : {0.2, 1.0, 5.0}) {
-    const std::vector<CreepPoint> points = table_of(ratio);
-    ManyOptions options;
-    options.threads = 1;
+    const std::vector<ScaledCreepage> points = table_of(ratio);
     const double begin = cpu_seconds();
-    const auto all = halfspace::solve_many({{ratio, nu}}, points, options);
+    std::vector<EllipseForces> all;
+    for (std::size_t k = 0; k < points.size(); k += 64)  // as tables take them
+      for (const EllipseForces& one :
+           halfspace::roll_ellipse({ratio, nu}, {points.begin() + k, points.begin() + k + 64}))
+        all.push_back(one);
     const double seconds = cpu_seconds() - begin;
     const auto finer =
         std::count_if(all.begin(), all.end(), [](const auto& p) { return p.elements_across > 20; });
@@ -130,6 +129,6 @@ int main(int count, char** words) {
         "table of {} points at a/b = {:g}: {:.1f} CPU ms a point, {} on finer grids than 20\n",
         points.size(), ratio, 1e3 * seconds / static_cast<double>(points.size()), finer);
   }
-  compare(shapes, reference);
+  compare({0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0}, reference);
   return 0;
 }

@@ -1,7 +1,7 @@
 // Error bars of tables: points at random on ellipses at random, as a table solves them, against the
 // limit of grids four times as fine.
 #include "halfspace/closed_forms/kalker.hpp"
-#include "halfspace/model/many.hpp"
+#include "halfspace/model/rolling_ellipse.hpp"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,24 @@
 namespace {
 
 using namespace rollfem;
-using halfspace::CreepPoint;
-using halfspace::EllipseShape;
-using halfspace::ManyForces;
+using halfspace::EllipseForces;
+using halfspace::ScaledCreepage;
+
+/// An ellipse and creepages on it.
+struct Sample {
+  halfspace::EllipseShape shape;
+  std::vector<ScaledCreepage> creepages;
+};
+
+std::vector<EllipseForces> forces_of(const std::vector<Sample>& samples,
+                                     const halfspace::EllipseAccuracy& accuracy) {
+  std::vector<EllipseForces> all;
+  for (const Sample& sample : samples)
+    for (const EllipseForces& one :
+         halfspace::roll_ellipse(sample.shape, sample.creepages, accuracy))
+      all.push_back(one);
+  return all;
+}
 
 constexpr double nu = 0.28;
 
@@ -41,17 +56,14 @@ void tell(const char* what, std::vector<double> values) {
 }
 
 /// How far points that are solved up to a correction are off, and how well it covers that.
-void judge(const std::vector<EllipseShape>& shapes, const std::vector<CreepPoint>& points,
-           const std::vector<ManyForces>& exact, double largest_correction) {
-  halfspace::ManyOptions options;
-  options.largest_correction = largest_correction;
-  options.threads = 1;
+void judge(const std::vector<Sample>& samples, const std::vector<EllipseForces>& exact,
+           double largest_correction) {
   const std::clock_t begin = std::clock();
-  const std::vector<ManyForces> found = halfspace::solve_many(shapes, points, options);
+  const std::vector<EllipseForces> found = forces_of(samples, {largest_correction});
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   std::vector<Off> all;
   std::vector<double> force, moment;
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
     const auto &f = found[k].limit, &e = exact[k].limit, &left = found[k].correction;
     all.push_back({std::hypot(f.longitudinal - e.longitudinal, f.lateral - e.lateral),
                    std::abs(f.spin_moment - e.spin_moment),
@@ -62,8 +74,7 @@ void judge(const std::vector<EllipseShape>& shapes, const std::vector<CreepPoint
   fmt::print(
       "{} points against the limit of 80 and 160 across, corrections up to {:g} %: {:.1f} CPU "
       "ms a point\n",
-      points.size(), 100.0 * largest_correction,
-      1e3 * seconds / static_cast<double>(points.size()));
+      found.size(), 100.0 * largest_correction, 1e3 * seconds / static_cast<double>(found.size()));
   tell("force, of mu F_n", force);
   tell("moment, of mu F_n c", moment);
   for (const double floor : {0.0, 0.001, 0.002, 0.003, 0.004}) {
@@ -86,21 +97,18 @@ int main(int count, char** words) {
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
   };
-  std::vector<EllipseShape> shapes;
-  std::vector<CreepPoint> points;
+  std::vector<Sample> samples;
   for (int s = 0; s < shapes_asked; ++s) {
     const double ratio = std::exp(uniform(std::log(0.1), std::log(10.0))), a = std::sqrt(ratio);
     const auto c = halfspace::kalker_coefficients(a, 1.0 / a, nu);
-    shapes.push_back({ratio, nu});
+    samples.push_back({{ratio, nu}, {}});
     for (int k = 0; k < each; ++k)
-      points.push_back({shapes.size() - 1, creepage_at(uniform(-2.1, 2.1)) * 3.0 / c.c11,
-                        creepage_at(uniform(-2.1, 2.1)) * 3.0 / c.c22,
-                        creepage_at(uniform(-2.6, 2.6)) / std::hypot(c.c23, c.c33)});
+      samples.back().creepages.push_back(
+          {creepage_at(uniform(-2.1, 2.1)) * 3.0 / c.c11,
+           creepage_at(uniform(-2.1, 2.1)) * 3.0 / c.c22,
+           creepage_at(uniform(-2.6, 2.6)) / std::hypot(c.c23, c.c33)});
   }
-  halfspace::ManyOptions fine;
-  fine.largest_correction = 0.0;
-  fine.most_across = 160;
-  const std::vector<ManyForces> exact = halfspace::solve_many(shapes, points, fine);
-  for (const double correction : {0.003, 0.0015, 0.001}) judge(shapes, points, exact, correction);
+  const std::vector<EllipseForces> exact = forces_of(samples, {0.0, 160});
+  for (const double correction : {0.003, 0.0015, 0.001}) judge(samples, exact, correction);
   return 0;
 }

@@ -6,7 +6,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
-#include "halfspace/model/many.hpp"
+#include "halfspace/model/rolling_ellipse.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,15 +43,13 @@ const CreepTable& small_table() {
 }
 
 /// As the table solves: a correction of 0.15 % at most.
-std::vector<halfspace::ManyForces> solved(const std::vector<halfspace::EllipseShape>& shapes,
-                                          const std::vector<halfspace::CreepPoint>& points) {
-  halfspace::ManyOptions options;
-  options.largest_correction = 0.0015;
-  return halfspace::solve_many(shapes, points, options);
+halfspace::EllipseForces solved(const halfspace::EllipseShape& shape,
+                                const halfspace::ScaledCreepage& creepage) {
+  return halfspace::roll_ellipse(shape, {creepage}, {0.0015})[0];
 }
 
-halfspace::CreepPoint point_of(const CreepTable& table, std::size_t r, const Scaled& s) {
-  return {0, s[0] / table.scale[r][0], s[1] / table.scale[r][1], s[2] / table.scale[r][2]};
+halfspace::ScaledCreepage point_of(const CreepTable& table, std::size_t r, const Scaled& s) {
+  return {s[0] / table.scale[r][0], s[1] / table.scale[r][1], s[2] / table.scale[r][2]};
 }
 
 TEST(TableFilling, PointsAreSingleSolutions) {
@@ -60,10 +58,9 @@ TEST(TableFilling, PointsAreSingleSolutions) {
   for (std::size_t n = 3; n < table.size(); n += 17) {
     const std::size_t k = n % 7, j = n / 7 % 3, i = n / 21 % 4, r = n / 84;
     ASSERT_EQ(table.place(r, i, j, k), n);
-    const auto alone =
-        solved({{table.axis_ratio[r], table.poisson_ratio}},
-               {point_of(table, r,
-                         {table.creepage[0][i], table.creepage[1][j], table.creepage[2][k]})})[0];
+    const auto alone = solved(
+        {table.axis_ratio[r], table.poisson_ratio},
+        point_of(table, r, {table.creepage[0][i], table.creepage[1][j], table.creepage[2][k]}));
     EXPECT_NEAR(table.forces[n][0], alone.limit.longitudinal, 1e-10) << n;
     EXPECT_NEAR(table.forces[n][1], alone.limit.lateral, 1e-10) << n;
     EXPECT_NEAR(table.forces[n][2], alone.limit.spin_moment, 1e-10) << n;
@@ -78,7 +75,7 @@ TEST(TableFilling, SymmetriesThatTheReaderUsesAreThoseOfTheSolution) {
   const double x = table.creepage[0][2], y = table.creepage[1][1], z = table.creepage[2][5];
   for (const Scaled& s : {Scaled{-x, y, z}, Scaled{x, -y, z}, Scaled{x, y, -z}, Scaled{-x, -y, z},
                           Scaled{-x, y, -z}, Scaled{x, -y, -z}, Scaled{-x, -y, -z}}) {
-    const auto alone = solved({{0.7, table.poisson_ratio}}, {point_of(table, 0, s)})[0].limit;
+    const auto alone = solved({0.7, table.poisson_ratio}, point_of(table, 0, s)).limit;
     const Scaled found = reader.at(0.7, s).forces;
     EXPECT_NEAR(found[0], alone.longitudinal, 1e-9);
     EXPECT_NEAR(found[1], alone.lateral, 1e-9);
@@ -116,9 +113,9 @@ TEST(TableFilling, InterpolationIsJudgedAtPointsThatWereSolvedFor) {
   double largest = 0.0;
   for (const auto& point : table.checked) {
     const Scaled scale = reader.scale_at(point.place);
-    const auto alone = solved({{point.place, table.poisson_ratio}},
-                              {{0, point.creepage[0] / scale[0], point.creepage[1] / scale[1],
-                                point.creepage[2] / scale[2]}})[0];
+    const auto alone = solved(
+        {point.place, table.poisson_ratio},
+        {point.creepage[0] / scale[0], point.creepage[1] / scale[1], point.creepage[2] / scale[2]});
     EXPECT_NEAR(point.solved[0], alone.limit.longitudinal, 1e-10);
     EXPECT_GE(point.place, 0.7);
     EXPECT_LE(point.place, 1.4);

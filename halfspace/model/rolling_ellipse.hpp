@@ -1,9 +1,7 @@
-// Steady rolling of very many Hertzian contacts: forces for a list of creepages on a list of
-// ellipses, as needed for tables of vehicle dynamics. Everything is scaled, so that one value
-// covers contacts of any size, load and stiffness; nothing is written.
+// Steady rolling of a Hertzian ellipse at many creepages, as tables of vehicle dynamics need it.
+// Everything is scaled, so that one value covers contacts of any size, load and stiffness.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -16,8 +14,7 @@ struct EllipseShape {
 
 /// With c = sqrt(a b), the combined shear modulus G and the bound mu F_n of friction. Signs are
 /// those of contact::Creepage.
-struct CreepPoint {
-  std::size_t shape = 0;      ///< place in the list of shapes
+struct ScaledCreepage {
   double longitudinal = 0.0;  ///< xi G c^2 / (mu F_n)
   double lateral = 0.0;       ///< eta G c^2 / (mu F_n)
   double spin = 0.0;          ///< phi G c^3 / (mu F_n)
@@ -30,32 +27,25 @@ struct ScaledForces {
   double spin_moment = 0.0;   ///< M_z / (mu F_n c)
 };
 
-/// The limit of the two finest grids of a point.
-struct ManyForces {
+/// The limit of the two finest grids.
+struct EllipseForces {
   ScaledForces limit;
   ScaledForces correction;  ///< of the finer one to the limit: the size of the error, no bound
   int elements_across = 0;  ///< of the finer one
 };
 
-/// Points that a thread solves in turn.
-inline constexpr std::size_t longest_chain = 64;
-
-struct ManyOptions {
+struct EllipseAccuracy {
   /// Grids are doubled from 10 across on until the correction of the forces is at most this of
   /// mu F_n and that of the moment four times as much of mu F_n c. 0.003: forces within 0.2 %, the
   /// moment within 1 % (docs/benchmarks.md).
   double largest_correction = 0.003;
   int most_across = 80;  ///< where that ends: 20, 40, 80 or 160
-  int threads = 0;       ///< 0: contact::threads()
 };
 
-/// Forces of all points, in their order. Points of a shape are solved in the order of the list,
-/// each from the one before: neighbours should follow each other. They are those of each point
-/// alone to 1e-10 and to the last bit whatever the number of threads. Throws contact::InputError
-/// for shapes, points and options out of range, contact::SolveError where a point does not
-/// converge; both say which.
-std::vector<ManyForces> solve_many(const std::vector<EllipseShape>& shapes,
-                                   const std::vector<CreepPoint>& points,
-                                   const ManyOptions& options = {});
+/// Forces at all creepages, in their order, on one thread. Throws contact::InputError for shapes
+/// and creepages out of range, contact::SolveError where one does not converge.
+std::vector<EllipseForces> roll_ellipse(const EllipseShape& shape,
+                                        const std::vector<ScaledCreepage>& creepages,
+                                        const EllipseAccuracy& accuracy = {});
 
 }  // namespace rollfem::halfspace
