@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -38,21 +39,17 @@ inline std::string plus(const std::string& lines) {
 
 /// What is wrong with the text of a case file, in the words of the program.
 inline std::string error_of(const std::string& text) {
-  try {
+  return refusal<contact::InputError>([&] {
     contact::parse_case(text, "case.toml", {{"hertz", "halfspace", "fem"}, {}});
-  } catch (const contact::InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  });
 }
 
 /// One line that says all parts and what to do.
 inline void expect_error(const std::string& text, const std::vector<std::string>& parts) {
   const std::string message = error_of(text);
-  for (const std::string& part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
-  EXPECT_NE(message.find("; do: "), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_TRUE(says(message, parts));
+  EXPECT_TRUE(says(message, "; do: "));
+  EXPECT_FALSE(says(message, "\n"));
 }
 
 }  // namespace rollfem::testing

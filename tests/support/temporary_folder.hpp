@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace rollfem::testing {
 
@@ -50,13 +51,18 @@ inline std::string contents(const std::filesystem::path& file) {
 }
 
 /// Whether a text has all of these parts; EXPECT_TRUE prints the text and what it has not.
-template <class... Parts>
-::testing::AssertionResult says(const std::string& text, const Parts&... parts) {
+inline ::testing::AssertionResult says(const std::string& text,
+                                       const std::vector<std::string>& parts) {
   std::string missing;
-  for (const std::string& part : {std::string(parts)...})
+  for (const std::string& part : parts)
     if (text.find(part) == std::string::npos) missing += "no '" + part + "' ";
   if (!missing.empty()) return ::testing::AssertionFailure() << missing << "in: " << text;
   return ::testing::AssertionSuccess() << text;
+}
+
+template <class... Parts>
+::testing::AssertionResult says(const std::string& text, const Parts&... parts) {
+  return says(text, std::vector<std::string>{std::string(parts)...});
 }
 
 /// What a call is refused with, "" when it is not.

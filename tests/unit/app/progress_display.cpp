@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
+
 using rollfem::app::progress_line;
 using rollfem::contact::ProgressEvent;
+using rollfem::testing::says;
 
 namespace {
 
@@ -21,20 +24,20 @@ std::string line(int point, bool finished, double seconds) {
 }  // namespace
 
 TEST(ProgressDisplay, TellsWhatIsLeftFromTheLoadPointsThatAreDone) {
-  EXPECT_NE(line(2, true, 20.0).find(" 20.0 s, about 30 s left"), std::string::npos);
-  EXPECT_NE(line(3, false, 20.0).find(", about 30 s left"), std::string::npos);
+  EXPECT_TRUE(says(line(2, true, 20.0), " 20.0 s, about 30 s left"));
+  EXPECT_TRUE(says(line(3, false, 20.0), ", about 30 s left"));
 }
 
 TEST(ProgressDisplay, GuessesNothing) {
   for (const std::string& text : {line(1, false, 20.0), line(5, true, 20.0), line(2, true, 0.5)})
-    EXPECT_EQ(text.find("left"), std::string::npos) << text;
+    EXPECT_FALSE(says(text, "left"));
 }
 
 TEST(ProgressDisplay, NamesACreepageOnlyWhereThereIsOne) {
-  EXPECT_NE(line(2, true, 1.0).find(" 2/5"), std::string::npos);
-  EXPECT_EQ(line(2, true, 1.0).find("xi"), std::string::npos);
+  EXPECT_TRUE(says(line(2, true, 1.0), " 2/5"));
+  EXPECT_FALSE(says(line(2, true, 1.0), "xi"));
   ProgressEvent rolling;
   rolling.point = rolling.points = 1;
   rolling.creepage = 0.001;
-  EXPECT_NE(progress_line(rolling, 1.0).find(" xi 0.001"), std::string::npos);
+  EXPECT_TRUE(says(progress_line(rolling, 1.0), " xi 0.001"));
 }

@@ -13,6 +13,7 @@ namespace {
 
 using namespace rollfem;
 using postprocess::CreepTable;
+using rollfem::testing::says;
 
 CreepTable some_table() {
   CreepTable table;
@@ -56,7 +57,7 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
   char message[300];
   const std::string text = folder.file("text.h5", "no table");
   EXPECT_EQ(rollfem_table_open(text.c_str(), message, sizeof message), nullptr);
-  EXPECT_NE(std::string(message).find("text.h5"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "text.h5"));
   EXPECT_EQ(rollfem_table_open(nullptr, nullptr, 0), nullptr);
   const std::string file = folder.file("table.h5", postprocess::table_hdf5(some_table()));
   const Table table(rollfem_table_open(file.c_str(), message, sizeof message), rollfem_table_close);
@@ -65,7 +66,7 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
   rollfem_creep_forces forces{1.0, 1.0, 1.0, 1.0, 1.0};
   EXPECT_EQ(rollfem_table_forces(table.get(), &narrow, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
-  EXPECT_NE(std::string(message).find("a/b = 0.2"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "a/b = 0.2"));
   EXPECT_EQ(forces.longitudinal_force, 0.0);
 }
 
@@ -130,11 +131,11 @@ TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
   rollfem_wheel_forces forces;
   EXPECT_EQ(rollfem_table_wheel_forces(ratios.get(), &wheel, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
-  EXPECT_NE(std::string(message).find("over ratios of axes"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "over ratios of axes"));
   wheel.lateral_shift = 4.0;
   EXPECT_EQ(rollfem_table_wheel_forces(shifts.get(), &wheel, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
-  EXPECT_NE(std::string(message).find("lateral shift 4 mm"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "lateral shift 4 mm"));
   EXPECT_EQ(forces.force_bar, 0.0);
   const rollfem_ellipse ellipse{6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
   rollfem_creep_forces of_ellipse;

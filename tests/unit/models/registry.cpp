@@ -12,6 +12,7 @@ namespace {
 
 using namespace rollfem;
 using rollfem::testing::plus;
+using rollfem::testing::says;
 using rollfem::testing::with;
 
 const contact::ModelRegistry& models() {
@@ -20,12 +21,7 @@ const contact::ModelRegistry& models() {
 }
 
 std::string refusal(const contact::Scene& scene, const std::string& model) {
-  try {
-    models().check(scene, model);
-  } catch (const contact::InputError& error) {
-    return error.what();
-  }
-  return "able";
+  return rollfem::testing::refusal<contact::InputError>([&] { models().check(scene, model); });
 }
 
 std::string refusal(const std::string& text, const std::string& model) {
@@ -33,7 +29,7 @@ std::string refusal(const std::string& text, const std::string& model) {
 }
 
 void expect_refusal(const std::string& text, const std::string& model, const std::string& part) {
-  EXPECT_NE(refusal(text, model).find(part), std::string::npos) << refusal(text, model);
+  EXPECT_TRUE(says(refusal(text, model), part));
 }
 
 const std::string fast = "[rolling]\nspeed = 5e4\n[fem]\ninertia = true\n";
@@ -53,19 +49,19 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
       plus("[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.1\n");
   const std::string force = plus("[rolling]\nlongitudinal_force = 1.0\n");
   for (const char* model : {"halfspace", "hybrid", "fem"}) {
-    EXPECT_EQ(refusal(shift, model), "able");
-    EXPECT_EQ(refusal(force, model), "able");
-    EXPECT_EQ(refusal(pressure, model) == "able", std::string(model) != "hybrid") << model;
+    EXPECT_EQ(refusal(shift, model), "");
+    EXPECT_EQ(refusal(force, model), "");
+    EXPECT_EQ(refusal(pressure, model) == "", std::string(model) != "hybrid") << model;
   }
   for (const char* model : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
     expect_refusal(shift, model,
                    "allowed: hertz, halfspace, hybrid, fem; do: run with --model halfspace");
     expect_refusal(force, model, "prescribed tangential force");
-    EXPECT_EQ(refusal(rollfem::testing::small_case, model), "able") << model;
+    EXPECT_EQ(refusal(rollfem::testing::small_case, model), "") << model;
   }
-  EXPECT_EQ(refusal(pressure, "fastsim"), "able");
+  EXPECT_EQ(refusal(pressure, "fastsim"), "");
   const std::string rigid = with("[rail]\n", "[rail]\nyoung_modulus = inf\n");
-  EXPECT_EQ(refusal(rigid, "fem"), "able");
+  EXPECT_EQ(refusal(rigid, "fem"), "");
   const std::string point = "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n";
   expect_refusal(rigid + point, "fem",
                  "subsurface: it cannot handle the stress in a rigid body; allowed: hertz, linear");
@@ -74,8 +70,8 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
 TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
   // A speed alone is no more than that, however high.
   for (const char* model : {"hertz", "carter", "halfspace", "hybrid", "fem"})
-    EXPECT_EQ(refusal(plus("[rolling]\nspeed = 5e6\n"), model), "able") << model;
-  EXPECT_EQ(refusal(plus(fast), "fem"), "able");
+    EXPECT_EQ(refusal(plus("[rolling]\nspeed = 5e6\n"), model), "") << model;
+  EXPECT_EQ(refusal(plus(fast), "fem"), "");
   for (const char* model : {"hertz", "carter", "halfspace", "hybrid"})
     expect_refusal(plus(fast), model,
                    "fem.inertia: it cannot handle the inertia of moving bodies; allowed: fem; do: "
@@ -88,7 +84,7 @@ TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
                  "rolling.spin: it cannot handle spin; allowed: hertz, linear, fastsim, strip, "
                  "halfspace, hybrid, fem; do: run with --model halfspace");
   expect_refusal(spin, "carter", "rolling.spin");
-  EXPECT_EQ(refusal(spin, "linear"), "able");
+  EXPECT_EQ(refusal(spin, "linear"), "");
   expect_refusal(plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",
                  "rolling.lateral_creepage: it cannot handle lateral creepage; allowed: hertz, "
                  "linear, vermeulen-johnson, fastsim, strip, halfspace, hybrid, fem");
@@ -96,16 +92,14 @@ TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
 
 TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
   contact::Scene scene = contact::parse_case(rollfem::testing::small_case, "case.toml");
-  EXPECT_EQ(refusal(scene, "linear"), "able");
+  EXPECT_EQ(refusal(scene, "linear"), "");
   scene.geometry.extra_slip = contact::ExtraSlip::file;
   scene.geometry.extra_slip_values = contact::Lattice{};
   scene.geometry.extra_slip_values->file = "slip.csv";
-  EXPECT_NE(
-      refusal(scene, "linear")
-          .find("rolling.extra_slip: it cannot handle extra slip from a file; allowed: hertz, "
-                "carter, fastsim, strip, halfspace, hybrid, fem; do: run with --model halfspace"),
-      std::string::npos)
-      << refusal(scene, "linear");
+  EXPECT_TRUE(
+      says(refusal(scene, "linear"),
+           "rolling.extra_slip: it cannot handle extra slip from a file; allowed: hertz, "
+           "carter, fastsim, strip, halfspace, hybrid, fem; do: run with --model halfspace"));
 }
 
 TEST(ProgramModels, AreNamedOnlyWhereTheyTakeAllThatTheCaseAsksFor) {
@@ -120,7 +114,7 @@ TEST(ProgramModels, HalfSpacesEndAtTheirSurface) {
   std::string text = with("transverse_radius = inf", "transverse_radius = -40.0");
   text.replace(text.find("2000.0"), 6, "35.0");
   text += "[[subsurface.point]]\nat = [0, 6, -0.4]\n";
-  for (const char* model : {"hybrid", "fem"}) EXPECT_EQ(refusal(text, model), "able") << model;
+  for (const char* model : {"hybrid", "fem"}) EXPECT_EQ(refusal(text, model), "") << model;
   for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model hybrid"})
     expect_refusal(text, "halfspace", part);
 }

@@ -44,7 +44,7 @@ TEST(ProfileFiles, ReadNamedColumns) {
   for (const auto& [y, z] : points_of("60E1")) text << "0.0," << z << ',' << y << '\n';
   EXPECT_LT(off(read(text.str(), false), "60E1"), spline_tolerance);
   const std::string message = refusal("1 2 3\n4 5 6\n", false);
-  EXPECT_NE(message.find("profile.txt:1: has 3 numbers"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "profile.txt:1: has 3 numbers"));
 }
 
 /// As SIMPACK writes it, with lengths in m, mirrored, turned upside down and shifted.
@@ -61,8 +61,8 @@ TEST(ProfileFiles, ReadSimpackWithWhatItsHeaderSays) {
       "  units.len.f = +1.0E+00\n  point.begin\n! y z weight\n";
   const std::string text = header + columns(points) + "  point.end\nspline.end\n";
   EXPECT_LT(off(read(text, true, {}, "wheel.prw"), "S1002"), spline_tolerance);
-  EXPECT_NE(refusal(text, false, {}, "wheel.prw").find("profile of a wheel"), std::string::npos);
-  EXPECT_NE(refusal("1 2\n3 4\n", true, {}, "wheel.prw").find("point.begin"), std::string::npos);
+  EXPECT_TRUE(says(refusal(text, false, {}, "wheel.prw"), "profile of a wheel"));
+  EXPECT_TRUE(says(refusal("1 2\n3 4\n", true, {}, "wheel.prw"), "point.begin"));
 }
 
 TEST(ProfileFiles, SimpackRotationIsFromYToZ) {
@@ -105,7 +105,7 @@ TEST(ProfileFiles, ReadMiniprofWithColumnsInAnyOrder) {
   text << "ProgramName=MiniProf\nDate=01-02-2020\nColumnDef=Y,X,A,C\nElevation=0\n\n";
   for (const auto& [y, z] : points_of("60E1")) text << -z << ' ' << y << " 0.1 0.2\n";
   ProfileSource source;
-  EXPECT_NE(refusal(text.str(), false, source, "rail.ban").find("flip = true"), std::string::npos);
+  EXPECT_TRUE(says(refusal(text.str(), false, source, "rail.ban"), "flip = true"));
   source.flip = true;
   EXPECT_LT(off(read(text.str(), false, source, "rail.ban"), "60E1"), spline_tolerance);
 }

@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include <cmath>
 
 namespace {
 
 using namespace rollfem::contact;
+using rollfem::testing::refusal;
 
 TEST(Count, IsTheWholeNumber) {
   for (const double number : {0.0, 1.0, -7.0, 1e8, -1e8})
@@ -18,13 +20,12 @@ TEST(Count, IsTheWholeNumber) {
 
 TEST(Count, IsRefusedWhereAnIntWouldOverflow) {
   for (const double number : {1.1e8, -1.1e8, 1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
-    try {
-      count_of(number, "cells of the grid (contact_grid.cell_size)");
-      ADD_FAILURE() << number;
-    } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).rfind("cells of the grid (contact_grid.cell_size): ", 0),
-                0u);
-    }
+    const char* what = "cells of the grid (contact_grid.cell_size)";
+    EXPECT_EQ(refusal<InputError>([&] {
+                count_of(number, what);
+              }).rfind("cells of the grid (contact_grid.cell_size): ", 0),
+              0u)
+        << number;
   }
 }
 

@@ -5,12 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include <cmath>
 #include <limits>
 #include <string>
 
 using namespace rollfem;
 using contact::bracketed_root;
+using rollfem::testing::refusal;
 
 namespace {
 
@@ -53,12 +55,8 @@ TEST(BracketedRoot, TakesFewEvaluations) {
 }
 
 std::string failure(const std::function<double(double)>& f) {
-  try {
-    bracketed_root(f, 0.0, 1.0, 1e-9, "roll of the wheelset");
-  } catch (const contact::SolveError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal<contact::SolveError>(
+      [&] { bracketed_root(f, 0.0, 1.0, 1e-9, "roll of the wheelset"); });
 }
 
 TEST(BracketedRoot, SaysWhatHasNone) {

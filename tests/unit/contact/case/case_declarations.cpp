@@ -8,9 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
+
 namespace {
 
 using namespace rollfem::contact;
+using rollfem::testing::refusal;
+using rollfem::testing::says;
 
 /// A value that each key of that kind takes and that is no default.
 KeyValue other_value(const Key& key) {
@@ -66,16 +70,10 @@ TEST(CaseDeclarations, TheReaderRefusesWhatIsOutOfBoundsAndSaysWhatIsAllowed) {
       if (!whole && key.kind != KeyKind::number && key.kind != KeyKind::numbers) continue;
       const std::string beyond = whole ? std::to_string(static_cast<long>(key.bounds.upper) + 1)
                                        : toml_text(KeyValue(2.0 * key.bounds.upper));
-      try {
-        read_toml(head_of(section) + key.name + " = " + beyond + "\n", "case.toml");
-        FAIL() << key.path() << " = " << beyond;
-      } catch (const InputError& error) {
-        const std::string text = error.what();
-        EXPECT_NE(text.find(key.path() + " = " + beyond +
-                            ": is out of bounds; allowed: " + allowed_values(key)),
-                  std::string::npos)
-            << text;
-      }
+      const std::string text = refusal<InputError>(
+          [&] { read_toml(head_of(section) + key.name + " = " + beyond + "\n", "case.toml"); });
+      EXPECT_TRUE(says(text, key.path() + " = " + beyond +
+                                 ": is out of bounds; allowed: " + allowed_values(key)));
       ++bounded;
     }
   EXPECT_GT(bounded, 60);
@@ -93,19 +91,14 @@ TEST(CaseDeclarations, CheckTemplateAndReferenceNameEveryKey) {
       const bool title = key.path() == "title";
       const std::string check = head_of(section) + (title ? "other\n" : "");
       const std::string text = describe(input);
-      EXPECT_NE(text.find(check), std::string::npos) << key.path();
+      EXPECT_TRUE(says(text, check)) << key.path();
       if (!title) {
-        EXPECT_NE(text.find(key.name + std::string(23 - key.name.size(), ' ') + said + "\n"),
-                  std::string::npos)
-            << key.path() << "\n"
-            << text;
+        EXPECT_TRUE(says(text, key.name + std::string(23 - key.name.size(), ' ') + said + "\n"))
+            << key.path();
       }
-      EXPECT_NE(new_case.find("# " + key.sentence + "\n# " + allowed_values(key)),
-                std::string::npos)
-          << key.path();
-      EXPECT_NE(page.find("| `" + key.name + "` | " + key.symbol + " | " + key.unit + " | " +
-                          allowed_values(key) + " | "),
-                std::string::npos)
+      EXPECT_TRUE(says(new_case, "# " + key.sentence + "\n# " + allowed_values(key))) << key.path();
+      EXPECT_TRUE(says(page, "| `" + key.name + "` | " + key.symbol + " | " + key.unit + " | " +
+                                 allowed_values(key) + " | "))
           << key.path();
       EXPECT_FALSE(key.sentence.empty()) << key.path();
       EXPECT_EQ(key.sentence.back(), '.') << key.path();

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include "tests/support/persson.hpp"
 #include <cmath>
 #include <functional>
@@ -13,6 +14,7 @@
 namespace {
 
 using namespace rollfem::contact;
+using rollfem::testing::says;
 
 /// A ball of 405 mm on a rail of 500 mm under 50 kN, to the accuracy that this test needs.
 Scene scene() {
@@ -52,16 +54,7 @@ std::string refusal(const std::function<void(PointResult&, ModelResult&)>& spoil
                     const ResultKind& kind = {}) {
   ModelResult spoiled = result();
   spoil(spoiled.points.back(), spoiled);
-  try {
-    check_validity(scene(), spoiled, kind);
-    return {};
-  } catch (const SolveError& error) {
-    return error.what();
-  }
-}
-
-void expect_said(const std::string& said, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(said.find(word), std::string::npos) << said;
+  return rollfem::testing::refusal<SolveError>([&] { check_validity(scene(), spoiled, kind); });
 }
 
 TEST(Validity, LetsASoundResultPass) {
@@ -71,19 +64,19 @@ TEST(Validity, LetsASoundResultPass) {
 
 TEST(Validity, RefusesNumbersThatAreNoneAndIterationsThatDidNotEnd) {
   const double none = std::nan("");
-  expect_said(refusal([&](PointResult& p, ModelResult&) { p.spin_moment = none; }),
-              {"load point 2 of 2", "spin_moment = nan", "do: "});
-  expect_said(refusal([&](PointResult& p, ModelResult&) { p.fields.traction.x[3] = none; }),
-              {"load point 2 of 2", "tractions that are not finite"});
-  expect_said(
-      refusal([&](PointResult& p, ModelResult&) { p.fields.gap = Field::Constant(1, none); }),
-      {"gaps that are not finite"});
-  expect_said(refusal([&](PointResult& p, ModelResult&) {
-                p.stress_maxima = {{"wheel", "von_mises", none, {}}};
-              }),
-              {"stresses that are not finite"});
-  expect_said(refusal([](PointResult& p, ModelResult&) { p.converged = false; }),
-              {"not converged"});
+  EXPECT_TRUE(says(refusal([&](PointResult& p, ModelResult&) { p.spin_moment = none; }),
+                   "load point 2 of 2", "spin_moment = nan", "do: "));
+  EXPECT_TRUE(says(refusal([&](PointResult& p, ModelResult&) { p.fields.traction.x[3] = none; }),
+                   "load point 2 of 2", "tractions that are not finite"));
+  EXPECT_TRUE(
+      says(refusal([&](PointResult& p, ModelResult&) { p.fields.gap = Field::Constant(1, none); }),
+           "gaps that are not finite"));
+  EXPECT_TRUE(says(refusal([&](PointResult& p, ModelResult&) {
+                     p.stress_maxima = {{"wheel", "von_mises", none, {}}};
+                   }),
+                   "stresses that are not finite"));
+  EXPECT_TRUE(
+      says(refusal([](PointResult& p, ModelResult&) { p.converged = false; }), "not converged"));
 }
 
 TEST(Validity, RefusesFewerThanFourElementsAcross) {
@@ -96,19 +89,19 @@ TEST(Validity, RefusesFewerThanFourElementsAcross) {
     });
   };
   EXPECT_EQ(narrow(4), "");
-  expect_said(narrow(2), {"load point 2 of 2", "2 by 12 contact elements of 1 by 1 mm",
-                          "at least 4 in each direction", "choose smaller elements"});
+  EXPECT_TRUE(says(narrow(2), "load point 2 of 2", "2 by 12 contact elements of 1 by 1 mm",
+                   "at least 4 in each direction", "choose smaller elements"));
   ModelResult coarse = result();
   coarse.points.front().fields.traction.n.setZero();
   EXPECT_THROW(check_validity(scene(), coarse), UnfitGrid);
 }
 
 TEST(Validity, RefusesAPatchThatTheGridDoesNotHold) {
-  expect_said(refusal([](PointResult& p, ModelResult&) {
-                p.fields.traction.n[20] = 0.0;
-                p.fields.traction.n[0] = 1.0;
-              }),
-              {"reaches beyond the contact grid of 14 by 16 mm", "contact_grid.extent"});
+  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) {
+                     p.fields.traction.n[20] = 0.0;
+                     p.fields.traction.n[0] = 1.0;
+                   }),
+                   "reaches beyond the contact grid of 14 by 16 mm", "contact_grid.extent"));
   // What is sampled may fill its grid, and lie off its middle.
   ResultKind sampled;
   sampled.elastic = false;
@@ -118,10 +111,10 @@ TEST(Validity, RefusesAPatchThatTheGridDoesNotHold) {
 }
 
 TEST(Validity, RefusesTensionAndTractionsBeyondTheBound) {
-  expect_said(refusal([](PointResult& p, ModelResult&) { p.fields.traction.n[0] = -0.1; }),
-              {"pressure falls to -0.1 MPa"});
+  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) { p.fields.traction.n[0] = -0.1; }),
+                   "pressure falls to -0.1 MPa"));
   const auto beyond = [](PointResult& p, ModelResult&) { p.fields.traction.x *= 1.5; };
-  expect_said(refusal(beyond), {"exceeds the bound of friction by "});
+  EXPECT_TRUE(says(refusal(beyond), "exceeds the bound of friction by "));
   ResultKind linear;
   linear.bounded = false;
   EXPECT_EQ(refusal(beyond, linear), "");
@@ -142,8 +135,8 @@ TEST(Validity, RefusesAGapUnderPressureAndAnOverlapBesideIt) {
     });
   };
   for (const double gap : {2e-4, -2e-4})
-    expect_said(with_gap(7, 8, gap),
-                {"load point 2 of 2", "by 0.004 of the largest displacement", "at most 0.002"});
+    EXPECT_TRUE(says(with_gap(7, 8, gap), "load point 2 of 2",
+                     "by 0.004 of the largest displacement", "at most 0.002"));
   EXPECT_EQ(with_gap(7, 8, 5e-5), "");
   EXPECT_EQ(with_gap(7, 8, -5e-5), "");
   EXPECT_EQ(with_gap(0, 0, 1.0), "");
@@ -151,8 +144,8 @@ TEST(Validity, RefusesAGapUnderPressureAndAnOverlapBesideIt) {
 }
 
 TEST(Validity, RefusesAForceThatIsNotTheLoad) {
-  expect_said(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 1e-5; }),
-              {"carries 50000.5 N instead of 50000 N", "1e-06"});
+  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 1e-5; }),
+                   "carries 50000.5 N instead of 50000 N", "1e-06"));
   EXPECT_EQ(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 5e-7; }), "");
   // Along the load: friction carries a part of a vertical force on a tilted patch.
   Scene tilted = scene();
@@ -173,8 +166,8 @@ TEST(Validity, RefusesAForceThatIsNotTheLoad) {
 }
 
 TEST(Validity, RefusesBodiesThatHaveNotComeTogether) {
-  expect_said(refusal([](PointResult& p, ModelResult&) { p.approach = -0.011; }),
-              {"load point 2 of 2", "come together by -0.011 mm"});
+  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) { p.approach = -0.011; }),
+                   "load point 2 of 2", "come together by -0.011 mm"));
 }
 
 TEST(Validity, WarnsOfPatchApproachAndPressureWithTheirFigures) {
@@ -184,10 +177,10 @@ TEST(Validity, WarnsOfPatchApproachAndPressureWithTheirFigures) {
   large.points[1].max_pressure = 3500.0;
   const auto warnings = validity_warnings(scene(), large);
   ASSERT_EQ(warnings.size(), 3u);
-  expect_said(warnings[0],
-              {"warning: ", "150 mm", "rolling radius of 405 mm", "load point 2", "0.37"});
-  expect_said(warnings[1], {"warning: ", "10 mm against 405 mm", "0.025"});
-  expect_said(warnings[2], {"warning: ", "3500 MPa", "3000 MPa"});
+  EXPECT_TRUE(
+      says(warnings[0], "warning: ", "150 mm", "rolling radius of 405 mm", "load point 2", "0.37"));
+  EXPECT_TRUE(says(warnings[1], "warning: ", "10 mm against 405 mm", "0.025"));
+  EXPECT_TRUE(says(warnings[2], "warning: ", "3500 MPa", "3000 MPa"));
   ResultKind bodies;
   bodies.half_spaces = false;  // finite elements have the bodies as they are
   EXPECT_EQ(validity_warnings(scene(), large, bodies).size(), 2u);
@@ -219,7 +212,7 @@ TEST(Validity, EveryModelOfARegistryPassesTheGate) {
   EXPECT_THROW(models.run("broken", scene(), {}), SolveError);
   const ModelResult passed = models.run("hot", scene(), {});
   ASSERT_EQ(passed.notes.size(), 1u);
-  expect_said(passed.notes.front(), {"warning: ", "4000 MPa (load point 1)"});
+  EXPECT_TRUE(says(passed.notes.front(), "warning: ", "4000 MPa (load point 1)"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include <stdexcept>
 
 namespace {
@@ -45,14 +46,9 @@ TEST(ModelRegistry, KeepsTheOrderAndRefusesWhatCouldNotBeNamed) {
   ModelInfo no_run{"empty", "", ""};
   EXPECT_THROW(models.add(no_run), std::logic_error);
   EXPECT_THROW(static_cast<void>(ModelRegistry().reference()), std::logic_error);
-  try {
-    static_cast<void>(models.at("none", "--model"));
-    ADD_FAILURE() << "there is no model none";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "--model none: no such model; allowed: theory, solver; do: name one of "
-                 "them");
-  }
+  EXPECT_EQ(rollfem::testing::refusal<InputError>(
+                [&] { static_cast<void>(models.at("none", "--model")); }),
+            "--model none: no such model; allowed: theory, solver; do: name one of them");
 }
 
 TEST(ModelRegistry, RefusesAndNamesTheModelsThatCan) {

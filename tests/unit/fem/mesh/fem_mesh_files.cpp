@@ -63,9 +63,8 @@ std::string check(const HexMesh& mesh) {
 }
 
 void expect_message(const std::string& message, const std::string& part) {
-  EXPECT_NE(message.find(part), std::string::npos) << message;
-  EXPECT_NE(message.find("rail.msh: "), std::string::npos) << message;
-  EXPECT_NE(message.find("do: "), std::string::npos) << message;
+  EXPECT_TRUE(says(message, part));
+  EXPECT_TRUE(says(message, "rail.msh: ", "do: "));
 }
 
 }  // namespace

@@ -209,10 +209,11 @@ TEST(GivenMesh, TooCoarseForTheCellSizeIsRefused) {
   options.cell_size = 0.05;
   options.fine_half_length = options.fine_half_width = 0.1;
   const auto mesh = block({-16, 0, 16}, {-16, 0, 16}, {-16, 0}, true);
-  EXPECT_NE(refusal<contact::InputError>([&] {
-              fem::Body(rail_shape(contact::infinity), user_steel, options, mesh, MPI_COMM_SELF);
-            }).find("too coarse"),
-            std::string::npos);
+  EXPECT_TRUE(says(refusal<contact::InputError>([&] {
+                     fem::Body(rail_shape(contact::infinity), user_steel, options, mesh,
+                               MPI_COMM_SELF);
+                   }),
+                   "too coarse"));
 }
 
 namespace {
@@ -233,9 +234,9 @@ meshes::HexMesh moved(double scale, const Point& shift) {
 }
 
 void expect_user_message(const std::string& message, const std::string& part) {
-  EXPECT_NE(message.find(part), std::string::npos) << message;
+  EXPECT_TRUE(says(message, part));
   EXPECT_EQ(message.find("rail.msh: "), 0u) << message;
-  EXPECT_NE(message.find("do: "), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "do: "));
 }
 
 }  // namespace

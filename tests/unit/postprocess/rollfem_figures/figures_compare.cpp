@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
+using rollfem::testing::says;
 using testing::contents;
 using testing::scripts;
 
@@ -52,18 +53,18 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = contents(base_ / "compare.html");
   expect_self_contained(page);
-  EXPECT_TRUE(testing::says(
-      page, "Comparison of models on 3 cases", "second &lt;case&gt;",
-      "it cannot handle this &amp; that", "is left out", "no contact", "failed",
-      "Within the error bars of half-space: ", "Cost", "Force per strip", "Lateral traction",
-      "id=\"one\"",
-      "largest longitudinal traction |p<sub>x</sub>|<br><span class=d>% of μ p<sub>0</sub>"));
+  EXPECT_TRUE(
+      says(page, "Comparison of models on 3 cases", "second &lt;case&gt;",
+           "it cannot handle this &amp; that", "is left out", "no contact", "failed",
+           "Within the error bars of half-space: ", "Cost", "Force per strip", "Lateral traction",
+           "id=\"one\"",
+           "largest longitudinal traction |p<sub>x</sub>|<br><span class=d>% of μ p<sub>0</sub>"));
   // Ten figures in the first case, one less in the second without Hertz, and differences against
   // cost.
   EXPECT_EQ(testing::count(page, "<figure>"), 20U);
   // Names of the page, not of the program, and no symbols of a terminal.
-  EXPECT_EQ(page.find("bars of halfspace"), std::string::npos);
-  EXPECT_EQ(page.find(" of mu"), std::string::npos);
+  EXPECT_FALSE(says(page, "bars of halfspace"));
+  EXPECT_FALSE(says(page, " of mu"));
   EXPECT_TRUE(fs::exists(base_ / "one" / "report.html"));
 }
 
@@ -82,10 +83,9 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = contents(base_ / "compare.html");
   expect_self_contained(page);
-  EXPECT_TRUE(testing::says(page, "Where wheel and rail touch", "y track [mm]",
-                            "with the contact points", "left wheel,<br>position 1,<br>patch 2 of 2",
-                            "Left wheel, position 1, patch 1 of 2",
-                            "Beyond them: FEM (p<sub>0</sub> 30 %"));
+  EXPECT_TRUE(says(page, "Where wheel and rail touch", "y track [mm]", "with the contact points",
+                   "left wheel,<br>position 1,<br>patch 2 of 2",
+                   "Left wheel, position 1, patch 1 of 2", "Beyond them: FEM (p<sub>0</sub> 30 %"));
 }
 
 TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
@@ -117,13 +117,13 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = contents(base_ / "study.html");
   expect_self_contained(page);
-  EXPECT_TRUE(testing::says(
+  EXPECT_TRUE(says(
       page, "a &lt;study&gt;", "half-space, refined in grid", "FEM, refined in cell",
       "ran out of memory", "Finest levels against their references: half-space (grid) ", "order 2",
       "no order", "exact", "extrapolated", "<th scope=col>largest pressure p<sub>0</sub> [MPa]"));
   EXPECT_EQ(testing::count(page, "<figure>"), 2U);
   for (const char* name : {"speed_error.svg", "error_unknowns.svg"})
-    EXPECT_NE(contents(base_ / "figures" / name).find("</svg>"), std::string::npos) << name;
+    EXPECT_TRUE(says(contents(base_ / "figures" / name), "</svg>")) << name;
 }
 
 /// Prints what rollfem_figures/published.py gives for a result, name by name.
@@ -146,8 +146,7 @@ TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
     write_results((base_ / name).string(), run);
     return said(published, base_ / name);
   };
-  EXPECT_NE(names("a", 2000.0, contact::infinity).find("thesis: Hertz, from a diagram"),
-            std::string::npos);
+  EXPECT_TRUE(says(names("a", 2000.0, contact::infinity), "thesis: Hertz, from a diagram"));
   EXPECT_EQ(names("b", 500.0, contact::infinity), "Hertz, exact\n");
   EXPECT_EQ(names("d", 2000.0, 105.263), "Hertz, exact\n");
   EXPECT_EQ(names("f", 50.0, -51.282), "Hertz, exact\n");
@@ -172,7 +171,7 @@ TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
     write_results((base_ / name).string(), run);
     return said(published, base_ / name);
   };
-  EXPECT_NE(names("left").find("thesis: SRS (FE)"), std::string::npos);
+  EXPECT_TRUE(says(names("left"), "thesis: SRS (FE)"));
   for (contact::ModelResult& model : run.models) model.place->lateral_shift = 3.0;
   EXPECT_EQ(names("shifted"), "\n");
   for (contact::ModelResult& model : run.models) {
@@ -185,8 +184,8 @@ TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
 TEST_F(PagesTest, DataOfAnotherKindIsRefusedInALine) {
   std::ofstream(base_ / "compare.json") << "{\"format\": 1, \"kind\": \"compare\"}";
   const std::string message = make_report(base_.string(), scripts);
-  EXPECT_NE(message.find("not a comparison that this program reads"), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "not a comparison that this program reads"));
+  EXPECT_FALSE(says(message, "\n"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
+using rollfem::testing::says;
 using testing::contents;
 using testing::scripts;
 
@@ -23,7 +24,7 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
         "strip_force", "oblique_px_halfspace", "oblique_px_fem"}) {
     const fs::path figure = folder / "figures" / (std::string(name) + ".svg");
     ASSERT_TRUE(fs::exists(figure)) << name;
-    EXPECT_NE(contents(figure).find("</svg>"), std::string::npos) << name;
+    EXPECT_TRUE(says(contents(figure), "</svg>")) << name;
     EXPECT_LT(fs::file_size(figure), 1500000U) << name;
   }
   // A frictionless model has no tangential tractions to draw, but a pressure.
@@ -33,13 +34,12 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   const std::string report = contents(folder / "report.html");
   expect_self_contained(report);
   EXPECT_EQ(testing::count(report, "<figure>"), 10U);
-  EXPECT_TRUE(testing::says(
-      report, "thesis case a: conforming plane", "578.7", "0.51136", "half-space", "FEM", "446 000",
-      "symmetry plane y = 0 used", "normal_force = 50e3",
-      // headings from what the file says of its scalars
-      "<th scope=row>largest pressure p<sub>0</sub> [MPa]",
-      "<th scope=col>−F<sub>x</sub>/F<sub>z</sub></th>", "<th scope=col>|p<sub>t</sub>| [MPa]</th>",
-      "<th scope=row>contact area [mm²]"));
+  EXPECT_TRUE(says(report, "thesis case a: conforming plane", "578.7", "0.51136", "half-space",
+                   "FEM", "446 000", "symmetry plane y = 0 used", "normal_force = 50e3",
+                   // headings from what the file says of its scalars
+                   "<th scope=row>largest pressure p<sub>0</sub> [MPa]",
+                   "<th scope=col>−F<sub>x</sub>/F<sub>z</sub></th>",
+                   "<th scope=col>|p<sub>t</sub>| [MPa]</th>", "<th scope=row>contact area [mm²]"));
   EXPECT_EQ(testing::count(report, "not converged"), 0U);
 }
 
@@ -51,7 +51,7 @@ TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
     EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(drawn) + ".svg"))) << drawn;
   for (const char* not_drawn : {"creep_curve", "path_lateral", "contact_area"})
     EXPECT_FALSE(fs::exists(folder / "figures" / (std::string(not_drawn) + ".svg"))) << not_drawn;
-  EXPECT_EQ(contents(folder / "report.html").find("Traction coefficient"), std::string::npos);
+  EXPECT_FALSE(says(contents(folder / "report.html"), "Traction coefficient"));
 }
 
 TEST_F(FiguresTest, OnePointWithoutFieldsBreaksNothing) {
@@ -100,9 +100,9 @@ TEST_F(FiguresTest, StressAlongLinesIsDrawnAndTheLargestIsTabulated) {
   EXPECT_FALSE(fs::exists(folder / "figures/stress_2.svg"));  // a plane is no line
   EXPECT_TRUE(fs::exists(folder / "figures/stress_3.svg"));
   const std::string report = contents(folder / "report.html");
-  EXPECT_TRUE(testing::says(report, "Stress in the bodies", "wheel: von Mises", "345.6",
-                            "456.7&nbsp;<span class=e>±", "at (0, 0, 1.25) mm, ξ = 0.3 %",
-                            "rail: Tresca", "On the surface of the rail"));
+  EXPECT_TRUE(says(report, "Stress in the bodies", "wheel: von Mises", "345.6",
+                   "456.7&nbsp;<span class=e>±", "at (0, 0, 1.25) mm, ξ = 0.3 %", "rail: Tresca",
+                   "On the surface of the rail"));
   // The measures of the figures are those of the result, the others by hand: uniaxial 400 MPa with
   // a shear of 50 MPa beside it.
   EXPECT_EQ(said(R"(
@@ -139,25 +139,24 @@ TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
   const fs::path folder = draw(run);
   EXPECT_TRUE(fs::exists(folder / "figures/creep_curve.svg"));
   const std::string report = contents(folder / "report.html");
-  EXPECT_NE(report.find("Lateral force"), std::string::npos);
-  EXPECT_EQ(report.find("<b>markup"), std::string::npos);
+  EXPECT_TRUE(says(report, "Lateral force"));
+  EXPECT_FALSE(says(report, "<b>markup"));
 }
 
 TEST_F(FiguresTest, AModelThatDidNotConvergeIsNamed) {
   RunRecord run = testing::synthetic_run();
   run.models[1].points[3].converged = false;
-  EXPECT_NE(contents(draw(run) / "report.html").find("half-space at ξ = 0.2 %"), std::string::npos);
+  EXPECT_TRUE(says(contents(draw(run) / "report.html"), "half-space at ξ = 0.2 %"));
 }
 
 TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
   const fs::path folder = draw(testing::synthetic_run());
   fs::resize_file(folder / "results.h5", fs::file_size(folder / "results.h5") / 2);
   const std::string message = make_report(folder.string(), scripts);
-  EXPECT_NE(message.find("is truncated or damaged"), std::string::npos) << message;
-  EXPECT_NE(message.find("run the case again"), std::string::npos) << message;
-  EXPECT_EQ(message.find("Traceback"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "is truncated or damaged", "run the case again"));
+  EXPECT_FALSE(says(message, "Traceback"));
   fs::remove(folder / "results.h5");
-  EXPECT_NE(make_report(folder.string(), scripts).find("there is no"), std::string::npos);
+  EXPECT_TRUE(says(make_report(folder.string(), scripts), "there is no"));
 }
 
 TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
@@ -167,9 +166,9 @@ TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
   std::ofstream(scripts_here / "__init__.py") << "";
   std::ofstream(scripts_here / "__main__.py") << "def f():\n    raise ValueError('odd')\nf()\n";
   const std::string message = make_report(folder.string(), base_.string());
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_FALSE(says(message, "\n"));
   EXPECT_EQ(message.rfind("ValueError: odd (full text in ", 0), 0U) << message;
-  EXPECT_NE(contents(folder / "report.log").find("Traceback"), std::string::npos);
+  EXPECT_TRUE(says(contents(folder / "report.log"), "Traceback"));
 }
 
 /// Modules and settings that lie in the user's folder are not the program's.
@@ -183,7 +182,7 @@ TEST_F(FiguresTest, TakeNothingFromTheCurrentFolder) {
     std::ofstream(hostile / name) << trap;
   // All modules are imported before a folder is looked at that is not there.
   const std::string message = make_report("/nowhere", scripts);
-  EXPECT_NE(message.find("/nowhere"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "/nowhere"));
   fs::current_path(hostile);
   // An empty entry of PYTHONPATH stands for the current folder, and comes by accident.
   for (const char* path : {"", ":/elsewhere", "."}) {
@@ -201,10 +200,9 @@ TEST_F(FiguresTest, TakeNothingFromTheCurrentFolder) {
 }
 
 TEST(MakeReport, SaysWhatIsMissing) {
-  EXPECT_NE(make_report("/nowhere", "/nowhere").find("no Python package"), std::string::npos);
+  EXPECT_TRUE(says(make_report("/nowhere", "/nowhere"), "no Python package"));
   ::setenv("ROLLFEM_PYTHON", "/nowhere/python3", 1);
-  EXPECT_NE(make_report("/nowhere", scripts).find("cannot run /nowhere/python3"),
-            std::string::npos);
+  EXPECT_TRUE(says(make_report("/nowhere", scripts), "cannot run /nowhere/python3"));
   ::unsetenv("ROLLFEM_PYTHON");
   EXPECT_NE(make_report("/nowhere", scripts + "/rollfem_figures"), "");
 }

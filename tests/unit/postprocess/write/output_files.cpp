@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/output_synthetic_run.hpp"
+#include "support/temporary_folder.hpp"
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +19,7 @@
 namespace rollfem::postprocess {
 namespace {
 
+using rollfem::testing::says;
 using testing::synthetic_run;
 
 std::vector<std::string> split(const std::string& line, char separator) {
@@ -130,16 +132,11 @@ TEST(MiddleLines, AreTheNearestRowOrTheTwoEquallyNearOnes) {
 
 /// The text of the logic_error with which a record is refused, empty when it is not.
 std::string refusal(const RunRecord& run) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) /
-                      ("rollfem_refused_" + std::to_string(::getpid()));
-  std::filesystem::remove_all(folder);
-  std::string text;
-  try {
-    write_results(folder.string(), run);
-  } catch (const std::logic_error& error) {
-    text = error.what();
-  }
-  EXPECT_EQ(std::filesystem::exists(folder), text.empty());
+  const testing::TemporaryFolder folder;
+  const std::string result = folder.path("result");
+  const std::string text =
+      rollfem::testing::refusal<std::logic_error>([&] { write_results(result, run); });
+  EXPECT_EQ(std::filesystem::exists(result), text.empty());
   return text;
 }
 
@@ -147,39 +144,39 @@ TEST(WriteResults, RefusesNumbersThatAreNotFiniteAndNamesThem) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   RunRecord run = synthetic_run();
   run.models[1].points[2].max_pressure = nan;
-  EXPECT_NE(refusal(run).find("halfspace/points[2]/max_pressure"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "halfspace/points[2]/max_pressure"));
 
   run = synthetic_run();
   run.models[2].points[0].fields.slip.x[17] = contact::infinity;
-  EXPECT_NE(refusal(run).find("fem/points[0]/slip_x[17]"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "fem/points[0]/slip_x[17]"));
 
   run = synthetic_run();
   run.models[2].points[5].bodies[0].stress[4][2] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_NE(refusal(run).find("fem/points[5]/wheel/stress[4]"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "fem/points[5]/wheel/stress[4]"));
 
   run = synthetic_run();
   run.models[2].points[5].bodies[1].displacement.pop_back();
-  EXPECT_NE(refusal(run).find("fem/points[5]/rail does not have 12 values"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "fem/points[5]/rail does not have 12 values"));
 
   run = synthetic_run();
   run.models[2].bodies[0].points[1][0] = nan;
-  EXPECT_NE(refusal(run).find("fem/wheel/points[1]"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "fem/wheel/points[1]"));
 
   run = synthetic_run();
   run.models[0].points[0].error_estimate["approach"] = nan;
-  EXPECT_NE(refusal(run).find("hertz/points[0]/error_estimate/approach"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "hertz/points[0]/error_estimate/approach"));
 }
 
 TEST(WriteResults, RefusesFieldsThatDoNotFitTheGridAndNamesThatAreNoFileNames) {
   RunRecord run = synthetic_run();
   run.models[1].points[0].fields.gap.conservativeResize(5);
-  EXPECT_NE(refusal(run).find("halfspace/points[0]/gap"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "halfspace/points[0]/gap"));
   run = synthetic_run();
   run.models[1].name = "../halfspace";
-  EXPECT_NE(refusal(run).find("model name"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "model name"));
   run = synthetic_run();
   run.models[1].name = "fem";
-  EXPECT_NE(refusal(run).find("twice"), std::string::npos);
+  EXPECT_TRUE(says(refusal(run), "twice"));
   EXPECT_EQ(refusal(synthetic_run()), "");
 }
 

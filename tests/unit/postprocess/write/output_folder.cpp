@@ -20,6 +20,7 @@ namespace rollfem::postprocess {
 namespace {
 
 using contact::InputError;
+using rollfem::testing::says;
 using testing::contents;
 using testing::synthetic_run;
 
@@ -32,12 +33,8 @@ class ResultFolderTest : public testing::InFolder {
   }
   /// The message with which writing is refused, empty when it is not.
   std::string refusal(const std::string& directory) const {
-    try {
-      write_results(directory, synthetic_run());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return rollfem::testing::refusal<InputError>(
+        [&] { write_results(directory, synthetic_run()); });
   }
 };
 
@@ -80,7 +77,7 @@ TEST_F(ResultFolderTest, ReplacesAnEarlierResultButKeepsFilesOfOthers) {
   second.input.title = "second";
   second.input.output.paths = {"x"};
   write_results(target(), second);
-  EXPECT_NE(contents(fs::path(target()) / "summary.json").find("second"), std::string::npos);
+  EXPECT_TRUE(says(contents(fs::path(target()) / "summary.json"), "second"));
   EXPECT_FALSE(fs::exists(fs::path(target()) / "path_y.csv"));
   EXPECT_FALSE(fs::exists(fs::path(target()) / "figures/old.svg"));
   for (const char* name : {"notes.txt", "figures/mine.png", "fields/my.txt"})
@@ -91,13 +88,13 @@ TEST_F(ResultFolderTest, ReplacesAnEarlierResultButKeepsFilesOfOthers) {
 TEST_F(ResultFolderTest, RefusesAFolderWithOtherFilesAndAFileAndTheCurrentFolder) {
   fs::create_directory(target());
   std::ofstream(fs::path(target()) / "thesis.doc") << "precious";
-  EXPECT_NE(refusal(target()).find("not an earlier result"), std::string::npos);
+  EXPECT_TRUE(says(refusal(target()), "not an earlier result"));
   EXPECT_EQ(contents(fs::path(target()) / "thesis.doc"), "precious");
   std::ofstream(fs::path(target()) / "summary.json") << "{\"other\": 1}";
-  EXPECT_NE(refusal(target()).find("not an earlier result"), std::string::npos);
+  EXPECT_TRUE(says(refusal(target()), "not an earlier result"));
 
   std::ofstream(base_ / "file") << "precious";
-  EXPECT_NE(refusal((base_ / "file").string()).find("is a file"), std::string::npos);
+  EXPECT_TRUE(says(refusal((base_ / "file").string()), "is a file"));
   EXPECT_NE(refusal((base_ / "file/below").string()), "");
   EXPECT_EQ(contents(base_ / "file"), "precious");
   EXPECT_EQ(entries(), 2U);
@@ -146,7 +143,7 @@ TEST_F(ResultFolderTest, AFileThatCannotBeWrittenWholeLeavesTheEarlierResultInta
     message = refusal(target());
     EXPECT_NE(refusal((base_ / "new/folder").string()), "");
   }
-  EXPECT_NE(message.find("File too large"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "File too large"));
   EXPECT_EQ(contents(fs::path(target()) / "results.h5"), before);
   EXPECT_EQ(entries(), 1U);
 }
@@ -157,7 +154,7 @@ TEST_F(ResultFolderTest, NoPermissionIsSaidAndLeavesNothing) {
   fs::create_directory(base_ / "locked");
   fs::permissions(base_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
   const std::string message = refusal(directory);
-  EXPECT_NE(message.find("choose another folder"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, "choose another folder"));
   EXPECT_TRUE(fs::is_empty(base_ / "locked"));
 }
 

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
+using rollfem::testing::says;
 using testing::contents;
 using testing::scripts;
 
@@ -68,9 +69,8 @@ TEST_F(PlacesTest, ReportHasAFigureOfEveryPatchAndOneOfTheRow) {
     EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(name) + ".svg"))) << name;
   EXPECT_FALSE(fs::exists(folder / "figures/pair_left_2.svg"));
   const std::string report = contents(folder / "report.html");
-  for (const char* text : {"Wheel profile S1002", "50000 N vertically on each wheel",
-                           "Left wheel, position 3, patch 2 of 2"})
-    EXPECT_NE(report.find(text), std::string::npos) << text;
+  EXPECT_TRUE(says(report, "Wheel profile S1002", "50000 N vertically on each wheel",
+                   "Left wheel, position 3, patch 2 of 2"));
 }
 
 TEST_F(PlacesTest, OnePatchIsReportedAsACaseWithRadii) {

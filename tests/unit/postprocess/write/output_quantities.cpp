@@ -28,6 +28,7 @@ namespace {
 using contact::PointResult;
 using contact::quantities;
 using contact::Quantity;
+using rollfem::testing::says;
 
 /// Another number in every scalar of its first point; the second has none that may be absent.
 RunRecord numbered_run() {
@@ -168,7 +169,7 @@ TEST(EveryQuantity, StandsInTheDocumentation) {
   std::ifstream stream(page);
   std::ostringstream text;
   text << stream.rdbuf();
-  EXPECT_NE(text.str().find("\n" + contact::quantities_markdown() + "\n"), std::string::npos)
+  EXPECT_TRUE(says(text.str(), "\n" + contact::quantities_markdown() + "\n"))
       << "docs/results.md does not hold the table; do: put there what `rollfem docs quantities` "
          "prints";
 }

@@ -15,6 +15,7 @@
 namespace rollfem::postprocess {
 namespace {
 
+using rollfem::testing::says;
 using testing::python;
 using testing::python_can_import;
 using testing::python_on;
@@ -61,12 +62,9 @@ std::string rail_vtu() {
 TEST(BodyVtu, DecodesToTheSameNumbers) {
   if (!python_can_import("zlib")) GTEST_SKIP() << "needs /usr/bin/python3";
   const std::string printed = python_on(decode, "body.vtu", rail_vtu());
-  EXPECT_NE(printed.find("'NumberOfPoints': '12', 'NumberOfCells': '2'"), std::string::npos);
-  EXPECT_NE(printed.find("Points 3 36 0.0\n"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("displacement [mm] 3 36 0.09375"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("stress [MPa] 6 72 -852.0\n"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("connectivity 1 16 88.0\n"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("types 1 2 24.0\n"), std::string::npos) << printed;
+  EXPECT_TRUE(says(printed, "'NumberOfPoints': '12', 'NumberOfCells': '2'", "Points 3 36 0.0\n",
+                   "displacement [mm] 3 36 0.09375", "stress [MPa] 6 72 -852.0\n",
+                   "connectivity 1 16 88.0\n", "types 1 2 24.0\n"));
 }
 
 TEST(ContactVtu, DecodesToTheSameNumbersOverManyBlocks) {
@@ -85,14 +83,11 @@ TEST(Vtu, IsReadByVtk) {
   if (!python_can_import("vtkmodules.vtkIOXML, vtkmodules.vtkFiltersVerdict"))
     GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
   std::string printed = python_on(vtk_reading, "body.vtu", rail_vtu());
-  EXPECT_NE(printed.find("12 2 vtkHexahedron"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("stress [MPa] 6"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("volumes (1.0, 1.0)"), std::string::npos) << printed;
+  EXPECT_TRUE(says(printed, "12 2 vtkHexahedron", "stress [MPa] 6", "volumes (1.0, 1.0)"));
   const contact::ModelResult model = testing::synthetic_model("halfspace", {}, 21, 31, {0.002});
   printed = python_on(vtk_reading, "contact.vtu", contact_vtu(model.grid, model.points[0]));
-  EXPECT_NE(printed.find("704 651 vtkQuad"), std::string::npos) << printed;
-  EXPECT_NE(printed.find("state (0 exterior, 1 adhesion, 2 slip) 1 (0.0, 2.0)"), std::string::npos)
-      << printed;
+  EXPECT_TRUE(
+      says(printed, "704 651 vtkQuad", "state (0 exterior, 1 adhesion, 2 slip) 1 (0.0, 2.0)"));
 }
 
 const char* const series_reading = R"(
