@@ -29,19 +29,9 @@ void add_stress_command(CLI::App& program, Call& call) {
                    "load points with these longitudinal creepages, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false);
-  stress->add_option("--at", request.places, "x,y,z in mm: a point; may be repeated")
-      ->allow_extra_args(false);
-  stress
-      ->add_option("--line", request.lines,
-                   "x,y,z:x,y,z[:n]: n points from one end to the other; may be repeated")
-      ->allow_extra_args(false);
-  stress
-      ->add_option("--plane", request.planes,
-                   "x,y,z:x,y,z:x,y,z[:n,m]: n by m points of the parallelogram whose sides run "
-                   "from the first corner to the other two; may be repeated")
-      ->allow_extra_args(false);
-  stress->add_option("--body", request.body, "wheel or rail; default: by the sign of z")
-      ->check(CLI::IsMember({"wheel", "rail"}));
+  stress->add_option("--places", request.places,
+                     "TOML file whose [[subsurface.point]], .line, .plane and .surface say where, "
+                     "as in a case file");
   stress->add_flag("--depth-profile", request.depth_profile,
                    "add vertical lines below the centre of the patch and below the most loaded "
                    "element; the default when no points are requested");
@@ -58,7 +48,7 @@ void add_stress_command(CLI::App& program, Call& call) {
   stress->add_flag_callback(
       "--no-figures", [&request] { request.figures = false; }, "write the tables only");
   stress->footer(
-      "example: rollfem stress results/thesis_a --yield-strength 520 --line 0,0,0:0,0,-12:61\n"
+      "example: rollfem stress results/thesis_a --yield-strength 520 --places places.toml\n"
       "x along rolling, y lateral, z into the wheel: z > 0 in the wheel, z < 0 in the rail.");
   stress->callback([&call] { app::stress(call.stress, call.models); });
 }

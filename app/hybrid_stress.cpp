@@ -40,7 +40,7 @@ HybridStress hybrid_stress(const contact::Case& input, const contact::ModelResul
   const hybrid::Stresses stresses(scene, parts);
   for (const NamedRequest& named : requests) {
     contact::SubsurfaceRequest request = named.request;
-    if (named.call == "depth profile") {
+    if (named.depth_profile) {
       const auto& spot = named.request.from;
       request.from = stresses.place(request.wheel, spot[0], spot[1], 0.0);
       request.to = stresses.place(request.wheel, spot[0], spot[1], std::abs(named.request.to[2]));

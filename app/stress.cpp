@@ -121,7 +121,7 @@ void remove_figures(const fs::path& folder) {
   fs::remove(folder / "stress.html", error);
   for (fs::directory_iterator entry(folder / "figures", error), end; !error && entry != end;
        entry.increment(error))
-    for (const char* ours : {"depth_", "line_", "plane_", "shakedown_map"})
+    for (const char* ours : {"depth_", "line_", "surface_", "plane_", "shakedown_map"})
       if (entry->path().extension() == ".svg" &&
           entry->path().filename().string().rfind(ours, 0) == 0)
         fs::remove(entry->path(), error);

@@ -57,7 +57,7 @@ void refuse_beyond_surface(const NamedRequest& named, const std::string& model) 
     if ((named.request.wheel ? place[2] : -place[2]) < 0.0)
       throw InputError(fmt::format(
           "{}: ({:g}, {:g}, {:g}) mm is not in the {} of model {}, a half-space with z {} 0; do: "
-          "name points inside it, or leave --body out",
+          "name points inside it, or the other body",
           named.call, place[0], place[1], place[2], named.request.wheel ? "wheel" : "rail", model,
           named.request.wheel ? ">=" : "<="));
 }
@@ -127,12 +127,14 @@ class Bodies {
     set.name = named.name;
     set.field.request = named.request;
     auto places = halfspace::subsurface_points(named.request);
-    if (named.call == "depth profile") {
-      // Depth counts from the surface, which is at z = 0 in the middle of the patch only.
-      const double side = named.request.wheel ? 1.0 : -1.0;
-      const double surface = body->surface(places.front()[0], places.front()[1],
-                                           side * 0.5 * semi_axis, -side * 0.5 * semi_axis);
-      for (auto& place : places) place[2] += surface;
+    // The surface is at z = 0 in the middle of the patch only.
+    const double inner = named.request.wheel ? 0.5 * semi_axis : -0.5 * semi_axis;
+    const bool follows = named.request.kind == SubsurfaceRequest::Kind::surface;
+    double height = 0.0;
+    for (auto& place : places) {
+      if (follows || (named.depth_profile && &place == &places.front()))
+        height = body->surface(place[0], place[1], inner, -inner);
+      place[2] += height;
     }
     for (const auto& place : places) {
       try {
@@ -179,14 +181,14 @@ std::vector<NamedRequest> depth_profiles(const ModelResult& model, std::size_t n
   const auto add = [&](const char* name, const Spot& spot) {
     for (const bool wheel : {true, false}) {
       const char* body = wheel ? "wheel" : "rail";
-      if (request.body.empty() ? is_rigid(model, body) : request.body != body) continue;
+      if (is_rigid(model, body)) continue;
       SubsurfaceRequest line;
       line.kind = SubsurfaceRequest::Kind::line;
       line.wheel = wheel;
       line.from = {spot.x, spot.y, 0.0};
       line.to = {spot.x, spot.y, wheel ? depth : -depth};
       line.points = {profile_points, 1};
-      profiles.push_back({name, "depth profile", line});
+      profiles.push_back({name, "depth profile", line, true});
     }
   };
   add("depth_centre", centre);

@@ -1,5 +1,5 @@
-// The request of a `rollfem stress` call; places on its command line
-// become requests like those of a case file.
+// The request of a `rollfem stress` call. Places are those of [[subsurface.*]] in a file, as in a
+// case.
 #pragma once
 
 #include "contact/case/case.hpp"
@@ -16,10 +16,7 @@ struct StressRequest {
   std::string patch;                ///< with profiles: SIDE,POSITION,PATCH; empty: the first
   std::vector<int> points;          ///< load points, from 1; neither: the last one
   std::vector<double> creepages;    ///< load points of these longitudinal creepages
-  std::vector<std::string> places;  ///< x,y,z
-  std::vector<std::string> lines;   ///< x,y,z:x,y,z[:n]
-  std::vector<std::string> planes;  ///< x,y,z:x,y,z:x,y,z[:n,m]
-  std::string body;                 ///< wheel, rail; empty: by the sign of z
+  std::string places;               ///< file with [[subsurface.*]]; may be empty
   bool depth_profile = false;       ///< also without it when no places are asked for
   std::optional<double> depth;      ///< mm, of the depth profile
   std::optional<double> yield_shear_stress;  ///< k, MPa
@@ -29,15 +26,15 @@ struct StressRequest {
   bool figures = true;
 };
 
-/// A request with the name it has in all files: at_1, line_1, plane_1, ...
+/// A request with the name it has in all files: point_1, line_1, plane_1, ...
 struct NamedRequest {
   std::string name;
-  std::string call;  ///< as the user wrote it, for messages
+  std::string call;  ///< for messages
   contact::SubsurfaceRequest request;
+  bool depth_profile = false;  ///< depth counts from the surface under the first place
 };
 
-/// Of --at, --line and --plane, in this order. Without --body a request at z = 0 alone is one in
-/// each body. Throws contact::InputError for what is not understood.
+/// Those of the file, in its order. Throws contact::InputError for what is not understood.
 std::vector<NamedRequest> named_requests(const StressRequest& request);
 
 /// k of --yield-shear-stress or --yield-strength, MPa; empty when neither is given.

@@ -60,13 +60,6 @@ void check_required(const GivenCase& given) {
   }
 }
 
-void check_entries(const GivenCase& given) {
-  for (const GivenEntry& entry : given.entries)
-    for (const Key& key : case_keys())
-      if (key.section == entry.section && key.required && entry.values.count(&key) == 0)
-        fail_missing(given, key, entry.line, "[[" + entry.section + "]]");
-}
-
 /// The keys that can say how hard the bodies are pressed together: exactly one of them does.
 void check_load(const GivenCase& given) {
   const bool pressure = given.find("given_pressure", "semi_axis_x") != nullptr ||
@@ -233,6 +226,13 @@ void check_far_boundary(const GivenCase& given) {
 }
 
 }  // namespace
+
+void check_entries(const GivenCase& given) {
+  for (const GivenEntry& entry : given.entries)
+    for (const Key& key : case_keys())
+      if (key.section == entry.section && key.required && entry.values.count(&key) == 0)
+        fail_missing(given, key, entry.line, "[[" + entry.section + "]]");
+}
 
 void check_together(const GivenCase& given) {
   check_line(given);

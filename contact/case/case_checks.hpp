@@ -53,6 +53,13 @@ bool is_option(const std::string& file);
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
 
+/// Missing keys of repeated sections. Throws InputError.
+void check_entries(const GivenCase& given);
+
+/// Numbers of points below the surface and, where the `bodies` of the case are known, that they lie
+/// in them. Throws InputError.
+void check_places(const GivenCase& given, const Case& input, bool bodies = true);
+
 /// One shape for each body, and only keys of [wheel_profile] and [rail_profile] that are read.
 /// Throws InputError.
 void check_profiles(const GivenCase& given);

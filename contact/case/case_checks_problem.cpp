@@ -239,7 +239,9 @@ bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) 
   return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
 }
 
-void check_places(const GivenCase& given, const Case& input) {
+}  // namespace
+
+void check_places(const GivenCase& given, const Case& input, bool bodies) {
   long points = 0;
   for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
     const SubsurfaceRequest& request = input.subsurface[k];
@@ -265,7 +267,7 @@ void check_places(const GivenCase& given, const Case& input) {
     if (request.kind != Kind::point) corners.emplace_back("to", request.to);
     if (request.kind == Kind::plane) corners.emplace_back("across", request.across);
     for (const auto& [name, corner] : corners)
-      if (outside(input, request.wheel, corner))
+      if (bodies && outside(input, request.wheel, corner))
         fail_here(
             name,
             fmt::format("z = {} is not in the {}", corner[2], request.wheel ? "wheel" : "rail"),
@@ -283,7 +285,7 @@ void check_places(const GivenCase& given, const Case& input) {
       // The fourth corner may leave the body although the three others do not.
       std::array<double, 3> fourth{};
       for (int c = 0; c < 3; ++c) fourth[c] = request.to[c] + request.across[c] - request.from[c];
-      if (outside(input, request.wheel, fourth))
+      if (bodies && outside(input, request.wheel, fourth))
         fail_here("across",
                   fmt::format("the fourth corner, z = {}, is outside the body", fourth[2]),
                   "a parallelogram within the body", "move a corner deeper");
@@ -296,8 +298,6 @@ void check_places(const GivenCase& given, const Case& input) {
                 "take fewer points");
   }
 }
-
-}  // namespace
 
 void check_problem(const GivenCase& given) {
   const std::string problem = word(given, "rolling", "problem", "steady");

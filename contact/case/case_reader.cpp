@@ -1,5 +1,6 @@
 #include "contact/case/case_reader.hpp"
 
+#include "contact/base/text_fields.hpp"
 #include "contact/case/case_checks.hpp"
 #include "contact/case/case_edit.hpp"
 #include "contact/case/lattice.hpp"
@@ -92,6 +93,21 @@ Case read_case(const std::string& path, const ModelWords& models,
   if (file && size > 0) text << file.rdbuf();
   if (!file || !text) fail_whole(path, "cannot be read", "check the permissions of the file");
   return parse_case(with_changes(text.str(), path, changes, models), path, models);
+}
+
+std::vector<SubsurfaceRequest> read_places(const std::string& path) {
+  const GivenCase given = read_toml(text_of_file(path, path, largest_file), path);
+  if (given.entries.empty())
+    fail_whole(path, "has no section [[subsurface.point]], .line, .plane or .surface",
+               "add one, as in a case file (docs/case-file.md)");
+  check_entries(given);
+  Case places;
+  for (const GivenEntry& entry : given.entries) {
+    begin_entry(places, entry.section);
+    set_values(places, entry.values);
+  }
+  check_places(given, places, false);
+  return places.subsurface;
 }
 
 }  // namespace rollfem::contact

@@ -41,7 +41,7 @@ def _shared(result):
 
 
 def _by_name(result, prefix):
-    """{(name, body): [(number, model, set)]} of the sets whose names begin so, of some of the names, in order."""
+    """{(name, body): [(number, model, set)]} of the sets whose names begin so (a prefix or several), of some of the names, in order."""
     names = dict.fromkeys(s.name for m in result.models for s in m.sets if s.name.startswith(prefix))
     found = {(name, body): [(k, m, m.set(name, body)) for k, m in enumerate(result.models) if m.set(name, body)]
              for name in list(names)[:MOST_FIGURES] for body in ("wheel", "rail")}
@@ -224,7 +224,7 @@ def figures(result):
     for name, by_body in depths.items():
         yield (f"{name}.svg", "Stress against depth under the " + name[6:].replace("_", " ") + " of the patch.",
                lambda by_body=by_body: depth_profile(result, by_body))
-    for (name, body), parts in _by_name(result, "line_").items():
+    for (name, body), parts in _by_name(result, ("line_", "surface_")).items():
         yield (f"{name}_{body}.svg", f"Stress in the {body} along {name.replace('_', ' ')}.",
                lambda body=body, parts=parts: along_line(result, body, parts))
     several = len({m.key for m in result.models}) < len(result.models)
@@ -295,5 +295,5 @@ def build(path):
         section("Load points", _contacts(result, heads)), "<h2>Largest stresses</h2>", _largest(result, heads),
         hint("±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
              "the wheel). Tension is positive."),
-        _verdicts(result, drawn("shakedown")), section("Lines and planes", drawn("depth_", "line_", "plane_"))],
+        _verdicts(result, drawn("shakedown")), section("Lines and planes", drawn("depth_", "line_", "surface_", "plane_"))],
         "Also in this folder: stress.csv with every place, stress.json, figures/.")

@@ -22,7 +22,7 @@ class StressSet:
     """
 
     name: str  # at_1, line_1, plane_1, depth_centre, depth_most_loaded
-    kind: str  # point, line, plane
+    kind: str  # point, line, plane, surface
     body: str  # wheel, rail
     shape: tuple
     columns: dict

@@ -92,10 +92,9 @@ Json maxima_json(const std::vector<StressMaximum>& maxima, const PointResult& po
 }
 
 Json set_json(const StressSet& set, const PointResult& point) {
-  static const char* const kinds[] = {"point", "line", "plane", "surface"};
   const contact::SubsurfaceRequest& request = set.field.request;
   Json entry{{"name", set.name},
-             {"kind", kinds[static_cast<int>(request.kind)]},
+             {"kind", kind_of(request)},
              {"body", body_of(set)},
              {"points_along", request.points[0]},
              {"points_across", request.points[1]},
@@ -249,6 +248,11 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
 }
 
 }  // namespace
+
+const char* kind_of(const contact::SubsurfaceRequest& request) {
+  static const char* const kinds[] = {"point", "line", "plane", "surface"};
+  return kinds[static_cast<int>(request.kind)];
+}
 
 double tangential_coefficient(const PointResult& point) {
   if (!(point.normal_force > 0.0)) return 0.0;

@@ -12,7 +12,7 @@ namespace rollfem::postprocess {
 
 /// Stress and displacement at the places of one request in one body.
 struct StressSet {
-  std::string name;  ///< at_1, line_1, plane_1, depth_centre, depth_most_loaded
+  std::string name;  ///< point_1, line_1, plane_1, surface_1, depth_centre, depth_most_loaded
   contact::SubsurfaceField field;
   double moved = 0.0;  ///< mm, largest distance that a place was moved onto the surface
 };
@@ -32,6 +32,9 @@ struct StressReport {
   bool point_named = false;                  ///< else it is the last, which the table says
   std::vector<StressOfModel> models;
 };
+
+/// point, line, plane, surface.
+const char* kind_of(const contact::SubsurfaceRequest& request);
 
 /// Tangential force over normal force, sqrt(Fx^2 + Fy^2)/Fz: the abscissa of the shakedown map.
 double tangential_coefficient(const contact::PointResult& point);

@@ -25,8 +25,11 @@ class FemStress : public ::testing::Test {
   /// The numbers of stress.csv, row by row, from x on.
   std::vector<double> stress(const std::string& result,
                              const std::vector<std::string>& arguments) const {
+    const std::string places = folder.file(
+        "places.toml",
+        "[[subsurface.line]]\nfrom = [-6, 1, -2]\nto = [6, 1, -2]\npoints = 25\nbody = \"rail\"\n");
     done(folder, joined({"stress", result, "--no-figures", "--depth-profile", "--depth", "10",
-                         "--line", "-6,1,-2:6,1,-2:25", "-o", "out"},
+                         "--places", places, "-o", "out"},
                         arguments));
     return csv_numbers(folder.text("out/stress.csv"), 4);
   }

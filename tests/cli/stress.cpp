@@ -19,6 +19,19 @@ using nlohmann::json;
 
 /// Columns of stress.csv without their units, of one set and body of the first model that has it.
 using Columns = std::map<std::string, std::vector<double>>;
+std::string point_at(const std::string& place, const char* body) {
+  return "[[subsurface.point]]\nat = [" + place + "]\nbody = \"" + body + "\"\n";
+}
+std::string line_at(const std::string& from, const std::string& to, int points, const char* body) {
+  return "[[subsurface.line]]\nfrom = [" + from + "]\nto = [" + to +
+         "]\npoints = " + std::to_string(points) + "\nbody = \"" + body + "\"\n";
+}
+std::string plane_at(const std::string& from, const std::string& to, const std::string& across,
+                     const std::string& points) {
+  return "[[subsurface.plane]]\nfrom = [" + from + "]\nto = [" + to + "]\nacross = [" + across +
+         "]\npoints = [" + points + "]\nbody = \"rail\"\n";
+}
+
 /// Results of the program itself, the half-space on case a or on a rail of another radius, or of a
 /// file that was made.
 class StressTest : public ::testing::Test {
@@ -33,6 +46,10 @@ class StressTest : public ::testing::Test {
   void keep(const std::string& bytes) const { folder.file("work/r/results.h5", bytes); }
   Outcome stress(const std::vector<std::string>& arguments) const {
     return call(folder, joined({"stress", "r", "--no-figures"}, arguments));
+  }
+  /// At the places of a file with this text.
+  Outcome stress_at(const std::string& places, const std::vector<std::string>& more = {}) const {
+    return stress(joined({"--places", folder.file("places.toml", places)}, more));
   }
   Columns columns(const std::string& set, const std::string& body) const {
     const auto rows = csv_rows(folder.text("r_stress/stress.csv"));
@@ -99,7 +116,7 @@ TEST_F(StressTest, LargestHaveTheBarsOfTheRun) {
     const std::string text = "models = [\"halfspace\"]\n" + small_case +
                              "[contact_grid]\nelements_across = 40\n" + output;
     done(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
-    checked(stress({"--at", "0,0,-2"}));
+    checked(stress_at(point_at("0, 0, -2", "rail")));
     const json model = report()["models"][0];
     EXPECT_EQ(model["sets"][0]["largest"][0]["no_bar"], "one grid");
     return model["maxima"][0];
@@ -123,14 +140,14 @@ TEST_F(StressTest, CaseAIsThatOfContact) {
                             {6.0, 1.3655e-2, 251.454, -1.13786, -42.7999, -270.821},
                             {8.0, 1.1514e-2, 193.498, 5.22582, -20.2541, -199.750},
                             {12.0, 8.6137e-3, 118.350, 5.77334, -3.95558, -117.141}};
-  std::vector<std::string> arguments{"--creepage", "0"};
+  std::string places;
   for (const auto& row : rows)
-    for (const char* sign : {"", "-"})
-      arguments.insert(arguments.end(), {"--at", "0,0," + (sign + std::to_string(row[0]))});
-  checked(stress(arguments));
+    places += point_at("0, 0, " + std::to_string(row[0]), "wheel") +
+              point_at("0, 0, -" + std::to_string(row[0]), "rail");
+  checked(stress_at(places, {"--creepage", "0"}));
   for (std::size_t k = 0; k < std::size(rows); ++k)
     for (const bool wheel : {true, false}) {
-      const std::string name = "at_" + std::to_string(2 * k + (wheel ? 1 : 2));
+      const std::string name = "point_" + std::to_string(2 * k + (wheel ? 1 : 2));
       const Columns at = columns(name, wheel ? "wheel" : "rail");
       ASSERT_EQ(at.at("zz").size(), 1U) << name;
       const double tolerance = 2e-3 * 578.97;
@@ -141,12 +158,12 @@ TEST_F(StressTest, CaseAIsThatOfContact) {
       EXPECT_NEAR(at.at("displacement_z")[0], (wheel ? 1.0 : -1.0) * rows[k][1], 5e-5);
     }
   // The place that was not asked for in a body is not there.
-  EXPECT_TRUE(columns("at_1", "rail").empty());
+  EXPECT_TRUE(columns("point_1", "rail").empty());
 }
 
 TEST_F(StressTest, OnTheSurfaceTheStressIsTheTraction) {
   compute("2000.0", "40", "[0.0, 0.002, 0.006]");
-  checked(stress({"--plane", "-3,0,0:3,0,0:-3,0,-4:31,5"}));
+  checked(stress_at(plane_at("-3, 0, 0", "3, 0, 0", "-3, 0, -4", "31, 5")));
   const double friction = 0.55;
   const Columns plane = columns("plane_1", "rail");
   ASSERT_EQ(plane.at("z").size(), 155U);
@@ -160,10 +177,12 @@ TEST_F(StressTest, OnTheSurfaceTheStressIsTheTraction) {
   }
   EXPECT_NEAR(plane.at("z")[154], -4.0, 1e-12);
   EXPECT_NEAR(plane.at("x")[154], 3.0, 1e-12);
-  // A line at z = 0 alone is one in each body.
-  checked(stress({"--line", "-3,0.1,0:3,0.1,0:7"}));
+  // The surface itself, in either body.
+  checked(stress_at(line_at("-3, 0.1, 0", "3, 0.1, 0", 7, "wheel") +
+                    "[[subsurface.surface]]\nfrom = [-3, 0.1]\nto = [3, 0.1]\npoints = 7\n"
+                    "body = \"rail\"\n"));
   for (const char* body : {"wheel", "rail"}) {
-    const Columns line = columns("line_1", body);
+    const Columns line = columns(body == std::string("wheel") ? "line_1" : "surface_1", body);
     ASSERT_EQ(line.at("zz").size(), 7U) << body;
     EXPECT_NEAR(line.at("zz")[3], -578.97, 4.0);
   }
@@ -230,9 +249,12 @@ std::string synthetic_file(bool placed) {
 
 TEST_F(StressTest, OfBodiesIsInterpolatedBetweenTheNodes) {
   keep(synthetic_file(false));
-  checked(stress({"-m", "fem", "--at", "0.3,0.6,-1.7", "--at", "0.3,0.6,1.7", "--line",
-                  "0.5,0.5,0.2:0.5,0.5,-1:5", "--body", "rail"}));
-  const Columns rail = columns("at_1", "rail");
+  checked(stress_at(point_at("0.3, 0.6, -1.7", "rail") + point_at("0.3, 0.6, 1.7", "wheel") +
+                        line_at("0.5, 0.5, 0.2", "0.5, 0.5, -1", 5, "rail") +
+                        "[[subsurface.surface]]\nfrom = [0.5, 0.5]\nto = [1.0, 0.5]\ndepth = 0.7\n"
+                        "points = 3\nbody = \"rail\"\n",
+                    {"-m", "fem"}));
+  const Columns rail = columns("point_1", "rail");
   EXPECT_NEAR(rail.at("xx")[0], 3.0, 1e-12);
   EXPECT_NEAR(rail.at("zz")[0], 7.0 * -1.7 - 50.0, 1e-12);
   EXPECT_NEAR(rail.at("xy")[0], -1.4, 1e-12);
@@ -244,17 +266,17 @@ TEST_F(StressTest, OfBodiesIsInterpolatedBetweenTheNodes) {
   EXPECT_NEAR(line.at("zz")[0], -50.0, 1e-12);
   EXPECT_NEAR(line.at("z")[4], -1.0, 1e-12);
   EXPECT_NEAR(report()["models"][0]["sets"][2]["moved"].get<double>(), 0.2, 1e-12);
-
-  checked(stress({"-m", "fem", "--at", "0.3,0.6,1.7"}));
-  EXPECT_NEAR(columns("at_1", "wheel").at("zz")[0], 7.0 * 1.7 - 50.0, 1e-12);
+  EXPECT_NEAR(columns("surface_1", "rail").at("z")[2], -0.7, 1e-7);
+  EXPECT_NEAR(columns("point_2", "wheel").at("zz")[0], 7.0 * 1.7 - 50.0, 1e-12);
 }
 
 TEST_F(StressTest, OfBodiesIsThatOfTheLoadPointAskedFor) {
   keep(synthetic_file(false));
   const auto yz_at = [&](const std::vector<std::string>& which, const std::string& heading) {
-    const Outcome outcome = checked(stress(joined({"-m", "fem", "--at", "0,0,-1"}, which)));
+    const Outcome outcome =
+        checked(stress_at(point_at("0, 0, -1", "rail"), joined({"-m", "fem"}, which)));
     EXPECT_TRUE(says(outcome.out, heading));
-    return columns("at_1", "rail").at("yz").at(0);
+    return columns("point_1", "rail").at("yz").at(0);
   };
   EXPECT_NEAR(yz_at({"--point", "3"}, "fem: load point 3, xi = 0.001"), 4.0, 1e-12);
   EXPECT_NEAR(yz_at({"--creepage", "0.001"}, "fem: load point 3, xi = 0.001"), 4.0, 1e-12);
@@ -262,7 +284,7 @@ TEST_F(StressTest, OfBodiesIsThatOfTheLoadPointAskedFor) {
       yz_at({}, "fem: load point 7 (the last of 7; others: --point 1 to 7, --creepage), xi"), 8.0,
       1e-12);
   // Down from the surface at any of them.
-  checked(stress({"-m", "fem", "--point", "3", "--depth", "1.5", "--body", "rail"}));
+  checked(stress({"-m", "fem", "--point", "3", "--depth", "1.5"}));
   const Columns down = columns("depth_centre", "rail");
   ASSERT_EQ(down.at("zz").size(), 121U);
   EXPECT_NEAR(down.at("zz").back(), 7.0 * -1.5 - 50.0, 1e-7);
@@ -272,19 +294,19 @@ TEST_F(StressTest, OfBodiesIsThatOfTheLoadPointAskedFor) {
 TEST_F(StressTest, OfBodiesIsRefusedWhereALoadPointKeepsNone) {
   keep(synthetic_file(false));
   expect_refused(
-      stress({"-m", "fem", "--point", "1", "--at", "0,0,0"}),
+      stress_at(point_at("0, 0, 0", "rail"), {"-m", "fem", "--point", "1"}),
       "load point 1: model fem stores its bodies only for these load points: 3, 7; do: ");
-  const Outcome both = checked(stress({"--point", "1", "--at", "0,0,-1"}));
+  const Outcome both = checked(stress_at(point_at("0, 0, -1", "rail"), {"--point", "1"}));
   EXPECT_TRUE(says(both.err, "warning: left out: load point 1: model fem"));
   EXPECT_EQ(report()["models"].size(), 1U);
-  expect_refused(stress({"-m", "fem", "--at", "0,0,-9"}),
-                 "--at 0,0,-9: the point (0, 0, -9) mm is 7 mm outside the computed rail");
+  expect_refused(stress_at(point_at("0, 0, -9", "rail"), {"-m", "fem"}),
+                 "places.toml: point_1: the point (0, 0, -9) mm is 7 mm outside the computed rail");
 }
 
 TEST_F(StressTest, OfPatchesIsThatOfThePatchNamed) {
   keep(synthetic_file(true));
   const auto of = [&](const std::vector<std::string>& more) {
-    checked(stress(joined({"--at", "0.1,0.1,-1"}, more)));
+    checked(stress_at(point_at("0.1, 0.1, -1", "rail"), more));
     return report()["models"][0]["key"].get<std::string>();
   };
   EXPECT_EQ(of({}), "halfspace_left_1_1");
@@ -301,24 +323,26 @@ TEST_F(StressTest, WrongCallsAreRefused) {
       {{"--point", "0"}, "load points 1 to 2"},
       {{"--creepage", "0.002"}, "allowed: 0, 0.001"},
       {{"--point", "1", "--creepage", "0"}, "both given"},
-      {{"--at", "1,2"}, "'1,2' is not a point x,y,z"},
-      {{"--at", "1,2,nan"}, "'nan' is not a number"},
-      {{"--at", "1,2,"}, "'' is not a number"},
-      {{"--line", "0,0,-1:0,0,1"}, "passes from the rail into the wheel"},
-      {{"--line", "0,0,1:0,0,1"}, "two of the points coincide"},
-      {{"--line", "0,0,0:0,0,-5:1"}, "'1' is not a number of points"},
-      {{"--plane", "0,0,0:1,0,0"}, "3 points are needed"},
-      {{"--plane", "0,0,0:1,0,0:0,0,-1:2000,2000"}, "more than 1000000 points"},
-      {{"--body", "rail", "--at", "0,0,1"}, "is not in the rail of model halfspace"},
-      {{"--body", "sleeper"}, "sleeper"},
+      {{"--places", "none.toml"}, "none.toml: cannot be read"},
       {{"--patch", "left,1,1"}, "without profiles"},
       {{"--yield-strength", "0"}, "a stress > 0"},
       {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "both given"},
       {{"--depth", "-1"}, "a depth > 0"},
       {{"-o", "r/results.h5/x"}, "cannot make the folder"},
   };
+  const std::pair<std::string, const char*> places[] = {
+      {"", "has no section [[subsurface.point]]"},
+      {"[[subsurface.point]]\nat = [1, 2]\n", "subsurface.point.at"},
+      {"[[subsurface.line]]\nfrom = [0, 0, 1]\npoints = 2\n", "subsurface.line.to: is missing"},
+      {line_at("0, 0, 1", "0, 0, 1", 3, "wheel"), "two of its points coincide"},
+      {line_at("0, 0, 0", "0, 0, -5", 1, "rail"), "subsurface.line.points = 1"},
+      {plane_at("0, 0, 0", "1, 0, 0", "0, 0, -1", "2000, 2000"), "at most 1000000 points"},
+      {line_at("0, 0, -1", "0, 0, 1", 3, "rail"), "is not in the rail of model halfspace"},
+      {point_at("0, 0, 1", "sleeper"), "sleeper"}};
+  folder.file("places.toml", "");
   const auto before = folder.made();
   for (const auto& [arguments, part] : calls) expect_refused(stress(arguments), part);
+  for (const auto& [text, part] : places) expect_refused(stress_at(text), part);
   EXPECT_EQ(folder.made(), before);
 }
 

@@ -104,8 +104,9 @@ TEST(ToyModel, GoesOnFromItsCheckpointAndGivesStresses) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick_creep);
   checked(toy(folder, {"run", file, "-m", "stiff", "--no-report", "--resume"}));
-  const Outcome stress =
-      checked(toy(folder, {"stress", "results/q", "--at", "0,0,2", "--no-figures"}));
+  const Outcome stress = checked(toy(
+      folder, {"stress", "results/q", "--places",
+               folder.file("at.toml", "[[subsurface.point]]\nat = [0, 0, 2]\n"), "--no-figures"}));
   EXPECT_TRUE(says(stress.out, "stiff"));
 }
 
