@@ -101,10 +101,10 @@ std::string comparison_table(const CaseStandings& one);
 /// the others are beyond them. Empty when nothing was compared.
 std::string comparison_verdict(const std::vector<CaseStandings>& cases);
 
-/// compare.json: everything above; docs/compare.md has the layout.
+/// compare.json: cases, models and how they stand; docs/compare.md has the layout.
 std::string comparison_json(const ComparisonRecord& record);
 
-/// compare.csv: one row for each number.
+/// compare.csv: the numbers, one row for each.
 std::string comparison_csv(const ComparisonRecord& record);
 
 }  // namespace rollfem::postprocess

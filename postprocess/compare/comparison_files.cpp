@@ -12,29 +12,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json number_json(const ComparedNumber& number) {
-  ordered_json json;
-  if (!number.patch.empty()) json["patch"] = number.patch;
-  json["model"] = number.model;
-  json["point"] = number.point;
-  json["longitudinal_creepage"] = number.longitudinal_creepage;
-  json["lateral_creepage"] = number.lateral_creepage;
-  json["spin"] = number.spin;
-  json["quantity"] = number.quantity;
-  json["value"] = number.value;
-  if (number.error) json["error"] = *number.error;
-  if (number.model_error) json["model_error"] = *number.model_error;
-  if (!number.reference_value) return json;
-  json["reference"] = number.reference;
-  json["reference_value"] = *number.reference_value;
-  json["reference_error"] = number.reference_error;
-  json["scale"] = number.scale;
-  json["difference"] = number.difference();
-  json["allowed"] = number.allowed();
-  json["differs"] = number.differs();
-  return json;
-}
-
 ordered_json standing_json(const Standing& standing) {
   ordered_json json;
   if (!standing.patch.empty()) json["patch"] = standing.patch;
@@ -50,7 +27,6 @@ ordered_json standing_json(const Standing& standing) {
 }
 
 ordered_json case_json(const ComparedCase& compared, const std::string& reference) {
-  const auto numbers = compared_numbers(compared, reference);
   const CaseStandings stand = case_standings(compared, reference);
   ordered_json json;
   json["name"] = compared.name;
@@ -66,8 +42,6 @@ ordered_json case_json(const ComparedCase& compared, const std::string& referenc
   json["standings"] = ordered_json::array();
   for (const Standing& standing : stand.standings)
     json["standings"].push_back(standing_json(standing));
-  json["numbers"] = ordered_json::array();
-  for (const ComparedNumber& number : numbers) json["numbers"].push_back(number_json(number));
   return json;
 }
 
@@ -78,10 +52,14 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
+std::string cell(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
+
 }  // namespace
 
 std::string comparison_json(const ComparisonRecord& record) {
-  ordered_json json = json_head(2, "compare", record.provenance);
+  ordered_json json = json_head(3, "compare", record.provenance);
   json["models"] = record.models;
   json["reference"] = record.reference;
   const std::vector<contact::Quantity> quantities = compared_quantities();
@@ -101,15 +79,14 @@ std::string comparison_json(const ComparisonRecord& record) {
 std::string comparison_csv(const ComparisonRecord& record) {
   std::string text =
       "case,patch,model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm],"
-      "quantity,value,error,reference,reference_value,reference_error,scale,difference [%],"
-      "allowed by error bars [%],differs\n";
+      "quantity,value,error_estimate,model_error,reference,reference_value,reference_error,scale,"
+      "difference [%],allowed by error bars [%],differs\n";
   auto out = std::back_inserter(text);
   for (const ComparedCase& compared : record.cases)
     for (const ComparedNumber& n : compared_numbers(compared, record.reference)) {
-      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},", quoted(compared.name), quoted(n.patch),
-                     n.model, n.point, n.longitudinal_creepage, n.lateral_creepage, n.spin,
-                     n.quantity, n.value);
-      if (n.error) fmt::format_to(out, "{}", *n.error);
+      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}", quoted(compared.name),
+                     quoted(n.patch), n.model, n.point, n.longitudinal_creepage, n.lateral_creepage,
+                     n.spin, n.quantity, n.value, cell(n.error), cell(n.model_error));
       if (n.reference_value)
         fmt::format_to(out, ",{},{},{},{},{},{},{}\n", n.reference, *n.reference_value,
                        n.reference_error, n.scale, 100.0 * n.difference(), 100.0 * n.allowed(),

@@ -48,7 +48,7 @@ void fail_to(const std::string& doing, const fs::path& path, int error) {
   const char* advice = "choose another folder with -o";
   if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another disk with -o";
   if (error == EFBIG) advice = "raise the limit of file size (ulimit -f)";
-  throw contact::InputError(fmt::format("cannot {} {}: {}; nothing was written, {}", doing,
+  throw contact::InputError(fmt::format("cannot {} {}: {}; nothing was written; do: {}", doing,
                                         path.string(), std::strerror(error), advice));
 }
 

@@ -53,7 +53,7 @@ bool FolderOwner::lock() {
   lock_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (lock_ < 0)
     throw contact::InputError(
-        fmt::format("cannot write {}: {}; nothing was written, choose another folder with -o",
+        fmt::format("cannot write {}: {}; nothing was written; do: choose another folder with -o",
                     file_.string(), std::strerror(errno)));
   // Where the file system has no locks, EWOULDBLOCK does not come, and nobody is refused.
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {

@@ -176,4 +176,4 @@ def build(directory):
                       "load point exceeds the error bars of both models together; their number is given below. “bars”: "
                       f"what they allow at that point.{_elasticity(cases)}") if found else "",
             page.section("Cost", _cost_table(cases)), *sections, report.CONVENTIONS],
-        "Also in this folder: compare.csv and compare.json with every number, and a result folder for each case.")
+        "Also in this folder: compare.csv with every number, compare.json, and a result folder for each case.")

@@ -16,7 +16,8 @@ import numpy as np
 from .files import json_is_sound, results_are_sound
 
 FORMAT_VERSION = 2
-JSON_FORMATS = {"compare": ("comparison", 2), "study": ("study", 3)}
+JSON_FORMATS = {"compare": ("comparison", 3), "study": ("study", 4)}
+STUDY_COLUMNS = {"values": "value", "bars": "error_estimate", "errors": "error [-]", "orders": "order [-]"}
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
 
 
@@ -314,8 +315,25 @@ def read_columns(path, needed):
     return title, {name: np.array([float(row[name] or "nan") for row in rows]) for name in rows[0]}
 
 
+def _add_numbers(study, path):
+    """Gives the levels of a study their numbers, by quantity, which stand in its table."""
+    levels = {(place["key"], series["model"], series["vary"], level["label"], level["parameter"]): level
+              for place in study["places"] for series in place["series"] for level in series["levels"]}
+    for level in levels.values():
+        level.update((name, {}) for name in STUDY_COLUMNS)
+    try:
+        with open(path, encoding="utf-8", newline="") as file:
+            for row in csv.DictReader(file):
+                level = levels[row["place"], row["model"], row["vary"], row["level"], float(row["parameter"])]
+                for name, column in STUDY_COLUMNS.items():
+                    if row[column]:
+                        level[name][row["quantity"]] = float(row[column])
+    except (OSError, KeyError, ValueError) as error:
+        raise ResultError(f"{path} is not the table of this study: {error!r}; run the command again") from error
+
+
 def read_json(directory, kind):
-    """compare.json or study.json, by its kind. Raises ResultError where it is damaged or of another format."""
+    """compare.json or study.json, by its kind, the levels of a study with their numbers. Raises ResultError where it is damaged or of another format."""
     path = os.path.join(directory, f"{kind}.json")
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read()
@@ -329,6 +347,8 @@ def read_json(directory, kind):
     word, version = JSON_FORMATS[kind]
     if (data.get("kind"), data.get("format")) != (kind, version):
         raise ResultError(f"{path} is not a {word} that this program reads")
+    if kind == "study":
+        _add_numbers(data, os.path.join(directory, "study.csv"))
     return data
 
 

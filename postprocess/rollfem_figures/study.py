@@ -241,4 +241,4 @@ def build(directory):
             f"<pre>{escape(study['case_text'])}</pre></details>",
             *(page.hint(f"{escape(note)}.") for note in study["notes"]), _overview(study),
             *(_place_part(study, place, drawn) for place in study["places"]), page.hint(HINTS)],
-        "Also in this folder: study.json and study.csv with every number, figures/.")
+        "Also in this folder: study.csv with every number, study.json, figures/.")

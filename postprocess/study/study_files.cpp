@@ -13,20 +13,12 @@ namespace {
 using nlohmann::ordered_json;
 using References = std::map<std::string, StudyReference>;
 
-ordered_json level_json(const StudyRecord& record, const StudyLevel& level,
-                        const References& refs) {
-  ordered_json json{{"label", level.label},           {"parameter", level.parameter},
-                    {"unknowns", level.unknowns},     {"contact_elements", level.contact_elements},
-                    {"seconds", level.seconds},       {"values", ordered_json::object()},
-                    {"bars", ordered_json::object()}, {"errors", ordered_json::object()}};
-  for (const auto& [key, value] : level.values) {
-    json["values"][key] = value;
-    if (const auto bar = level.bars.find(key); bar != level.bars.end())
-      json["bars"][key] = bar->second;
-    if (const auto reference = refs.find(key); reference != refs.end())
-      json["errors"][key] = study_error(record, key, value, reference->second);
-  }
-  return json;
+ordered_json level_json(const StudyLevel& level) {
+  return {{"label", level.label},
+          {"parameter", level.parameter},
+          {"unknowns", level.unknowns},
+          {"contact_elements", level.contact_elements},
+          {"seconds", level.seconds}};
 }
 
 ordered_json limits_json(const StudySeries& series, const References& refs) {
@@ -48,28 +40,12 @@ ordered_json limits_json(const StudySeries& series, const References& refs) {
   return json;
 }
 
-void add_orders(const StudyRecord& record, const StudySeries& series, const References& refs,
-                ordered_json& levels) {
-  for (const auto& [key, reference] : refs) {
-    const auto orders = level_orders(record, series, key, reference);
-    std::size_t k = 0;
-    for (ordered_json& level : levels)
-      if (level["values"].contains(key)) {
-        if (orders.at(k)) level["orders"][key] = *orders.at(k);
-        ++k;
-      }
-  }
-}
-
-ordered_json series_json(const StudyRecord& record, const StudySeries& series,
-                         const References& refs) {
+ordered_json series_json(const StudySeries& series, const References& refs) {
   ordered_json json{{"model", series.model},           {"vary", series.vary},
                     {"parameter", series.parameter},   {"ratio", series.ratio},
                     {"failure", series.failure},       {"left_out", series.left_out},
                     {"levels", ordered_json::array()}, {"limits", limits_json(series, refs)}};
-  for (const StudyLevel& level : series.levels)
-    json["levels"].push_back(level_json(record, level, refs));
-  add_orders(record, series, refs, json["levels"]);
+  for (const StudyLevel& level : series.levels) json["levels"].push_back(level_json(level));
   return json;
 }
 
@@ -95,7 +71,7 @@ ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
     json["choice"].push_back({{"percent", accuracy}, {"text", text}});
   json["series"] = ordered_json::array();
   for (const StudySeries& series : place.series)
-    json["series"].push_back(series_json(record, series, refs));
+    json["series"].push_back(series_json(series, refs));
   return json;
 }
 
@@ -125,13 +101,13 @@ std::string reference_cells(const StudyRecord& record, const StudySeries& series
   return fmt::format(",{},{},{},{},{},{}", reference->second.value, reference->second.uncertainty,
                      reference->second.kind,
                      study_error(record, key, level.values.at(key), reference->second),
-                     percent_of(key), order ? fmt::format("{:.4g}", *order) : std::string());
+                     percent_of(key), order ? fmt::format("{}", *order) : std::string());
 }
 
 }  // namespace
 
 std::string study_json(const StudyRecord& record) {
-  ordered_json json = json_head(3, "study", record.provenance);
+  ordered_json json = json_head(4, "study", record.provenance);
   json["title"] = record.title;
   json["case_file"] = record.case_file;
   json["case_text"] = record.case_text;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
+#include "support/csv_rows.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -32,16 +33,18 @@ TEST(Compare, LaysModelsOfSeveralCasesBesideEachOther) {
   // The same numbers as run's own, and Hertz within a coarse grid's error of the half-space.
   const auto summary = folder.json("results/compare/one/summary.json");
   int found = 0;
-  for (const auto& number : all.at("cases")[0].at("numbers")) {
-    if (number.at("quantity") != "max_pressure" || number.at("point") != 1) continue;
+  for (const auto& number : csv_records(folder.text("results/compare/compare.csv"))) {
+    if (number.at("case") != "one" || number.at("quantity") != "max_pressure" ||
+        number.at("point") != "1")
+      continue;
     ++found;
     for (const auto& model : summary.at("models"))
       if (model.at("name") == number.at("model")) {
-        EXPECT_EQ(number.at("value"), model.at("points")[0].at("max_pressure"));
+        EXPECT_EQ(std::stod(number.at("value")), model.at("points")[0].at("max_pressure"));
       }
     if (number.at("model") == "hertz") {
-      EXPECT_GT(number.at("difference").get<double>(), 0.0);
-      EXPECT_LT(number.at("difference").get<double>(), 0.02);
+      EXPECT_GT(std::stod(number.at("difference")), 0.0);  // percent
+      EXPECT_LT(std::stod(number.at("difference")), 2.0);
     }
   }
   EXPECT_EQ(found, 3);
@@ -88,7 +91,7 @@ TEST(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
   EXPECT_EQ(both.status, 2);
   EXPECT_TRUE(says(both.err, "none of the models can solve forces"));
   const auto all = folder.json("out/compare.json");
-  EXPECT_FALSE(all.at("cases")[1].at("numbers").empty());
+  EXPECT_TRUE(says(folder.text("out/compare.csv"), "\n\"good\","));
   EXPECT_FALSE(all.at("cases")[0].at("complete").get<bool>());
 }
 
@@ -109,7 +112,7 @@ TEST(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
   ASSERT_EQ(all.at("cases").size(), 2U);
   EXPECT_TRUE(all.at("cases")[0].at("missing")[0].at("failed").get<bool>());
   EXPECT_TRUE(all.at("cases")[1].at("missing").empty());
-  EXPECT_FALSE(all.at("cases")[1].at("numbers").empty());
+  EXPECT_TRUE(says(folder.text("out/compare.csv"), "\n\"good\","));
 }
 
 TEST(Compare, AWrongCaseIsRefusedBeforeAnythingIsComputed) {

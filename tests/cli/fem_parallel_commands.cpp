@@ -1,7 +1,9 @@
 // compare and study on several processes: the numbers of one process, files of the first alone, and
 // a failure that ends the call with nothing half-written.
 #include "support/case_examples.hpp"
+#include "support/csv_rows.hpp"
 #include "support/program.hpp"
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -35,39 +37,37 @@ std::array<Json, 2> both(const Folder& folder, const std::string& command,
   return results;
 }
 
+/// The rows of both tables have the same values; how many those are.
+std::size_t same_rows(const Folder& folder, const std::string& name) {
+  const auto one = csv_records(folder.text("on_1/" + name + ".csv"));
+  const auto two = csv_records(folder.text("on_2/" + name + ".csv"));
+  EXPECT_EQ(one.size(), two.size());
+  for (std::size_t k = 0; k < std::min(one.size(), two.size()); ++k) {
+    for (const char* cell : {"quantity", "model", "unknowns"})
+      if (one[k].count(cell) > 0) {
+        EXPECT_EQ(one[k].at(cell), two[k].at(cell));
+      }
+    const double value = std::stod(one[k].at("value"));
+    EXPECT_NEAR(std::stod(two[k].at("value")), value, 1e-8 * std::abs(value))
+        << one[k].at("quantity");
+  }
+  return one.size();
+}
+
 TEST(FemCommands, StudyOnTwoProcessesGivesTheNumbersOfOne) {
   const Folder folder;
   const auto [one, two] = both(folder, "study", {"--model", "fem", "halfspace", "--levels", "2"});
   EXPECT_EQ(two.at("processes"), 2);
   ASSERT_EQ(one.at("places").at(0).at("series").size(), 2U);
-  for (std::size_t s = 0; s < 2; ++s) {
-    const Json& levels = one.at("places").at(0).at("series").at(s).at("levels");
-    const Json& other = two.at("places").at(0).at("series").at(s).at("levels");
-    ASSERT_EQ(levels.size(), 2U);
-    ASSERT_EQ(other.size(), 2U);
-    for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_EQ(levels[k].at("unknowns"), other[k].at("unknowns"));
-      for (const auto& [name, value] : levels[k].at("values").items())
-        EXPECT_NEAR(other[k].at("values").at(name).get<double>(), value.get<double>(),
-                    1e-8 * std::abs(value.get<double>()))
-            << name;
-    }
-  }
+  for (const Json& series : one.at("places").at(0).at("series"))
+    EXPECT_EQ(series.at("levels").size(), 2U);
+  EXPECT_GT(same_rows(folder, "study"), 8U);
 }
 
 TEST(FemCommands, CompareOnTwoProcessesGivesTheNumbersOfOne) {
   const Folder folder;
-  const auto [one, two] = both(folder, "compare", {"--model", "halfspace", "fem"});
-  const Json& numbers = one.at("cases").at(0).at("numbers");
-  const Json& other = two.at("cases").at(0).at("numbers");
-  ASSERT_GT(numbers.size(), 8U);
-  ASSERT_EQ(numbers.size(), other.size());
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    EXPECT_EQ(numbers[k].at("quantity"), other[k].at("quantity"));
-    const double value = numbers[k].at("value");
-    EXPECT_NEAR(other[k].at("value").get<double>(), value, 1e-8 * std::abs(value))
-        << numbers[k].at("quantity");
-  }
+  both(folder, "compare", {"--model", "halfspace", "fem"});
+  EXPECT_GT(same_rows(folder, "compare"), 8U);
 }
 
 TEST(FemCommands, AFailureOnTwoProcessesEndsTheCallAndWritesNothing) {

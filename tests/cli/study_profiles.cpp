@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/csv_rows.hpp"
 #include "support/program.hpp"
 #include <cmath>
 
@@ -41,18 +42,19 @@ TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
   // elements: all levels together show it.
   const auto& limit = place.at("series").at(0).at("limits").at("max_pressure");
   ASSERT_TRUE(limit.contains("order")) << limit;
-  const auto error = [&](int level) {
-    const auto& values = levels.at(level).at("values");
-    return std::abs(values.at("max_pressure").get<double>() - limit.at("value").get<double>());
+  std::map<std::string, std::vector<double>> values;
+  for (const auto& row : csv_records(folder.text("out/study.csv")))
+    values[row.at("quantity")].push_back(std::stod(row.at("value")));
+  const auto error = [&](std::size_t level) {
+    return std::abs(values.at("max_pressure").at(level) - limit.at("value").get<double>());
   };
   EXPECT_NEAR(std::log2(error(0) / error(3)) / 3.0, 2.0, 0.3);
   EXPECT_LT(limit.at("uncertainty").get<double>(), 0.3);  // MPa, 3e-4 of the value
   EXPECT_NEAR(limit.at("value").get<double>(), 1011.2, 0.001 * 1011.2);
   // CONTACT: 1011.2 MPa and 16.2 mm.
-  const auto& finest = levels.at(4).at("values");
-  EXPECT_NEAR(finest.at("max_pressure").get<double>(), 1011.2, 0.001 * 1011.2);
-  EXPECT_NEAR(finest.at("contact_width").get<double>(), 16.2, 0.1);
-  EXPECT_EQ(finest.count("semi_axis_x"), 0U);
+  EXPECT_NEAR(values.at("max_pressure").at(4), 1011.2, 0.001 * 1011.2);
+  EXPECT_NEAR(values.at("contact_width").at(4), 16.2, 0.1);
+  EXPECT_EQ(values.count("semi_axis_x"), 0U);
 }
 
 TEST(StudyProfiles, EveryPatchIsASeriesWithOneBalance) {

@@ -1,6 +1,7 @@
 // The command study after a kill: finished levels are taken up and the numbers are the same to the
 // last bit; what belongs to another case is refused.
 #include "support/case_examples.hpp"
+#include "support/csv_rows.hpp"
 #include "support/places.hpp"
 #include "support/resume.hpp"
 
@@ -49,6 +50,13 @@ nlohmann::json timeless(const fs::path& folder) {
   return all;
 }
 
+/// Rows of study.csv without times.
+auto timeless_rows(const fs::path& folder) {
+  auto rows = csv_records(contents(folder / "study.csv"));
+  for (auto& row : rows) row.erase("seconds");
+  return rows;
+}
+
 /// Kills a study in the middle of its last level.
 void leave_unfinished(const Folder& folder, const std::string& file) {
   const fs::path unfinished = folder.work() / "out.unfinished";
@@ -72,6 +80,7 @@ TEST(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
     ++taken_up;
   EXPECT_EQ(taken_up, kept) << outcome.err;
   EXPECT_EQ(timeless(folder.work() / "whole"), timeless(folder.work() / "out"));
+  EXPECT_EQ(timeless_rows(folder.work() / "whole"), timeless_rows(folder.work() / "out"));
   EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 

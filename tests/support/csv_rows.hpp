@@ -1,6 +1,7 @@
 // CSV files that the program wrote.
 #pragma once
 
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,12 +13,27 @@ inline std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
   std::istringstream lines(text);
   std::vector<std::vector<std::string>> rows;
   for (std::string line; std::getline(lines, line);) {
-    rows.emplace_back();
-    std::istringstream cells(line);
-    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-    if (!line.empty() && line.back() == ',') rows.back().emplace_back();
+    rows.push_back({""});
+    bool quoted = false;
+    for (const char c : line)
+      if (c == '"')
+        quoted = !quoted;
+      else if (c == ',' && !quoted)
+        rows.back().emplace_back();
+      else
+        rows.back().back() += c;
   }
   return rows;
+}
+
+/// The rows below the head, each cell under the first word of its heading.
+inline std::vector<std::map<std::string, std::string>> csv_records(const std::string& text) {
+  const auto rows = csv_rows(text);
+  std::vector<std::map<std::string, std::string>> records(rows.size() - 1);
+  for (std::size_t r = 1; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < rows[r].size(); ++c)
+      records[r - 1][rows[0].at(c).substr(0, rows[0][c].find(' '))] = rows[r][c];
+  return records;
 }
 
 /// The numbers below the head, from that column on.

@@ -114,6 +114,7 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   place.series = {fine, jumpy, theory};
   study.places = {place};
   replace_file(base_ / "study.json", study_json(study));
+  replace_file(base_ / "study.csv", study_csv(study));
   ASSERT_EQ(make_report(base_.string(), scripts), "");
   const std::string page = contents(base_ / "study.html");
   expect_self_contained(page);
