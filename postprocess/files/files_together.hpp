@@ -58,8 +58,8 @@ void write_file(const std::filesystem::path& path, std::string_view content);
 /// cannot.
 void flush_folder(const std::filesystem::path& folder);
 
-/// "cannot make the folder results/a: No space left on device; nothing was written; do: ...". Throws
-/// contact::InputError.
+/// "cannot make the folder results/a: No space left on device; nothing was written; do: ...".
+/// Throws contact::InputError.
 [[noreturn]] void fail_to(const std::string& doing, const std::filesystem::path& path, int error);
 
 /// The whole file; empty where it cannot be read.
