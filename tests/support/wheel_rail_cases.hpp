@@ -65,10 +65,15 @@ inline contact::Case manchester_case(double shift, double yaw) {
 
 /// What touches where, of one wheel at the first position.
 inline std::vector<track::WheelRailContact> contacts_of(const contact::Case& input,
+                                                        const track::SearchScene& scene, bool left,
+                                                        const track::SearchOptions& options = {}) {
+  return find_contacts(input, scene, find_pose(input, scene, 1), 1, left, options);
+}
+
+inline std::vector<track::WheelRailContact> contacts_of(const contact::Case& input,
                                                         bool left = true,
                                                         const track::SearchOptions& options = {}) {
-  const auto scene = track::make_search_scene(input, manchester_pair());
-  return find_contacts(input, scene, find_pose(input, scene, 1), 1, left, options);
+  return contacts_of(input, track::make_search_scene(input, manchester_pair()), left, options);
 }
 
 /// Smallest height of the wheel's surface above the rail, mm: points of the surface of revolution

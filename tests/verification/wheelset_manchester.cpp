@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/manchester.hpp"
+#include "support/wheel_rail_cases.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,7 +15,25 @@
 namespace {
 
 using rollfem::contact::WheelSide;
-using rollfem::testing::manchester_wheelset;
+
+/// Yaw that the benchmark prescribes, rad/mm of lateral shift.
+constexpr double yaw_of_shift = 2.4e-3;
+
+/// One wheel at these lateral shifts, mm, with the profiles of the program.
+rollfem::contact::Case manchester_wheelset(WheelSide side, const std::vector<double>& shifts) {
+  auto input = rollfem::testing::manchester_case(0.0, 0.0);
+  input.file = "manchester";
+  // CONTACT lays the patch in a plane and knows creepages and spin alone.
+  input.rolling.extra_slip = rollfem::contact::ExtraSlip::none;
+  input.wheel.profile.name = "S1002";
+  input.rail.profile.name = "UIC60-manchester";
+  input.wheelset.side = side;
+  input.wheelset.free_rolling = rollfem::contact::FreeRolling::torque;
+  input.wheelset.lateral_shift = shifts;
+  input.wheelset.yaw.clear();
+  for (const double shift : shifts) input.wheelset.yaw.push_back(yaw_of_shift * shift);
+  return input;
+}
 
 /// Columns of CONTACT's output: mm, rad, N; friction along and across over mu F_n; MPa. Its
 /// longitudinal creepage and force along are minus ours. For the left wheel its lateral axis points

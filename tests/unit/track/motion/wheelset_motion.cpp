@@ -9,13 +9,9 @@
 namespace {
 
 using namespace rollfem;
+using rollfem::testing::contacts_of;
 using track::Motion;
 using track::WheelRailContact;
-
-std::vector<WheelRailContact> contacts_of(const contact::Case& input, bool left) {
-  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
-  return find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
-}
 
 WheelRailContact contact_of(const contact::Case& input, bool left) {
   return contacts_of(input, left).at(0);

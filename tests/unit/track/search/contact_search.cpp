@@ -11,7 +11,7 @@
 namespace {
 
 using namespace rollfem;
-using track::find_contacts;
+using rollfem::testing::contacts_of;
 using track::WheelRailContact;
 
 constexpr double radius = 460.0, rail_radius = 80.0;
@@ -29,47 +29,44 @@ contact::Case light_case(double shift, double yaw) {
 const double rail_middle =
     717.5 + std::sqrt(rail_radius * rail_radius - std::pow(rail_radius - 14.0, 2));
 
-class SphereOnCylinder : public ::testing::TestWithParam<std::array<double, 3>> {};
+class SphereOnCylinder : public ::testing::TestWithParam<std::array<double, 3>> {
+ protected:
+  SphereOnCylinder() { input_.wheelset.roll = {roll_}; }
+
+  const double shift_ = GetParam()[0], yaw_ = GetParam()[1], roll_ = GetParam()[2];
+  contact::Case input_ = light_case(shift_, yaw_);
+  const track::SearchScene scene_ =
+      track::make_search_scene(input_, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
+};
 
 TEST_P(SphereOnCylinder, TouchesOnTheLineBetweenTheCentres) {
-  const auto [shift, yaw, roll] = GetParam();
-  contact::Case input = light_case(shift, yaw);
-  input.wheelset.roll = {roll};
-  const auto scene =
-      track::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
   for (const bool left : {true, false}) {
-    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
+    const auto found = contacts_of(input_, scene_, left);
     ASSERT_EQ(found.size(), 1u);
     const WheelRailContact& contact = found[0];
     // Centre of the sphere in the side frame.
     const double sign = left ? -1.0 : 1.0;
-    const double centre = sign * shift + 750.0 * std::cos(yaw) * std::cos(roll);
+    const double centre = sign * shift_ + 750.0 * std::cos(yaw_) * std::cos(roll_);
     const double sine = (rail_middle - centre) / (radius + rail_radius);
     const double angle = std::asin(sine);
     EXPECT_NEAR(contact.place.contact_angle, angle, 1e-8);
     EXPECT_NEAR(contact.place.y_track, sign * (rail_middle - rail_radius * sine), 1e-5);
     EXPECT_NEAR(contact.place.y_rail, -rail_radius * sine, 1e-5);
-    EXPECT_NEAR(contact.origin[0], -sign * 750.0 * std::sin(yaw) * std::cos(roll), 1e-4);
+    EXPECT_NEAR(contact.origin[0], -sign * 750.0 * std::sin(yaw_) * std::cos(roll_), 1e-4);
     // Distance of the contact from the axle, whose angle against the normal is known.
     const double along =
-        std::cos(yaw) * std::cos(roll) * -sine - sign * std::sin(roll) * std::cos(angle);
+        std::cos(yaw_) * std::cos(roll_) * -sine - sign * std::sin(roll_) * std::cos(angle);
     EXPECT_NEAR(contact.place.rolling_radius, radius * std::sqrt(1.0 - along * along), 1e-5);
     EXPECT_NEAR(contact.place.separation, 0.0, 1e-9);
   }
 }
 
 TEST_P(SphereOnCylinder, AroundTheOverlapTheProfilesAreTheSame) {
-  const auto [shift, yaw, roll] = GetParam();
-  contact::Case input = light_case(shift, yaw);
-  input.wheelset.roll = {roll};
-  const auto scene =
-      track::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
   track::SearchOptions around;
   around.around_overlap = 12.0;
   for (const bool left : {true, false}) {
-    const auto pose = find_pose(input, scene, 1);
-    const auto whole = find_contacts(input, scene, pose, 1, left),
-               part = find_contacts(input, scene, pose, 1, left, around);
+    const auto whole = contacts_of(input_, scene_, left),
+               part = contacts_of(input_, scene_, left, around);
     ASSERT_EQ(part.size(), 1u);
     EXPECT_LT(part[0].geometry.rail().last() - part[0].geometry.rail().first(), 30.0);
     for (const double y : {-11.0, -3.0, 0.0, 5.0, 11.0}) {
@@ -80,13 +77,8 @@ TEST_P(SphereOnCylinder, AroundTheOverlapTheProfilesAreTheSame) {
 }
 
 TEST_P(SphereOnCylinder, DistanceInThePatchFrameIsThatOfSphereAndCylinder) {
-  const auto [shift, yaw, roll] = GetParam();
-  contact::Case input = light_case(shift, yaw);
-  input.wheelset.roll = {roll};
-  const auto scene =
-      track::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
   for (const bool left : {true, false}) {
-    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
+    const auto found = contacts_of(input_, scene_, left);
     ASSERT_EQ(found.size(), 1u);
     for (const double x : {0.0, 6.0, -4.0})
       for (const double y : {-8.0, 0.0, 5.0}) {
@@ -121,8 +113,8 @@ TEST(Mirror, RightWheelIsTheMirrorImageOfTheLeftOne) {
   const contact::Case input = rollfem::testing::manchester_case(3.3, 0.008);
   const contact::Case mirrored = rollfem::testing::manchester_case(-3.3, -0.008);
   const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
-  const auto left = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
-  const auto right = find_contacts(mirrored, scene, find_pose(mirrored, scene, 1), 1, false);
+  const auto left = contacts_of(input, scene, true);
+  const auto right = contacts_of(mirrored, scene, false);
   ASSERT_EQ(left.size(), right.size());
   for (std::size_t k = 0; k < left.size(); ++k) {
     const auto &a = left[k].place, &b = right[k].place;
@@ -156,7 +148,7 @@ TEST(Patches, TwoHumpsAreOneContactWhetherTheyMeetOrNot) {
   const double middle = scene.rail_place.shift_y;
   for (const double share : {0.5, 1.5}) {
     input.load.approach = share * depth;
-    const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+    const auto found = contacts_of(input, scene, true);
     ASSERT_EQ(found.size(), 1u) << share;
     EXPECT_EQ(found[0].touching.size(), 2u);
     EXPECT_NEAR(std::abs(found[0].place.y_track), middle, 1e-6);
@@ -178,7 +170,7 @@ TEST(Patches, HumpsOfOtherNormalsAreContactsWithLimits) {
   const auto scene = track::make_search_scene(input, two_humps(depth));
   track::SearchOptions options;
   options.merge_angle = -1.0;  // nothing is alike
-  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true, options);
+  const auto found = contacts_of(input, scene, true, options);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].place.patches, 2);
   const double middle = scene.rail_place.shift_y;
@@ -208,7 +200,7 @@ TEST(Patches, PlaneIsThatOfTheWholeOverlap) {
   input.wheelset.roll = {0.0};
   input.load.approach = 0.06;
   const auto scene = track::make_search_scene(input, pair);
-  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  const auto found = contacts_of(input, scene, true);
   ASSERT_EQ(found.size(), 1u);
   // Depth^2.5 over 0.06 - z: mean place and slope of one side by Beta functions.
   const double left = std::sqrt(0.06 * 100.0), right = std::sqrt(0.06 * 600.0);
@@ -228,7 +220,7 @@ TEST(Patches, HumpThatDoesNotTouchIsANearMissWithItsSeparation) {
   input.wheelset.roll = {roll};
   input.load.approach = 0.005;
   const auto scene = track::make_search_scene(input, two_humps(0.03));
-  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  const auto found = contacts_of(input, scene, true);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].place.patch, 1);
   EXPECT_EQ(found[0].place.patches, 1);
@@ -239,7 +231,7 @@ TEST(Patches, HumpThatDoesNotTouchIsANearMissWithItsSeparation) {
   EXPECT_EQ(found[1].normal_force, 0.0);
   track::SearchOptions options;
   options.near_miss = 0.01;
-  EXPECT_EQ(find_contacts(input, scene, find_pose(input, scene, 1), 1, true, options).size(), 1u);
+  EXPECT_EQ(contacts_of(input, scene, true, options).size(), 1u);
 }
 
 TEST(Load, EstimateIsCloseToHertzForASphereOnACylinder) {
@@ -253,7 +245,7 @@ TEST(Load, EstimateIsCloseToHertzForASphereOnACylinder) {
   const auto scene = track::make_search_scene(input, flat);
   input.load = {};
   input.load.vertical_force = 10e3;
-  const auto found = find_contacts(input, scene, find_pose(input, scene, 1), 1, true);
+  const auto found = contacts_of(input, scene, true);
   ASSERT_FALSE(found.empty());
   const double modulus = 2.0 * 1.28 * 82000.0 / (2.0 * (1.0 - 0.28 * 0.28));
   const double hertz = std::cbrt(9.0 * 1e8 / (16.0 * radius * modulus * modulus));
