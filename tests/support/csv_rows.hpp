@@ -26,13 +26,16 @@ inline std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
   return rows;
 }
 
-/// The rows below the head, each cell under the first word of its heading.
-inline std::vector<std::map<std::string, std::string>> csv_records(const std::string& text) {
+/// The rows below the head, each cell under its heading or the first word of it.
+inline std::vector<std::map<std::string, std::string>> csv_records(const std::string& text,
+                                                                   bool first_word = true) {
   const auto rows = csv_rows(text);
   std::vector<std::map<std::string, std::string>> records(rows.size() - 1);
   for (std::size_t r = 1; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < rows[r].size(); ++c)
-      records[r - 1][rows[0].at(c).substr(0, rows[0][c].find(' '))] = rows[r][c];
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const std::string& heading = rows[0].at(c);
+      records[r - 1][first_word ? heading.substr(0, heading.find(' ')) : heading] = rows[r][c];
+    }
   return records;
 }
 

@@ -7,43 +7,20 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/csv_rows.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/temporary_folder.hpp"
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace rollfem::postprocess {
 namespace {
 
 using rollfem::testing::says;
+using testing::csv_records;
 using testing::synthetic_run;
-
-std::vector<std::string> split(const std::string& line, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(line);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
-
-/// A CSV file as rows of name -> cell, names without units.
-std::vector<std::map<std::string, std::string>> parse_csv(const std::string& text) {
-  const std::vector<std::string> lines = split(text, '\n');
-  std::vector<std::string> names;
-  for (const std::string& name : split(lines.at(0), ',')) names.push_back(split(name, ' ')[0]);
-  std::vector<std::map<std::string, std::string>> rows;
-  for (std::size_t k = 1; k < lines.size(); ++k) {
-    std::vector<std::string> cells = split(lines[k], ',');
-    EXPECT_LE(cells.size(), names.size());
-    cells.resize(names.size());
-    rows.emplace_back();
-    for (std::size_t c = 0; c < names.size(); ++c) rows.back()[names[c]] = cells[c];
-  }
-  return rows;
-}
 
 double number(const std::string& text) {
   return std::strtod(text.c_str(), nullptr);
@@ -87,7 +64,7 @@ TEST(SummaryJson, GivesEveryNumberBackToTheLastBit) {
 
 TEST(CreepCurveCsv, HasOneRowPerModelAndCreepageWithTheSameNumbers) {
   const RunRecord run = synthetic_run();
-  const auto rows = parse_csv(creep_curve_csv(run));
+  const auto rows = csv_records(creep_curve_csv(run));
   ASSERT_EQ(rows.size(), 1U + 7U + 7U);
   EXPECT_EQ(rows[0].at("model"), "hertz");
   EXPECT_EQ(rows[0].at("point"), "1");  // as people count
@@ -100,7 +77,7 @@ TEST(CreepCurveCsv, HasOneRowPerModelAndCreepageWithTheSameNumbers) {
 TEST(PathCsv, SumsAlongTheMiddleLinesGiveTheForcePerLength) {
   const RunRecord run = synthetic_run();
   for (const Path path : {Path::x, Path::y}) {
-    const auto rows = parse_csv(path_csv(run, path));
+    const auto rows = csv_records(path_csv(run, path));
     const testing::SyntheticPatch patch;
     double sum = 0.0;
     for (const auto& row : rows)
@@ -114,7 +91,7 @@ TEST(PathCsv, SumsAlongTheMiddleLinesGiveTheForcePerLength) {
 }
 
 TEST(PathCsv, LeavesCellsEmptyWhereAModelHasNoField) {
-  const auto rows = parse_csv(path_csv(synthetic_run(), Path::x));
+  const auto rows = csv_records(path_csv(synthetic_run(), Path::x));
   EXPECT_EQ(rows[0].at("model"), "hertz");
   EXPECT_NE(rows[20].at("pressure"), "");
   EXPECT_EQ(rows[20].at("slip_x"), "");
@@ -140,43 +117,32 @@ std::string refusal(const RunRecord& run) {
   return text;
 }
 
-TEST(WriteResults, RefusesNumbersThatAreNotFiniteAndNamesThem) {
+using Change = std::function<void(std::vector<contact::ModelResult>&)>;
+
+TEST(WriteResults, RefusesWhatIsNotFiniteDoesNotFitOrMakesNoFileNameAndNamesIt) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  RunRecord run = synthetic_run();
-  run.models[1].points[2].max_pressure = nan;
-  EXPECT_TRUE(says(refusal(run), "halfspace/points[2]/max_pressure"));
-
-  run = synthetic_run();
-  run.models[2].points[0].fields.slip.x[17] = contact::infinity;
-  EXPECT_TRUE(says(refusal(run), "fem/points[0]/slip_x[17]"));
-
-  run = synthetic_run();
-  run.models[2].points[5].bodies[0].stress[4][2] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_TRUE(says(refusal(run), "fem/points[5]/wheel/stress[4]"));
-
-  run = synthetic_run();
-  run.models[2].points[5].bodies[1].displacement.pop_back();
-  EXPECT_TRUE(says(refusal(run), "fem/points[5]/rail does not have 12 values"));
-
-  run = synthetic_run();
-  run.models[2].bodies[0].points[1][0] = nan;
-  EXPECT_TRUE(says(refusal(run), "fem/wheel/points[1]"));
-
-  run = synthetic_run();
-  run.models[0].points[0].error_estimate["approach"] = nan;
-  EXPECT_TRUE(says(refusal(run), "hertz/points[0]/error_estimate/approach"));
-}
-
-TEST(WriteResults, RefusesFieldsThatDoNotFitTheGridAndNamesThatAreNoFileNames) {
-  RunRecord run = synthetic_run();
-  run.models[1].points[0].fields.gap.conservativeResize(5);
-  EXPECT_TRUE(says(refusal(run), "halfspace/points[0]/gap"));
-  run = synthetic_run();
-  run.models[1].name = "../halfspace";
-  EXPECT_TRUE(says(refusal(run), "model name"));
-  run = synthetic_run();
-  run.models[1].name = "fem";
-  EXPECT_TRUE(says(refusal(run), "twice"));
+  for (const auto& [change, named] : std::vector<std::pair<Change, const char*>>{
+           {[&](auto& m) { m[1].points[2].max_pressure = nan; },
+            "halfspace/points[2]/max_pressure"},
+           {[&](auto& m) { m[2].points[0].fields.slip.x[17] = contact::infinity; },
+            "fem/points[0]/slip_x[17]"},
+           {[&](auto& m) {
+              m[2].points[5].bodies[0].stress[4][2] = std::numeric_limits<float>::quiet_NaN();
+            },
+            "fem/points[5]/wheel/stress[4]"},
+           {[&](auto& m) { m[2].points[5].bodies[1].displacement.pop_back(); },
+            "fem/points[5]/rail does not have 12 values"},
+           {[&](auto& m) { m[2].bodies[0].points[1][0] = nan; }, "fem/wheel/points[1]"},
+           {[&](auto& m) { m[0].points[0].error_estimate["approach"] = nan; },
+            "hertz/points[0]/error_estimate/approach"},
+           {[&](auto& m) { m[1].points[0].fields.gap.conservativeResize(5); },
+            "halfspace/points[0]/gap"},
+           {[&](auto& m) { m[1].name = "../halfspace"; }, "model name"},
+           {[&](auto& m) { m[1].name = "fem"; }, "twice"}}) {
+    RunRecord run = synthetic_run();
+    change(run.models);
+    EXPECT_TRUE(says(refusal(run), named));
+  }
   EXPECT_EQ(refusal(synthetic_run()), "");
 }
 

@@ -12,15 +12,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/csv_rows.hpp"
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/places.hpp"
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace rollfem::postprocess {
 namespace {
@@ -94,35 +92,22 @@ for row in zip(*columns):
   EXPECT_EQ(printed, expected);
 }
 
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> parts;
-  std::istringstream stream(line);
-  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
-  return parts;
-}
-
 TEST(EveryQuantity, HasAColumnOfCreepCurveCsvWithItsUnit) {
   const RunRecord run = numbered_run();
-  std::istringstream text(creep_curve_csv(run));
-  std::string head;
-  std::getline(text, head);
-  const std::vector<std::string> names = cells(head);
+  const auto rows = testing::csv_rows(creep_curve_csv(run));
+  const std::vector<std::string>& names = rows.at(0);
   ASSERT_GT(names.size(), 2 + quantities().size());  // model, point; bars behind
-  for (std::size_t k = 0; k < 2; ++k) {
-    std::string line;
-    std::getline(text, line);
-    std::vector<std::string> row = cells(line);
-    row.resize(names.size());
+  for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t c = 0; c < quantities().size(); ++c) {
       const Quantity& quantity = quantities()[c];
       EXPECT_EQ(names[c + 2], std::string(quantity.name) + " [" + quantity.unit + "]");
       const std::optional<double> value = quantity.value(run.models[0].points[k]);
-      EXPECT_EQ(row[c + 2].empty(), !value.has_value()) << quantity.name;
+      const std::string& cell = rows.at(k + 1).at(c + 2);
+      EXPECT_EQ(cell.empty(), !value.has_value()) << quantity.name;
       if (value.has_value()) {
-        EXPECT_EQ(std::strtod(row[c + 2].c_str(), nullptr), *value) << quantity.name;
+        EXPECT_EQ(std::strtod(cell.c_str(), nullptr), *value) << quantity.name;
       }
     }
-  }
 }
 
 TEST(EveryQuantity, HasItsBarInCreepCurveCsvOrTheWordInItsPlace) {
@@ -130,23 +115,12 @@ TEST(EveryQuantity, HasItsBarInCreepCurveCsvOrTheWordInItsPlace) {
   run.models[0].points[0].error_estimate = {{"max_pressure", 1.25}};
   run.models[0].points[0].no_bar = {{"approach", "given"}};
   run.models[0].points[0].model_error = {{"semi_axis_x", 0.5}};
-  std::istringstream text(creep_curve_csv(run));
-  std::string head, line;
-  std::getline(text, head);
-  std::getline(text, line);
-  const std::vector<std::string> names = cells(head);
-  std::vector<std::string> row = cells(line);
-  row.resize(names.size());
-  const auto cell = [&](const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    EXPECT_NE(found, names.end()) << name;
-    return found == names.end() ? "" : row[static_cast<std::size_t>(found - names.begin())];
-  };
-  EXPECT_EQ(cell("error_estimate max_pressure [MPa]"), "1.25");
-  EXPECT_EQ(cell("error_estimate approach [mm]"), "given");
-  EXPECT_EQ(cell("error_estimate semi_axis_x [mm]"), "");
-  EXPECT_EQ(cell("model_error semi_axis_x [mm]"), "0.5");
-  EXPECT_EQ(std::count(names.begin(), names.end(), "error_estimate seconds [s]"), 0);
+  const auto row = testing::csv_records(creep_curve_csv(run), false).at(0);
+  EXPECT_EQ(row.at("error_estimate max_pressure [MPa]"), "1.25");
+  EXPECT_EQ(row.at("error_estimate approach [mm]"), "given");
+  EXPECT_EQ(row.at("error_estimate semi_axis_x [mm]"), "");
+  EXPECT_EQ(row.at("model_error semi_axis_x [mm]"), "0.5");
+  EXPECT_EQ(row.count("error_estimate seconds [s]"), 0U);
 }
 
 TEST(EveryQuantity, ComesBackFromACheckpoint) {
@@ -165,11 +139,8 @@ TEST(EveryQuantity, ComesBackFromACheckpoint) {
 }
 
 TEST(EveryQuantity, StandsInTheDocumentation) {
-  const std::filesystem::path page = std::filesystem::path(ROLLFEM_SOURCE_DIR) / "docs/results.md";
-  std::ifstream stream(page);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  EXPECT_TRUE(says(text.str(), "\n" + contact::quantities_markdown() + "\n"))
+  const auto page = std::filesystem::path(ROLLFEM_SOURCE_DIR) / "docs/results.md";
+  EXPECT_TRUE(says(testing::contents(page), "\n" + contact::quantities_markdown() + "\n"))
       << "docs/results.md does not hold the table; do: put there what `rollfem docs quantities` "
          "prints";
 }
