@@ -1,6 +1,5 @@
 #include "app/stress.hpp"
 
-#include "app/hybrid_stress.hpp"
 #include "app/stress_choice.hpp"
 #include "app/stress_places.hpp"
 #include "contact/base/errors.hpp"
@@ -39,14 +38,8 @@ std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, s
   std::vector<contact::StressMaximum> maxima;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const contact::BodyField body = model.body_at(point, b);
-    for (const contact::StressMeasure& measure : contact::reported_measures()) {
-      contact::StressMaximum best{body.name, measure.name, -contact::infinity, {}};
-      for (std::size_t k = 0; k < body.stress.size(); ++k) {
-        const double value = measure.value(contact::Stress::from_array(body.stress[k]));
-        if (value > best.value) best = {body.name, measure.name, value, body.points[k]};
-      }
-      maxima.push_back(best);
-    }
+    for (const auto& found : postprocess::largest_stresses(body.name, body.points, body.stress))
+      maxima.push_back(found);
   }
   return maxima;
 }
@@ -57,21 +50,12 @@ std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, s
 void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
                          std::vector<contact::StressMaximum>& maxima) {
   for (const StressSet& set : sets)
-    for (std::size_t k = 0; k < set.field.points.size(); ++k) {
-      const double depth = std::abs(set.field.points[k][2]);
-      if (depth > 0.0 && depth < least) continue;
-      const contact::Stress stress = contact::Stress::from_array(set.field.stress[k]);
-      for (const contact::StressMeasure& measure : contact::reported_measures())
-        for (contact::StressMaximum& maximum : maxima) {
-          if (maximum.measure != measure.name ||
-              (maximum.body == "wheel") != set.field.request.wheel)
-            continue;
-          const double value = measure.value(stress);
-          if (value <= maximum.value) continue;
-          maximum.value = value;
-          maximum.place = set.field.points[k];
-        }
-    }
+    for (const auto& found : postprocess::largest_stresses(
+             set.field.request.wheel ? "wheel" : "rail", set.field.points, set.field.stress, least))
+      for (contact::StressMaximum& maximum : maxima)
+        if (maximum.measure == found.measure && maximum.body == found.body &&
+            found.value > maximum.value)
+          maximum = found;
 }
 
 StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size_t number,
@@ -88,9 +72,7 @@ StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size
   const contact::ModelInfo* info = models.find(model.name);
   const bool bodies = in_bodies(model.name, models);
   if (info != nullptr && info->corrects_stress) {
-    HybridStress hybrid = hybrid_stress(input, model, number, requests);
-    found.sets = std::move(hybrid.sets);
-    found.maxima = std::move(hybrid.maxima);
+    found.sets = hybrid_sets(input, model, number, requests, found.maxima);
     found.result = std::move(model);
     return found;
   }

@@ -1,14 +1,17 @@
 #include "app/stress_places.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
 #include "halfspace/stress/subsurface.hpp"
+#include "hybrid/stresses.hpp"
+#include "models/fem/hybrid_model.hpp"
+#include "models/solving/case_scenes.hpp"
 #include "postprocess/read/body_sampler.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 namespace rollfem::app {
@@ -94,71 +97,52 @@ void smooth_surface(const halfspace::LoadedBody& body, SubsurfaceField& field) {
   }
 }
 
-/// The finite-element bodies of a model at a load point, ready for interpolation.
-class Bodies {
- public:
-  Bodies(const ModelResult& model, std::size_t point) {
-    for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-      Part& part = model.bodies[b].name == "wheel" ? wheel_ : rail_;
-      part.field = std::make_unique<contact::BodyField>(model.body_at(point, b));
-      part.sampler = std::make_unique<BodySampler>(*part.field);
+/// By interpolation in a body.
+StressSet set_in(const BodySampler& body, const NamedRequest& named, double semi_axis) {
+  StressSet set;
+  set.name = named.name;
+  set.field.request = named.request;
+  auto places = halfspace::subsurface_points(named.request);
+  // The surface is at z = 0 in the middle of the patch only.
+  const double inner = named.request.wheel ? 0.5 * semi_axis : -0.5 * semi_axis;
+  const bool follows = named.request.kind == SubsurfaceRequest::Kind::surface;
+  double height = 0.0;
+  for (auto& place : places) {
+    if (follows || (named.depth_profile && &place == &places.front()))
+      height = body.surface(place[0], place[1], inner, -inner);
+    place[2] += height;
+  }
+  for (const auto& place : places) {
+    try {
+      const postprocess::BodySample sample = body.at(place);
+      set.field.points.push_back(sample.place);
+      set.field.displacement.push_back(sample.displacement);
+      set.field.stress.push_back(sample.stress);
+      set.moved = std::max(set.moved, sample.moved);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", named.call, error.what()));
     }
   }
-
-  std::vector<StressSet> sets(const std::vector<NamedRequest>& requests, double semi_axis) const {
-    std::vector<StressSet> found;
-    for (const NamedRequest& named : requests) found.push_back(set(named, semi_axis));
-    return found;
-  }
-
- private:
-  struct Part {
-    std::unique_ptr<contact::BodyField> field;
-    std::unique_ptr<BodySampler> sampler;  ///< of `field`
-  };
-
-  StressSet set(const NamedRequest& named, double semi_axis) const {
-    const BodySampler* body = (named.request.wheel ? wheel_ : rail_).sampler.get();
-    if (body == nullptr)
-      throw InputError(
-          fmt::format("{}: the {} is rigid and has no stored stress; do: name the other body",
-                      named.call, named.request.wheel ? "wheel" : "rail"));
-    StressSet set;
-    set.name = named.name;
-    set.field.request = named.request;
-    auto places = halfspace::subsurface_points(named.request);
-    // The surface is at z = 0 in the middle of the patch only.
-    const double inner = named.request.wheel ? 0.5 * semi_axis : -0.5 * semi_axis;
-    const bool follows = named.request.kind == SubsurfaceRequest::Kind::surface;
-    double height = 0.0;
-    for (auto& place : places) {
-      if (follows || (named.depth_profile && &place == &places.front()))
-        height = body->surface(place[0], place[1], inner, -inner);
-      place[2] += height;
-    }
-    for (const auto& place : places) {
-      try {
-        const postprocess::BodySample sample = body->at(place);
-        set.field.points.push_back(sample.place);
-        set.field.displacement.push_back(sample.displacement);
-        set.field.stress.push_back(sample.stress);
-        set.moved = std::max(set.moved, sample.moved);
-      } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", named.call, error.what()));
-      }
-    }
-    return set;
-  }
-
-  Part wheel_;
-  Part rail_;
-};
+  return set;
+}
 
 /// Of finite elements: those are stored of the elastic bodies alone.
 bool is_rigid(const ModelResult& model, const std::string& body) {
   return !model.bodies.empty() &&
          std::none_of(model.bodies.begin(), model.bodies.end(),
                       [&](const contact::BodyField& stored) { return stored.name == body; });
+}
+
+/// Of the patch that the result is of.
+contact::Scene scene_of(const contact::Case& input, const ModelResult& model) {
+  if (!model.place) return input;
+  for (const contact::Scene& scene : modelling::scenes_of(input, {}).list)
+    if (scene.place && scene.place->left == model.place->left &&
+        scene.place->position == model.place->position && scene.place->patch == model.place->patch)
+      return scene;
+  throw InputError(fmt::format(
+      "{}: patch {} of the result is no longer found in its case; do: run the case again",
+      input.file, model.place->label()));
 }
 
 }  // namespace
@@ -217,8 +201,50 @@ std::vector<StressSet> halfspace_sets(contact::Scene scene, const ModelResult& m
 
 std::vector<StressSet> body_sets(const ModelResult& model, std::size_t point,
                                  const std::vector<NamedRequest>& requests) {
+  for (const NamedRequest& named : requests)
+    if (const char* body = named.request.wheel ? "wheel" : "rail"; is_rigid(model, body))
+      throw InputError(
+          fmt::format("{}: the {} is rigid and has no stored stress; do: name the other body",
+                      named.call, body));
   const contact::PointResult& at = model.points.at(point);
-  return Bodies(model, point).sets(requests, std::min(at.semi_axis_x, at.semi_axis_y));
+  std::vector<StressSet> sets(requests.size());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const contact::BodyField field = model.body_at(point, b);
+    const BodySampler sampler(field);
+    for (std::size_t k = 0; k < requests.size(); ++k)
+      if (requests[k].request.wheel == (field.name == "wheel"))
+        sets[k] = set_in(sampler, requests[k], std::min(at.semi_axis_x, at.semi_axis_y));
+  }
+  return sets;
+}
+
+std::vector<StressSet> hybrid_sets(const contact::Case& input, const ModelResult& model,
+                                   std::size_t point, const std::vector<NamedRequest>& requests,
+                                   std::vector<contact::StressMaximum>& maxima) {
+  // What the file says of the case is not all that its bodies are laid out by.
+  contact::Scene scene = scene_of(contact::parse_case(input.text, input.file), model);
+  scene.subsurface.clear();
+  scene.output.stress_maxima = true;
+  scene.follows_surface = 1.0;
+  const halfspace::SmoothParts parts = modelling::smooth_parts_finder()(scene, {});
+  const hybrid::Stresses stresses(scene, parts);
+  for (const NamedRequest& named : requests) {
+    SubsurfaceRequest request = named.request;
+    if (named.depth_profile) {
+      const auto& spot = named.request.from;
+      request.from = stresses.place(request.wheel, spot[0], spot[1], 0.0);
+      request.to = stresses.place(request.wheel, spot[0], spot[1], std::abs(named.request.to[2]));
+    }
+    scene.subsurface.push_back(request);
+  }
+  contact::PointResult solved = model.points.at(point);
+  stresses.add(model.grid, solved);
+  stresses.finish(model.grid, 0.0, 0.0, solved);
+  std::vector<StressSet> sets;
+  for (std::size_t k = 0; k < requests.size(); ++k)
+    sets.push_back({requests[k].name, std::move(solved.subsurface[k]), 0.0});
+  maxima = std::move(solved.stress_maxima);
+  return sets;
 }
 
 }  // namespace rollfem::app

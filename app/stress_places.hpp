@@ -27,4 +27,13 @@ std::vector<postprocess::StressSet> halfspace_sets(contact::Scene scene,
 std::vector<postprocess::StressSet> body_sets(const contact::ModelResult& model, std::size_t point,
                                               const std::vector<NamedRequest>& requests);
 
+/// By the half-space's integrals and the smooth correction, whose largest stresses of both bodies
+/// are `maxima`. Lines of a depth profile go down along the normal of the surface under their
+/// place. Throws contact::InputError for a place outside of its body.
+std::vector<postprocess::StressSet> hybrid_sets(const contact::Case& input,
+                                                const contact::ModelResult& model,
+                                                std::size_t point,
+                                                const std::vector<NamedRequest>& requests,
+                                                std::vector<contact::StressMaximum>& maxima);
+
 }  // namespace rollfem::app

@@ -53,6 +53,21 @@ Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hs
   return dataset;
 }
 
+using Shape = std::vector<hsize_t>;
+
+hid_t type_of(const double* /*values*/) {
+  return H5T_NATIVE_DOUBLE;
+}
+hid_t type_of(const float* /*values*/) {
+  return H5T_NATIVE_FLOAT;
+}
+hid_t type_of(const unsigned char* /*values*/) {
+  return H5T_NATIVE_UCHAR;
+}
+hid_t type_of(const int* /*values*/) {
+  return H5T_NATIVE_INT;
+}
+
 }  // namespace
 
 Handle::Handle(hid_t id, const char* call) : id_(id) {
@@ -105,25 +120,16 @@ void write_attribute(hid_t object, const std::string& name, const std::string& v
   write_scalar_attribute(object, name, string_type(), &text);
 }
 
+template <class Number>
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const double* values) {
-  return write_numbers(parent, name, shape, H5T_NATIVE_DOUBLE, values);
+                     const Number* values) {
+  return write_numbers(parent, name, shape, type_of(values), values);
 }
 
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const float* values) {
-  return write_numbers(parent, name, shape, H5T_NATIVE_FLOAT, values);
-}
-
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const unsigned char* values) {
-  return write_numbers(parent, name, shape, H5T_NATIVE_UCHAR, values);
-}
-
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const int* values) {
-  return write_numbers(parent, name, shape, H5T_NATIVE_INT, values);
-}
+template Handle write_dataset(hid_t, const std::string&, const Shape&, const double*);
+template Handle write_dataset(hid_t, const std::string&, const Shape&, const float*);
+template Handle write_dataset(hid_t, const std::string&, const Shape&, const unsigned char*);
+template Handle write_dataset(hid_t, const std::string&, const Shape&, const int*);
 
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines) {
   std::vector<const char*> texts;

@@ -39,15 +39,11 @@ void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, const std::string& value);
 
-/// Datasets; `shape` in row-major order, compressed from some size on.
+/// Datasets, of double, float, int or unsigned char with `shape` in row-major order, compressed
+/// from some size on.
+template <class Number>
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const double* values);
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const float* values);
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const unsigned char* values);
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const int* values);
+                     const Number* values);
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines);
 Handle write_dataset(hid_t parent, const std::string& name, const std::string& text);
 

@@ -4,6 +4,7 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
+#include "postprocess/write/point_table.hpp"
 #include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 
@@ -172,26 +173,18 @@ std::map<std::string, double> read_by_quantity(hid_t point, const char* name) {
 }
 
 void read_fields(hid_t point, const contact::ContactGrid& grid, contact::ContactFields& fields) {
-  const std::pair<const char*, Field*> all[] = {{"pressure", &fields.traction.n},
-                                                {"traction_x", &fields.traction.x},
-                                                {"traction_y", &fields.traction.y},
-                                                {"traction_bound", &fields.traction_bound},
-                                                {"slip_x", &fields.slip.x},
-                                                {"slip_y", &fields.slip.y},
-                                                {"gap", &fields.gap},
-                                                {"displacement_x", &fields.displacement.x},
-                                                {"displacement_y", &fields.displacement.y},
-                                                {"displacement_n", &fields.displacement.n}};
   const auto check = [&](const Numbers& numbers, const char* name) {
     if (numbers.values.size() != static_cast<std::size_t>(grid.size()))
       throw std::runtime_error(fmt::format("dataset {} has {} values for a grid of {}", name,
                                            numbers.values.size(), grid.size()));
   };
-  for (const auto& [name, field] : all) {
-    if (!has_member(point, name)) continue;
-    const Numbers numbers = read_dataset(point, name);
-    check(numbers, name);
-    *field = Eigen::Map<const Field>(numbers.values.data(), grid.size());
+  for (const PointField& field : point_fields()) {
+    if (!has_member(point, field.name)) continue;
+    const Numbers numbers = read_dataset(point, field.name);
+    check(numbers, field.name);
+    // The table names the field for those who write; `fields` may be changed here.
+    const_cast<Field&>(field.value(fields)) =
+        Eigen::Map<const Field>(numbers.values.data(), grid.size());
   }
   if (!has_member(point, "state")) return;
   const Numbers state = read_dataset(point, "state");

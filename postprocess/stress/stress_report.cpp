@@ -22,24 +22,6 @@ using contact::PointResult;
 using contact::StressMaximum;
 using Json = nlohmann::ordered_json;
 
-/// The largest value of every measure among the places of a set, with its place.
-std::vector<StressMaximum> largest(const StressSet& set) {
-  std::vector<StressMaximum> found;
-  for (const contact::StressMeasure& measure : contact::reported_measures()) {
-    StressMaximum best{
-        set.field.request.wheel ? "wheel" : "rail", measure.name, -contact::infinity, {}};
-    for (std::size_t k = 0; k < set.field.stress.size(); ++k) {
-      const double value = measure.value(contact::Stress::from_array(set.field.stress[k]));
-      if (value > best.value) {
-        best.value = value;
-        best.place = set.field.points[k];
-      }
-    }
-    found.push_back(best);
-  }
-  return found;
-}
-
 /// The name under which a result keeps the bar of one of its largest stresses, where `maximum` is
 /// that one; else empty.
 std::string name_of_stored(const PointResult& point, const StressMaximum& maximum) {
@@ -67,6 +49,10 @@ void add_bar(const PointResult& point, const StressMaximum& maximum, Json& entry
 
 const char* body_of(const StressSet& set) {
   return set.field.request.wheel ? "wheel" : "rail";
+}
+
+std::vector<StressMaximum> largest(const StressSet& set) {
+  return largest_stresses(body_of(set), set.field.points, set.field.stress);
 }
 
 Json place_json(const contact::ContactPlace& place) {
@@ -252,6 +238,24 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
 const char* kind_of(const contact::SubsurfaceRequest& request) {
   static const char* const kinds[] = {"point", "line", "plane", "surface"};
   return kinds[static_cast<int>(request.kind)];
+}
+
+std::vector<StressMaximum> largest_stresses(const std::string& body,
+                                            const std::vector<std::array<double, 3>>& places,
+                                            const std::vector<std::array<double, 6>>& stress,
+                                            double least_depth) {
+  std::vector<StressMaximum> found;
+  for (const contact::StressMeasure& measure : contact::reported_measures()) {
+    StressMaximum best{body, measure.name, -contact::infinity, {}};
+    for (std::size_t k = 0; k < stress.size(); ++k) {
+      const double depth = std::abs(places[k][2]);
+      if (depth > 0.0 && depth < least_depth) continue;
+      const double value = measure.value(contact::Stress::from_array(stress[k]));
+      if (value > best.value) best = {body, measure.name, value, places[k]};
+    }
+    found.push_back(best);
+  }
+  return found;
 }
 
 double tangential_coefficient(const PointResult& point) {

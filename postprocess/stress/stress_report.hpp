@@ -4,6 +4,7 @@
 
 #include "contact/result/result.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,12 @@ struct StressReport {
 
 /// point, line, plane, surface.
 const char* kind_of(const contact::SubsurfaceRequest& request);
+
+/// The largest value of every measure in a body, with its place. Places nearer to z = 0 than
+/// `least_depth`, but not on it, do not count.
+std::vector<contact::StressMaximum> largest_stresses(
+    const std::string& body, const std::vector<std::array<double, 3>>& places,
+    const std::vector<std::array<double, 6>>& stress, double least_depth = 0.0);
 
 /// Tangential force over normal force, sqrt(Fx^2 + Fy^2)/Fz: the abscissa of the shakedown map.
 double tangential_coefficient(const contact::PointResult& point);

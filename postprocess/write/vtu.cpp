@@ -69,28 +69,27 @@ std::string encode(std::string_view bytes) {
   return base64(as_bytes(sizes)) + base64(packed);
 }
 
-std::string array_xml(const char* type, const std::string& attributes, std::string_view bytes) {
-  return fmt::format("<DataArray type=\"{}\" {} format=\"binary\">{}</DataArray>\n", type,
-                     attributes, encode(bytes));
-}
-
-const char* type_of(const std::vector<double>& /*values*/) {
-  return "Float64";
-}
-
-const char* type_of(const std::vector<float>& /*values*/) {
-  return "Float32";
-}
+template <class Number>
+constexpr const char* type_name = "Float64";
+template <>
+constexpr const char* type_name<float> = "Float32";
+template <>
+constexpr const char* type_name<std::int32_t> = "Int32";
+template <>
+constexpr const char* type_name<std::int64_t> = "Int64";
+template <>
+constexpr const char* type_name<std::uint8_t> = "UInt8";
 
 template <class Number>
 std::string numbers(const std::string& name, const std::vector<Number>& values,
                     const std::vector<std::string>& components = {}) {
-  std::string attributes = fmt::format("Name=\"{}\"", name);
+  std::string attributes;
   if (!components.empty())
     attributes += fmt::format(" NumberOfComponents=\"{}\"", components.size());
   for (std::size_t k = 0; k < components.size(); ++k)
     attributes += fmt::format(" ComponentName{}=\"{}\"", k, components[k]);
-  return array_xml(type_of(values), attributes, as_bytes(values));
+  return fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">{}</DataArray>\n",
+                     type_name<Number>, name, attributes, encode(as_bytes(values)));
 }
 
 template <class Number, std::size_t N>
@@ -113,9 +112,8 @@ std::string cells_xml(const std::vector<std::array<int, N>>& cells, std::uint8_t
     offsets.push_back(static_cast<std::int64_t>(corners.size()));
   }
   const std::vector<std::uint8_t> types(cells.size(), vtk_type);
-  return "<Cells>\n" + array_xml("Int32", "Name=\"connectivity\"", as_bytes(corners)) +
-         array_xml("Int64", "Name=\"offsets\"", as_bytes(offsets)) +
-         array_xml("UInt8", "Name=\"types\"", as_bytes(types)) + "</Cells>\n";
+  return "<Cells>\n" + numbers("connectivity", corners) + numbers("offsets", offsets) +
+         numbers("types", types) + "</Cells>\n";
 }
 
 std::string points_xml(const std::vector<std::array<double, 3>>& points) {
@@ -205,7 +203,7 @@ std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointRe
   if (!f.state.empty()) {
     std::vector<std::uint8_t> state;
     for (const contact::ElementState s : f.state) state.push_back(static_cast<std::uint8_t>(s));
-    data += array_xml("UInt8", "Name=\"state (0 exterior, 1 adhesion, 2 slip)\"", as_bytes(state));
+    data += numbers("state (0 exterior, 1 adhesion, 2 slip)", state);
   }
   data += "</CellData>\n";
   return file_xml(points.size(), cells.size(),
