@@ -50,19 +50,19 @@ void check_target(const fs::path& target) {
   if (status.type() == fs::file_type::not_found) return;
   if (error) fail_to("look at", target, error.value());
   if (!fs::is_directory(status))
-    throw InputError(fmt::format("{} is a file, not a folder; give the result another name with -o",
-                                 target.string()));
+    throw InputError(fmt::format(
+        "{} is a file, not a folder; do: give the result another name with -o", target.string()));
   if (fs::equivalent(target, fs::current_path(error), error) || !target.has_relative_path())
-    throw InputError(
-        fmt::format("{} is the current folder, and a result replaces its folder as a whole; give a "
-                    "folder below it with -o",
-                    target.string()));
+    throw InputError(fmt::format(
+        "{} is the current folder, and a result replaces its folder as a whole; do: give a "
+        "folder below it with -o",
+        target.string()));
   const bool empty = fs::is_empty(target, error);
   if (error) fail_to("read", target, error.value());
   if (!empty && !is_result_folder(target))
     throw InputError(
         fmt::format("{} holds files that are not an earlier result of rollfem (no matching "
-                    "summary.json) and would be lost; choose a new or empty folder with -o",
+                    "summary.json) and would be lost; do: choose a new or empty folder with -o",
                     target.string()));
 }
 

@@ -53,14 +53,6 @@ TEST(Owner, OtherCommandsOwnTheirFoldersToo) {
                  "another run is writing");
 }
 
-TEST(Owner, AFileOfTheUserInTheWayIsSpared) {
-  const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_case());
-  folder.file("work/out.lock", "my notes");
-  expect_refused(call(folder, {"run", file, "-o", "out"}), "is in the way");
-  EXPECT_EQ(folder.text("out.lock"), "my notes");
-}
-
 TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_case());

@@ -125,30 +125,6 @@ TEST(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
   EXPECT_TRUE(says(outcome.err, "no load points"));
 }
 
-TEST(Resume, TwoRunsOfOneResultAtATimeAreRefused) {
-  const Folder folder;
-  const std::string file = folder.file("slow.toml", slow_creepages());
-  const fs::path unfinished = folder.work() / "out.unfinished";
-  Outcome second;
-  kill_when(folder, command_of(run(file, "out")), [&] {
-    if (records(unfinished) < 1) return false;
-    second = call(folder, run(file, "out", {"--resume"}));
-    return true;
-  });
-  EXPECT_EQ(second.status, 2);
-  EXPECT_TRUE(says(second.err, "another run is writing"));
-}
-
-TEST(Resume, AFolderOfOtherThingsInTheWayIsRefused) {
-  const Folder folder;
-  fs::create_directory(folder.work() / "out.unfinished");
-  std::ofstream(folder.work() / "out.unfinished" / "thesis.txt") << "years of work";
-  const std::string file = folder.file("slow.toml", slow_creepages());
-  const Outcome outcome = call(folder, run(file, "out"));
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_TRUE(says(outcome.err, "thesis.txt"));
-}
-
 TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_creepages());

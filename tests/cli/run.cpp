@@ -100,40 +100,33 @@ TEST(Run, WithoutAReportGetsItLater) {
   expect_refused(call(folder, {"report", "empty"}), "empty holds no result; do: ");
 }
 
-TEST(Run, QuietPrintsNothing) {
+TEST(Run, QuietPrintsNothingAndWritesToTheNamedFolder) {
   const Folder folder;
-  const Outcome outcome =
-      done(folder, {"run", "--quiet", "--model", "hertz", folder.file("q.toml", quick_run)});
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err, "");
-}
-
-TEST(Run, WritesToTheNamedFolder) {
-  const Folder folder;
-  const std::string file = folder.file("q.toml", quick_run);
-  done(folder, {"run", "-q", "--no-report", "-m", "hertz", "-o", "a/b", file});
+  const Outcome outcome = done(folder, {"run", "--quiet", "--no-report", "--model", "hertz", "-o",
+                                        "a/b", folder.file("q.toml", quick_run)});
+  EXPECT_EQ(outcome.out + outcome.err, "");
   EXPECT_TRUE(has(folder.made(), "a/b/summary.json"));
 }
 
-TEST(Run, AFolderThatCannotBeMadeIsRefusedBeforeComputing) {
+TEST(Run, WhatIsInTheWayIsSparedAndRefusedBeforeComputing) {
   const Folder folder;
   const std::string file = folder.file("q.toml", quick_run);
-  for (const std::string& directory : {file, file + "/below", std::string("/proc/no/such")}) {
+  for (const char* precious : {"mine/thesis.txt", "out.unfinished/thesis.txt", "locked.lock"})
+    folder.file(std::string("work/") + precious, "years of work");
+  const auto before = folder.made();
+  for (const auto& [directory, said] : {std::pair<std::string, const char*>{file, ""},
+                                        {file + "/below", ""},
+                                        {"/proc/no/such", ""},
+                                        {".", "is the current folder"},
+                                        {"mine", "holds files that are not"},
+                                        {"out", "thesis.txt"},
+                                        {"locked", "is in the way"}}) {
     const Outcome outcome = call(folder, {"run", file, "-o", directory});
-    EXPECT_EQ(outcome.status, 2) << directory << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    expect_refused(outcome, said);
+    EXPECT_FALSE(says(outcome.err, "normal"));  // no progress line
   }
-  EXPECT_TRUE(folder.made().empty());
-}
-
-TEST(Run, CtrlCLeavesNothing) {
-  const Folder folder;
-  std::string slow = quick_run;
-  slow.replace(slow.find("elements_across = 10"), 20, "elements_across = 400");
-  const Outcome outcome =
-      call(folder, {"run", folder.file("slow.toml", slow)}, {}, interrupt_after(300));
-  EXPECT_EQ(outcome.status, 128 + SIGINT) << outcome.err;
-  EXPECT_TRUE(folder.made().empty());
+  EXPECT_EQ(folder.made(), before);
+  EXPECT_EQ(folder.text("locked.lock"), "years of work");
 }
 
 TEST(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
@@ -179,17 +172,6 @@ TEST(Run, AModelThatCannotTakeTheCaseIsRefusedBeforeAnyIsRun) {
   EXPECT_TRUE(says(outcome.err, "model fastsim: rolling.problem"));
   EXPECT_FALSE(says(outcome.err, "halfspace  "));
   EXPECT_TRUE(folder.made().empty());
-}
-
-TEST(Run, AFolderOfOtherThingsIsRefusedBeforeComputing) {
-  const Folder folder;
-  fs::create_directory(folder.work() / "mine");
-  std::ofstream(folder.work() / "mine" / "thesis.txt") << "years of work";
-  const Outcome outcome = call(folder, {"run", folder.file("q.toml", quick_run), "-o", "mine"});
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_FALSE(says(outcome.err, "normal"));  // no progress line
-  EXPECT_TRUE(says(outcome.err, "holds files that are not"));
-  EXPECT_EQ(folder.made(), (std::vector<std::string>{"mine", "mine/thesis.txt"}));
 }
 
 TEST(Run, PointsBelowTheSurfaceComeOutAsATable) {

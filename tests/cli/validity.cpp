@@ -1,13 +1,11 @@
 // What may not leave the program as a result, and what leaves it with a warning.
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
 
 namespace {
 
 using namespace rollfem::testing;
-namespace fs = std::filesystem;
 
 std::string text_of(const std::string& load, const std::string& rest) {
   return load +
@@ -57,9 +55,8 @@ TEST(Gate, APatchAsLargeAsTheBodiesIsWarnedOfEverywhere) {
       "huge.toml",
       text_of("[load]\nnormal_force = 1e10\n", "[contact_grid]\nelements_across = 10\n"));
   const Outcome outcome = done(folder, {"run", "--model", "hertz", "--model", "halfspace", file});
-  const fs::path made = folder.work() / "results" / "huge";
-  const auto summary = nlohmann::json::parse(contents(made / "summary.json"));
-  const std::string report = contents(made / "report.html");
+  const auto summary = folder.json("results/huge/summary.json");
+  const std::string report = folder.text("results/huge/report.html");
   for (const auto& model : summary.at("models")) {
     std::string notes;
     for (const auto& note : model.at("notes")) notes += note.get<std::string>() + "\n";
