@@ -29,8 +29,8 @@ ordered_json headings_json(const std::vector<contact::Quantity>& quantities) {
   return json;
 }
 
-std::string json_text(const ordered_json& json) {
-  return sealed_json(json.dump(1, ' ', false, ordered_json::error_handler_t::replace));
+std::string json_text(const ordered_json& json, int indent) {
+  return sealed_json(json.dump(indent, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 }  // namespace rollfem::postprocess

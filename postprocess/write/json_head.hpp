@@ -17,7 +17,7 @@ nlohmann::ordered_json json_head(int format, const std::string& kind, const Prov
 /// Title, symbol and unit by name, for headings.
 nlohmann::ordered_json headings_json(const std::vector<contact::Quantity>& quantities);
 
-/// The file's text; what is not UTF-8 is shown with replacement characters.
-std::string json_text(const nlohmann::ordered_json& json);
+/// The file's text with its checksum; what is not UTF-8 is shown with replacement characters.
+std::string json_text(const nlohmann::ordered_json& json, int indent = 1);
 
 }  // namespace rollfem::postprocess

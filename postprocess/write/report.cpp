@@ -38,20 +38,6 @@ fs::path package_parent(const fs::path& scripts) {
   return {};
 }
 
-/// The environment of this process with `changes` (NAME=value) put over it.
-std::vector<std::string> environment_with(const std::vector<std::string>& changes) {
-  std::vector<std::string> environment = changes;
-  for (char** entry = environ; entry && *entry; ++entry) {
-    const std::string text(*entry);
-    bool changed = false;
-    for (const std::string& change : changes)
-      changed =
-          changed || text.compare(0, change.find('=') + 1, change, 0, change.find('=') + 1) == 0;
-    if (!changed) environment.push_back(text);
-  }
-  return environment;
-}
-
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> out;
   out.reserve(texts.size() + 1);
@@ -116,14 +102,24 @@ std::string one_line(const fs::path& directory, std::string printed) {
   return printed.substr(last + 1) + (file ? fmt::format(" (full text in {})", log.string()) : "");
 }
 
-/// PYTHONPATH without what is relative or empty, which stands for the user's folder.
-std::string python_path() {
-  const char* given = std::getenv("PYTHONPATH");
-  std::istringstream rest(given ? given : "");
-  std::string kept;
-  for (std::string entry; std::getline(rest, entry, ':');)
-    if (fs::path(entry).is_absolute()) kept += (kept.empty() ? "" : ":") + entry;
-  return "PYTHONPATH=" + kept;
+/// The environment of this process, but PYTHONPATH without what is relative or empty, which stands
+/// for the user's folder.
+std::vector<std::string> environment() {
+  const std::string name = "PYTHONPATH=";
+  std::vector<std::string> all;
+  for (char** entry = environ; entry && *entry; ++entry) {
+    const std::string text(*entry);
+    if (text.compare(0, name.size(), name) != 0) {
+      all.push_back(text);
+      continue;
+    }
+    std::istringstream rest(text.substr(name.size()));
+    std::string kept;
+    for (std::string part; std::getline(rest, part, ':');)
+      if (fs::path(part).is_absolute()) kept += (kept.empty() ? "" : ":") + part;
+    all.push_back(name + kept);
+  }
+  return all;
 }
 
 }  // namespace
@@ -136,10 +132,8 @@ std::string make_report(const std::string& path, const std::string& script_direc
   // Python looks for modules in the folder where it is started before any other place: that is the
   // package's, never the user's, where a numpy.py would be run.
   const std::string printed =
-      run({find_python(), "-m", "rollfem_figures", what.string()},
-          environment_with({python_path(), "MPLBACKEND=Agg", "PYTHONDONTWRITEBYTECODE=1",
-                            "PYTHONIOENCODING=utf-8"}),
-          parent.string());
+      run({find_python(), "-B", "-X", "utf8", "-m", "rollfem_figures", what.string()},
+          environment(), parent.string());
   return one_line(fs::is_regular_file(what) ? what.parent_path() : what, printed);
 }
 

@@ -3,7 +3,7 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_parts.hpp"
 #include "contact/result/quantities.hpp"
-#include "postprocess/files/seal.hpp"
+#include "postprocess/write/json_head.hpp"
 #include "postprocess/write/point_table.hpp"
 
 #include <nlohmann/json.hpp>
@@ -96,8 +96,7 @@ std::string summary_json(const RunRecord& run) {
   json["program"] = {{"version", run.provenance.version}, {"commit", run.provenance.commit}};
   json["models"] = ordered_json::array();
   for (const contact::ModelResult& model : run.models) json["models"].push_back(model_json(model));
-  // A title or file name that is not UTF-8 is shown with replacement characters.
-  return sealed_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+  return json_text(json, 2);
 }
 
 }  // namespace rollfem::postprocess
