@@ -19,8 +19,8 @@ Case read_case(const std::string& path, const ModelWords& models = {},
 /// The same from text; `name` stands in messages for the file.
 Case parse_case(const std::string& text, const std::string& name, const ModelWords& models = {});
 
-/// The points below the surface of a file that holds [[subsurface.*]], as a case file has them; what
-/// else it holds is not looked at. Throws InputError as read_case does.
+/// The points below the surface of a file that holds [[subsurface.*]], as a case file has them;
+/// what else it holds is not looked at. Throws InputError as read_case does.
 std::vector<SubsurfaceRequest> read_places(const std::string& path);
 
 /// What was understood: every key with value, unit and whether it is the default. Multi-line text.
