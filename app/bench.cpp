@@ -2,7 +2,7 @@
 
 #include "app/bench_cases.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/command_frame.hpp"
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 namespace rollfem::app {
 

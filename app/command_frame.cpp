@@ -3,8 +3,6 @@
 #include "app/interruption.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/plausibility.hpp"
-#include "models/program/processes.hpp"
-#include "models/program/program_folders.hpp"
 #include "models/program/provenance.hpp"
 #include "models/program/version.hpp"
 #include "models/registry.hpp"

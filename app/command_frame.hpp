@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/progress_display.hpp"
-#include "contact/solve/models.hpp"
-#include "models/fem/session.hpp"
+#include "contact/solve/model.hpp"
+#include "models/fem/fem_library.hpp"
 #include "models/solving/solving.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/files/folder_owner.hpp"

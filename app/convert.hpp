@@ -1,7 +1,7 @@
 // The command `convert`: case files from a CONTACT input file.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 #include <string>
 

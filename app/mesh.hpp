@@ -2,7 +2,7 @@
 // is solved.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 #include <string>
 #include <vector>

@@ -2,9 +2,9 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/nearest_name.hpp"
+#include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
-#include "models/program/program_folders.hpp"
+#include "models/program/provenance.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/output.hpp"

@@ -3,8 +3,8 @@
 #include "app/commands.hpp"
 #include "app/interruption.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/nearest_name.hpp"
-#include "models/program/processes.hpp"
+#include "contact/base/text_fields.hpp"
+#include "models/program/provenance.hpp"
 #include "models/program/version.hpp"
 
 #include <fmt/format.h>

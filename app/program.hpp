@@ -1,7 +1,7 @@
 // The command-line program for any set of registered models.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 namespace rollfem::app {
 

@@ -2,7 +2,7 @@
 // themselves.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -5,7 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
-#include "models/program/program_folders.hpp"
+#include "models/program/provenance.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/stress/stress_report.hpp"

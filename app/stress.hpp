@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/stress_request.hpp"
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 namespace rollfem::app {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/stress_request.hpp"
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 #include "postprocess/read/results_reader.hpp"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
-#include "models/fem/session.hpp"
+#include "models/fem/fem_library.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/study/study.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "app/study_levels.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/nearest_name.hpp"
 #include "contact/base/text_fields.hpp"
 #include "models/registry.hpp"
 #include "postprocess/files/files_together.hpp"

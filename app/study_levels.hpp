@@ -1,7 +1,7 @@
 // The levels of a refinement study as cases.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 #include <string>
 #include <vector>

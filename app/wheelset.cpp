@@ -2,7 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
-#include "models/program/program_folders.hpp"
+#include "models/program/provenance.hpp"
 #include "models/registry.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/csv.hpp"

@@ -2,7 +2,7 @@
 // wheelset of a case over its lateral shift; no contact problem is solved.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <string>

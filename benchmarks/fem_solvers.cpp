@@ -3,7 +3,7 @@
 // is of the process that needs most. Runs under mpirun; the first process prints a table row a
 // size.
 //   benchmark_fem_solvers multigrid|algebraic|factorisation CELL_MM ...
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"

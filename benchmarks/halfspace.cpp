@@ -1,10 +1,10 @@
 // Speed of the half-space: the products, the normal problem (case a) and one steady-rolling
 // solution with combined creepage and spin (benchmark 9) from coarse to fine.
 #include "contact/base/threads.hpp"
-#include "contact/solve/interpolation.hpp"
-#include "contact/solve/leading_edge.hpp"
-#include "contact/solve/normal.hpp"
-#include "contact/solve/tangential.hpp"
+#include "contact/iteration/interpolation.hpp"
+#include "contact/iteration/leading_edge.hpp"
+#include "contact/iteration/normal.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "theories/fastsim.hpp"

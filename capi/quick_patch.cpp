@@ -1,9 +1,9 @@
 #include "capi/quick_patch.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/fixed_point.hpp"
+#include "contact/base/root.hpp"
+#include "contact/iteration/leading_edge.hpp"
 #include "contact/result/validity.hpp"
-#include "contact/solve/leading_edge.hpp"
 
 #include <algorithm>
 #include <cmath>

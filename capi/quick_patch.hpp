@@ -2,12 +2,12 @@
 // that is kept: what rollfem.h solves nearly always.
 #pragma once
 
+#include "contact/iteration/bound_constrained_cg.hpp"
+#include "contact/iteration/friction_newton.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"
 #include "contact/scene/friction_law.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/solve/bound_constrained_cg.hpp"
-#include "contact/solve/friction_newton.hpp"
 #include "halfspace/elasticity/few_elements.hpp"
 #include "track/search/contact_search.hpp"
 

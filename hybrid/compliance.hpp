@@ -2,9 +2,9 @@
 // half-space plus the correction for wheel and rail.
 #pragma once
 
-#include "contact/scene/curvature_slip.hpp"
+#include "contact/iteration/compliance.hpp"
+#include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
-#include "contact/solve/compliance.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/smooth_map.hpp"
 

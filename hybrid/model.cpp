@@ -1,6 +1,6 @@
 #include "hybrid/model.hpp"
 
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"

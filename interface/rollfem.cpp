@@ -1,8 +1,7 @@
 #include "rollfem/rollfem.hpp"
 
 #include "contact/case/case_reader.hpp"
-#include "models/fem/session.hpp"
-#include "models/program/program_folders.hpp"
+#include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
 #include "models/program/version.hpp"
 #include "models/registry.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/case/case_reader.hpp"
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 #include <string>
 #include <vector>

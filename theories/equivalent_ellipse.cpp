@@ -2,9 +2,9 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/fixed_point.hpp"
 #include "contact/base/pi.hpp"
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/base/root.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/closed_forms/hertz.hpp"

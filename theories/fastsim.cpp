@@ -1,7 +1,7 @@
 #include "theories/fastsim.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/solve/compliance.hpp"
+#include "contact/iteration/compliance.hpp"
 
 #include <cmath>
 

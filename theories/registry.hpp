@@ -1,7 +1,7 @@
 // The models of this folder with their names, capabilities and options.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 namespace rollfem::theories {
 

@@ -2,6 +2,7 @@
 // them; the program decides whether and how to show them.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,5 +29,17 @@ using Progress = std::function<void(const ProgressEvent&)>;
 inline void report(const Progress& progress, const ProgressEvent& event) {
   if (progress) progress(event);
 }
+
+// Wall-clock seconds since a start: the cost stored with every result.
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
 
 }  // namespace rollfem::contact

@@ -54,4 +54,12 @@ std::string text_of_file(const std::string& path, const std::string& name, std::
 /// A field for a message: at most 40 characters, ? in place of what cannot be printed.
 std::string printable(std::string_view field);
 
+// Suggestions for misspelt names.
+
+/// The candidate that is nearest to a misspelt name; empty when none is near.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
+
+/// "did you mean NAME? ", for a message; empty when none is near.
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates);
+
 }  // namespace rollfem::contact

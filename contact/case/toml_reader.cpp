@@ -1,6 +1,6 @@
 #include "contact/case/toml_reader.hpp"
 
-#include "contact/base/nearest_name.hpp"
+#include "contact/base/text_fields.hpp"
 #include "contact/case/case_text.hpp"
 #include "contact/case/toml_syntax.hpp"
 #include "contact/case/toml_values.hpp"

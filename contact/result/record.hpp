@@ -3,7 +3,7 @@
 // machine and program version; the exchange format is results.h5.
 #pragma once
 
-#include "contact/base/response.hpp"
+#include "contact/base/grid.hpp"
 #include "contact/result/result.hpp"
 
 #include <map>

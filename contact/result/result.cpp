@@ -1,6 +1,5 @@
 #include "contact/result/result.hpp"
 
-#include "contact/result/patch_parts.hpp"
 #include "contact/result/patch_size.hpp"
 
 #include <fmt/format.h>

@@ -2,6 +2,8 @@
 
 #include "contact/case/lattice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -206,6 +208,43 @@ double largest_extra_slip(const Geometry& geometry, double y_lower, double y_upp
   const ContactGrid grid{1, pieces + 1, 1.0, step, 0.0, y_lower};
   const Field extra = ChartedGeometry(geometry, Chart::plane).extra_slip({}, grid).x;
   return extra.cwiseAbs().maxCoeff();
+}
+
+CurvatureSlip::CurvatureSlip(const ContactSurface& surface, const ContactGrid& grid)
+    : CurvatureSlip(patch_shape(surface, grid),
+                    grid.sample([&](double, double y) { return surface.local_rolling_radius(y); }),
+                    surface.axle_tilt()) {}
+
+CurvatureSlip::CurvatureSlip(const PatchShape& shape, const Field& rolling_radius,
+                             double axle_tilt) {
+  const double sine = std::sin(axle_tilt);
+  const double cosine = std::cos(axle_tilt);
+  const Field radius = shape.stretch.cwiseProduct(rolling_radius);
+  normal_ = (cosine + shape.climb.array() * sine).matrix().cwiseQuotient(radius);
+  lateral_ = (shape.climb.array() * cosine - sine).matrix().cwiseQuotient(radius);
+}
+
+TangentialField CurvatureSlip::operator()(const SurfaceField& displacement) const {
+  return {displacement.n.cwiseProduct(normal_) + displacement.y.cwiseProduct(lateral_),
+          -displacement.x.cwiseProduct(lateral_)};
+}
+
+std::string why_flanks_touch(const Geometry& geometry, double y) {
+  const ContactSurface& surface = geometry.surface;
+  const auto straight = [&](double radius, double round_to) {
+    return std::isfinite(radius) && std::abs(y) > round_to * std::abs(radius);
+  };
+  if (!geometry.has_surfaces() || geometry.has_profiles() ||
+      !straight(surface.wheel_transverse_radius, surface.wheel_round_to) ||
+      !straight(surface.rail_transverse_radius, surface.rail_round_to))
+    return "";
+  return fmt::format(
+      "the contact patch reaches past the circles of wheel and rail, which end at {} and {} of "
+      "their radii across, onto straight flanks (the potential contact area ends at y = {:.4g} "
+      "mm); equally steep flanks touch along their whole length, which no grid can contain; do: "
+      "give [wheel] and [rail] a larger round_to (at most 0.9), a smaller load, or transverse "
+      "radii that differ more (docs/meshes.md)",
+      surface.wheel_round_to, surface.rail_round_to, y);
 }
 
 }  // namespace rollfem::contact

@@ -3,8 +3,11 @@
 // forms and values from files; conventions: docs/theory.md.
 #pragma once
 
+#include "contact/base/grid.hpp"
 #include "contact/base/material.hpp"
 #include "contact/scene/contact_surface.hpp"
+
+#include <string>
 
 namespace rollfem::contact {
 
@@ -99,5 +102,32 @@ TangentialField uniform_slip(const Creepage& creepage, const ContactGrid& grid);
 /// The largest extra slip along x that the surface brings between y_lower and y_upper (mm), 0 where
 /// it brings none: what a theory that knows no extra slip leaves out.
 double largest_extra_slip(const Geometry& geometry, double y_lower, double y_upper);
+
+// Slip due to the curvature of the wheel's streamlines.
+
+/// On a streamline of radius R(y) a displacement u_r towards the axle brings the slip u_r / R along
+/// x, since it shortens the circle; on a surface tilted across -sin u_x / R laterally, as the
+/// lateral tangent turns. Together with the difference along the streamline it gives the surface
+/// strain, so that a rigid displacement slips nowhere.
+class CurvatureSlip {
+ public:
+  /// On the elements of a grid along y.
+  CurvatureSlip(const ContactSurface& surface, const ContactGrid& grid);
+  /// The surface at each element: climb and stretch, rolling radius in mm, angle of the axle in rad
+  /// (ContactSurface).
+  CurvatureSlip(const PatchShape& shape, const Field& rolling_radius, double axle_tilt);
+
+  /// Under displacements of the wheel along x, the lateral tangent and the normal, mm.
+  TangentialField operator()(const SurfaceField& displacement) const;
+
+ private:
+  /// Of normal and lateral tangent along the way to the axle, over the radius, 1/mm.
+  Field normal_, lateral_;
+};
+
+/// A sentence with what to do for a potential contact area that ends at y, mm; empty unless both
+/// bodies are circles that have ended there: straight flanks as steep as each other touch as far as
+/// they go.
+std::string why_flanks_touch(const Geometry& geometry, double y);
 
 }  // namespace rollfem::contact

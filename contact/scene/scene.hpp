@@ -4,8 +4,11 @@
 #pragma once
 
 #include "contact/base/accuracy.hpp"
+#include "contact/case/case.hpp"
 #include "contact/scene/friction_law.hpp"
 #include "contact/scene/geometry.hpp"
+
+#include <string>
 
 namespace rollfem::contact {
 
@@ -115,5 +118,10 @@ Field pressure_field(const GivenPressure& pressure, const ContactGrid& grid);
 
 /// The scene at one of its load points alone.
 Scene at_point(const Scene& scene, std::size_t k);
+
+// What `check` prints beyond the keys: relative curvatures and combined constants.
+
+/// Multi-line text, laid out like describe() of contact/case/case_reader.hpp.
+std::string derived_values(const Case& input);
 
 }  // namespace rollfem::contact

@@ -4,9 +4,9 @@
 // loads reuse the same operators.
 #pragma once
 
+#include "contact/iteration/leading_edge.hpp"
 #include "contact/scene/scene.hpp"
 #include "contact/solve/defect_correction.hpp"
-#include "contact/solve/leading_edge.hpp"
 
 #include <optional>
 

@@ -1,10 +1,10 @@
 #include "contact/solve/contact_run.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/stopwatch.hpp"
-#include "contact/result/contact_residual.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/iteration/interpolation.hpp"
 #include "contact/result/derived.hpp"
-#include "contact/solve/interpolation.hpp"
+#include "contact/result/validity.hpp"
 
 #include <fmt/format.h>
 

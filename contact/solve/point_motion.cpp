@@ -1,5 +1,13 @@
 #include "contact/solve/point_motion.hpp"
 
+#include "contact/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace rollfem::contact {
 
 using Eigen::Vector2d;
@@ -68,6 +76,74 @@ void PointMotion::advance(std::size_t k, const TangentialField& displacement) {
 
 void PointMotion::take_up(const PointResult& point) {
   sum_ = {point.longitudinal_shift, point.lateral_shift, point.spin_shift, point.distance};
+}
+
+namespace {
+
+TangentialField zeros(const ContactGrid& grid) {
+  return {Field::Zero(grid.size()), Field::Zero(grid.size())};
+}
+
+/// Weights of the values at -1, 0, 1, 2 for Lagrange's cubic at t in [0, 1].
+std::array<double, 4> cubic_weights(double t) {
+  return {-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+          -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
+}
+
+}  // namespace
+
+Field upstream(const ContactGrid& grid, const Field& values, double distance) {
+  const double elements = distance / grid.dx;
+  // A whole number of elements must stay one.
+  const double nearest = std::round(elements);
+  const bool whole = std::abs(elements - nearest) < 1e-9 * std::max(1.0, nearest);
+  const int ahead = static_cast<int>(whole ? nearest : std::floor(elements));
+  const std::array<double, 4> weights = cubic_weights(whole ? 0.0 : elements - ahead);
+  Field result(grid.size());
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      double sum = 0.0;
+      for (int k = 0; k < 4; ++k)
+        sum += weights[static_cast<std::size_t>(k)] *
+               values[grid.index(std::clamp(i + ahead + k - 1, 0, grid.nx - 1), j)];
+      result[grid.index(i, j)] = sum;
+    }
+  return result;
+}
+
+History::History(const ContactGrid& grid, UpwindOrder order)
+    : grid_(grid), order_(order), last_(zeros(grid)), before_last_(zeros(grid)) {}
+
+StepProblem History::shift_step(const TangentialField& rigid_shift) const {
+  return {{rigid_shift.x - last_.x, rigid_shift.y - last_.y}, 1.0};
+}
+
+StepProblem History::rolling_step(const TangentialField& rigid_slip, double step_length) const {
+  if (!(step_length > 0.0))
+    throw InputError(
+        fmt::format("transient rolling: a step of {} mm; allowed: above 0", step_length));
+  const TangentialField one{upstream(grid_, last_.x, step_length),
+                            upstream(grid_, last_.y, step_length)};
+  const auto equals = [&](double other) {
+    return std::abs(step_length - other) <= 1e-9 * step_length;
+  };
+  const bool equal_steps = equals(last_step_) && equals(before_last_step_);
+  if (order_ == UpwindOrder::first || !equal_steps)
+    return {{step_length * rigid_slip.x - one.x, step_length * rigid_slip.y - one.y},
+            1.0 / step_length};
+  // (3 u - 4 u' + u'')/2 + step s = 3/2 (u + (2 step s - 4 u' + u'')/3)
+  const TangentialField two{upstream(grid_, before_last_.x, 2.0 * step_length),
+                            upstream(grid_, before_last_.y, 2.0 * step_length)};
+  return {{(2.0 * step_length * rigid_slip.x - 4.0 * one.x + two.x) / 3.0,
+           (2.0 * step_length * rigid_slip.y - 4.0 * one.y + two.y) / 3.0},
+          1.5 / step_length};
+}
+
+void History::advance(const TangentialField& displacement, double step_length) {
+  before_last_ = last_;
+  last_ = displacement;
+  before_last_step_ = last_step_;
+  last_step_ = step_length;
 }
 
 }  // namespace rollfem::contact

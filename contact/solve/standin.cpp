@@ -1,8 +1,8 @@
 #include "contact/solve/standin.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/fixed_point.hpp"
-#include "contact/solve/leading_edge.hpp"
+#include "contact/base/root.hpp"
+#include "contact/iteration/leading_edge.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // and stand-in enters as a defect (defect_correction.hpp).
 #pragma once
 
+#include "contact/iteration/normal.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "contact/scene/scene.hpp"
-#include "contact/solve/normal.hpp"
-#include "contact/solve/tangential.hpp"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "fem/elasticity/fem_elasticity.hpp"
 
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/memory.hpp"
 #include "fem/linear/solver_choice.hpp"

@@ -1,8 +1,8 @@
 #include "fem/elasticity/run_level.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/stopwatch.hpp"
-#include "contact/scene/flanks.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "fem/elasticity/fem_elasticity.hpp"
 #include "fem/elasticity/level_checkpoint.hpp"

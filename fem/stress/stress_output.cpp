@@ -1,8 +1,8 @@
 #include "fem/stress/stress_output.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "contact/solve/maximum_search.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/mesh/profile_shape.hpp"
 #include "fem/stress/body_nodes.hpp"

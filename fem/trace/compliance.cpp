@@ -1,6 +1,6 @@
 #include "fem/trace/compliance.hpp"
 
-#include "contact/scene/curvature_slip.hpp"
+#include "contact/scene/geometry.hpp"
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/middle_displacement.hpp"
 

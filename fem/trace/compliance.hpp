@@ -4,8 +4,8 @@
 // element's middle (middle_displacement.hpp). A is symmetric by construction.
 #pragma once
 
+#include "contact/iteration/compliance.hpp"
 #include "contact/scene/contact_surface.hpp"
-#include "contact/solve/compliance.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/linear_solver.hpp"
 #include "fem/trace/lattice.hpp"

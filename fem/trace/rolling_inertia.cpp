@@ -1,6 +1,6 @@
 #include "fem/trace/rolling_inertia.hpp"
 
-#include "contact/scene/curvature_slip.hpp"
+#include "contact/scene/geometry.hpp"
 #include "fem/linear/prescribed.hpp"
 #include "fem/trace/compliance.hpp"
 

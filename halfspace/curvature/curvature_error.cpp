@@ -1,7 +1,7 @@
 #include "halfspace/curvature/curvature_error.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"

@@ -2,8 +2,8 @@
 // both bodies (curved_body.hpp), without a mesh.
 #pragma once
 
+#include "contact/iteration/compliance.hpp"
 #include "contact/scene/scene.hpp"
-#include "contact/solve/compliance.hpp"
 #include "halfspace/curvature/curved_body.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 

@@ -2,8 +2,8 @@
 // by frequency: the preconditioners of the contact solvers.
 #pragma once
 
+#include "contact/iteration/compliance.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/solve/compliance.hpp"
 #include "halfspace/elasticity/fft.hpp"
 
 #include <complex>

@@ -2,8 +2,8 @@
 // Normal, tangential and steady-rolling blocks for the contact solvers, and the whole map.
 #pragma once
 
+#include "contact/iteration/compliance.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/solve/compliance.hpp"
 
 #include <memory>
 

@@ -3,7 +3,7 @@
 // coefficients that are computed once (influence_tables.hpp).
 #pragma once
 
-#include "contact/solve/element_operator.hpp"
+#include "contact/iteration/linearisation.hpp"
 #include "halfspace/elasticity/influence_tables.hpp"
 
 #include <Eigen/LU>

@@ -2,7 +2,7 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/scene/flanks.hpp"
+#include "contact/scene/geometry.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"

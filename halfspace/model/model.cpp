@@ -3,7 +3,7 @@
 #include "contact/base/available_memory.hpp"
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"

@@ -1,6 +1,6 @@
 #include "halfspace/stress/stress_maxima.hpp"
 
-#include "contact/solve/maximum_search.hpp"
+#include "contact/base/root.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "models/choice/choice.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 
 #include <fmt/format.h>
 

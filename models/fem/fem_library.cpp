@@ -1,7 +1,7 @@
 #include "models/fem/fem_library.hpp"
 
 #include "contact/base/errors.hpp"
-#include "models/program/program_folders.hpp"
+#include "models/program/provenance.hpp"
 
 #include <fmt/format.h>
 
@@ -63,5 +63,14 @@ const fem::Entry& open_fem_library(const std::string& asked_by) {
 }
 
 #endif
+
+ParallelSession::ParallelSession(const std::string& asked_by, int argc, char** argv)
+    : entry_(open_fem_library(asked_by)) {
+  entry_.start(argc, argv);
+}
+
+ParallelSession::~ParallelSession() {
+  entry_.stop();
+}
 
 }  // namespace rollfem::modelling

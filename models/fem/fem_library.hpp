@@ -4,10 +4,30 @@
 
 #include "fem/elasticity/model.hpp"
 
+#include <string>
+
 namespace rollfem::modelling {
 
 /// Opens the library; throws contact::InputError in a build without it, or when it is not found
 /// beside the program. `asked_by`: what asked for the model, for the message.
 const fem::Entry& open_fem_library(const std::string& asked_by);
+
+// MPI, initialised only while parallel models run.
+
+/// Starts MPI, which the finite-element library brings; ends it when it goes.
+class ParallelSession {
+ public:
+  /// `asked_by`: what asked for a parallel model, for the message of a build without the library.
+  ParallelSession(const std::string& asked_by, int argc, char** argv);
+  ~ParallelSession();
+  ParallelSession(const ParallelSession&) = delete;
+  ParallelSession& operator=(const ParallelSession&) = delete;
+
+  /// Collective: the text of the first process on every process.
+  std::string from_first(const std::string& text) const { return entry_.from_first(text); }
+
+ private:
+  const fem::Entry& entry_;
+};
 
 }  // namespace rollfem::modelling

@@ -1,12 +1,12 @@
 #include "models/fem/hybrid_model.hpp"
 
-#include "contact/base/stopwatch.hpp"
+#include "contact/base/progress.hpp"
 #include "halfspace/model/refinements.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "models/caches/correction_cache.hpp"
 #include "models/caches/correction_file.hpp"
 #include "models/fem/fem_library.hpp"
-#include "models/program/processes.hpp"
+#include "models/program/provenance.hpp"
 
 #include <fmt/format.h>
 

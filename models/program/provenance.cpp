@@ -3,7 +3,11 @@
 #include "models/program/version.hpp"
 
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <dlfcn.h>
+#include <iostream>
 #include <unistd.h>
 
 namespace rollfem::modelling {
@@ -36,6 +40,66 @@ postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
   made.command = command;
   for (const contact::ModelInfo& model : models.all()) made.labels[model.name] = model.label;
   return made;
+}
+
+namespace fs = std::filesystem;
+
+fs::path program_directory() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::current_path(error) : program.parent_path();
+}
+
+fs::path code_directory() {
+  Dl_info found{};
+  std::error_code error;
+  if (dladdr(reinterpret_cast<const void*>(&code_directory), &found) == 0)
+    return program_directory();
+  const fs::path file = fs::canonical(found.dli_fname, error);
+  // The name of a program may be one that was looked for on PATH.
+  const bool library = !error && file.filename().string().find(".so") != std::string::npos;
+  return library ? file.parent_path() : program_directory();
+}
+
+fs::path script_directory() {
+  std::error_code error;
+  const fs::path code = code_directory();
+  // Libraries may lie in a folder of their architecture.
+  for (const fs::path& prefix : {program_directory() / "..", code / "..", code / ".." / ".."}) {
+    const fs::path installed = prefix / ROLLFEM_DATADIR / "rollfem_figures";
+    if (fs::exists(installed, error)) return installed.lexically_normal();
+  }
+  return fs::path(ROLLFEM_SOURCE_DIR) / "postprocess" / "rollfem_figures";
+}
+
+namespace {
+
+int number_from(const char* const (&names)[3], int otherwise) {
+  for (const char* name : names) {
+    const char* text = std::getenv(name);
+    if (text == nullptr || *text == '\0') continue;
+    char* end = nullptr;
+    const long value = std::strtol(text, &end, 10);
+    if (*end == '\0' && value >= 0 && value < 1000000) return static_cast<int>(value);
+  }
+  return otherwise;
+}
+
+}  // namespace
+
+Processes processes() {
+  // Open MPI, PMIx launchers, and MPICH.
+  Processes found;
+  found.rank = number_from({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}, 0);
+  found.count = number_from({"OMPI_COMM_WORLD_SIZE", "PMIX_SIZE", "PMI_SIZE"}, found.rank + 1);
+  return found;
+}
+
+void leave(int status) {
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+  std::_Exit(status);
 }
 
 }  // namespace rollfem::modelling

@@ -1,9 +1,10 @@
 // Provenance of a result: who made it, where and when.
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 #include "postprocess/write/output.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace rollfem::modelling {
@@ -11,5 +12,32 @@ namespace rollfem::modelling {
 /// Of what is computed now by this process. `command`: the whole call.
 postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
                                       const std::string& command);
+
+// Where the program finds its own parts, in the build folder and when installed.
+
+/// Folder of the running program.
+std::filesystem::path program_directory();
+
+/// Folder of the library that this code is in where another program has loaded it, else of the
+/// program.
+std::filesystem::path code_directory();
+
+/// Folder of the plotting program's Python package.
+std::filesystem::path script_directory();
+
+// The rank of this process in a parallel run, found without MPI: a run
+// without finite elements must not load it.
+
+/// Rank and number of processes as mpirun tells them; 0 of 1 without mpirun.
+struct Processes {
+  int rank = 0;
+  int count = 1;
+  bool first() const { return rank == 0; }
+};
+Processes processes();
+
+/// Ends this process of a parallel run after an error without waiting for the others, which may be
+/// inside a collective call; mpirun then ends them. Never returns.
+[[noreturn]] void leave(int status);
 
 }  // namespace rollfem::modelling

@@ -6,7 +6,7 @@
 #include "halfspace/patch/patch_search.hpp"
 #include "models/choice/laws.hpp"
 #include "models/fem/hybrid_model.hpp"
-#include "models/program/processes.hpp"
+#include "models/program/provenance.hpp"
 
 #include <fmt/format.h>
 

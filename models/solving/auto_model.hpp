@@ -2,7 +2,7 @@
 // case (choice/choice.hpp).
 #pragma once
 
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 #include "models/choice/choice.hpp"
 #include "models/solving/solving.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 #include "models/solving/solving.hpp"
 #include "postprocess/study/study.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/bars.hpp"
-#include "contact/result/patch_parts.hpp"
+#include "contact/result/patch_size.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/scene_checkpoint.hpp"

@@ -4,8 +4,8 @@
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
-#include "contact/solve/models.hpp"
-#include "models/fem/session.hpp"
+#include "contact/solve/model.hpp"
+#include "models/fem/fem_library.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <functional>

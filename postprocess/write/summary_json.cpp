@@ -1,7 +1,7 @@
 #include "postprocess/write/summary_json.hpp"
 
 #include "contact/result/bars.hpp"
-#include "contact/result/patch_parts.hpp"
+#include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/json_head.hpp"
 #include "postprocess/write/point_table.hpp"

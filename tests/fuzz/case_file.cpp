@@ -2,7 +2,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/plausibility.hpp"
-#include "contact/scene/derived_values.hpp"
 #include "contact/scene/scene.hpp"
 #include "theories/elliptic_patch.hpp"
 #include "theories/registry.hpp"

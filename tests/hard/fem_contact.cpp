@@ -1,7 +1,7 @@
 // Contacts where finite elements use to fail, each with a right answer: mostly the half-space on
 // the same contact elements, for patches so small beside the radii that the bodies are half-spaces.
 #include "contact/base/errors.hpp"
-#include "contact/result/contact_residual.hpp"
+#include "contact/result/validity.hpp"
 #include "fem/elasticity/model.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "halfspace/closed_forms/hertz.hpp"

@@ -1,6 +1,6 @@
 // The normal solver where half-space codes use to fail: each case has a right answer.
 #include "contact/base/errors.hpp"
-#include "contact/solve/normal.hpp"
+#include "contact/iteration/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 

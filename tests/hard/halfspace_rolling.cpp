@@ -1,6 +1,6 @@
 // Steady rolling where half-space codes use to fail: each case has a right answer.
 #include "contact/base/errors.hpp"
-#include "contact/solve/tangential.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"

@@ -7,7 +7,7 @@ knows halfspace; postprocess knows results, never solvers; models registers what
 chooses among models (of which models/choice knows results only); app knows all; interface, which others build on, hands models on, and
 python stands on interface; capi, the C interface, knows what track knows, and tables; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
-Inside contact: base <- case <- scene <- result <- solve; the order of the other modules' rooms: ROOMS.
+Inside contact: base <- case <- scene <- result <- iteration <- solve; the order of the other modules' rooms: ROOMS.
 Call: includes.py SOURCE_DIR
 """
 
@@ -23,7 +23,8 @@ ALLOWED = {
     "contact/case": {"contact": {"base"}},
     "contact/scene": {"contact": {"base", "case"}},
     "contact/result": {"contact": {"base", "case", "scene"}},
-    "contact/solve": {"contact": {"base", "scene", "result"}},
+    "contact/iteration": {"contact": {"base", "scene", "result"}},
+    "contact/solve": {"contact": {"base", "scene", "result", "iteration"}},
     "halfspace": {"contact": ANY},
     "theories": {"contact": ANY, "halfspace": ANY},
     "profiles": {"contact": {"base", "case", "scene"}},
@@ -110,11 +111,11 @@ def self_test():
         return judge(path, line[0], line[1:])
 
     assert verdict("contact/solve/a.cpp", '"halfspace/closed_forms/hertz.hpp')
-    assert verdict("contact/case/a.cpp", '"contact/solve/normal.hpp')
+    assert verdict("contact/case/a.cpp", '"contact/iteration/normal.hpp')
     assert verdict("contact/solve/a.cpp", '"contact/case/case.hpp')
     assert verdict("halfspace/model/a.cpp", '"fem/discretisation/body.hpp')
-    assert verdict("postprocess/write/a.cpp", '"contact/solve/normal.hpp')
-    assert verdict("profiles/a.cpp", '"contact/solve/tangential.hpp')
+    assert verdict("postprocess/write/a.cpp", '"contact/iteration/normal.hpp')
+    assert verdict("profiles/a.cpp", '"contact/iteration/tangential.hpp')
     assert verdict("track/search/a.cpp", '"track/motion/placed_scenes.hpp')
     assert verdict("halfspace/patch/a.cpp", '"halfspace/model/level.hpp')
     assert verdict("halfspace/model/a.cpp", '"theories/strip.hpp')
@@ -126,7 +127,7 @@ def self_test():
     assert verdict("app/a.cpp", "<deal.II/base/mpi.h")
     assert verdict("fem/linear/a.cpp", '"body.hpp')
     assert not verdict("fem/linear/a.cpp", "<deal.II/base/mpi.h")
-    assert not verdict("halfspace/model/a.cpp", '"contact/solve/normal.hpp')
+    assert not verdict("halfspace/model/a.cpp", '"contact/iteration/normal.hpp')
     assert not verdict("app/a.cpp", '"fem/elasticity/model.hpp')
     assert not verdict("contact/solve/a.cpp", '"contact/scene/geometry.hpp')
     assert not verdict("track/balance/a.cpp", '"track/motion/placed_scenes.hpp')

@@ -3,7 +3,7 @@
 // how much (benchmarks/book/elastic_sphere.py).
 #pragma once
 
-#include "contact/solve/compliance.hpp"
+#include "contact/iteration/compliance.hpp"
 
 #include "support/thesis_cases.hpp"
 #include <cmath>

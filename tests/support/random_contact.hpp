@@ -3,9 +3,9 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
+#include "contact/iteration/interpolation.hpp"
 #include "contact/solve/contact_problem.hpp"
-#include "contact/solve/history.hpp"
-#include "contact/solve/interpolation.hpp"
+#include "contact/solve/point_motion.hpp"
 #include "contact/solve/prescribed_force.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "contact/case/case.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/solve/tangential.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 // docs/theory.md). F_0 is Carter's: xi a pi G/(2 (1 - nu)).
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
-#include "contact/solve/history.hpp"
+#include "contact/solve/point_motion.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>

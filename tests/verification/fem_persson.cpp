@@ -1,8 +1,8 @@
 // Persson's conformal contact, benchmark 10: a disc in the hole of a large plate, plane strain
 // between two planes. Own meshes of both bodies go through the library's elasticity, factorisation
 // and normal contact solver.
+#include "contact/iteration/normal.hpp"
 #include "contact/result/patch_size.hpp"
-#include "contact/solve/normal.hpp"
 #include "fem/linear/factorisation.hpp"
 
 #include <Eigen/Cholesky>

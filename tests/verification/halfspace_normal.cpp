@@ -1,7 +1,7 @@
 // The normal solver on the half-space against Hertz, a punch, CONTACT and invariants.
 #include "contact/base/errors.hpp"
+#include "contact/iteration/normal.hpp"
 #include "contact/result/patch_size.hpp"
-#include "contact/solve/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 

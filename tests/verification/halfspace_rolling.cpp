@@ -1,5 +1,5 @@
 // Steady rolling on the half-space against CONTACT, converged values and invariants.
-#include "contact/solve/tangential.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
 

@@ -3,7 +3,7 @@
 // different planes. References: Hertz with a point load at the distance of the other patch, the
 // joint solution on one grid, and the curved surface, whose normals are those of every place.
 #include "contact/base/pi.hpp"
-#include "contact/result/patch_parts.hpp"
+#include "contact/result/patch_size.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"

@@ -1,7 +1,7 @@
 // The leading edge below the element: order of the forces, smooth tractions across rolling.
-#include "contact/solve/leading_edge.hpp"
+#include "contact/iteration/leading_edge.hpp"
 
-#include "contact/solve/normal.hpp"
+#include "contact/iteration/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 

@@ -1,7 +1,7 @@
 // Gap, slip and tractions as they are reported against the conditions of contact, with distance and
 // displacement computed again: influence coefficients summed element by element, without the
 // transforms, differences and solvers that found the solution.
-#include "contact/result/contact_residual.hpp"
+#include "contact/result/validity.hpp"
 #include "halfspace/elasticity/influence.hpp"
 #include "theories/registry.hpp"
 

@@ -1,7 +1,7 @@
 // Every way in which a case file can be wrong gives one message with file, line, key, value, what
 // is allowed and what to do; none crashes.
 #include "contact/base/errors.hpp"
-#include "contact/base/nearest_name.hpp"
+#include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
 

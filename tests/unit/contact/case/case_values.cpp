@@ -2,7 +2,7 @@
 // declarations.
 #include "contact/case/case_keys.hpp"
 #include "contact/case/case_reader.hpp"
-#include "contact/scene/derived_values.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 

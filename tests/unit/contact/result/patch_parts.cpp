@@ -1,7 +1,6 @@
 // Regions of a contact: two semi-ellipsoids of pressure, whose forces and extents are known.
-#include "contact/result/patch_parts.hpp"
-
 #include "contact/base/pi.hpp"
+#include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Patch size from sampled pressures, and the sums over the tractions.
 #include "contact/result/patch_size.hpp"
 
+#include "contact/iteration/compliance.hpp"
 #include "contact/result/result.hpp"
-#include "contact/solve/compliance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "contact/result/validity.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/solve/models.hpp"
+#include "contact/solve/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which elements are made to adhere behind a border of adhesion that moves downstream.
-#include "contact/solve/adhesion_fronts.hpp"
+#include "contact/iteration/adhesion_fronts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Anderson acceleration: exact for linear maps once its depth spans the space, and plain iteration
 // at depth 0.
-#include "contact/solve/anderson.hpp"
+#include "contact/solve/defect_correction.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

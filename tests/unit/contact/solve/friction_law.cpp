@@ -2,7 +2,7 @@
 // defined here, in the tangential problem.
 #include "contact/scene/friction_law.hpp"
 
-#include "contact/solve/tangential.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>

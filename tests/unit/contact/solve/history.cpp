@@ -1,8 +1,7 @@
 // What a step inherits: upstream interpolation, and slip of steps against a displacement known as a
 // function.
-#include "contact/solve/history.hpp"
-
 #include "contact/base/errors.hpp"
+#include "contact/solve/point_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // The registry of models: order, names that are refused, and what it says of models that cannot.
-#include "contact/solve/models.hpp"
-
 #include "contact/base/errors.hpp"
+#include "contact/solve/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The tangential solver and GMRES on problems small enough to know the answer.
-#include "contact/solve/tangential.hpp"
+#include "contact/iteration/tangential.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/solve/gmres.hpp"
+#include "contact/iteration/gmres.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

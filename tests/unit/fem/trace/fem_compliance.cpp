@@ -1,6 +1,6 @@
 // Coupling and compliance: resultants, transpose consistency, symmetry, the mirrored half body.
 #include "contact/base/errors.hpp"
-#include "contact/scene/curvature_slip.hpp"
+#include "contact/scene/geometry.hpp"
 #include "fem/trace/middle_displacement.hpp"
 
 #include <deal.II/dofs/dof_tools.h>

@@ -2,7 +2,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/contact_residual.hpp"
+#include "contact/result/validity.hpp"
 #include "contact/scene/geometry.hpp"
 #include "theories/elliptic_patch.hpp"
 

@@ -2,11 +2,11 @@
 // with the half-space's transforms, on the same grids.
 #include "halfspace/elasticity/few_elements.hpp"
 
-#include "contact/solve/bound_constrained_cg.hpp"
-#include "contact/solve/friction_newton.hpp"
-#include "contact/solve/leading_edge.hpp"
-#include "contact/solve/normal.hpp"
-#include "contact/solve/tangential.hpp"
+#include "contact/iteration/bound_constrained_cg.hpp"
+#include "contact/iteration/friction_newton.hpp"
+#include "contact/iteration/leading_edge.hpp"
+#include "contact/iteration/normal.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "contact/solve/tangential.hpp"
+#include "contact/iteration/tangential.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/solve/friction_newton.hpp"
+#include "contact/iteration/friction_newton.hpp"
 
 #include <optional>
 

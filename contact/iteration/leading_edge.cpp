@@ -1,4 +1,4 @@
-#include "contact/solve/leading_edge.hpp"
+#include "contact/iteration/leading_edge.hpp"
 
 #include <algorithm>
 #include <cmath>

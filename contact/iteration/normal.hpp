@@ -3,7 +3,7 @@
 // 2014, "The bound-constrained conjugate gradient method for non-negative matrices").
 #pragma once
 
-#include "contact/solve/compliance.hpp"
+#include "contact/iteration/compliance.hpp"
 
 #include <optional>
 

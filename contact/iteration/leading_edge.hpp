@@ -7,7 +7,7 @@
 // leading element, calibrated on that local problem once and for all, puts the edge where it is.
 #pragma once
 
-#include "contact/solve/compliance.hpp"
+#include "contact/iteration/compliance.hpp"
 
 namespace rollfem::contact {
 

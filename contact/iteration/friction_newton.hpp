@@ -2,11 +2,11 @@
 // contact, in memory that is kept from one problem to the next.
 #pragma once
 
+#include "contact/iteration/adhesion_fronts.hpp"
+#include "contact/iteration/gmres.hpp"
+#include "contact/iteration/linearisation.hpp"
+#include "contact/iteration/tangential.hpp"
 #include "contact/scene/friction_law.hpp"
-#include "contact/solve/adhesion_fronts.hpp"
-#include "contact/solve/element_operator.hpp"
-#include "contact/solve/gmres.hpp"
-#include "contact/solve/tangential.hpp"
 
 #include <initializer_list>
 #include <vector>

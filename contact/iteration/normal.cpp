@@ -1,7 +1,7 @@
-#include "contact/solve/normal.hpp"
+#include "contact/iteration/normal.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/solve/bound_constrained_cg.hpp"
+#include "contact/iteration/bound_constrained_cg.hpp"
 
 #include <fmt/format.h>
 

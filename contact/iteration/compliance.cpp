@@ -1,4 +1,4 @@
-#include "contact/solve/compliance.hpp"
+#include "contact/iteration/compliance.hpp"
 
 namespace rollfem::contact {
 

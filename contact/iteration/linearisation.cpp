@@ -1,4 +1,4 @@
-#include "contact/solve/linearisation.hpp"
+#include "contact/iteration/linearisation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 // with drag, w + c (p - p'), p' the traction before: steps of a rolling that settles.
 #pragma once
 
+#include "contact/iteration/compliance.hpp"
 #include "contact/result/result.hpp"
 #include "contact/scene/friction_law.hpp"
-#include "contact/solve/compliance.hpp"
 
 namespace rollfem::contact {
 

@@ -1,4 +1,4 @@
-#include "contact/solve/friction_newton.hpp"
+#include "contact/iteration/friction_newton.hpp"
 
 #include "contact/base/errors.hpp"
 

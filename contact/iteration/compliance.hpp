@@ -5,7 +5,6 @@
 
 #include "contact/base/choices.hpp"
 #include "contact/base/grid.hpp"
-#include "contact/base/response.hpp"
 
 #include <memory>
 

@@ -1,4 +1,4 @@
-#include "contact/solve/interpolation.hpp"
+#include "contact/iteration/interpolation.hpp"
 
 #include <cmath>
 

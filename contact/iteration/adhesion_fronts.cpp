@@ -1,4 +1,4 @@
-#include "contact/solve/adhesion_fronts.hpp"
+#include "contact/iteration/adhesion_fronts.hpp"
 
 #include <algorithm>
 #include <utility>

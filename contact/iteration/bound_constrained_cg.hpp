@@ -5,7 +5,7 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
-#include "contact/solve/normal.hpp"
+#include "contact/iteration/normal.hpp"
 
 #include <fmt/format.h>
 
