@@ -2,16 +2,16 @@
 // executed.
 #pragma once
 
-#include "app/bench.hpp"
-#include "app/compare.hpp"
-#include "app/convert.hpp"
-#include "app/mesh.hpp"
-#include "app/profile.hpp"
-#include "app/run.hpp"
-#include "app/stress.hpp"
-#include "app/study.hpp"
-#include "app/table.hpp"
-#include "app/wheelset.hpp"
+#include "app/input/convert.hpp"
+#include "app/input/mesh.hpp"
+#include "app/input/profile.hpp"
+#include "app/input/wheelset.hpp"
+#include "app/results/compare.hpp"
+#include "app/results/stress.hpp"
+#include "app/results/table.hpp"
+#include "app/run/bench.hpp"
+#include "app/run/run.hpp"
+#include "app/study/study.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,5 +1,5 @@
 #include "app/commands.hpp"
-#include "app/study_levels.hpp"
+#include "app/study/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"

@@ -1,7 +1,7 @@
 #include "app/program.hpp"
 
 #include "app/commands.hpp"
-#include "app/interruption.hpp"
+#include "app/frame/interruption.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "models/program/provenance.hpp"

@@ -1,11 +1,11 @@
 // rollfem.h: tables of creep forces.
 #include "capi/guarded.hpp"
-#include "postprocess/table/table_files.hpp"
+#include "tables/files/table_files.hpp"
 
 #include "rollfem/rollfem.h"
 
 struct rollfem_table {
-  rollfem::postprocess::CreepTableReader reader;
+  rollfem::tables::CreepTableReader reader;
 };
 
 extern "C" {
@@ -16,8 +16,8 @@ rollfem_table* rollfem_table_open(const char* path, char* message, size_t size) 
       [&] {
         if (path == nullptr || *path == '\0')
           throw rollfem::contact::InputError("the table is not given; do: name its file");
-        made = new rollfem_table{
-            rollfem::postprocess::CreepTableReader(rollfem::postprocess::read_table(path))};
+        made =
+            new rollfem_table{rollfem::tables::CreepTableReader(rollfem::tables::read_table(path))};
       },
       message, size);
   return made;

@@ -1,7 +1,7 @@
 // rollfem._core: what the Python package rollfem/ is made on. Cases and results are opaque here;
 // solving lets other Python threads run, and hears Ctrl-C at every iteration.
-#include "contact/case/case_keys.hpp"
-#include "contact/case/plausibility.hpp"
+#include "contact/case/checks/plausibility.hpp"
+#include "contact/case/keys/case_keys.hpp"
 #include "python/bindings.hpp"
 #include "python/blas_threads.hpp"
 

@@ -1,5 +1,5 @@
-#include "postprocess/table/table_files.hpp"
 #include "python/bindings.hpp"
+#include "tables/files/table_files.hpp"
 
 #include <array>
 #include <map>
@@ -13,8 +13,8 @@ using namespace py::literals;
 
 namespace {
 
-using postprocess::CreepTableReader;
-using postprocess::TableForces;
+using tables::CreepTableReader;
+using tables::TableForces;
 using Column = std::vector<double>;
 
 /// F_x, F_y, M_z, both bars and the force along the normal, a column each.
@@ -33,24 +33,24 @@ std::vector<Column> columns_of(std::size_t count, const Ask& ask) {
 }
 
 /// The errors between the points of the grid.
-std::map<std::string, double> interpolation_of(const postprocess::InterpolationError& error) {
+std::map<std::string, double> interpolation_of(const tables::InterpolationError& error) {
   std::map<std::string, double> found{{"points", error.points}, {"seed", error.seed}};
-  for (const auto& [name, member] : postprocess::interpolation_errors) found[name] = error.*member;
+  for (const auto& [name, member] : tables::interpolation_errors) found[name] = error.*member;
   return found;
 }
 
 /// Of every shift.
-std::map<std::string, Column> wheels_of(const postprocess::CreepTable& table) {
+std::map<std::string, Column> wheels_of(const tables::CreepTable& table) {
   std::map<std::string, Column> found;
-  for (const postprocess::WheelColumn& column : postprocess::wheel_columns())
-    for (const postprocess::TableWheel& wheel : table.wheels)
+  for (const tables::WheelColumn& column : tables::wheel_columns())
+    for (const tables::TableWheel& wheel : table.wheels)
       found[column.name].push_back(wheel.*column.member);
   return found;
 }
 
 /// All that the table holds.
 py::dict contents_of(const CreepTableReader& reader) {
-  const postprocess::CreepTable& table = reader.table();
+  const tables::CreepTable& table = reader.table();
   const std::array axes{table.places(), table.creepage[0], table.creepage[1], table.creepage[2]};
   return py::dict("title"_a = table.title, "case_text"_a = table.case_text,
                   "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
@@ -65,8 +65,8 @@ py::dict contents_of(const CreepTableReader& reader) {
 std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Column& shifts) {
   std::map<std::string, Column> found;
   for (const double shift : shifts) {
-    const postprocess::TableWheel wheel = reader.wheel_at(shift);
-    for (const postprocess::WheelColumn& column : postprocess::wheel_columns())
+    const tables::TableWheel wheel = reader.wheel_at(shift);
+    for (const tables::WheelColumn& column : tables::wheel_columns())
       found[column.name].push_back(wheel.*column.member);
   }
   return found;
@@ -77,7 +77,7 @@ std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Co
 void define_tables(py::module_& module) {
   py::class_<CreepTableReader>(module, "CreepTable")
       .def(py::init(
-          [](const std::string& path) { return CreepTableReader(postprocess::read_table(path)); }))
+          [](const std::string& path) { return CreepTableReader(tables::read_table(path)); }))
       .def("contents", &contents_of)
       .def("scaled",
            [](const CreepTableReader& reader, const Column& ratio, const Column& xi,

@@ -1,7 +1,7 @@
 #include "contact/case/case_edit.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/case/toml_reader.hpp"
+#include "contact/case/toml/toml_reader.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

@@ -1,10 +1,10 @@
 #include "contact/case/case_reader.hpp"
 
 #include "contact/base/text_fields.hpp"
-#include "contact/case/case_checks.hpp"
 #include "contact/case/case_edit.hpp"
+#include "contact/case/checks/case_checks.hpp"
 #include "contact/case/lattice.hpp"
-#include "contact/case/toml_reader.hpp"
+#include "contact/case/toml/toml_reader.hpp"
 
 #include <filesystem>
 #include <fstream>

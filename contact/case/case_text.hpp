@@ -1,7 +1,7 @@
 // Keys and values of a case file as text: for messages, `check`, `new-case` and the reference.
 #pragma once
 
-#include "contact/case/case_keys.hpp"
+#include "contact/case/keys/case_keys.hpp"
 
 #include <optional>
 #include <string>

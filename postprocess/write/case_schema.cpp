@@ -1,7 +1,7 @@
 #include "postprocess/write/case_schema.hpp"
 
-#include "contact/case/case_keys.hpp"
 #include "contact/case/case_text.hpp"
+#include "contact/case/keys/case_keys.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

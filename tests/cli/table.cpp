@@ -1,5 +1,5 @@
 // The command table: what it writes, that an ended call is taken up, and what it refuses.
-#include "postprocess/table/table_files.hpp"
+#include "tables/files/table_files.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace rollfem::testing;
 namespace fs = std::filesystem;
-using rollfem::postprocess::CreepTableReader;
+using rollfem::tables::CreepTableReader;
 
 std::string table_case(const std::string& table) {
   return small_case + "[table]\n" + table;
@@ -31,7 +31,7 @@ TEST(Table, IsWrittenWithItsErrorsAndAReport) {
        {"table.h5", "table.csv", "interpolation.csv", "table.html", "figures/table_surfaces.svg",
         "figures/table_curves.svg", "figures/table_errors.svg"})
     EXPECT_TRUE(fs::exists(out / name)) << name;
-  const CreepTableReader reader(rollfem::postprocess::read_table(out.string()));
+  const CreepTableReader reader(rollfem::tables::read_table(out.string()));
   EXPECT_EQ(reader.table().size(), 60U);
   EXPECT_EQ(reader.table().interpolation.points, 10);
   const double ratio = reader.table().axis_ratio.front();
@@ -63,7 +63,7 @@ TEST(Table, AnEndedCallIsTakenUpAndIsTheSame) {
 /// The table at a physical creepage of the small case against the model halfspace, which solves
 /// with other grids, levels and pressure.
 void expect_like_halfspace(const Folder& folder, const CreepTableReader& reader,
-                           const rollfem::postprocess::Scaled& creepage) {
+                           const rollfem::tables::Scaled& creepage) {
   const auto key = [](const char* name, double value) {
     return std::string("rolling.") + name + "=" + fmt::format("{:.17g}", value);
   };
@@ -89,7 +89,7 @@ TEST(Table, ForcesAreThoseOfTheModelHalfspace) {
                                                      "spin_values = [0.0, 0.4, 0.8]\n"
                                                      "check_points = 0\n")),
                 "-o", "out", "--no-report"});
-  const CreepTableReader reader(rollfem::postprocess::read_table((folder.work() / "out").string()));
+  const CreepTableReader reader(rollfem::tables::read_table((folder.work() / "out").string()));
   for (const double xi : {0.0005, 0.0015, 0.004}) expect_like_halfspace(folder, reader, {xi, 0, 0});
   // A grid point of all three.
   const double a = 3.79236, b = 10.87295, c = std::sqrt(a * b), bound = 0.55 * 50e3;
@@ -113,7 +113,7 @@ TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
   for (const char* name : {"table.h5", "table.csv", "shifts.csv", "interpolation.csv", "table.html",
                            "figures/table_shifts.svg", "figures/table_wheels.svg"})
     EXPECT_TRUE(fs::exists(out / name)) << name;
-  const CreepTableReader reader(rollfem::postprocess::read_table(out.string()));
+  const CreepTableReader reader(rollfem::tables::read_table(out.string()));
   EXPECT_EQ(reader.table().size(), 81U);
   EXPECT_EQ(reader.table().wheels.size(), 3U);
   // As far as the table knows no run: the radius that the case's own position has (docs/track.md).

@@ -1,7 +1,7 @@
 // A case file: read, checked, said back, and the arithmetic that `rollfem check` does with it.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
-#include "contact/case/plausibility.hpp"
+#include "contact/case/checks/plausibility.hpp"
 #include "contact/scene/scene.hpp"
 #include "theories/elliptic_patch.hpp"
 #include "theories/registry.hpp"

@@ -4,8 +4,9 @@
 contact <- halfspace <- fem; theories stand on halfspace; hybrid knows halfspace and is given what fem finds; convert knows cases and closed forms; profiles and meshes know cases and
 scenes, no solver; track places profiles, finds their contacts and balances loads and rotation over them, for which it
 knows halfspace; postprocess knows results, never solvers; models registers what solves, opens fem at run time, and
-chooses among models (of which models/choice knows results only); app knows all; interface, which others build on, hands models on, and
-python stands on interface; capi, the C interface, knows what track knows, and tables; deal.II is seen in fem and
+chooses among models (of which models/choice knows results only); tables fills tables of creep forces and keeps them
+in files; app knows all; interface, which others build on, hands models on, and
+python stands on interface; capi, the C interface, knows what track knows, and files of tables; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
 Inside contact: base <- case <- scene <- result <- iteration <- solve; the order of the other modules' rooms: ROOMS.
 Call: includes.py SOURCE_DIR
@@ -38,12 +39,14 @@ ALLOWED = {
     "models": {"contact": ANY, "halfspace": ANY, "theories": ANY, "hybrid": ANY, "track": ANY, "postprocess": ANY,
                "fem": {"elasticity"}},
     "convert": {"contact": {"base", "case", "scene"}, "halfspace": {"closed_forms"}},
+    "tables/files": {"contact": {"base", "case"}, "postprocess": {"files", "hdf5"}},
+    "tables": {"contact": ANY, "halfspace": ANY, "track": ANY},
     "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "models": ANY, "convert": ANY, "meshes": ANY,
-            "profiles": ANY, "track": ANY, "postprocess": ANY,
+            "profiles": ANY, "track": ANY, "postprocess": ANY, "tables": ANY,
             "theories": ANY, "fem": {"elasticity"}},
     "interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
-    "python": {"contact": ANY, "postprocess": ANY},
-    "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "postprocess": {"table"}},
+    "python": {"contact": ANY, "postprocess": ANY, "tables": {"files"}},
+    "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
@@ -51,8 +54,10 @@ ROOMS = {
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance"],
-    "postprocess": ["files", "hdf5", "table", "write", "read", "compare", "study", "stress"],
+    "postprocess": ["files", "hdf5", "write", "read", "compare", "study", "stress"],
     "models": ["program", "caches", "fem", "choice", "solving", ""],
+    "tables": ["files", "filling"],
+    "app": ["frame", "input", "results", "run", "study", ""],
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")

@@ -1,21 +1,21 @@
 // A table over lateral shifts made of a formula: contact jumps between 1 and 2 mm.
 #pragma once
 
-#include "postprocess/table/creep_table.hpp"
+#include "tables/files/creep_table.hpp"
 
 #include <cmath>
 
 namespace rollfem::testing {
 
 /// Not odd: a wheel's surface slips by itself. Steeper beyond the jump.
-inline postprocess::Scaled law_of_shift(double shift, const postprocess::Scaled& s) {
+inline tables::Scaled law_of_shift(double shift, const tables::Scaled& s) {
   const double x = s[0] - 0.1, steep = shift < 1.5 ? 1.0 + 0.1 * shift : 2.0 + 0.2 * shift;
   const double size = 1.5 * std::sqrt(1.0 + x * x + s[1] * s[1] + 0.3 * s[2] * s[2]) / steep;
   return {-x / size, -(s[1] + 0.4 * s[2]) / size, (0.4 * s[1] - 0.5 * s[2]) / size};
 }
 
-inline postprocess::CreepTable table_of_shifts(int count) {
-  postprocess::CreepTable table;
+inline tables::CreepTable table_of_shifts(int count) {
+  tables::CreepTable table;
   table.title = "shifts";
   table.program = "test";
   table.case_text = "[load]\n";
@@ -23,11 +23,10 @@ inline postprocess::CreepTable table_of_shifts(int count) {
   table.shear_modulus = 80e3;
   table.friction_coefficient = 0.3;
   table.lateral_shift = {-1.0, 0.0, 1.0, 2.0, 3.0};
-  table.creepage = {postprocess::spins_to(3.0, 2 * count - 1),
-                    postprocess::spins_to(2.0, 2 * count - 1),
-                    postprocess::spins_to(4.0, 2 * count - 1)};
+  table.creepage = {tables::spins_to(3.0, 2 * count - 1), tables::spins_to(2.0, 2 * count - 1),
+                    tables::spins_to(4.0, 2 * count - 1)};
   for (const double shift : table.lateral_shift) {
-    postprocess::TableWheel wheel;
+    tables::TableWheel wheel;
     wheel.semi_axis_x = 6.0 + shift;
     wheel.semi_axis_y = 5.0;
     wheel.normal_force = 50e3;
@@ -40,7 +39,7 @@ inline postprocess::CreepTable table_of_shifts(int count) {
     for (const double x : table.creepage[0])
       for (const double y : table.creepage[1])
         for (const double z : table.creepage[2]) {
-          const postprocess::Scaled force = law_of_shift(shift, {x, y, z});
+          const tables::Scaled force = law_of_shift(shift, {x, y, z});
           table.forces.push_back(force);
           table.along_normal.push_back(0.1 * force[1]);
           table.bars.push_back({0.002, 0.004});

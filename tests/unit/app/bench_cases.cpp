@@ -1,5 +1,5 @@
 // The limits that `rollfem bench` measures errors by, solved for anew.
-#include "app/bench_cases.hpp"
+#include "app/run/bench_cases.hpp"
 
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"

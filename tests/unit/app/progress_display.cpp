@@ -1,5 +1,5 @@
 // The line of progress: how long it has taken, and what is left where load points tell it.
-#include "app/progress_display.hpp"
+#include "app/frame/progress_display.hpp"
 
 #include <gtest/gtest.h>
 

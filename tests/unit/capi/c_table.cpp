@@ -1,5 +1,5 @@
 // Tables through rollfem.h: the numbers of the C++ reader, and refusals.
-#include "postprocess/table/table_files.hpp"
+#include "tables/files/table_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,15 +12,15 @@
 namespace {
 
 using namespace rollfem;
-using postprocess::CreepTable;
 using rollfem::testing::says;
+using tables::CreepTable;
 
 CreepTable some_table() {
   CreepTable table;
   table.axis_ratio = {0.5, 2.0};
   table.scale = {{1.0, 2.0, 3.0}, {2.0, 2.0, 5.0}};
-  table.creepage = {postprocess::creepages_to(2.0, 3), postprocess::creepages_to(2.0, 3),
-                    postprocess::spins_to(2.0, 3)};
+  table.creepage = {tables::creepages_to(2.0, 3), tables::creepages_to(2.0, 3),
+                    tables::spins_to(2.0, 3)};
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto x = static_cast<double>(k);
     table.forces.push_back({-0.01 * x, 0.02 * x, 0.003 * x});
@@ -34,7 +34,7 @@ using Table = std::unique_ptr<rollfem_table, void (*)(rollfem_table*)>;
 
 TEST(CTable, SaysWhatTheTableSays) {
   const rollfem::testing::TemporaryFolder folder;
-  const std::string file = folder.file("table.h5", postprocess::table_hdf5(some_table()));
+  const std::string file = folder.file("table.h5", tables::table_hdf5(some_table()));
   char message[200] = "before";
   const Table table(rollfem_table_open(file.c_str(), message, sizeof message), rollfem_table_close);
   ASSERT_NE(table, nullptr) << message;
@@ -43,8 +43,8 @@ TEST(CTable, SaysWhatTheTableSays) {
   rollfem_creep_forces forces;
   ASSERT_EQ(rollfem_table_forces(table.get(), &ellipse, &forces, message, sizeof message),
             ROLLFEM_OK);
-  const auto expected = postprocess::CreepTableReader(some_table())
-                            .physical(6.0, 5.0, 80e3, 15e3, {0.001, -0.002, 3e-4});
+  const auto expected =
+      tables::CreepTableReader(some_table()).physical(6.0, 5.0, 80e3, 15e3, {0.001, -0.002, 3e-4});
   EXPECT_EQ(forces.longitudinal_force, expected.forces[0]);
   EXPECT_EQ(forces.lateral_force, expected.forces[1]);
   EXPECT_EQ(forces.spin_moment, expected.forces[2]);
@@ -59,7 +59,7 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
   EXPECT_EQ(rollfem_table_open(text.c_str(), message, sizeof message), nullptr);
   EXPECT_TRUE(says(message, "text.h5"));
   EXPECT_EQ(rollfem_table_open(nullptr, nullptr, 0), nullptr);
-  const std::string file = folder.file("table.h5", postprocess::table_hdf5(some_table()));
+  const std::string file = folder.file("table.h5", tables::table_hdf5(some_table()));
   const Table table(rollfem_table_open(file.c_str(), message, sizeof message), rollfem_table_close);
   ASSERT_NE(table, nullptr) << message;
   const rollfem_ellipse narrow{1.0, 5.0, 80e3, 15e3, 0.001, 0.0, 0.0};
@@ -77,8 +77,8 @@ Table opened(const std::string& file) {
 TEST(CTable, OfShiftsSaysWhatTheTableSaysInEveryUnit) {
   const rollfem::testing::TemporaryFolder folder;
   const CreepTable truth = rollfem::testing::table_of_shifts(3);
-  const postprocess::CreepTableReader reader(truth);
-  const Table table = opened(folder.file("table.h5", postprocess::table_hdf5(truth)));
+  const tables::CreepTableReader reader(truth);
+  const Table table = opened(folder.file("table.h5", tables::table_hdf5(truth)));
   ASSERT_NE(table, nullptr);
   const auto expected = reader.of_wheel(0.4, 12e3, {0.001, -0.002, 3e-4});
   struct Unit {
@@ -108,12 +108,12 @@ TEST(CTable, OfShiftsSaysWhatTheTableSaysInEveryUnit) {
 TEST(CTable, OfShiftsTakesItsOwnFrictionAndTellsOfJumps) {
   const rollfem::testing::TemporaryFolder folder;
   const CreepTable truth = rollfem::testing::table_of_shifts(3);
-  const Table table = opened(folder.file("table.h5", postprocess::table_hdf5(truth)));
+  const Table table = opened(folder.file("table.h5", tables::table_hdf5(truth)));
   ASSERT_NE(table, nullptr);
   const rollfem_shifted_wheel wheel{ROLLFEM_MM_N, 1.2, 0.0, 0.001, 0.0, 0.0};
   rollfem_wheel_forces forces;
   ASSERT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, nullptr, 0), ROLLFEM_OK);
-  const auto expected = postprocess::CreepTableReader(truth).of_wheel(1.2, 15e3, {0.001, 0.0, 0.0});
+  const auto expected = tables::CreepTableReader(truth).of_wheel(1.2, 15e3, {0.001, 0.0, 0.0});
   EXPECT_NEAR(forces.friction_bound, 15e3, 1e-9);
   EXPECT_NEAR(forces.longitudinal_force, expected.forces[0], 1e-9);
   EXPECT_NEAR(forces.force_bar, expected.force_bar, 1e-9);
@@ -123,9 +123,9 @@ TEST(CTable, OfShiftsTakesItsOwnFrictionAndTellsOfJumps) {
 TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
   const rollfem::testing::TemporaryFolder folder;
   char message[300];
-  const Table ratios = opened(folder.file("a/table.h5", postprocess::table_hdf5(some_table())));
-  const Table shifts = opened(
-      folder.file("b/table.h5", postprocess::table_hdf5(rollfem::testing::table_of_shifts(2))));
+  const Table ratios = opened(folder.file("a/table.h5", tables::table_hdf5(some_table())));
+  const Table shifts =
+      opened(folder.file("b/table.h5", tables::table_hdf5(rollfem::testing::table_of_shifts(2))));
   ASSERT_TRUE(ratios && shifts);
   rollfem_shifted_wheel wheel{ROLLFEM_MM_N, 0.5, 0.0, 0.001, 0.0, 0.0};
   rollfem_wheel_forces forces;

@@ -3,8 +3,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
-#include "contact/case/key_builder.hpp"
-#include "contact/case/toml_reader.hpp"
+#include "contact/case/keys/key_builder.hpp"
+#include "contact/case/toml/toml_reader.hpp"
 
 #include <gtest/gtest.h>
 

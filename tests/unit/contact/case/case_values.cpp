@@ -1,7 +1,7 @@
 // What a valid case file becomes: values, defaults, broadcasting, and the texts derived from the
 // declarations.
-#include "contact/case/case_keys.hpp"
 #include "contact/case/case_reader.hpp"
+#include "contact/case/keys/case_keys.hpp"
 #include "contact/scene/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Slips of units are told, and nothing that is meant.
-#include "contact/case/plausibility.hpp"
+#include "contact/case/checks/plausibility.hpp"
 
 #include "contact/case/case_reader.hpp"
 

@@ -1,6 +1,6 @@
 // What is TOML 1.0 passes, with letters beyond ASCII where it allows them; what is not is refused
 // where it departs, before toml++ sees it.
-#include "contact/case/toml_syntax.hpp"
+#include "contact/case/toml/toml_syntax.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"

@@ -1,0 +1,191 @@
+#include "app/frame/command_frame.hpp"
+
+#include "app/frame/interruption.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/checks/plausibility.hpp"
+#include "models/program/provenance.hpp"
+#include "models/program/version.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+volatile std::sig_atomic_t held_signal = 0;
+
+/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there. By
+/// handlers, not by a mask: the threads of BLAS and MPI would take a signal that is masked here.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    struct sigaction hold {};
+    hold.sa_handler = [](int signal) { held_signal = signal; };
+    hold.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &hold, &before_[i]);
+  }
+  ~SignalsHeld() {
+    for (std::size_t i = 0; i < before_.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    if (held_signal != 0) static_cast<void>(std::raise(held_signal));
+  }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, 3> before_{};
+};
+
+}  // namespace
+
+CommandFrame::CommandFrame(const ComputingRequest& request, const contact::ModelRegistry& known,
+                           std::vector<std::string> models)
+    : request_(request),
+      known_(known),
+      models_(std::move(models)),
+      first_(modelling::processes().first()),
+      parallel_(modelling::any_parallel(known, models_)),
+      processes_(modelling::processes().count),
+      display_(request.quiet || !first_ ? ProgressDisplay::Mode::silent
+                                        : ProgressDisplay::mode_of_stderr()),
+      progress_([this](const contact::ProgressEvent& event) { display_.show(event); }) {}
+
+CommandFrame::~CommandFrame() {
+  remove_nothing_when_interrupted();  // what bears those names from here on is somebody else's
+}
+
+void CommandFrame::say(const std::string& line) {
+  display_.clear();
+  if (first_ && !request_.quiet) std::cerr << line << '\n';
+}
+
+postprocess::Provenance CommandFrame::provenance() const {
+  postprocess::Provenance made = modelling::provenance_of(known_, request_.command);
+  made.processes = parallel_ ? processes_ : 1;
+  return made;
+}
+
+void CommandFrame::own(const fs::path& directory) {
+  if (!first_) return;
+  owned_.push_back(
+      std::make_unique<postprocess::FolderOwner>(directory.string(), request_.command));
+  for (const fs::path& made : owned_.back()->made()) remove_when_interrupted(made.string());
+}
+
+/// What an interruption from now on would leave.
+void CommandFrame::prepare_farewell() const {
+  if (!first_) return;
+  if (!kept_ || kept_->kept() == 0)
+    say_when_interrupted("no finished work was kept and no result written");
+  else
+    say_when_interrupted(fmt::format(
+        "{} finished solutions are kept in {}; the same command with --resume continues from them",
+        kept_->kept(), kept_->folder().string()));
+}
+
+postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
+                                                     const contact::Case& input) {
+  if (!first_) return nullptr;
+  kept_.reset();  // one at a time: its lock goes with it
+  kept_ = std::make_unique<postprocess::CheckpointFolder>(
+      directory.string(), input, fmt::format("{} ({})", modelling::version(), modelling::commit()),
+      request_.resume, [](const std::string& warning) { std::cerr << warning << '\n'; });
+  kept_->tell([this] { prepare_farewell(); });
+  prepare_farewell();
+  const std::string folder = fs::path(kept_->folder()).lexically_proximate(fs::current_path());
+  const auto found = kept_->found();
+  if (found > 0 && !request_.resume)
+    std::cerr << fmt::format(
+        "warning: {} holds {} solutions of an earlier, unfinished run; --resume would continue "
+        "from them, but this run starts over and will replace them\n",
+        folder, found);
+  else if (found > 0)
+    say(fmt::format("resume: {} solutions of an earlier run in {}", found, folder));
+  else if (request_.resume)
+    say("resume: no load points of an earlier run found; everything is computed");
+  return kept_.get();
+}
+
+void CommandFrame::forget_kept() {
+  if (kept_) kept_->remove();
+  kept_.reset();
+}
+
+void CommandFrame::tell_of_kept(const std::string& kept) const {
+  if (!kept_ || request_.quiet || !kept_->holds_records()) return;
+  std::cerr << fmt::format(
+      "finished {} are kept; the same command with --resume continues from them: {}\n", kept,
+      kept_->folder().string());
+}
+
+void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
+                           const std::function<void(const modelling::Solving&)>& body) {
+  modelling::check_built(known_, models_, asked_by);
+  prepare_farewell();
+  const auto start = [&] {
+    if (!session_)
+      session_ =
+          std::make_unique<modelling::ParallelSession>(asked_by, request_.argc, request_.argv);
+  };
+  // A choice may end without finite elements, whose library takes longer to load than half-spaces
+  // take to solve; several processes agree by it.
+  if (parallel_ && (processes_ > 1 || !modelling::any_choice(known_, models_))) start();
+  try {
+    modelling::Solving how;
+    how.need_session = start;
+    how.models = &known_;
+    how.session = session_.get();
+    how.progress = progress_;
+    how.first = first_;
+    how.together = processes_ == 1;
+    body(how);
+    display_.clear();
+  } catch (...) {
+    display_.clear();
+    tell_of_kept(kept);
+    static_cast<void>(session_.release());
+    throw;
+  }
+  session_.reset();
+}
+
+void write_whole(const std::string& directory, const postprocess::RunRecord& record) {
+  const SignalsHeld held;
+  postprocess::write_results(directory, record);
+  say_when_interrupted("the results were written to " + directory +
+                       ", but not completely; repeat the same command");
+}
+
+void refuse_other_result(const fs::path& directory, const std::string& own) {
+  for (const char* other : {"summary.json", "compare.json", "study.json"})
+    if (other != own && fs::exists(directory / other))
+      throw contact::InputError(
+          fmt::format("{} holds the result of another command ({}); do: name another folder with "
+                      "-o",
+                      directory.string(), other));
+}
+
+void warn_of_doubts(const contact::Case& input) {
+  for (const std::string& doubt : contact::implausible_values(input))
+    std::cerr << "warning: " << doubt << '\n';
+}
+
+bool report_drawn(const std::string& directory) {
+  const std::string problem =
+      postprocess::make_report(directory, modelling::script_directory().string());
+  if (!problem.empty())
+    std::cerr << "warning: the results were written, but the report was not drawn: " << problem
+              << '\n';
+  return problem.empty();
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,74 @@
+#include "app/frame/interruption.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <unistd.h>
+
+namespace rollfem::app {
+
+namespace {
+
+// A handler may only write what is there already: two texts, one of which is the current.
+std::array<std::array<char, 4096>, 2> farewells{};
+std::atomic<const char*> farewell{nullptr};
+
+std::array<char*, 256> removed{};  // never freed: a handler may be at it
+std::atomic<std::size_t> removals{0};
+
+void say_and_end(int signal) {
+  const int before = errno;
+  for (std::size_t k = 0, all = removals.load(); k < all; ++k)
+    if (::unlink(removed[k]) != 0) ::rmdir(removed[k]);
+  if (const char* text = farewell.load())
+    if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) {
+      // Nobody listens.
+    }
+  errno = before;
+  static_cast<void>(std::raise(signal));  // the handler has gone: SA_RESETHAND
+}
+
+}  // namespace
+
+void tell_of_interruptions() {
+  struct sigaction end {};
+  end.sa_handler = say_and_end;
+  end.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+      ::sigaction(signal, &end, nullptr);
+  }
+}
+
+void remove_when_interrupted(const std::string& path) {
+  const std::size_t count = removals.load();
+  if (count == removed.size()) return;
+  removed[count] = ::strdup(path.c_str());
+  removals.store(removed[count] == nullptr ? count : count + 1);
+}
+
+void remove_nothing_when_interrupted() {
+  removals.store(0);
+}
+
+void say_when_interrupted(const std::string& what) {
+  if (what.empty()) {
+    farewell.store(nullptr);
+    return;
+  }
+  std::array<char, 4096>& next = farewells[farewell.load() == farewells.front().data() ? 1 : 0];
+  // A progress line may be unfinished on a terminal.
+  std::string text = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
+  text += "rollfem: interrupted: " + what;
+  text.resize(std::min(text.size(), next.size() - 2));
+  text += '\n';
+  std::copy(text.begin(), text.end(), next.begin());
+  next[text.size()] = '\0';
+  farewell.store(next.data());
+}
+
+}  // namespace rollfem::app

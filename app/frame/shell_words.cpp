@@ -1,0 +1,156 @@
+#include "app/frame/shell_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace rollfem::app {
+
+namespace {
+
+/// Those that are shown in help, in its order.
+std::vector<const CLI::App*> commands(const CLI::App& program) {
+  return program.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// "-o --output" and so on, or the words that stand for the position.
+std::string option_words(const CLI::App& command) {
+  std::string words;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_snames()) words += " -" + name;
+    for (const std::string& name : option->get_lnames()) words += " --" + name;
+  }
+  return words.empty() ? words : words.substr(1);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+/// For troff: no line begins a request, no hyphen is broken at.
+std::string roff(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\e";
+    else if (c == '-')
+      result += "\\-";
+    else if ((c == '.' || c == '\'') && (result.empty() || result.back() == '\n'))
+      result += "\\&", result += c;
+    else
+      result += c;
+  }
+  return result;
+}
+
+/// "-o, --output TEXT", in bold but for what the user puts in.
+std::string roff_name(const CLI::Option& option) {
+  std::string names;
+  for (const std::string& name : option.get_snames())
+    names += (names.empty() ? "" : ", ") + ("-" + name);
+  for (const std::string& name : option.get_lnames())
+    names += (names.empty() ? "" : ", ") + ("--" + name);
+  if (names.empty()) return fmt::format("\\fI{}\\fR", roff(option.get_name(true)));
+  const bool flag = option.get_expected_max() == 0;
+  return fmt::format("\\fB{}\\fR{}", roff(names), flag ? "" : " \\fIVALUE\\fR");
+}
+
+std::string roff_options(const CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* option : command.get_options())
+    text += fmt::format(".TP\n{}\n{}\n", roff_name(*option), roff(option->get_description()));
+  return text;
+}
+
+}  // namespace
+
+std::string bash_completion(const CLI::App& program, const contact::ModelRegistry& models) {
+  std::vector<std::string> names;
+  std::string cases;
+  for (const CLI::App* command : commands(program)) {
+    names.push_back(command->get_name());
+    cases += fmt::format("    {}) words='{}' ;;\n", command->get_name(), option_words(*command));
+  }
+  return fmt::format(R"(# bash completion of rollfem, made by `rollfem docs bash`
+_rollfem() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} words=''
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    COMPREPLY=($(compgen -W '{} help --help --version' -- "$current"))
+    return
+  fi
+  case ${{COMP_WORDS[1]}} in
+{}  esac
+  case $before in
+    -m | --model | --models | --reference) words='{}' ;;
+  esac
+  COMPREPLY=($(compgen -W "$words" -- "$current"))
+  case $current in
+    -*) ;;
+    *)
+      local kind=toml
+      [ "${{COMP_WORDS[1]}}" != convert ] || kind=inp
+      COMPREPLY+=($(compgen -f -X "!*.$kind" -- "$current") $(compgen -d -- "$current")) ;;
+  esac
+}}
+complete -o filenames -F _rollfem rollfem ./rollfem
+)",
+                     joined(names), cases, joined(models.names()));
+}
+
+std::string zsh_completion(const CLI::App& program, const contact::ModelRegistry& models) {
+  std::string named;
+  std::string cases;
+  for (const CLI::App* command : commands(program)) {
+    std::string sentence = command->get_description();
+    std::replace(sentence.begin(), sentence.end(), '\'', ' ');
+    named += fmt::format("      '{}:{}'\n", command->get_name(), sentence);
+    cases += fmt::format("    {}) compadd -- {} ;;\n", command->get_name(), option_words(*command));
+  }
+  return fmt::format(R"(#compdef rollfem
+# zsh completion of rollfem, made by `rollfem docs zsh`
+_rollfem() {{
+  local -a commands
+  if (( CURRENT == 2 )); then
+    commands=(
+{}    )
+    _describe command commands
+    return
+  fi
+  case $words[CURRENT-1] in
+    -m|--model|--models|--reference) compadd -- {}; return ;;
+  esac
+  case $words[2] in
+{}  esac
+  if [[ $words[2] == convert ]]; then _files -g '*.inp'; else _files -g '*.toml'; fi
+}}
+_rollfem "$@"
+)",
+                     named, joined(models.names()), cases);
+}
+
+std::string manual_page(const CLI::App& program, const std::string& version) {
+  std::string text = fmt::format(
+      ".TH ROLLFEM 1 \"\" \"rollfem {}\"\n.SH NAME\nrollfem \\- rolling contact of wheel and "
+      "rail\n.SH SYNOPSIS\n\\fBrollfem\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH "
+      "DESCRIPTION\nRolling contact of wheel and rail by closed forms, half\\-spaces, finite "
+      "elements and a hybrid of these. A case file states the problem; the result is a folder with "
+      "report.html to read first. Units are mm, N, MPa, s and rad.\n.SH COMMANDS\n",
+      roff(version));
+  for (const CLI::App* command : commands(program)) {
+    text += fmt::format(".SS {}\n{}\n", command->get_name(), roff(command->get_description()));
+    text += roff_options(*command);
+    const std::string footer = command->get_footer();
+    if (!footer.empty())
+      text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(footer.substr(0, footer.find("\n\n"))));
+  }
+  return text +
+         ".SH EXIT STATUS\n0: done. 1: no solution, or less accurate than asked. 2: the call, a "
+         "case file or another input is wrong.\n.SH ENVIRONMENT\n.TP\nROLLFEM_CACHE\nFolder where "
+         "the model hybrid stores corrections for other runs; default: ~/.cache/rollfem; empty: "
+         "store nothing.\n.SH FILES\n.TP\nCASE.toml\nA case file: \\fBrollfem new\\-case\\fR "
+         "prints one, \\fBrollfem docs case\\-file\\fR every "
+         "key.\n.TP\nresults/CASE/\nreport.html, summary.json, results.h5, tables and figures.\n";
+}
+
+}  // namespace rollfem::app

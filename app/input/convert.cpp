@@ -1,0 +1,177 @@
+#include "app/input/convert.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
+#include "contact/case/case_reader.hpp"
+#include "models/registry.hpp"
+#include "postprocess/files/files_together.hpp"
+
+#include <fmt/format.h>
+
+#include "convert/contact_reader.hpp"
+#include "convert/conversion.hpp"
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace rollfem::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_input = 200u << 20;  // bytes
+
+/// Files that are taken away again unless they are kept.
+class Written {
+ public:
+  explicit Written(const fs::path& directory) : directory_(directory), folders_(directory) {}
+  Written(const Written&) = delete;
+  Written& operator=(const Written&) = delete;
+  ~Written() {
+    if (kept_) return;
+    for (const fs::path& path : paths_) remove(path);
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    const fs::path path = directory_ / name;
+    if (fs::exists(path))
+      throw contact::InputError(
+          fmt::format("convert: {} exists already; do: remove it or name another folder with -o",
+                      path.string()));
+    paths_.push_back(path);
+    std::ofstream stream(path);
+    stream << text;
+    stream.close();
+    if (!stream)
+      throw contact::InputError(fmt::format(
+          "convert: {} cannot be written; do: name another folder with -o", path.string()));
+  }
+
+  void remove(const fs::path& path) const {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+  void keep() {
+    kept_ = true;
+    folders_.keep();
+  }
+
+ private:
+  fs::path directory_;
+  postprocess::MadeFolders folders_;
+  bool kept_ = false;
+  std::vector<fs::path> paths_;
+};
+
+/// How case files in `directory` name the folder of the input file; empty: the same folder.
+std::string profile_folder(const fs::path& file, const fs::path& directory) {
+  const fs::path from = fs::absolute(file).parent_path().lexically_normal();
+  const std::string way =
+      from.lexically_relative((fs::absolute(directory) / "").lexically_normal()).generic_string();
+  return way == "." ? "" : way;
+}
+
+std::string case_words(const std::vector<int>& numbers) {
+  return (numbers.size() == 1 ? "case " : "cases ") + convert::numbers_text(numbers);
+}
+
+/// Cases refused for the same reasons, together.
+using Refused = std::vector<std::pair<std::vector<std::string>, std::vector<int>>>;
+
+void add(Refused& refused, const std::vector<std::string>& reasons, int number) {
+  for (auto& [known, numbers] : refused)
+    if (known == reasons) return numbers.push_back(number);
+  refused.push_back({reasons, {number}});
+}
+
+/// The case as `run` would read it, or why not.
+std::string why_not_read(const fs::path& path, const contact::ModelRegistry& models) {
+  try {
+    contact::read_case(path.string(), modelling::model_words(models));
+  } catch (const contact::InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void refuse(const std::string& file, const Refused& refused, bool nothing_left) {
+  std::vector<int> all;
+  for (const auto& [reasons, numbers] : refused)
+    all.insert(all.end(), numbers.begin(), numbers.end());
+  std::sort(all.begin(), all.end());
+  throw contact::InputError(
+      fmt::format("convert: {}: {} {} no equivalent, nothing was written; do: {}", file,
+                  case_words(all), all.size() == 1 ? "has" : "have",
+                  nothing_left ? "see docs/coming_from_contact.md for what can be converted"
+                               : "change them, or convert the others with --partial"));
+}
+
+/// Profiles that the run will not find.
+void warn_of_missing_profiles(const std::vector<convert::ContactCase>& cases,
+                              const fs::path& file) {
+  std::vector<std::string> names;
+  for (const convert::ContactCase& given : cases) {
+    if (given.module != 1) continue;
+    for (const std::string& name : {given.wheel_rail.rail.name, given.wheel_rail.wheel.name})
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  for (const std::string& name : names)
+    if (!fs::exists(file.parent_path() / name))
+      std::cerr << fmt::format(
+          "warning: the profile {} does not exist; do: put it beside {} before running the cases\n",
+          name, file.string());
+}
+
+}  // namespace
+
+void convert(const ConvertRequest& request, const contact::ModelRegistry& models) {
+  const fs::path file(request.file);
+  const std::string text = contact::text_of_file(request.file, request.file, largest_input);
+  const auto cases = convert::read_contact_file(text, request.file);
+  const fs::path directory =
+      request.directory.empty() ? file.stem().string() + "_cases" : request.directory;
+  std::string source = file.filename().string();
+  std::replace_if(
+      source.begin(), source.end(), [](unsigned char c) { return c < ' '; }, '?');
+  convert::Conversion conversion =
+      convert::convert_cases(cases, file.stem().string(), source, profile_folder(file, directory));
+  Refused refused;
+  for (const convert::Refusal& refusal : conversion.refused)
+    add(refused, refusal.reasons, refusal.number);
+  Written written(directory);
+  std::vector<convert::CaseFile> kept;
+  for (const convert::CaseFile& made : conversion.files) {
+    for (const auto& [name, content] : made.beside) written.write(name, content);
+    written.write(made.name, made.text);
+    const std::string wrong = why_not_read(directory / made.name, models);
+    if (wrong.empty()) {
+      kept.push_back(made);
+      continue;
+    }
+    for (const int number : made.cases) add(refused, {wrong}, number);
+    for (const auto& [name, content] : made.beside) written.remove(directory / name);
+    written.remove(directory / made.name);
+  }
+  for (const auto& [reasons, numbers] : refused)
+    for (const std::string& reason : reasons)
+      std::cerr << fmt::format("{}: no equivalent: {}\n", case_words(numbers), reason);
+  if (!refused.empty() && (kept.empty() || !request.partial))
+    refuse(request.file, refused, kept.empty());
+  written.keep();
+  warn_of_missing_profiles(cases, file);
+  std::vector<std::string> said;
+  for (const convert::CaseFile& made : kept) {
+    std::cout << fmt::format("{}: {}\n", (directory / made.name).string(), case_words(made.cases));
+    for (const std::string& note : made.notes) {
+      if (std::find(said.begin(), said.end(), note) != said.end()) continue;
+      said.push_back(note);
+      std::cout << "  note: " << note << '\n';
+    }
+  }
+}
+
+}  // namespace rollfem::app

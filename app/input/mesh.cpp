@@ -1,0 +1,114 @@
+#include "app/input/mesh.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "fem/elasticity/mesh_report.hpp"
+#include "models/fem/fem_library.hpp"
+#include "models/fem/fem_model.hpp"
+#include "models/program/provenance.hpp"
+#include "models/registry.hpp"
+#include "models/solving/case_scenes.hpp"
+#include "postprocess/files/files_together.hpp"
+#include "postprocess/write/vtu.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using fem::MeshedBody;
+
+/// The meshes that the case names are input: they are not written over.
+void spare_input(const contact::Case& input, const fs::path& folder) {
+  const fs::path case_folder = fs::path(input.file).parent_path();
+  for (const std::string& file : {input.wheel.mesh, input.rail.mesh})
+    for (const char* name : {"wheel.msh", "rail.msh"}) {
+      std::error_code error;
+      if (file.empty() || !fs::equivalent(case_folder / file, folder / name, error)) continue;
+      throw contact::InputError(
+          fmt::format("mesh: {} is the mesh named by {} and would be overwritten; do: name another "
+                      "folder with -o",
+                      (folder / name).string(), input.file));
+    }
+}
+
+/// With profiles every patch has bodies of its own: "left_1_1_wheel".
+std::string name_of(const contact::Scene& scene, const std::string& body) {
+  if (!scene.place) return body;
+  return fmt::format("{}_{}_{}_{}", scene.place->left ? "left" : "right", scene.place->position,
+                     scene.place->patch, body);
+}
+
+std::string table(const std::vector<MeshedBody>& bodies) {
+  std::size_t width = 12;
+  for (const MeshedBody& body : bodies) width = std::max(width, body.name.size() + 2);
+  std::string text = fmt::format("{:<34}", "");
+  for (const MeshedBody& body : bodies) text += fmt::format("{:>{}}", body.name, width);
+  const auto row = [&](const char* what, const auto& value) {
+    text += fmt::format("\n{:<34}", what);
+    for (const MeshedBody& body : bodies)
+      text += fmt::format("{:>{}.5g}", 1.0 * value(body), width);
+  };
+  const auto count = [&](const char* what, const auto& value) {
+    text += fmt::format("\n{:<34}", what);
+    for (const MeshedBody& body : bodies) text += fmt::format("{:>{}}", value(body), width);
+  };
+  count("coarse cells", [](const MeshedBody& b) { return b.coarse_cells; });
+  count("times halved at the patch", [](const MeshedBody& b) { return b.levels; });
+  count("cells", [](const MeshedBody& b) { return b.cells; });
+  count("unknowns", [](const MeshedBody& b) { return b.unknowns; });
+  row("size of cells in the patch, mm", [](const MeshedBody& b) { return b.size_in_patch; });
+  row("shortest edge, mm", [](const MeshedBody& b) { return b.shortest_edge; });
+  row("longest edge, mm", [](const MeshedBody& b) { return b.longest_edge; });
+  row("smallest scaled Jacobian (1: box)",
+      [](const MeshedBody& b) { return b.smallest_scaled_jacobian; });
+  row("largest aspect ratio", [](const MeshedBody& b) { return b.largest_aspect_ratio; });
+  return text + "\n";
+}
+
+}  // namespace
+
+void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
+  const contact::Case input =
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+  const std::vector<contact::Scene> scenes = modelling::scenes_of(input, {}).list;
+  for (const contact::Scene& scene : scenes) models.check(scene, modelling::fem_model().name);
+  const fs::path folder =
+      !request.directory.empty()
+          ? fs::path(request.directory)
+          : fs::path("results") / (fs::path(request.case_file).stem().string() + "_mesh");
+  spare_input(input, folder);
+
+  const fem::Entry& entry = modelling::open_fem_library("mesh");
+  int argc = request.argc;
+  char** argv = request.argv;
+  entry.start(argc, argv);
+  std::vector<MeshedBody> bodies;
+  for (const contact::Scene& scene : scenes)
+    for (MeshedBody& body : entry.mesh(scene)) {
+      body.name = name_of(scene, body.name);
+      bodies.push_back(std::move(body));
+    }
+  if (modelling::processes().first()) {
+    postprocess::FilesTogether files(folder);
+    for (const MeshedBody& body : bodies) {
+      files.write(body.name + ".msh", body.msh);
+      files.write(body.name + ".vtu", postprocess::BodyVtu(body.refined).text());
+    }
+    files.commit();
+    std::cout << input.title << "\n\n"
+              << table(bodies) << "\nmeshes: " << folder.string()
+              << " (.msh: coarse, as accepted by [wheel] mesh and [rail] mesh; .vtu: refined)\n";
+  }
+  entry.stop();
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,244 @@
+#include "app/input/profile.hpp"
+
+#include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
+#include "contact/case/case_reader.hpp"
+#include "models/program/provenance.hpp"
+#include "models/solving/case_scenes.hpp"
+#include "postprocess/files/result_folder.hpp"
+#include "postprocess/write/output.hpp"
+#include "profiles/formula_profiles.hpp"
+#include "profiles/profile_curve.hpp"
+#include "profiles/profiles.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using profiles::ProfileCurve;
+using profiles::ProfilePoint;
+
+struct NamedProfile {
+  std::string file;   ///< of the table and the figure, without ending
+  std::string title;  ///< "wheel S1002"
+  bool wheel = false;
+  ProfileCurve curve;
+  profiles::ProfileReport report;
+};
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+double angle_of(const ProfilePoint& place) {
+  return std::atan2(place.tangent_z, place.tangent_y) * degrees;
+}
+
+std::string radius_of(double curvature) {
+  // Flatter than 1 km is straight but for the rounding of the cubics.
+  return std::abs(curvature) < 1e-6 ? "straight" : fmt::format("{:.2f}", 1.0 / curvature);
+}
+
+std::string place_of(const ProfilePoint& place) {
+  return fmt::format("y = {:.4f}, z = {:.4f}", place.y, place.z);
+}
+
+std::string described(const NamedProfile& profile) {
+  const profiles::ProfileFeatures features =
+      profiles::profile_features(profile.curve, profile.wheel);
+  std::string text = fmt::format("{} ({})\n", profile.title, profile.report.kind);
+  const auto line = [&](const std::string& what, const std::string& value) {
+    text += fmt::format("  {:<36}{}\n", what, value);
+  };
+  line("ends, mm", place_of(features.start) + " and " + place_of(features.end));
+  line("length, mm", fmt::format("{:.4f}", features.length));
+  if (profile.wheel) {
+    line("farthest from the axle, mm", place_of(features.bottom));
+    if (features.gauge_face)
+      line("flange face at z = 10, mm", fmt::format("y = {:.4f}", *features.gauge_face));
+    // (0, 0) is the tape line, and the flange's back 70 mm from it.
+    if (const auto tip = profiles::flange_tip(profile.curve); tip && (*tip < -70.0 || *tip > -25.0))
+      line("measured from the flange back:",
+           "if so, put `shift = [-70, 0]` under [wheel_profile], so that y = 0 is the tape line");
+  } else {
+    line("top, mm", place_of(features.top));
+    if (features.gauge_face)
+      line("gauge face 14 mm below the top, mm", fmt::format("y = {:.4f}", *features.gauge_face));
+  }
+  // Of the body: the rail's inside is towards +z, the wheel's towards -z.
+  const ProfilePoint& convex = profile.wheel ? features.sharpest_down : features.sharpest_up;
+  const ProfilePoint& hollow = profile.wheel ? features.sharpest_up : features.sharpest_down;
+  for (const auto& [what, place] :
+       {std::pair{"smallest radius, convex, mm", convex}, {"smallest radius, hollow, mm", hollow}})
+    if (std::abs(place.curvature) > 1e-6)
+      line(what, fmt::format("{:.3f} at {}", 1.0 / std::abs(place.curvature), place_of(place)));
+  if (profile.report.smoothing) {
+    const profiles::SmoothingReport& smoothing = *profile.report.smoothing;
+    line("points", fmt::format("{}", profile.report.points));
+    line("scatter of the points, mm", fmt::format("{:.2g}", smoothing.scatter));
+    line("distance from the points, mm",
+         fmt::format("{:.3g} rms, {:.3g} largest", smoothing.rms, smoothing.largest));
+  }
+  constexpr std::size_t most_joints = 20;
+  if (!features.joints.empty()) text += "  joints, where the radius jumps, mm:\n";
+  for (std::size_t k = 0; k < std::min(most_joints, features.joints.size()); ++k) {
+    const profiles::ProfileJoint& joint = features.joints[k];
+    text += fmt::format("    {:<34}{} -> {}\n", place_of(joint.place),
+                        radius_of(joint.curvature_before), radius_of(joint.place.curvature));
+  }
+  if (features.joints.size() > most_joints)
+    text += fmt::format("    and {} more\n", features.joints.size() - most_joints);
+  return text;
+}
+
+std::string list(const ProfileCurve& curve) {
+  std::string text =
+      fmt::format("  {:>10}{:>12}{:>14}{:>14}\n", "y, mm", "z, mm", "angle, deg", "radius, mm");
+  constexpr int steps = 30;
+  for (int k = 0; k <= steps; ++k) {
+    const ProfilePoint place = curve.at(curve.first() + (curve.last() - curve.first()) * k / steps);
+    text += fmt::format("  {:>10.4f}{:>12.4f}{:>14.3f}{:>14}\n", place.y, place.z, angle_of(place),
+                        radius_of(place.curvature));
+  }
+  return text;
+}
+
+/// Rows every tenth of a millimetre and two at every joint, one for each side.
+std::string table(const NamedProfile& profile) {
+  const ProfileCurve& curve = profile.curve;
+  std::string text = fmt::format("# {}\n", profile.title);
+  text += "s [mm],y [mm],z [mm],angle [deg],curvature [1/mm]\n";
+  const auto row = [&](double parameter, const ProfilePoint& place, double curvature) {
+    text += fmt::format("{:.6f},{:.9f},{:.9f},{:.6f},{:.8g}\n", parameter, place.y, place.z,
+                        angle_of(place), curvature);
+  };
+  const auto joints = profiles::profile_features(curve, profile.wheel).joints;
+  const double length = curve.last() - curve.first();
+  const int steps = contact::count_of(std::ceil(length / 0.1), "points along a profile");
+  auto joint = joints.begin();
+  for (int k = 0; k <= steps; ++k) {
+    const double parameter = k == steps ? curve.last() : curve.first() + length * k / steps;
+    for (; joint != joints.end() && joint->parameter <= parameter; ++joint) {
+      row(joint->parameter, joint->place, joint->curvature_before);
+      row(joint->parameter, joint->place, joint->place.curvature);
+    }
+    const ProfilePoint place = curve.at(parameter);
+    row(parameter, place, place.curvature);
+  }
+  return text;
+}
+
+bool is_wheel(const ProfileRequest& request) {
+  if (request.wheel && request.rail)
+    throw contact::InputError(
+        "profile: --wheel and --rail contradict each other; do: give one of them");
+  if (request.wheel || request.rail) return request.wheel;
+  if (const auto* built_in = profiles::find_built_in_profile(request.name)) return built_in->wheel;
+  const std::string ending = fs::path(request.name).extension().string();
+  if (ending == ".prw" || ending == ".whl") return true;
+  if (ending == ".prr" || ending == ".ban") return false;
+  throw contact::InputError(
+      fmt::format("profile: {} may be a wheel or a rail; do: add --wheel or --rail", request.name));
+}
+
+std::vector<NamedProfile> of_case(const ProfileRequest& request) {
+  if (request.wheel && request.rail)
+    throw contact::InputError(
+        "profile: --wheel and --rail contradict each other; do: give one of them");
+  const contact::Case input = contact::read_case(request.name);
+  std::vector<NamedProfile> profiles;
+  for (const bool wheel : {true, false}) {
+    if (wheel ? request.rail : request.wheel) continue;
+    NamedProfile profile;
+    profile.wheel = wheel;
+    profile.file = wheel ? "wheel" : "rail";
+    const std::string& name = (wheel ? input.wheel.profile : input.rail.profile).name;
+    profile.title = profile.file + (name.empty() ? "" : " " + name);
+    profile.curve = profiles::profile_of_case(input, wheel, &profile.report);
+    profiles.push_back(std::move(profile));
+  }
+  return profiles;
+}
+
+std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
+  if (fs::path(request.name).extension() == ".toml") return of_case(request);
+  std::error_code error;
+  if (profiles::find_built_in_profile(request.name) == nullptr &&
+      !fs::is_regular_file(request.name, error)) {
+    std::vector<std::string> names;
+    for (const profiles::BuiltInProfile& profile : profiles::built_in_profiles())
+      names.push_back(profile.name);
+    throw contact::InputError(fmt::format(
+        "profile: {} is neither a known profile nor an existing file; {}allowed: {}, a profile "
+        "file or a case file; do: correct the name",
+        request.name, contact::did_you_mean(request.name, names), fmt::join(names, ", ")));
+  }
+  NamedProfile profile;
+  profile.wheel = is_wheel(request);
+  profile.file = "profile";
+  profile.title = fmt::format("{} {}", profile.wheel ? "wheel" : "rail", request.name);
+  contact::ProfileSource source;
+  source.name = request.name;
+  profile.curve = profiles::make_profile(source, profile.wheel, "profile", &profile.report);
+  return {std::move(profile)};
+}
+
+fs::path folder_for(const ProfileRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / (fs::path(request.name).stem().string() + "_profile");
+}
+
+}  // namespace
+
+namespace {
+
+void draw_and_tell(const fs::path& file) {
+  const std::string problem =
+      postprocess::make_report(file.string(), modelling::script_directory().string());
+  if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
+  std::cout << "table:  " << file.string() << '\n';
+  if (problem.empty())
+    std::cout << "figure: " << fs::path(file).replace_extension(".svg").string() << '\n';
+}
+
+/// Of a case with both profiles: the two placed on each other, and where they touch.
+void tell_pair(const contact::Case& input, const fs::path& folder) {
+  if (!input.has_profiles()) return;
+  const track::SearchScene search = track::search_scene_of(input);
+  std::cout << "where wheel and rail touch\n" << modelling::contacts_text(input, search);
+  for (const auto& [name, table] : modelling::pair_tables(input, search)) {
+    const fs::path file = folder / (name + ".csv");
+    postprocess::replace_file(file, table);
+    draw_and_tell(file);
+  }
+}
+
+}  // namespace
+
+void profile(const ProfileRequest& request) {
+  const std::vector<NamedProfile> profiles = asked_for(request);
+  const fs::path folder = folder_for(request);
+  for (const NamedProfile& profile : profiles) {
+    const fs::path file = folder / (profile.file + ".csv");
+    std::error_code error;
+    if (fs::equivalent(file, request.name, error))
+      throw contact::InputError(fmt::format(
+          "profile: {} is the input and would be overwritten; do: name another folder with -o",
+          file.string()));
+    postprocess::replace_file(file, table(profile));
+    std::cout << described(profile) << list(profile.curve);
+    draw_and_tell(file);
+  }
+  if (fs::path(request.name).extension() == ".toml" && request.wheel == request.rail)
+    tell_pair(contact::read_case(request.name), folder);
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,140 @@
+#include "app/input/wheelset.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "models/program/provenance.hpp"
+#include "models/registry.hpp"
+#include "postprocess/files/files_together.hpp"
+#include "postprocess/write/csv.hpp"
+#include "postprocess/write/output.hpp"
+#include "track/motion/placed_scenes.hpp"
+#include "track/motion/rigid_touch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+using track::WheelsetRow;
+
+namespace {
+
+constexpr double shift_step = 0.1;  // mm; EN 15302 asks for 0.2 at most
+constexpr int rows_per_millimetre = 10;
+
+std::string value_or(const std::optional<double>& value, const char* format, const char* none) {
+  return value ? fmt::format(fmt::runtime(format), *value) : none;
+}
+
+std::string table_of(const std::vector<WheelsetRow>& rows) {
+  std::string text =
+      "shift mm  r right - left mm  angle left mrad  right mrad  conicity: harmonic    wave  wave "
+      "length m\n";
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (k % rows_per_millimetre != 0 && k + 1 != rows.size()) continue;
+    const WheelsetRow& row = rows[k];
+    text += fmt::format("{:8.1f} {:18.4f} {:16.2f} {:11.2f} {:>19} {:>7} {:>14}\n",
+                        row.touch.lateral_shift, row.touch.radius_difference(),
+                        1e3 * row.touch.left.contact_angle, 1e3 * row.touch.right.contact_angle,
+                        value_or(row.harmonic, "{:.4f}", "-"), value_or(row.wave, "{:.4f}", "-"),
+                        row.wave_length ? fmt::format("{:.2f}", 1e-3 * *row.wave_length) : "-");
+  }
+  return text;
+}
+
+postprocess::RigidWheelset rigid_of(const WheelsetRow& row) {
+  const track::WheelsetTouch& touch = row.touch;
+  return {touch.lateral_shift,
+          touch.roll,
+          touch.left.rolling_radius,
+          touch.right.rolling_radius,
+          touch.left.contact_angle,
+          touch.right.contact_angle,
+          touch.left.y_wheel,
+          touch.right.y_wheel,
+          row.harmonic,
+          row.wave,
+          row.wave_length};
+}
+
+std::vector<postprocess::RigidWheelset> rigid_row(const std::vector<WheelsetRow>& rows) {
+  std::vector<postprocess::RigidWheelset> rigid;
+  for (const WheelsetRow& row : rows) rigid.push_back(rigid_of(row));
+  return rigid;
+}
+
+void check(const WheelsetRequest& request, const contact::Case& input) {
+  if (!input.has_profiles())
+    throw contact::InputError(fmt::format(
+        "{}: wheel and rail are given by radii, without a track; allowed: a case with profiles; "
+        "do: give wheel.profile, rail.profile and [wheelset], as in cases/manchester_A22.toml",
+        input.file));
+  if (!(request.reach >= 2.0 * shift_step && request.reach <= 30.0))
+    throw contact::InputError(fmt::format(
+        "--reach {:g}: allowed: 0.2 to 30 mm; do: give a shift in this range", request.reach));
+}
+
+}  // namespace
+
+void add_rigid_wheelset(postprocess::RunRecord& record) {
+  const contact::Case& input = record.input;
+  const std::vector<double>& shifts = input.wheelset.lateral_shift;
+  if (!input.has_profiles() || input.wheelset.positions() < 2) return;
+  const auto [least, most] = std::minmax_element(shifts.begin(), shifts.end());
+  if (*least == *most) return;  // a row of yaw angles
+  const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double reach = std::abs(*std::max_element(shifts.begin(), shifts.end(), nearer));
+  if (reach < 2.0 * shift_step) return;
+  const track::SearchScene search = track::search_scene_of(input);
+  std::vector<WheelsetRow> rows;
+  try {
+    rows =
+        track::wheelset_rows(input, search, std::ceil(reach / shift_step) * shift_step, shift_step);
+  } catch (const std::runtime_error&) {
+    return;  // profiles of which one wheel alone stands on its rail
+  }
+  for (const double shift : shifts) {
+    const auto row = track::wheelset_row(input, search, rows, shift);
+    record.wheelset.push_back(row ? std::optional(rigid_of(*row)) : std::nullopt);
+  }
+  record.rigid_row = rigid_row(rows);
+}
+
+void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models) {
+  const contact::Case input =
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+  check(request, input);
+  const std::vector<WheelsetRow> rows =
+      track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);
+  const fs::path folder =
+      request.directory.empty()
+          ? fs::path("results") / (fs::path(request.case_file).stem().string() + "_wheelset")
+          : fs::path(request.directory);
+  postprocess::FilesTogether files(folder);
+  files.write("wheelset.csv", postprocess::rigid_wheelset_csv(rigid_row(rows)));
+  files.commit();
+  const double last = rows.back().touch.lateral_shift;
+  std::cout << fmt::format(
+      "{}\nrigid wheelset, contacts {:g} mm apart, rolling radius {:g} mm; the other side is the "
+      "mirror image\n\n{}",
+      input.title, track::contact_distance(input.track), input.wheel.rolling_radius,
+      table_of(rows));
+  if (last + 0.5 * shift_step < request.reach)
+    std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail, or its profile ends\n",
+                             last);
+  const fs::path table = folder / "wheelset.csv";
+  const std::string problem =
+      postprocess::make_report(table.string(), modelling::script_directory().string());
+  if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
+  std::cout << "\ntable:  " << table.string() << '\n';
+  if (problem.empty()) std::cout << "figure: " << (folder / "wheelset.svg").string() << '\n';
+}
+
+}  // namespace rollfem::app

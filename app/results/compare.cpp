@@ -1,0 +1,304 @@
+#include "app/results/compare.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "models/program/version.hpp"
+#include "models/registry.hpp"
+#include "models/solving/solving.hpp"
+#include "postprocess/compare/comparison.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
+#include "postprocess/files/result_folder.hpp"
+#include "postprocess/files/seal.hpp"
+#include "postprocess/read/results_reader.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using postprocess::ComparedCase;
+using postprocess::contents_of;
+
+/// A case with the folder of its results, and what was there before.
+struct Task {
+  contact::Case input;
+  std::string name;
+  fs::path folder;
+  bool done = false;  ///< an earlier call has finished it
+  /// Models that an earlier call found not to take it.
+  std::vector<postprocess::MissingModel> missing;
+};
+
+fs::path directory_of(const CompareRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  if (request.case_files.size() > 1) return fs::path("results") / "compare";
+  return fs::path("results") / ("compare_" + fs::path(request.case_files.front()).stem().string());
+}
+
+/// Whether results.h5 is whole and of this case with these models. A warning says why it is not.
+bool is_sound(const Task& task, const nlohmann::json& summary) {
+  try {
+    const postprocess::ResultsFile file(task.folder.string());
+    const auto& stored = file.models();
+    const auto& named = summary["models"];
+    if (file.sealed() && file.input().text == task.input.text && stored.size() == named.size() &&
+        std::equal(stored.begin(), stored.end(), named.begin(),
+                   [](const auto& a, const auto& b) { return a.name == b.value("name", ""); }))
+      return true;
+    std::cerr << fmt::format(
+        "warning: {} does not belong to this case; the case is computed again\n", file.path());
+  } catch (const contact::InputError& error) {
+    std::cerr << fmt::format("warning: {}; the case is computed again\n", error.what());
+  }
+  return false;
+}
+
+/// The result of an earlier call stands: the same case, program and models, written to the end, and
+/// not damaged since.
+bool is_done(const Task& task) {
+  if (contents_of(task.folder / "case.toml") != task.input.text) return false;
+  const std::string text = contents_of(task.folder / "summary.json");
+  if (postprocess::check_json_seal(text) != postprocess::Seal::intact) {
+    if (!text.empty())
+      std::cerr << fmt::format(
+          "warning: {} is damaged or was changed: its checksum does not match; the case is "
+          "computed again\n",
+          (task.folder / "summary.json").string());
+    return false;
+  }
+  const auto summary = nlohmann::json::parse(text, nullptr, false);
+  if (!summary.is_object() || !summary.contains("program")) return false;
+  if (summary["program"].value("version", "") != modelling::version() ||
+      summary["program"].value("commit", "") != modelling::commit())
+    return false;
+  std::vector<std::string> there;
+  for (const auto& model : summary["models"]) there.push_back(model.value("name", ""));
+  for (const postprocess::MissingModel& missing : task.missing) there.push_back(missing.model);
+  return std::all_of(task.input.models.begin(), task.input.models.end(),
+                     [&](const std::string& name) {
+                       return std::find(there.begin(), there.end(), name) != there.end();
+                     }) &&
+         is_sound(task, summary);
+}
+
+/// What an earlier call says about models that cannot take a case: compare.json is written anew
+/// after every case.
+std::vector<postprocess::MissingModel> left_out_before(const nlohmann::json& before,
+                                                       const std::string& name) {
+  std::vector<postprocess::MissingModel> all;
+  if (!before.is_object() || before.value("kind", "") != "compare") return all;
+  for (const auto& compared : before["cases"])
+    if (compared.value("name", "") == name)
+      for (const auto& missing : compared["missing"])
+        if (!missing.value("failed", true))
+          all.push_back({missing.value("model", ""), missing.value("reason", ""), false});
+  return all;
+}
+
+std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRegistry& known,
+                           const std::vector<std::string>& models) {
+  std::vector<Task> tasks;
+  std::map<std::string, std::string> names;
+  std::string text = contents_of(directory_of(request) / "compare.json");
+  // What does not fit its checksum is as good as not there: the models are tried again.
+  if (postprocess::check_json_seal(text) != postprocess::Seal::intact) text.clear();
+  const auto before = nlohmann::json::parse(text, nullptr, false);
+  for (const std::string& file : request.case_files) {
+    Task task;
+    task.input = contact::read_case(file, modelling::model_words(known), request.changes);
+    task.input.models = models;
+    task.name = fs::path(file).stem().string();
+    task.folder = directory_of(request) / task.name;
+    const auto [found, fresh] = names.emplace(task.name, file);
+    if (!fresh)
+      throw contact::InputError(fmt::format(
+          "compare: {} and {} would both be written to {}; do: give one of them another name",
+          found->second, file, task.folder.string()));
+    task.missing = left_out_before(before, task.name);
+    task.done = request.resume && is_done(task);
+    tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+/// A message of InputError without what to do: nothing is to be done about a model left out.
+std::string reason_alone(const std::string& message) {
+  return message.substr(0, std::min(message.find("; allowed:"), message.find("; do:")));
+}
+
+/// Computes one case and writes its folder; what it has found, or why there is nothing.
+ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solving how) {
+  ComparedCase compared;
+  compared.name = task.name;
+  compared.title = task.input.title;
+  compared.case_file = task.input.file;
+  compared.friction = task.input.friction_coefficient;
+  if (task.done) {
+    if (how.first) postprocess::remove_records(task.folder.string());
+    compared.summary = contents_of(task.folder / "summary.json");
+    compared.missing = task.missing;
+    return compared;
+  }
+  try {
+    how.checkpoint = frame.keep_in(task.folder, task.input);
+    postprocess::RunRecord record;
+    record.input = task.input;
+    record.provenance = frame.provenance();
+    modelling::Solved solved = modelling::solve(task.input, how);
+    bool failed = false;
+    for (modelling::Missing& missing : solved.missing) {
+      failed = failed || missing.failed;
+      compared.missing.push_back({missing.model,
+                                  missing.failed ? missing.reason : reason_alone(missing.reason),
+                                  missing.failed});
+    }
+    for (const contact::ModelResult& model : solved.results)
+      if (!model.shortfall.empty()) compared.missing.push_back({model.name, model.shortfall, true});
+    if (solved.results.empty() || !how.first) return compared;
+    record.models = std::move(solved.results);
+    record.pairs = std::move(solved.pairs);
+    write_whole(task.folder.string(), record);
+    if (!failed) frame.forget_kept();
+    compared.summary = contents_of(task.folder / "summary.json");
+  } catch (const contact::SolveError& error) {
+    if (!how.together && how.session != nullptr) throw;
+    compared.missing.push_back({"every model", error.what(), true});
+  }
+  return compared;
+}
+
+/// The data, whole or as before.
+void write_data(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
+  postprocess::FilesTogether files(directory_of(request));
+  files.write("compare.json", postprocess::comparison_json(record));
+  files.write("compare.csv", postprocess::comparison_csv(record));
+  files.commit();
+}
+
+void report_and_tell(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
+  const fs::path directory = directory_of(request);
+  const bool drawn = request.report && report_drawn(directory.string());
+  if (request.quiet) return;
+  std::vector<postprocess::CaseStandings> all;
+  for (const ComparedCase& compared : record.cases) {
+    all.push_back(postprocess::case_standings(compared, record.reference));
+    std::cout << compared.name << ": " << compared.title << '\n'
+              << postprocess::comparison_table(all.back());
+    for (const postprocess::MissingModel& missing : compared.missing)
+      std::cout << fmt::format("  {}: {}: {}\n", missing.model,
+                               missing.failed ? "failed" : "left out", missing.reason);
+    std::cout << '\n';
+  }
+  if (const std::string verdict = postprocess::comparison_verdict(all); !verdict.empty())
+    std::cout << "largest difference at any load point; *: some are beyond the error bars\n"
+              << verdict << '\n';
+  std::cout << "\nresults: " << directory.string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / "compare.html").string() << '\n';
+}
+
+/// Why a case has no result at all, though nothing failed: "a: hertz: ...; fastsim: ..."; else
+/// empty.
+std::string refusal_of(const ComparedCase& compared) {
+  const auto failed = [](const postprocess::MissingModel& missing) { return missing.failed; };
+  if (!compared.summary.empty() ||
+      std::any_of(compared.missing.begin(), compared.missing.end(), failed))
+    return {};
+  std::string text = compared.name;
+  for (const postprocess::MissingModel& missing : compared.missing)
+    text += fmt::format("{} {}: {}", &missing == &compared.missing.front() ? ":" : ";",
+                        missing.model, missing.reason);
+  return text;
+}
+
+/// A case that no model takes has not been compared.
+void refuse_untaken(const postprocess::ComparisonRecord& record) {
+  std::string text;
+  for (const ComparedCase& compared : record.cases)
+    if (const std::string why = refusal_of(compared); !why.empty())
+      text += (text.empty() ? "" : "; ") + why;
+  if (!text.empty())
+    throw contact::InputError(
+        fmt::format("compare: none of the models can solve {}; do: name one with --model that can "
+                    "(docs/models.md), or leave the case out",
+                    text));
+}
+
+/// A failure is told at the end, when everything else is safe.
+void refuse_failures(const postprocess::ComparisonRecord& record) {
+  std::string text;
+  for (const ComparedCase& compared : record.cases)
+    for (const postprocess::MissingModel& missing : compared.missing)
+      if (missing.failed)
+        text += fmt::format("{}{}, {}: {}", text.empty() ? "" : "; ", compared.name, missing.model,
+                            missing.reason);
+  if (!text.empty())
+    throw contact::SolveError("the comparison was written without the models that failed: " + text);
+}
+
+/// The models of the call, or those that the registry has for `compare` and this build has. The
+/// case's own list is for `run`.
+std::vector<std::string> models_of(const CompareRequest& request,
+                                   const contact::ModelRegistry& known) {
+  const std::vector<std::string> models =
+      request.models.empty()
+          ? modelling::built_of(known, known.names(&contact::ModelInfo::in_compare))
+          : request.models;
+  if (!request.reference.empty() &&
+      std::find(models.begin(), models.end(), request.reference) == models.end())
+    throw contact::InputError(
+        fmt::format("--reference {}: it is not among the models compared; do: add it to --model, "
+                    "or choose one of them",
+                    request.reference));
+  return models;
+}
+
+}  // namespace
+
+void compare(const CompareRequest& request, const contact::ModelRegistry& known) {
+  const std::vector<std::string> models = models_of(request, known);
+  const std::vector<Task> tasks = tasks_of(request, known, models);
+  const bool anything =
+      std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.done; });
+  CommandFrame frame(request, known, anything ? models : std::vector<std::string>());
+  if (frame.idle()) return;
+  if (frame.first())
+    for (const Task& task : tasks) warn_of_doubts(task.input);
+  // What would only come out after the computing.
+  if (frame.first()) {
+    refuse_other_result(directory_of(request), "compare.json");
+    for (const Task& task : tasks) postprocess::check_directory(task.folder.string());
+  }
+  frame.own(directory_of(request));
+  for (const Task& task : tasks) frame.own(task.folder);
+  postprocess::ComparisonRecord record;
+  record.provenance = frame.provenance();
+  record.models = models;
+  record.reference = request.reference;
+  frame.compute("--model", "load points", [&](modelling::Solving how) {
+    how.go_on = true;
+    for (const Task& task : tasks) {
+      record.cases.push_back(compare_case(frame, task, how));
+      if (!how.first) continue;
+      write_data(request, record);
+      frame.say(fmt::format("compare: {} {}", task.name,
+                            task.done                             ? "was already done"
+                            : record.cases.back().summary.empty() ? "has no result"
+                                                                  : "done"));
+    }
+    if (!how.first) return;
+    report_and_tell(request, record);
+    refuse_failures(record);
+    refuse_untaken(record);
+  });
+}
+
+}  // namespace rollfem::app

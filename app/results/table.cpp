@@ -1,0 +1,114 @@
+#include "app/results/table.hpp"
+
+#include "contact/case/case_reader.hpp"
+#include "models/registry.hpp"
+#include "postprocess/files/result_folder.hpp"
+#include "tables/files/table_files.hpp"
+#include "tables/filling/table_filling.hpp"
+#include "tables/filling/table_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using tables::CreepTable;
+
+fs::path table_directory(const TableRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_table");
+}
+
+std::string range_of(const char* name, const std::vector<double>& axis) {
+  return axis.size() == 1 ? fmt::format("{} = {:.4g}", name, axis.front())
+                          : fmt::format("{:>2} values of {:<5} {:.4g} to {:.4g}", axis.size(), name,
+                                        axis.front(), axis.back());
+}
+
+/// A line for each shift, and where contact jumps.
+std::string text_of_wheels(const CreepTable& table) {
+  std::string text = "shift mm  angle mrad  radius mm  a mm   b mm   F_n N    p0 MPa  planes\n";
+  for (std::size_t k = 0; k < table.wheels.size(); ++k) {
+    const tables::TableWheel& wheel = table.wheels[k];
+    text += fmt::format("{:8.3g} {:11.2f} {:10.4f} {:6.3f} {:6.3f} {:8.0f} {:8.1f} {:5.0f}\n",
+                        table.lateral_shift[k], 1e3 * wheel.contact_angle, wheel.rolling_radius,
+                        wheel.semi_axis_x, wheel.semi_axis_y, wheel.normal_force,
+                        wheel.max_pressure, wheel.contacts);
+    if (wheel.jump_after != 0.0)
+      text += "         contact jumps here: no interpolation up to the next shift\n";
+  }
+  return text;
+}
+
+std::string summary_of(const CreepTable& table, double seconds) {
+  const tables::InterpolationError& error = table.interpolation;
+  std::string text = fmt::format(
+      "{}\n\n{} points in {:.3g} s: forces over mu F_n, moment over mu F_n sqrt(a b)\n  {}\n",
+      table.title, table.size(), seconds,
+      table.over_shifts() ? range_of("lateral shift", table.lateral_shift) + " mm"
+                          : range_of("a/b", table.axis_ratio));
+  if (table.over_shifts()) text += text_of_wheels(table);
+  const char* const names[] = {"xi'", "eta'", "phi'"};
+  for (std::size_t q = 0; q < 3; ++q)
+    text += fmt::format("  {}\n", range_of(names[q], table.creepage[q]));
+  double force = 0.0, moment = 0.0;
+  for (const auto& [f, m] : table.bars) {
+    force = std::max(force, f);
+    moment = std::max(moment, m);
+  }
+  text += fmt::format("bars at the points: forces up to {:.2g} %, moment up to {:.2g} %\n",
+                      100.0 * force, 100.0 * moment);
+  if (error.points > 0)
+    text += fmt::format(
+        "interpolation at {} random points (seed {}):  forces off by up to {:.2g} % in 95 of 100, "
+        "{:.2g} % at most; moment {:.2g} %, {:.2g} %\n",
+        error.points, error.seed, 100.0 * error.force_95, 100.0 * error.force_max,
+        100.0 * error.moment_95, 100.0 * error.moment_max);
+  return text;
+}
+
+void write_and_tell(const TableRequest& request, const CreepTable& table, double seconds) {
+  const fs::path directory = table_directory(request);
+  postprocess::FilesTogether files(directory);
+  files.write("table.h5", tables::table_hdf5(table));
+  files.write("table.csv", tables::table_csv(table));
+  files.write("interpolation.csv", tables::interpolation_csv(table));
+  if (table.over_shifts()) files.write("shifts.csv", tables::shifts_csv(table));
+  files.commit();
+  const bool drawn = request.report && report_drawn(directory.string());
+  if (request.quiet) return;
+  std::cout << summary_of(table, seconds) << "\nresults: " << directory.string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / "table.html").string() << '\n';
+}
+
+}  // namespace
+
+void table(const TableRequest& request, const contact::ModelRegistry& models) {
+  const contact::Case input =
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+  CommandFrame frame(request, models, {"halfspace"});
+  if (frame.idle()) return;
+  tables::CreepTable made = tables::empty_table(input);
+  const postprocess::Provenance provenance = frame.provenance();
+  made.program = fmt::format("rollfem {} ({})", provenance.version, provenance.commit);
+  made.command = provenance.command;
+  made.started = provenance.started;
+  postprocess::check_directory(table_directory(request).string());
+  frame.own(table_directory(request));
+  const auto begin = std::chrono::steady_clock::now();
+  frame.compute("table", "points", [&](const modelling::Solving& how) {
+    tables::fill_table(made, input, how.progress, frame.keep_in(table_directory(request), input));
+    frame.clear_line();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    write_and_tell(request, made, seconds.count());
+    frame.forget_kept();
+  });
+}
+
+}  // namespace rollfem::app

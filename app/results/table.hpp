@@ -1,0 +1,22 @@
+// The command `table`: the creep force law of a case's contact over scaled creepages and ratios of
+// its axes, or lateral shifts of its wheelset, with error bars and the error of interpolation
+// between the points.
+#pragma once
+
+#include "app/frame/command_frame.hpp"
+
+#include <string>
+
+namespace rollfem::app {
+
+/// Without `directory` results/<case>_table. `resume` takes up finished points.
+struct TableRequest : ComputingRequest {
+  std::string case_file;
+};
+
+/// Writes DIR/table.h5, table.csv, interpolation.csv, over lateral shifts shifts.csv, and
+/// table.html. Throws contact::InputError before anything is computed, contact::SolveError where a
+/// point has no solution or a wheel does not touch.
+void table(const TableRequest& request, const contact::ModelRegistry& models);
+
+}  // namespace rollfem::app

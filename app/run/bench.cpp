@@ -1,0 +1,255 @@
+#include "app/run/bench.hpp"
+
+#include "app/run/bench_cases.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/quantities.hpp"
+#include "halfspace/model/model.hpp"
+#include "models/caches/machine_speed.hpp"
+#include "models/choice/forecast.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace rollfem::app {
+
+namespace {
+
+using contact::ModelResult;
+
+/// Elements across of the half-space; the last one tells the speed of the machine.
+const std::vector<int> grids{24, 40, 80}, quick_grids{24, 40};
+constexpr int grid_of_theories = 40;
+/// Of what meshes bodies: the grid of the hybrid, the cells of finite elements.
+constexpr int grid_of_hybrid = 24, cells_of_fem = 16;
+/// The least of so many times is taken: something else may be at work.
+constexpr int repeats = 3;
+
+/// What a model has made of a case.
+struct Row {
+  std::optional<double> pressure_error, force_error;  ///< parts of the whole
+  double seconds = 0.0;
+  double own_seconds = 0.0;  ///< of the processor, where other programs were at work; else the same
+};
+
+Row row_of(const BenchCase& given, const ModelResult& result) {
+  Row row;
+  if (given.max_pressure > 0.0 && !result.points.empty())
+    row.pressure_error = result.points.front().max_pressure / given.max_pressure - 1.0;
+  const bool friction =
+      std::any_of(result.points.begin(), result.points.end(),
+                  [](const contact::PointResult& point) { return point.max_traction > 0.0; });
+  if (friction)
+    for (const BenchLimit& limit : given.limits) {
+      if (limit.point >= result.points.size()) continue;
+      const auto value = contact::quantity_named(limit.quantity).value(result.points[limit.point]);
+      if (!value) continue;
+      const double error = (*value - limit.value) / limit.whole;
+      if (!row.force_error || std::abs(error) > std::abs(*row.force_error)) row.force_error = error;
+    }
+  return row;
+}
+
+std::string percent_of(const std::optional<double>& part) {
+  if (!part) return "-";
+  const double rounded = std::abs(*part) < 5e-6 ? 0.0 : 100.0 * *part;
+  return fmt::format("{:+.3f} %", rounded);
+}
+
+class Bench {
+ public:
+  Bench(const BenchRequest& request, const contact::ModelRegistry& models,
+        const modelling::Solving& how, std::filesystem::path keep_in, std::string made)
+      : request_(request),
+        models_(models),
+        how_(how),
+        keep_in_(std::move(keep_in)),
+        made_(std::move(made)) {
+    how_.go_on = true;
+  }
+
+  void run() {
+    for (const BenchCase& given : bench_cases()) {
+      print(fmt::format("\n{}: {}\n{:<20}{:>8}{:>13}{:>13}{:>10}\n", given.name, given.sentence,
+                        "model", "across", "p0", "force", "seconds"));
+      for (const contact::ModelInfo& model : models_.all())
+        if (!model.chooses && model.built) solve_by(model, given);
+      if (request_.quick) break;
+    }
+    if (!left_out_.empty())
+      print(fmt::format("\nskipped, because {:g} s would not suffice: {}; --seconds allows more\n",
+                        request_.seconds, fmt::format("{}", fmt::join(left_out_, ", "))));
+    print(
+        "\np0: error against Hertz; force: largest difference from the converged half-space,\nin "
+        "percent of full sliding; seconds: all load points of the case together\n");
+    tell_speed();
+  }
+
+ private:
+  void print(const std::string& text) const {
+    if (how_.first) std::cout << text << std::flush;
+  }
+
+  void solve_by(const contact::ModelInfo& model, const BenchCase& given) {
+    if (model.name == models_.reference().name) {
+      half_spaces(model, given);
+      return;
+    }
+    if (!model.has_stress) {
+      tell(model, grid_of_theories, solved(given, model.name, grid_of_theories));
+      return;
+    }
+    // What is left has meshes of the bodies.
+    if (request_.quick || !given.of_bodies) return;
+    const int across = model.keeps_bodies ? cells_of_fem : grid_of_hybrid;
+    const double expected = predicted(given, model.name, across).value_or(0.0);
+    if (watch_.seconds() + speed_.value_or(1.0) * expected > request_.seconds)
+      left_out_.push_back(model.name);
+    else
+      tell(model, across, solved(given, model.name, across));
+  }
+
+  /// The difference between the coarsest and the finest grid tells the speed: what a run takes
+  /// whatever its grid is in neither.
+  void half_spaces(const contact::ModelInfo& model, const BenchCase& given) {
+    struct Timed {
+      double measured, expected;
+    };
+    std::vector<Timed> timed;
+    for (const int across : grids_of_half_spaces()) {
+      const std::optional<Row> row = quickest(given, model.name, across);
+      tell(model, across, row);
+      const auto seconds = predicted(given, model.name, across);
+      if (!row || !seconds) return;
+      timed.push_back({row->own_seconds, *seconds});
+      if (given.of_bodies) busy_ = busy_ || row->seconds > 1.5 * row->own_seconds;
+    }
+    if (!given.of_bodies) return;
+    const double measured = timed.back().measured - timed.front().measured;
+    const double expected = timed.back().expected - timed.front().expected;
+    if (measured > 0.0 && expected > 0.0) speed_ = measured / expected;
+  }
+
+  /// Of the runs of a case that tells the speed; of any other the only one.
+  std::optional<Row> quickest(const BenchCase& given, const std::string& model, int across) {
+    std::optional<Row> row = solved(given, model, across);
+    for (int k = 1; given.of_bodies && row && k < repeats; ++k)
+      if (const auto again = solved(given, model, across)) {
+        row->seconds = std::min(row->seconds, again->seconds);
+        row->own_seconds = std::min(row->own_seconds, again->own_seconds);
+      }
+    return row;
+  }
+
+  const std::vector<int>& grids_of_half_spaces() const {
+    return request_.quick ? quick_grids : grids;
+  }
+
+  /// Seconds by the laws of choice/laws.hpp.
+  std::optional<double> predicted(const BenchCase& given, const std::string& model,
+                                  int across) const {
+    const contact::Scene scene(input_of(given, model, across));
+    for (const modelling::Forecast& forecast : modelling::forecasts_of(scene, models_))
+      for (const modelling::Level& level : forecast.levels)
+        if (forecast.model == model && level.across == across) return level.seconds;
+    return {};
+  }
+
+  contact::Case input_of(const BenchCase& given, const std::string& model, int across) const {
+    const auto parsed = [&](const std::string& keys) {
+      return contact::parse_case(given.text + keys, "bench " + given.name,
+                                 modelling::model_words(models_));
+    };
+    contact::Case input = parsed(fmt::format("[contact_grid]\nelements_across = {}\n", across));
+    if (models_.at(model).keeps_bodies) {
+      const halfspace::PatchExtent extent = halfspace::PatchSearch(contact::Scene(input)).extent();
+      input = parsed(
+          fmt::format("[fem]\ncell_size = {}\n", std::min(extent.length, extent.width) / across));
+    }
+    input.models = {model};
+    return input;
+  }
+
+  /// Nothing where the model cannot take the case.
+  std::optional<Row> solved(const BenchCase& given, const std::string& model, int across) {
+    const contact::Case input = input_of(given, model, across);
+    const contact::Stopwatch watch;
+    const std::clock_t begin = std::clock();
+    const modelling::Solved found = modelling::solve(input, how_);
+    if (found.results.empty()) return {};
+    Row row = row_of(given, found.results.front());
+    row.seconds = watch.seconds();
+    row.own_seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) /
+                                                static_cast<double>(CLOCKS_PER_SEC));
+    return row;
+  }
+
+  void tell(const contact::ModelInfo& model, int across, const std::optional<Row>& row) const {
+    if (!row) return;
+    print(fmt::format("{:<20}{:>8}{:>13}{:>13}{:>10.3f}\n", model.name,
+                      model.refinements.empty() ? "-" : fmt::format("{}", across),
+                      percent_of(row->pressure_error), percent_of(row->force_error), row->seconds));
+  }
+
+  void tell_speed() const {
+    if (!speed_) return;
+    print(fmt::format(
+        "\nthis machine takes {:.2f} times the predicted seconds (half-space, fastest of {} "
+        "runs){}\n",
+        *speed_, repeats, busy_ ? "; other programs are running, so CPU time counts" : ""));
+    if (request_.quick || !how_.first || keep_in_.empty()) return;
+    modelling::keep_machine_speed(keep_in_, {*speed_, made_});
+    print(fmt::format("stored in {}; rollfem check uses it for its predictions\n",
+                      keep_in_.string()));
+  }
+
+  const BenchRequest& request_;
+  const contact::ModelRegistry& models_;
+  modelling::Solving how_;
+  contact::Stopwatch watch_;
+  std::optional<double> speed_;
+  bool busy_ = false;
+  std::vector<std::string> left_out_;
+  std::filesystem::path keep_in_;
+  std::string made_;
+};
+
+}  // namespace
+
+void bench(const BenchRequest& request, const contact::ModelRegistry& models) {
+  if (!(request.seconds > 0.0))
+    throw contact::InputError(fmt::format(
+        "--seconds {:g}: allowed: above 0; do: give the time limit in seconds", request.seconds));
+  std::vector<std::string> names;
+  for (const contact::ModelInfo& model : models.all())
+    if (!model.chooses && model.built && !(request.quick && model.parallel))
+      names.push_back(model.name);
+  ComputingRequest silent = request;
+  silent.quiet = true;
+  CommandFrame frame(silent, models, names);
+  if (frame.idle()) return;
+  if (frame.first())
+    std::cout << fmt::format(
+        "rollfem bench: errors and seconds of the models on this machine, {} processors\n",
+        std::thread::hardware_concurrency());
+  const std::filesystem::path keep_in = modelling::machine_speed_file();
+  setenv("ROLLFEM_CACHE", "", 1);  // corrections of earlier runs would take no time
+  frame.compute("rollfem bench", "cases", [&](const modelling::Solving& how) {
+    Bench(request, models, how, keep_in, frame.provenance().started).run();
+  });
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,123 @@
+#include "app/run/run.hpp"
+
+#include "app/input/wheelset.hpp"
+#include "app/run/run_table.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+#include "models/solving/solving.hpp"
+#include "postprocess/files/result_folder.hpp"
+#include "postprocess/write/output.hpp"
+#include "postprocess/write/wheelset_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path output_directory(const RunRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / fs::path(request.case_file).stem();
+}
+
+/// What would only come out after the hours of computing: a folder that cannot be made, a model
+/// that cannot take the case.
+void check_before(const RunRequest& request, const contact::Case& input,
+                  const contact::ModelRegistry& models) {
+  postprocess::check_directory(output_directory(request).string());
+  if (!input.has_profiles()) {
+    const contact::Scene scene(input);
+    for (const std::string& name : input.models) models.check(scene, name);
+  }
+  const bool any_stress =
+      std::any_of(input.models.begin(), input.models.end(), [&](const std::string& name) {
+        return models.at(name).has_stress || models.at(name).chooses;
+      });
+  if (any_stress || request.quiet) return;
+  const auto warn = [&](const char* key) {
+    std::cerr << fmt::format(
+        "warning: {}: {} is computed only by the models {}, none of which is run\n", input.file,
+        key, contact::listed(models.names(&contact::ModelInfo::has_stress)));
+  };
+  if (!input.subsurface.empty()) warn("[[subsurface]]");
+  if (input.output.stress_maxima) warn("[output] stress_maxima");
+}
+
+/// Of which a line a position is printed: the one with most patches (not every theory takes all,
+/// and auto may take several), of those the one that others are measured against.
+std::string model_to_tell(const postprocess::RunRecord& record,
+                          const contact::ModelRegistry& models) {
+  const auto patches = [&](const std::string& name) {
+    return std::count_if(record.models.begin(), record.models.end(),
+                         [&](const contact::ModelResult& model) { return model.name == name; });
+  };
+  std::string most = models.reference().name;
+  for (const std::string& name : postprocess::model_names(record))
+    if (patches(name) > patches(most)) most = name;
+  return most;
+}
+
+void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record,
+                    const contact::ModelRegistry& models) {
+  const fs::path directory = output_directory(request);
+  write_whole(directory.string(), record);
+  const bool drawn = request.report && report_drawn(directory.string());
+  if (request.quiet) return;
+  std::cout << record.input.title << "\n\n"
+            << run_table(record.models)
+            << postprocess::wheelset_table(record, model_to_tell(record, models));
+  std::cout << notes_text(record.models);
+  std::cout << "\n\nresults: " << directory.string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / "report.html").string() << '\n';
+}
+
+/// Results that are sound but less than what was asked for are written and are a failure still.
+void refuse_shortfall(const postprocess::RunRecord& record) {
+  std::string text;
+  for (const contact::ModelResult& model : record.models)
+    if (!model.shortfall.empty())
+      text += fmt::format("{}model {}: {}", text.empty() ? "" : "; ", model.name, model.shortfall);
+  if (!text.empty())
+    throw contact::SolveError(
+        fmt::format("{}: the results were written, but {}", record.input.file, text));
+}
+
+}  // namespace
+
+void run(const RunRequest& request, const contact::ModelRegistry& models) {
+  postprocess::RunRecord record;
+  record.input =
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+  const bool named = !request.models.empty();
+  if (named) record.input.models = request.models;
+  const std::string asked_by = named ? "--model" : request.case_file + ": models";
+  modelling::check_alone(models, record.input.models, asked_by);
+  CommandFrame frame(request, models, record.input.models);
+  if (frame.idle()) return;
+  if (frame.first()) warn_of_doubts(record.input);
+  if (frame.first()) check_before(request, record.input, models);
+  frame.own(output_directory(request));
+  record.provenance = frame.provenance();
+  frame.compute(asked_by, "load points", [&](modelling::Solving how) {
+    how.checkpoint = frame.keep_in(output_directory(request), record.input);
+    modelling::Solved solved = modelling::solve(record.input, how);
+    if (!how.first) return;
+    record.models = std::move(solved.results);
+    record.pairs = std::move(solved.pairs);
+    add_rigid_wheelset(record);
+    frame.clear_line();
+    write_and_tell(request, record, models);
+    frame.forget_kept();
+    refuse_shortfall(record);
+  });
+}
+
+}  // namespace rollfem::app

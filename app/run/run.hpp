@@ -1,0 +1,18 @@
+// The command `run`: the models of a case one after the other, then results and report.
+#pragma once
+
+#include "app/frame/command_frame.hpp"
+
+#include <string>
+
+namespace rollfem::app {
+
+/// Without `models` those of the case file; without `directory` results/<case file without .toml>.
+struct RunRequest : ComputingRequest {
+  std::string case_file;
+};
+
+/// Throws contact::InputError or contact::SolveError; nothing is written then.
+void run(const RunRequest& request, const contact::ModelRegistry& models);
+
+}  // namespace rollfem::app

@@ -1,0 +1,240 @@
+#include "app/run/run_table.hpp"
+
+#include "contact/result/bars.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
+#include <utility>
+
+namespace rollfem::app {
+
+namespace {
+
+using contact::ModelResult;
+using contact::PointResult;
+
+/// Hertz and other theories of the normal problem alone have no creep curve.
+bool has_friction(const ModelResult& model) {
+  return std::any_of(model.points.begin(), model.points.end(),
+                     [](const PointResult& point) { return point.max_traction > 0.0; });
+}
+
+/// What a search leaves of a creepage that is zero does not count.
+bool any_creepage(const std::vector<PointResult>& points, double contact::Creepage::*member) {
+  return std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
+    return std::abs(point.creepage.*member) > 1e-15;
+  });
+}
+
+/// Under the values of a model: their bars, or why they have none.
+std::string bar_row(const PointResult& point) {
+  std::string text = fmt::format("{:<19}", "");
+  const std::pair<const char*, int> columns[] = {{"max_pressure", 12},
+                                                 {"semi_axis_x", 13},
+                                                 {"semi_axis_y", 13},
+                                                 {"approach", 15},
+                                                 {"normal_force", 13}};
+  for (const auto& [name, width] : columns)
+    text += fmt::format("{:>{}}", contact::bar_text(point, name), width);
+  return text + "\n";
+}
+
+/// At the largest load, which is that of all points but in a history.
+std::string patch_table(const std::vector<ModelResult>& models) {
+  std::string text =
+      fmt::format("{:<19}{:>12}{:>13}{:>13}{:>15}{:>13}{:>10}\n", "model", "p0 in MPa", "a in mm",
+                  "b in mm", "approach in mm", "F_z in N", "seconds");
+  for (const ModelResult& model : models) {
+    if (model.points.empty()) continue;
+    const PointResult& point = *std::max_element(
+        model.points.begin(), model.points.end(), [](const PointResult& a, const PointResult& b) {
+          return a.normal_force < b.normal_force * (1.0 - 1e-9);
+        });
+    const auto seconds = model.seconds.find("total");
+    text +=
+        fmt::format("{:<19}{:>12.3f}{:>13.4f}{:>13.4f}{:>15.7f}{:>13.6g}{:>10.2f}\n", model.name,
+                    point.max_pressure, point.semi_axis_x, point.semi_axis_y, point.approach,
+                    point.normal_force, seconds == model.seconds.end() ? 0.0 : seconds->second);
+    text += bar_row(point);
+  }
+  return text;
+}
+
+/// Columns are wide enough for the name over them.
+std::size_t width_of(const ModelResult& model) {
+  return std::max<std::size_t>(22, model.name.size() + 2);
+}
+
+/// "0.21601 +- 0.0012"; rounding must not print as -0.00000.
+std::string barred(double value, const std::string& bar) {
+  return fmt::format("{:.5f} {:<10}", std::abs(value) < 5e-6 ? 0.0 : value, bar);
+}
+
+/// One row a load point, one column a model.
+template <class Quantity>
+std::string curve_table(const std::vector<const ModelResult*>& models, const std::string& heading,
+                        const Quantity& quantity) {
+  const auto& points = models.front()->points;
+  const bool steps = points.front().step > 0;
+  const bool lateral = any_creepage(points, &contact::Creepage::lateral);
+  const bool spin = any_creepage(points, &contact::Creepage::spin);
+  std::string text = fmt::format("\n{}\n{:<12}", heading, steps ? "step" : "xi");
+  if (lateral) text += fmt::format("{:<12}", "eta");
+  if (spin) text += fmt::format("{:<12}", "phi");
+  for (const ModelResult* model : models)
+    text += fmt::format("{:>{}}", model->name, width_of(*model));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const contact::Creepage& creepage = points[k].creepage;
+    text += fmt::format("\n{:<12g}", steps ? points[k].step : creepage.longitudinal);
+    if (lateral) text += fmt::format("{:<12g}", creepage.lateral);
+    if (spin) text += fmt::format("{:<12g}", creepage.spin);
+    for (const ModelResult* model : models) {
+      if (k >= model->points.size()) {
+        text += fmt::format("{:>{}}", "-", width_of(*model));
+        continue;
+      }
+      text += fmt::format("{:>{}}", quantity(model->points[k]), width_of(*model));
+    }
+  }
+  return text + "\n";
+}
+
+/// -F_y/F_z with the bar of the force.
+std::string lateral_coefficient(const PointResult& point) {
+  const auto bar = point.error_estimate.find("lateral_force");
+  return barred(-point.lateral_force / point.normal_force,
+                bar != point.error_estimate.end()
+                    ? fmt::format("+- {:.2g}", bar->second / point.normal_force)
+                    : contact::bar_text(point, "lateral_force"));
+}
+
+/// Everything about one patch.
+std::string scene_table(const std::vector<ModelResult>& models) {
+  std::string text = patch_table(models);
+  std::vector<const ModelResult*> with_friction;
+  for (const ModelResult& model : models)
+    if (has_friction(model)) with_friction.push_back(&model);
+  if (with_friction.empty()) return text;
+  text += curve_table(with_friction, "traction coefficient -F_x/F_z (forces on the wheel)",
+                      [](const PointResult& point) {
+                        return barred(point.traction_coefficient,
+                                      contact::bar_text(point, "traction_coefficient"));
+                      });
+  const auto& points = with_friction.front()->points;
+  if (any_creepage(points, &contact::Creepage::lateral) ||
+      any_creepage(points, &contact::Creepage::spin))
+    text += curve_table(with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
+                        [](const PointResult& point) { return lateral_coefficient(point); });
+  return text;
+}
+
+std::string place_line(const contact::ContactPlace& place) {
+  return fmt::format(
+      "{} wheel, position {}{}: y = {:.4f} mm on the track, {:.4f} on the rail, {:.4f} on the "
+      "wheel; "
+      "angle {:.5f} rad, rolling radius {:.4f} mm\n",
+      place.left ? "left" : "right", place.position,
+      place.patches > 1 ? fmt::format(", patch {} of {}", place.patch, place.patches) : "",
+      place.y_track, place.y_rail, place.y_wheel, place.contact_angle, place.rolling_radius);
+}
+
+/// More patches than this are told in a line each.
+constexpr std::size_t most_told = 3;
+
+/// "0.3052 +- 0.0028"
+std::string with_bar(const std::string& value, const PointResult& point, const char* quantity) {
+  return value + ' ' + contact::bar_text(point, quantity);
+}
+
+/// The words of a sentence: numbers may differ in digits, sign and exponent.
+std::string without_numbers(const std::string& text) {
+  static const std::regex number(R"([-+]?[0-9]+(\.[0-9]*)?(e[-+]?[0-9]+)?)");
+  return std::regex_replace(text, number, "");
+}
+
+/// A line for each result: place, size and the first load point with its bars.
+std::string row_table(const std::vector<ModelResult>& models) {
+  std::string text = fmt::format(
+      "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>18}{:>13}{:>20}\n",
+      "wheel", "pos", "patch", "shift mm", "y rail mm", "y wheel mm", "angle rad", "model", "F_n N",
+      "length mm", "width mm", "p0 MPa", "xi", "-F_x/F_z");
+  for (const ModelResult& model : models) {
+    if (model.points.empty() || !model.place) continue;
+    const contact::ContactPlace& place = *model.place;
+    const PointResult& point = model.points.front();
+    const double coefficient =
+        std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient;
+    text += fmt::format(
+        "{:<6}{:>3}{:>6}{:>9.3g}{:>10.4f}{:>11.4f}{:>10.4f}  {:<12}{:>9.5g}{:>10.3f}{:>10.3f}{:>18}"
+        "{:>13.4e}{:>20}\n",
+        place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
+        place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
+        point.contact_length, point.contact_width,
+        with_bar(fmt::format("{:.2f}", point.max_pressure), point, "max_pressure"),
+        point.creepage.longitudinal,
+        with_bar(fmt::format("{:.4f}", coefficient), point, "traction_coefficient"));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string run_table(const std::vector<ModelResult>& models) {
+  std::vector<std::vector<ModelResult>> scenes;
+  for (const ModelResult& model : models) {
+    const auto same = [&](const std::vector<ModelResult>& scene) {
+      const auto& place = scene.front().place;
+      return !place || !model.place ||
+             (place->left == model.place->left && place->position == model.place->position &&
+              place->patch == model.place->patch);
+    };
+    const auto found = std::find_if(scenes.begin(), scenes.end(), same);
+    if (found == scenes.end())
+      scenes.push_back({model});
+    else
+      found->push_back(model);
+  }
+  if (scenes.size() > most_told) return row_table(models);
+  std::string text;
+  for (const auto& scene : scenes) {
+    if (!text.empty()) text += '\n';
+    if (scene.front().place) text += place_line(*scene.front().place);
+    text += scene_table(scene);
+  }
+  return text;
+}
+
+std::string notes_text(const std::vector<ModelResult>& models) {
+  struct Note {
+    std::string words;  // with the model's name
+    std::string text;
+    std::set<std::string> others = {};  // patches that have it with other numbers
+  };
+  std::vector<Note> notes;
+  for (const ModelResult& model : models)
+    for (const std::string& text : model.notes) {
+      const std::string words = model.name + without_numbers(text);
+      const auto same = [&](const Note& note) { return note.words == words; };
+      const auto found = std::find_if(notes.begin(), notes.end(), same);
+      if (found == notes.end())
+        notes.push_back({words, model.name + ": " + text});
+      else if (found->text != model.name + ": " + text)
+        found->others.insert(model.key());
+    }
+  std::string text;
+  for (const Note& note : notes) {
+    text += '\n' + note.text;
+    if (!note.others.empty())
+      text += fmt::format(" ({} with other numbers)",
+                          note.others.size() == 1
+                              ? "and another patch"
+                              : fmt::format("and {} other patches", note.others.size()));
+  }
+  return text;
+}
+
+}  // namespace rollfem::app

@@ -1,0 +1,174 @@
+#include "app/study/study_checks.hpp"
+
+#include "app/study/study_levels.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
+#include "models/registry.hpp"
+#include "postprocess/files/files_together.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using contact::InputError;
+using postprocess::ReferenceRule;
+using postprocess::StudyPlace;
+
+/// A domain can be varied where the program chooses it.
+void check_domain(const contact::Case& input) {
+  const char* why = nullptr;
+  if (input.has_profiles())
+    why = "the bodies are true sections of rail and rim, or end where their profiles do";
+  else if (!input.wheel.mesh.empty() || !input.rail.mesh.empty())
+    why = "the bodies end where the meshes named by the case end";
+  if (why != nullptr)
+    throw InputError(
+        fmt::format("{}: study --vary domain: {}; allowed for this case: grid, cell, degree; do: "
+                    "vary one of these, or compare runs with other [fem] length, depth and "
+                    "rim_thickness, or other meshes",
+                    input.file, why));
+}
+
+bool asks_for_all(const StudyRequest& request) {
+  return request.models == std::vector<std::string>{"all"};
+}
+
+/// One of the models of the study must have it.
+void check_varied(const StudyRequest& request, const std::string& word,
+                  const contact::ModelRegistry& known) {
+  const std::vector<std::string> names = named_models(request, known);
+  if (std::any_of(names.begin(), names.end(),
+                  [&](const std::string& name) { return can_vary(known.at(name), word); }))
+    return;
+  std::string allowed;
+  for (const std::string& other : varied_words(known))
+    allowed += fmt::format("{}{} of {}", allowed.empty() ? "" : "; ", other,
+                           contact::listed(models_that_vary(known, other)));
+  throw InputError(
+      fmt::format("--vary {}: no model of this study can refine it; allowed: {}; do: add --model "
+                  "{}, or vary something else",
+                  word, allowed, models_that_vary(known, word).back()));
+}
+
+/// "left_3_1." of a place among several.
+std::string prefix_of(const StudyPlace& place) {
+  const std::string key = place_key(place);
+  return key.empty() ? key : key + ".";
+}
+
+std::vector<std::string> quantities_of(const StudyPlace& place) {
+  std::vector<std::string> all{"max_pressure", "approach"};
+  if (place.place)
+    all.insert(all.end(), {"contact_length", "contact_width"});
+  else
+    all.insert(all.end(), {"semi_axis_x", "semi_axis_y"});
+  for (std::size_t k = 1; k <= place.creepages.size(); ++k)
+    all.push_back(fmt::format("traction_coefficient:{}", k));
+  return all;
+}
+
+[[noreturn]] void refuse_reference(const std::string& word, const std::string& why,
+                                   const std::vector<StudyPlace>& places) {
+  const bool patches = places.front().place.has_value();
+  std::string allowed = fmt::format(
+      "allowed: exact, finest, extrapolated, or QUANTITY=VALUE with max_pressure, {}, approach or "
+      "traction_coefficient:N of load point N",
+      patches ? "contact_length, contact_width" : "semi_axis_x, semi_axis_y");
+  if (places.size() > 1)
+    allowed += fmt::format(", as PLACE.QUANTITY=VALUE with one of the places {} to {}",
+                           place_key(places.front()), place_key(places.back()));
+  throw InputError(fmt::format("--reference {}: {}; {}; do: correct it", word, why, allowed));
+}
+
+/// PLACE.QUANTITY=VALUE; of one place its name may be left out.
+void read_number(const std::string& word, std::vector<StudyPlace>& places) {
+  const std::size_t at = word.find('=');
+  if (at == std::string::npos) refuse_reference(word, "not a reference", places);
+  std::string key = word.substr(0, at);
+  StudyPlace* meant = places.size() == 1 ? &places.front() : nullptr;
+  for (StudyPlace& place : places)
+    if (place.place && key.rfind(prefix_of(place), 0) == 0) {
+      meant = &place;
+      key = key.substr(prefix_of(place).size());
+      break;
+    }
+  if (meant == nullptr)
+    refuse_reference(word, "the case has several patches, and this does not name one", places);
+  const auto known = quantities_of(*meant);
+  if (std::find(known.begin(), known.end(), key) == known.end())
+    refuse_reference(word, "no such quantity in this case", places);
+  const std::optional<double> value = contact::number_of(word.substr(at + 1));
+  if (!value) refuse_reference(word, "the value is not a number", places);
+  meant->given[key] = *value;
+}
+
+}  // namespace
+
+fs::path directory_of(const StudyRequest& request) {
+  if (!request.directory.empty()) return request.directory;
+  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_study");
+}
+
+void check_call(const StudyRequest& request, const contact::Case& input,
+                const contact::ModelRegistry& known) {
+  const std::vector<std::string> words = varied_words(known);
+  for (const std::string& word : request.vary) {
+    if (std::find(words.begin(), words.end(), word) == words.end())
+      throw InputError(
+          fmt::format("--vary {}: cannot be refined; {}allowed: {}; do: name one of them", word,
+                      contact::did_you_mean(word, words), contact::listed(words)));
+    check_varied(request, word, known);
+    if (word == "domain") check_domain(input);
+  }
+  if (request.levels != 0 && (request.levels < 2 || request.levels > 8))
+    throw InputError(fmt::format("--levels {}: allowed: 2 to 8; do: correct it", request.levels));
+  refuse_other_result(directory_of(request), "study.json");
+  const postprocess::FilesTogether trial(directory_of(request));
+}
+
+std::vector<std::string> named_models(const StudyRequest& request,
+                                      const contact::ModelRegistry& known) {
+  if (request.models.empty()) return {known.reference().name};
+  if (!asks_for_all(request)) return request.models;
+  std::vector<std::string> all;
+  for (const contact::ModelInfo& model : known.all())
+    if (model.built && !model.chooses) all.push_back(model.name);
+  return all;
+}
+
+std::vector<std::string> models_of(const StudyRequest& request, const modelling::Scenes& scenes,
+                                   const contact::ModelRegistry& known) {
+  std::vector<std::string> able;
+  for (const std::string& name : named_models(request, known)) try {
+      for (const contact::Scene& scene : scenes.list) known.check(scene, name);
+      able.push_back(name);
+    } catch (const InputError&) {  // "all" means all that can
+      if (!asks_for_all(request)) throw;
+    }
+  return able;
+}
+
+void read_references(const StudyRequest& request, postprocess::StudyRecord& record) {
+  for (const std::string& word : request.references) {
+    if (word == "exact") {
+      record.rule = ReferenceRule::exact;
+      if (record.places.front().exact.empty())
+        refuse_reference(word, "no exact value is known for this case", record.places);
+    } else if (word == "finest") {
+      record.rule = ReferenceRule::finest;
+    } else if (word == "extrapolated") {
+      record.rule = ReferenceRule::extrapolated;
+    } else {
+      read_number(word, record.places);
+    }
+  }
+}
+
+}  // namespace rollfem::app

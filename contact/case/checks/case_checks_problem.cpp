@@ -1,0 +1,343 @@
+// Checks of problem, prescribed forces, history, given pressure, distance and slip from files.
+#include "contact/base/material.hpp"
+#include "contact/base/profile_drop.hpp"
+#include "contact/case/checks/case_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// The value of a word, or its default.
+std::string word(const GivenCase& given, const std::string& section, const std::string& name,
+                 const std::string& otherwise) {
+  const GivenValue* value = given.find(section, name);
+  return value == nullptr ? otherwise : std::get<std::string>(value->value);
+}
+
+bool all_zero(const GivenValue& value) {
+  const auto& numbers = std::get<std::vector<double>>(value.value);
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0.0; });
+}
+
+/// `name` of `section` must not be given (other than as 0, when that says the same).
+void refuse(const GivenCase& given, const std::string& section, const std::string& name,
+            const std::string& wrong, const std::string& allowed, const std::string& action) {
+  const GivenValue* value = given.find(section, name);
+  if (value == nullptr) return;
+  const bool list = std::holds_alternative<std::vector<double>>(value->value);
+  if (section == "rolling" && list && name.find("force") == std::string::npos && all_zero(*value))
+    return;
+  fail_at(given, section + "." + name, *value, wrong, allowed, action);
+}
+
+/// A force takes the place of the creepage (or shift) of its direction.
+void check_forces(const GivenCase& given, const std::string& problem) {
+  for (const char* direction : {"longitudinal", "lateral"}) {
+    const std::string name = std::string(direction) + "_force";
+    const GivenValue* force = given.find("rolling", name);
+    if (force == nullptr) continue;
+    if (problem == "frictionless")
+      fail_at(given, "rolling." + name, *force, "is not possible without friction",
+              "a force with the problems steady, shift, transient",
+              "remove it, or choose another rolling.problem");
+    const bool shift = problem == "shift";
+    const std::string section = shift ? "history" : "rolling";
+    const std::string rival = std::string(direction) + (shift ? "_shift" : "_creepage");
+    const GivenValue* other = given.find(section, rival);
+    if (other != nullptr)
+      fail_at(given, "rolling." + name, *force,
+              fmt::format("contradicts {}.{} = {} of line {}, which follows from the force",
+                          section, rival, other->text, other->line),
+              fmt::format("at most one of {} and {}", name, rival), "remove one of the two");
+  }
+}
+
+void check_history(const GivenCase& given, const std::string& problem) {
+  for (const auto& [key, value] : given.values) {
+    if (key->section != "history") continue;
+    if (problem == "steady" || problem == "frictionless")
+      fail_at(given, key->path(), value,
+              fmt::format("is a step of a history, but rolling.problem is {}", problem),
+              "[history] with the problems shift and transient",
+              "write `problem = \"shift\"` or `problem = \"transient\"` under [rolling], or remove "
+              "[history]");
+    const bool is_shift = key->name.find("_shift") != std::string::npos;
+    if (problem == "transient" && is_shift)
+      fail_at(given, key->path(), value, "belongs to the problem shift, but here the bodies roll",
+              "creepages and step_length with the problem transient",
+              "give the creepage under [rolling], or choose `problem = \"shift\"`");
+    if (problem == "shift" && key->name == "step_length")
+      fail_at(given, key->path(), value, "belongs to the problem transient, but here nothing rolls",
+              "shifts with the problem shift", "remove it, or choose `problem = \"transient\"`");
+  }
+  if (problem != "transient" || given.find("history", "step_length") != nullptr) return;
+  CaseProblem missing;
+  missing.line = section_line(given, "history");
+  missing.column = missing.line > 0 ? 1 : 0;
+  missing.key = "history.step_length";
+  missing.wrong = "is missing";
+  missing.allowed = "with the problem transient, the distance rolled in each step, in mm";
+  missing.action = "add `step_length = 0.1` under [history]";
+  fail(given.file, missing);
+}
+
+void check_creepages(const GivenCase& given, const std::string& problem) {
+  for (const char* name : {"longitudinal_creepage", "lateral_creepage", "spin"}) {
+    if (problem == "shift")
+      refuse(given, "rolling", name, "has no meaning where nothing rolls (problem shift)",
+             "shifts or forces with the problem shift",
+             "give longitudinal_shift, lateral_shift or spin_shift under [history]");
+    if (problem == "frictionless")
+      refuse(given, "rolling", name, "has no effect without friction (problem frictionless)",
+             "creepages with the problems steady and transient",
+             "remove it, or choose `problem = \"steady\"`");
+  }
+}
+
+void check_extra_slip(const GivenCase& given, const std::string& problem) {
+  const std::string extra = word(given, "rolling", "extra_slip", "auto");
+  const GivenValue* file = given.find("rolling", "extra_slip_file");
+  if (file != nullptr && extra != "file")
+    fail_at(given, "rolling.extra_slip_file", *file,
+            fmt::format("is not used, because extra_slip is {}", extra),
+            "a file with extra_slip = \"file\"",
+            "write `extra_slip = \"file\"`, or remove the file");
+  const GivenValue* asked = given.find("rolling", "extra_slip");
+  if (asked == nullptr || extra != "file") return;
+  if (problem == "shift" || problem == "frictionless")
+    fail_at(given, "rolling.extra_slip", *asked,
+            fmt::format("has no meaning with the problem {}", problem),
+            "\"none\", or the problems steady and transient", "remove it");
+  if (file == nullptr)
+    fail_at(given, "rolling.extra_slip", *asked, "names no file", "`file` with extra_slip_file",
+            "add `extra_slip_file = \"slip.csv\"` under [rolling]");
+}
+
+void check_surface(const GivenCase& given) {
+  const GivenValue* quadratic = given.find("undeformed_distance", "quadratic");
+  const GivenValue* file = given.find("undeformed_distance", "file");
+  if (quadratic != nullptr && file != nullptr)
+    fail_at(given, "undeformed_distance.file", *file,
+            fmt::format("contradicts undeformed_distance.quadratic = {} of line {}",
+                        quadratic->text, quadratic->line),
+            "at most one of quadratic and file", "remove one of the two");
+  const GivenValue* x = given.find("given_pressure", "semi_axis_x");
+  const GivenValue* y = given.find("given_pressure", "semi_axis_y");
+  const GivenValue* any = x != nullptr ? x : y;
+  if (any == nullptr) any = given.find("given_pressure", "max_pressure");
+  if (any == nullptr) return;
+  if (quadratic != nullptr || file != nullptr)
+    fail_at(given, "undeformed_distance", quadratic != nullptr ? *quadratic : *file,
+            "is not used, because the pressure is given", "at most one of the two sections",
+            "remove [undeformed_distance] or [given_pressure]");
+  if (x != nullptr && y != nullptr) return;
+  CaseProblem missing;
+  missing.line = section_line(given, "given_pressure");
+  missing.column = 1;
+  missing.key = fmt::format("given_pressure.{}", x == nullptr ? "semi_axis_x" : "semi_axis_y");
+  missing.wrong = "is missing";
+  missing.allowed = "both semi-axes of the ellipse in mm";
+  missing.action = fmt::format("add `{} = 5.0` under [given_pressure]",
+                               x == nullptr ? "semi_axis_x" : "semi_axis_y");
+  fail(given.file, missing);
+}
+
+/// The normal force of a load point, where it is known before solving.
+std::optional<double> known_normal_force(const Case& input, std::size_t k) {
+  if (k < input.history.size() && input.history[k].normal_force)
+    return input.history[k].normal_force;
+  if (k < input.history.size() && input.history[k].approach) return {};
+  return input.load.normal_force;
+}
+
+/// Below, squares of tractions end at the smallest numbers there are; and nothing is left of them
+/// beside the pressure.
+constexpr double least_friction = 1e-12;
+
+void check_friction(const GivenCase& given, const Case& input) {
+  const double mu = input.friction_coefficient;
+  if (mu == 0.0 || mu >= least_friction) return;
+  fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"),
+          "is too small to differ from no friction",
+          fmt::format("0, or {:g} to 1000", least_friction), "give 0 for no friction");
+}
+
+void check_friction_limit(const GivenCase& given, const Case& input) {
+  const auto& forces = input.rolling.forces;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const std::optional<double> normal = known_normal_force(input, k);
+    if (!normal) continue;
+    const double size =
+        std::hypot(forces[k].longitudinal.value_or(0.0), forces[k].lateral.value_or(0.0));
+    const double limit = input.friction_coefficient * *normal;
+    if (size < limit * (1.0 - 1e-12)) continue;
+    const char* name = forces[k].longitudinal ? "longitudinal_force" : "lateral_force";
+    fail_at(given, std::string("rolling.") + name, *given.find("rolling", name),
+            fmt::format("asks for {:.6g} N at load point {}, but friction transmits less than mu "
+                        "F_z = {:.6g} N",
+                        size, k, limit),
+            fmt::format("a tangential force below {:.6g} N in size", limit),
+            "lower the force, or raise the friction coefficient or the normal force");
+  }
+}
+
+void check_rigid(const GivenCase& given, const Case& input) {
+  const auto refuse_mesh = [&](const auto& body, const std::string& section) {
+    if (body.material.rigid() && !body.mesh.empty())
+      fail_at(given, section + ".mesh", *given.find(section, "mesh"),
+              "belongs to a rigid body, which is not meshed", "a mesh of an elastic body",
+              "remove it, or give a finite young_modulus");
+  };
+  refuse_mesh(input.wheel, "wheel");
+  refuse_mesh(input.rail, "rail");
+  if (!input.wheel.material.rigid() || !input.rail.material.rigid()) return;
+  fail_at(given, "rail.young_modulus", *given.find("rail", "young_modulus"),
+          "makes both bodies rigid, so that they touch in a point",
+          "inf for at most one of wheel and rail", "give one of them a finite modulus");
+}
+
+/// Inertia needs a speed, but moving loads have no steady answer at the Rayleigh speed: the
+/// stiffness with inertia becomes indefinite there.
+void check_inertia(const GivenCase& given, const Case& input) {
+  if (!input.fem.inertia) return;
+  if (!feels_inertia(input))
+    fail_at(given, "fem.inertia", *given.find("fem", "inertia"),
+            "needs a rolling speed, and rolling.speed is 0", "true with rolling.speed > 0",
+            "give `speed` in mm/s under [rolling], or remove it");
+  const GivenValue& speed = *given.find("rolling", "speed");
+  for (const bool wheel : {true, false}) {
+    const Material& material = wheel ? input.wheel.material : input.rail.material;
+    const double limit = largest_rayleigh_fraction * rayleigh_speed(material);
+    if (input.rolling.speed < limit) continue;
+    fail_at(
+        given, "rolling.speed", speed,
+        fmt::format("is at or above {} of the Rayleigh wave speed of the {}, {:.4g} mm/s",
+                    largest_rayleigh_fraction, wheel ? "wheel" : "rail", rayleigh_speed(material)),
+        fmt::format("below {:.4g} mm/s", limit),
+        "lower the speed (mm/s), check young_modulus (MPa) and density (t/mm^3), or leave out "
+        "fem.inertia");
+  }
+}
+
+/// A point so much above a concave surface may still be moved onto it; its finite elements, whose
+/// size is not known yet, decide (mm).
+constexpr double most_above_surface = 1.0;
+
+/// Whether a place is outside of its body for sure: beyond z = 0, and not in a concave body.
+bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) {
+  const double depth = wheel ? place[2] : -place[2];
+  const double across = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;
+  const double round_to = wheel ? input.wheel.round_to : input.rail.round_to;
+  double drop = profile_drop(across, place[1], round_to).value;
+  const double circle = input.wheel.rolling_radius - drop;
+  if (wheel) drop += std::abs(place[0]) < circle ? circle_drop(circle, place[0]) : infinity;
+  return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
+}
+
+}  // namespace
+
+void check_places(const GivenCase& given, const Case& input, bool bodies) {
+  long points = 0;
+  for (std::size_t k = 0; k < input.subsurface.size(); ++k) {
+    const SubsurfaceRequest& request = input.subsurface[k];
+    const GivenEntry& entry = given.entries.at(k);
+    const auto fail_here = [&](const std::string& key, const std::string& wrong,
+                               const std::string& allowed, const std::string& action) {
+      CaseProblem problem;
+      const Key* declared = find_key(entry.section, key);
+      const auto found = entry.values.find(declared);
+      if (found != entry.values.end())
+        problem = problem_at(declared->path(), found->second);
+      else
+        problem.line = entry.line;
+      problem.wrong = wrong;
+      problem.allowed = allowed;
+      problem.action = action;
+      fail(given.file, problem);
+    };
+    using Kind = SubsurfaceRequest::Kind;
+    // Corners of a line on the surface have z = 0.
+    std::vector<std::pair<std::string, std::array<double, 3>>> corners{
+        {request.kind == Kind::point ? "at" : "from", request.from}};
+    if (request.kind != Kind::point) corners.emplace_back("to", request.to);
+    if (request.kind == Kind::plane) corners.emplace_back("across", request.across);
+    for (const auto& [name, corner] : corners)
+      if (bodies && outside(input, request.wheel, corner))
+        fail_here(
+            name,
+            fmt::format("z = {} is not in the {}", corner[2], request.wheel ? "wheel" : "rail"),
+            "z >= 0 in the wheel, z <= 0 in the rail; beyond that only in a concave body, down to "
+            "its "
+            "surface",
+            "change the sign of z, or name the other body");
+    if (request.kind == Kind::plane) {
+      const GivenEntry& plane = entry;
+      for (const double count :
+           std::get<std::vector<double>>(plane.values.at(find_key(entry.section, "points")).value))
+        if (count != std::floor(count))
+          fail_here("points", fmt::format("{} is not a whole number", count), "two whole numbers",
+                    "write for instance `points = [41, 21]`");
+      // The fourth corner may leave the body although the three others do not.
+      std::array<double, 3> fourth{};
+      for (int c = 0; c < 3; ++c) fourth[c] = request.to[c] + request.across[c] - request.from[c];
+      if (bodies && outside(input, request.wheel, fourth))
+        fail_here("across",
+                  fmt::format("the fourth corner, z = {}, is outside the body", fourth[2]),
+                  "a parallelogram within the body", "move a corner deeper");
+    }
+    points += static_cast<long>(request.points[0]) * request.points[1];
+    constexpr long most_points = 1000000;
+    if (points > most_points)
+      fail_here("points", fmt::format("makes {} points in all", points),
+                fmt::format("at most {} points below the surface", most_points),
+                "take fewer points");
+  }
+}
+
+void check_problem(const GivenCase& given) {
+  const std::string problem = word(given, "rolling", "problem", "steady");
+  check_forces(given, problem);
+  check_creepages(given, problem);
+  check_history(given, problem);
+  check_extra_slip(given, problem);
+  check_surface(given);
+}
+
+void complete(const GivenCase& given, Case& input) {
+  const Problem problem = input.rolling.problem;
+  if (problem == Problem::shift || problem == Problem::transient)
+    input.history.resize(input.rolling.creepages.size(),
+                         input.history.empty() ? HistoryStep{} : input.history.front());
+  for (const HistoryStep& step : input.history) {
+    const auto raise = [](std::optional<double>& highest, const std::optional<double>& value) {
+      if (value) highest = std::max(highest.value_or(0.0), *value);
+    };
+    raise(input.load.normal_force, step.normal_force);
+    raise(input.load.approach, step.approach);
+  }
+  if (input.given_pressure) {
+    GivenPressure& pressure = *input.given_pressure;
+    const double volume = 2.0 / 3.0 * 3.14159265358979323846 * pressure.semi_axis_x *
+                          pressure.semi_axis_y;  // of the semi-ellipsoid with p0 = 1
+    if (input.load.normal_force)
+      pressure.max_pressure = *input.load.normal_force / volume;
+    else
+      input.load.normal_force = pressure.max_pressure * volume;
+  }
+  if (given.find("wheel", "rolling_radius") == nullptr) input.wheel.rolling_radius = infinity;
+}
+
+void check_values(const GivenCase& given, const Case& input) {
+  check_rigid(given, input);
+  check_friction(given, input);
+  check_friction_limit(given, input);
+  check_inertia(given, input);
+  check_places(given, input);
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,111 @@
+#include "contact/case/checks/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+// Limits and their reasons: docs/troubleshooting.md.
+constexpr double smallest_rolling_radius = 5.0;     // mm
+constexpr double smallest_transverse_radius = 1.0;  // mm
+constexpr double smallest_wheel = 100.0;            // mm
+constexpr double least_of_metal = 1e4;              // MPa
+constexpr double stiffest = 2e6;                    // MPa
+constexpr double least_load_of_wheel = 5e-3;        // N/mm^2, force over the rolling radius squared
+constexpr double largest_creepage = 0.3;
+constexpr double largest_spin = 0.1;  // rad/mm
+
+class Doubts {
+ public:
+  explicit Doubts(const Case& input) : input_(input) {}
+
+  void add(bool doubtful, const char* key, double value, const char* unit, const std::string& why) {
+    if (doubtful)
+      texts_.push_back(fmt::format("{}: {} = {:g}{}: {}", input_.file, key, value, unit, why));
+  }
+
+  std::vector<std::string> take() { return std::move(texts_); }
+
+ private:
+  const Case& input_;
+  std::vector<std::string> texts_;
+};
+
+void doubt_radii(const Case& input, Doubts& doubts) {
+  const double rolling = input.wheel.rolling_radius;
+  doubts.add(rolling > 0.0 && rolling < smallest_rolling_radius, "wheel.rolling_radius", rolling,
+             " mm", "wheels are larger; do: give it in mm if this is in m");
+  const auto across = [&](const char* key, double radius) {
+    doubts.add(radius != 0.0 && std::abs(radius) < smallest_transverse_radius, key, radius, " mm",
+               "profiles have larger radii; do: give it in mm if this is in m");
+  };
+  if (input.wheel.profile.name.empty())
+    across("wheel.transverse_radius", input.wheel.transverse_radius);
+  if (input.rail.profile.name.empty())
+    across("rail.transverse_radius", input.rail.transverse_radius);
+}
+
+void doubt_moduli(const Case& input, Doubts& doubts) {
+  const auto check = [&](const char* key, double modulus) {
+    doubts.add(
+        std::isfinite(modulus) && modulus > stiffest, key, modulus, " MPa",
+        "no material is that stiff; do: give it in MPa if this is in kPa, or inf for a rigid body");
+  };
+  check("wheel.young_modulus", input.wheel.material.young_modulus);
+  check("rail.young_modulus", input.rail.material.young_modulus);
+}
+
+void doubt_load(const Case& input, Doubts& doubts) {
+  const double radius = input.wheel.rolling_radius;
+  const bool metal = std::min(input.wheel.material.young_modulus,
+                              input.rail.material.young_modulus) > least_of_metal;
+  const bool line = input.geometry.shape == ContactShape::line;  // its force is of any width
+  if (line || !metal || !(radius >= smallest_wheel) || !std::isfinite(radius)) return;
+  const double least = least_load_of_wheel * radius * radius;
+  for (const auto& [key, force] : {std::pair{"load.normal_force", input.load.normal_force},
+                                   std::pair{"load.vertical_force", input.load.vertical_force}})
+    doubts.add(
+        force && *force < least, key, force.value_or(0.0), " N",
+        fmt::format(
+            "a wheel of {:g} mm carries more than {:.0f} N; do: give it in N if this is in kN",
+            radius, least));
+}
+
+double largest_size(const Case& input, double Creepage::*member) {
+  double largest = 0.0;
+  for (const Creepage& creepage : input.rolling.creepages)
+    if (std::abs(creepage.*member) > std::abs(largest)) largest = creepage.*member;
+  return largest;
+}
+
+void doubt_creepages(const Case& input, Doubts& doubts) {
+  for (const auto& [key, member] :
+       {std::pair{"rolling.longitudinal_creepage", &Creepage::longitudinal},
+        std::pair{"rolling.lateral_creepage", &Creepage::lateral}}) {
+    const double value = largest_size(input, member);
+    doubts.add(std::abs(value) > largest_creepage, key, value, "",
+               "the contact slides fully far below that; do: give it as a ratio if this is in "
+               "percent: 0.001 is 0.1 %");
+  }
+  const double spin = largest_size(input, &Creepage::spin);
+  doubts.add(std::abs(spin) > largest_spin, "rolling.spin", spin, " rad/mm",
+             "contact angles cause sin(angle)/radius, some 1e-4 to 1e-2; do: give it in rad/mm if "
+             "this is in rad/m");
+}
+
+}  // namespace
+
+std::vector<std::string> implausible_values(const Case& input) {
+  Doubts doubts(input);
+  doubt_radii(input, doubts);
+  doubt_moduli(input, doubts);
+  doubt_load(input, doubts);
+  doubt_creepages(input, doubts);
+  return doubts.take();
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,319 @@
+// How a key is declared, in named parts that end with the member of the case it fills:
+//
+//   Keys<Load> keys("load", "How hard the bodies are pressed together", &Case::load);
+//   keys.real("normal_force").symbol("F_z").unit("N").between(1e-6, 1e12)
+//       .says("Force that presses the wheel on the rail.").into(&Load::normal_force);
+//
+// Private to contact/case/keys_*.cpp, of which each declares one section, or sections that share
+// their keys.
+#pragma once
+
+#include "contact/case/keys/case_keys.hpp"
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace rollfem::contact {
+
+using Words = std::vector<std::string>;
+using Numbers = std::vector<double>;
+
+// Radii, forces and moduli have bounds far outside of anything built, which only keep the
+// arithmetic away from overflow and underflow.
+inline constexpr double smallest = 1e-6;
+inline constexpr double smallest_radius = 1e-3;  // mm: of wheels, rails and arcs of profiles
+inline constexpr double largest = 1e9;
+inline constexpr double largest_force = 1e12;
+
+/// What the words of a key stand for.
+template <class Value>
+using Choices = std::vector<std::pair<const char*, Value>>;
+
+// Members of a case as values of keys, and back.
+
+inline KeyValue value_of(bool member) {
+  return member;
+}
+inline KeyValue value_of(double member) {
+  return member;
+}
+inline KeyValue value_of(int member) {
+  return static_cast<double>(member);
+}
+inline KeyValue value_of(const std::string& member) {
+  return member.empty() ? KeyValue() : KeyValue(member);
+}
+inline KeyValue value_of(const Words& member) {
+  return member;
+}
+inline KeyValue value_of(const Numbers& member) {
+  return member.empty() ? KeyValue() : KeyValue(member);
+}
+inline KeyValue value_of(const Lattice& member) {
+  return member.file;
+}
+template <class Number, std::size_t count>
+KeyValue value_of(const std::array<Number, count>& member) {
+  return Numbers(member.begin(), member.end());
+}
+template <class Member>
+KeyValue value_of(const std::optional<Member>& member) {
+  return member ? value_of(*member) : KeyValue();
+}
+
+inline void assign(bool& member, const KeyValue& value) {
+  member = std::get<bool>(value);
+}
+inline void assign(double& member, const KeyValue& value) {
+  member = std::get<double>(value);
+}
+inline void assign(int& member, const KeyValue& value) {
+  member = static_cast<int>(std::get<double>(value));
+}
+inline void assign(std::string& member, const KeyValue& value) {
+  member = std::get<std::string>(value);
+}
+inline void assign(Words& member, const KeyValue& value) {
+  member = std::get<Words>(value);
+}
+inline void assign(Numbers& member, const KeyValue& value) {
+  member = std::get<Numbers>(value);
+}
+/// A file of points: the reader fills in the rest.
+inline void assign(Lattice& member, const KeyValue& value) {
+  member.file = std::get<std::string>(value);
+}
+template <class Number, std::size_t count>
+void assign(std::array<Number, count>& member, const KeyValue& value) {
+  const auto& numbers = std::get<Numbers>(value);
+  for (std::size_t i = 0; i < numbers.size(); ++i) member.at(i) = static_cast<Number>(numbers[i]);
+}
+template <class Member>
+void assign(std::optional<Member>& member, const KeyValue& value) {
+  assign(member.emplace(), value);
+}
+
+/// The value that a word stands for, where the member may also be absent.
+template <class Member>
+struct Chosen {
+  using Value = Member;
+};
+template <class Member>
+struct Chosen<std::optional<Member>> {
+  using Value = Member;
+};
+
+/// A single number when all entries are the same.
+KeyValue shortened(Numbers values);
+
+/// Makes room for `count` load points (steps) wherever there is one entry for each.
+void grow_load_points(Case& input, std::size_t count);
+
+/// The part of a case that a section describes.
+template <class Part>
+struct Place {
+  std::function<const Part*(const Case&)> find;  ///< nullptr: this case has none
+  std::function<Part&(Case&)> make;              ///< also where there was none
+
+  Place(Part Case::*part)
+      : find([part](const Case& c) { return &(c.*part); }),
+        make([part](Case& c) -> Part& { return c.*part; }) {}
+  Place(std::optional<Part> Case::*part)
+      : find([part](const Case& c) { return c.*part ? &*(c.*part) : nullptr; }),
+        make([part](Case& c) -> Part& { return c.*part ? *(c.*part) : (c.*part).emplace(); }) {}
+  Place(std::function<const Part*(const Case&)> finder, std::function<Part&(Case&)> maker)
+      : find(std::move(finder)), make(std::move(maker)) {}
+};
+
+inline Place<Case> whole_case() {
+  return {[](const Case& c) { return &c; }, [](Case& c) -> Case& { return c; }};
+}
+
+/// The member at the end of a path of pointers to members, or of functions.
+template <class Part>
+Part& follow(Part& part) {
+  return part;
+}
+template <class Part, class First, class... Rest>
+auto& follow(Part& part, const First& first, const Rest&... rest) {
+  return follow(std::invoke(first, part), rest...);
+}
+
+/// One key that is being declared: a chain of parts, and `into` or `by` at its end.
+template <class Part>
+class KeyBuilder {
+ public:
+  KeyBuilder(Key& key, Place<Part> place) : key_(key), place_(std::move(place)) {}
+
+  KeyBuilder& symbol(const std::string& text) { return put(key_.symbol, text); }
+  KeyBuilder& unit(const std::string& text) { return put(key_.unit, text); }
+  KeyBuilder& says(const std::string& sentence) { return put(key_.sentence, sentence); }
+  KeyBuilder& example(const std::string& toml) { return put(key_.example, toml); }
+  /// What happens without the key, where there is no default value.
+  KeyBuilder& otherwise(const std::string& text) { return put(key_.when_absent, text); }
+  KeyBuilder& among(const Words& words) { return put(key_.words, words); }
+  KeyBuilder& or_empty() { return put(key_.empty, true); }
+  /// Lists over the same (`per`) have one length, and one number serves all.
+  KeyBuilder& per(const std::string& what) { return put(key_.per, what); }
+  KeyBuilder& required(const std::string& toml) {
+    key_.required = true;
+    return example(toml);
+  }
+
+  KeyBuilder& between(double lower, double upper) { return put(key_.bounds, {lower, upper}); }
+  KeyBuilder& positive() { return between(smallest, largest); }
+  /// Bounds of the absolute value.
+  KeyBuilder& sized(double lower, double upper) {
+    return put(key_.bounds, {lower, upper, false, true});
+  }
+  KeyBuilder& within(double limit) { return sized(0.0, limit); }
+  /// The upper bound itself is outside.
+  KeyBuilder& upper_open() { return put(key_.bounds.upper_open, true); }
+  KeyBuilder& or_inf() { return put(key_.bounds.infinite, true); }
+
+  /// The member that the key fills, at the end of a path from the part of the section.
+  template <class... Path>
+  void into(Path... path) {
+    const bool listed = !key_.per.empty();
+    by(
+        [listed, path...](const Part& part) {
+          const KeyValue value = value_of(follow(part, path...));
+          const auto* numbers = std::get_if<Numbers>(&value);
+          return listed && numbers != nullptr ? shortened(*numbers) : value;
+        },
+        [path...](Part& part, const KeyValue& value) { assign(follow(part, path...), value); });
+  }
+
+  /// The same for a word that stands for something.
+  template <class Member>
+  void into(Member Part::*member, const Choices<typename Chosen<Member>::Value>& choices) {
+    for (const auto& [word, value] : choices) key_.words.emplace_back(word);
+    by(
+        [member, choices](const Part& part) -> KeyValue {
+          for (const auto& [word, value] : choices)
+            if (part.*member == value) return std::string(word);
+          return {};
+        },
+        [member, choices](Part& part, const KeyValue& given) {
+          for (const auto& [word, value] : choices)
+            if (std::get<std::string>(given) == word) part.*member = value;
+        });
+  }
+
+  /// One number for each load point, in the entries of a list; those are made where there are none.
+  template <class Entry, class... Path>
+  void into_each(std::vector<Entry> Part::*list, Path... path) {
+    per("load points");
+    key_.get = [find = place_.find, list, path...](const Case& c) {
+      Numbers numbers;
+      for (const Entry& entry : find(c)->*list) {
+        const KeyValue value = value_of(follow(entry, path...));
+        if (const auto* number = std::get_if<double>(&value)) numbers.push_back(*number);
+      }
+      return shortened(numbers);
+    };
+    key_.set = [make = place_.make, list, path...](Case& c, const KeyValue& value) {
+      const auto& numbers = std::get<Numbers>(value);
+      auto& entries = make(c).*list;
+      entries.resize(c.rolling.creepages.size());
+      grow_load_points(c, numbers.size());
+      for (std::size_t k = 0; k < entries.size(); ++k)
+        assign(follow(entries[k], path...), numbers.size() == 1 ? numbers.front() : numbers.at(k));
+    };
+  }
+
+  /// Whatever is no plain member: both are given the part of the section.
+  void by(std::function<KeyValue(const Part&)> get,
+          std::function<void(Part&, const KeyValue&)> set) {
+    key_.get = [find = place_.find, get = std::move(get)](const Case& c) {
+      const Part* part = find(c);
+      return part == nullptr ? KeyValue() : get(*part);
+    };
+    key_.set = [make = place_.make, set = std::move(set)](Case& c, const KeyValue& value) {
+      set(make(c), value);
+    };
+  }
+
+ private:
+  template <class Member, class Value = Member>
+  KeyBuilder& put(Member& member, Value value) {
+    member = std::move(value);
+    return *this;
+  }
+
+  Key& key_;
+  Place<Part> place_;
+};
+
+struct SectionWithKeys {
+  Section section;
+  std::vector<Key> keys;
+};
+
+/// A section that is being declared.
+template <class Part>
+class Keys {
+ public:
+  Keys(const std::string& name, const std::string& sentence, Place<Part> place)
+      : place_(std::move(place)) {
+    declared_.section.name = name;
+    declared_.section.sentence = sentence;
+  }
+
+  KeyBuilder<Part> text(const std::string& name) { return key(name, KeyKind::text); }
+  KeyBuilder<Part> choice(const std::string& name) { return key(name, KeyKind::word); }
+  KeyBuilder<Part> choices(const std::string& name) { return key(name, KeyKind::words); }
+  KeyBuilder<Part> lean(const std::string& name) { return key(name, KeyKind::lean); }
+  KeyBuilder<Part> real(const std::string& name) { return key(name, KeyKind::number); }
+  KeyBuilder<Part> whole(const std::string& name) { return key(name, KeyKind::integer); }
+  KeyBuilder<Part> toggle(const std::string& name) { return key(name, KeyKind::boolean); }
+  KeyBuilder<Part> pair(const std::string& name) { return key(name, KeyKind::pair); }
+  KeyBuilder<Part> triple(const std::string& name) { return key(name, KeyKind::triple); }
+  KeyBuilder<Part> reals(const std::string& name) { return key(name, KeyKind::numbers); }
+
+  Section& section() { return declared_.section; }
+  operator SectionWithKeys() { return std::move(declared_); }
+
+ private:
+  KeyBuilder<Part> key(const std::string& name, KeyKind kind) {
+    Key& added = declared_.keys.emplace_back();
+    added.section = declared_.section.name;
+    added.name = name;
+    added.kind = kind;
+    return {added, place_};
+  }
+
+  SectionWithKeys declared_;
+  Place<Part> place_;
+};
+
+// The sections, in the order of the reference page.
+SectionWithKeys general_section();
+SectionWithKeys load_section();
+SectionWithKeys friction_section();
+SectionWithKeys wheel_section();
+SectionWithKeys rail_section();
+SectionWithKeys geometry_section();
+SectionWithKeys wheel_profile_section();
+SectionWithKeys rail_profile_section();
+SectionWithKeys track_section();
+SectionWithKeys wheelset_section();
+SectionWithKeys rolling_section();
+SectionWithKeys history_section();
+SectionWithKeys undeformed_distance_section();
+SectionWithKeys given_pressure_section();
+SectionWithKeys contact_grid_section();
+SectionWithKeys halfspace_section();
+SectionWithKeys fastsim_section();
+SectionWithKeys strip_section();
+SectionWithKeys carter_section();
+SectionWithKeys fem_section();
+SectionWithKeys output_section();
+SectionWithKeys table_section();
+SectionWithKeys subsurface_point_section();
+SectionWithKeys subsurface_line_section();
+SectionWithKeys subsurface_plane_section();
+SectionWithKeys subsurface_surface_section();
+
+}  // namespace rollfem::contact

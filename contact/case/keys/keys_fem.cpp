@@ -1,0 +1,108 @@
+#include "contact/case/keys/key_builder.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+using FemKeys = Keys<FemOptions>;
+
+void add_elements(FemKeys& keys) {
+  keys.real("cell_size")
+      .symbol("h")
+      .unit("mm")
+      .positive()
+      .otherwise("chosen from the size of the patch")
+      .says("Size of a finite element in the patch, and of a contact element of this model.")
+      .into(&FemOptions::cell_size);
+  keys.whole("degree")
+      .between(1, 2)
+      .says(
+          "Polynomial degree of the displacement; 1 is 15 to 20 times less accurate on the same "
+          "cells and makes a contact element two by two cells.")
+      .into(&FemOptions::degree);
+  keys.real("extent")
+      .symbol("L")
+      .unit("mm")
+      .positive()
+      .otherwise("chosen from the size of the patch")
+      .says("How far the segments of wheel and rail reach from the middle of the patch.")
+      .into(&FemOptions::extent);
+  keys.real("fine_extent")
+      .symbol("c")
+      .between(1.0, 10.0)
+      .otherwise("chosen by the model")
+      .says(
+          "How far the finest cells reach from the middle, in semi-axes of the patch; more than "
+          "1.1 gains nothing.")
+      .into(&FemOptions::fine_extent);
+  keys.choice("linear_solver")
+      .says(
+          "`automatic` takes what should be faster for this size and number of load points; "
+          "`algebraic` (Trilinos ML) is for imported meshes too fine to serve as a coarse level.")
+      .into(&FemOptions::linear_solver, {{"automatic", LinearSolver::automatic},
+                                         {"factorisation", LinearSolver::factorisation},
+                                         {"multigrid", LinearSolver::multigrid},
+                                         {"algebraic", LinearSolver::algebraic}});
+  keys.toggle("inertia")
+      .says(
+          "Include the inertia of wheel and rail and the wheel's centrifugal load at "
+          "rolling.speed, which must be below 0.9 of the slower body's Rayleigh wave speed.")
+      .into(&FemOptions::inertia);
+}
+
+void add_meshes(FemKeys& keys) {
+  keys.choice("mesh")
+      .otherwise("`structured`; `gmsh` where profiles are too steep for a box")
+      .says(
+          "How wheel and rail are meshed: `structured` lays a graded box on the surface; `gmsh` "
+          "meshes the cross-section with quadrilaterals and revolves or extrudes it; with profiles "
+          "this is the true section of rail and wheel rim.")
+      .into(&FemOptions::mesh,
+            {{"structured", MeshFamily::structured}, {"gmsh", MeshFamily::gmsh}});
+  keys.real("width")
+      .unit("mm")
+      .positive()
+      .otherwise("twice the extent")
+      .says("Width of the segments of wheel and rail across rolling.")
+      .into(&FemOptions::width);
+  keys.real("depth")
+      .unit("mm")
+      .positive()
+      .otherwise("the extent; for true sections 172, the foot")
+      .says(
+          "Depth of the segments below the surface; for the true section of a rail the depth below "
+          "its top at which it is cut and fixed.")
+      .into(&FemOptions::depth);
+  keys.real("rim_thickness")
+      .unit("mm")
+      .positive()
+      .otherwise("65")
+      .says(
+          "Thickness of the wheel's rim below the contact in a true section (profiles); the rim is "
+          "fixed at its inner side.")
+      .into(&FemOptions::rim_thickness);
+  keys.real("length")
+      .unit("mm")
+      .positive()
+      .otherwise("twice the extent")
+      .says("Length of the segments along rolling; on the wheel the arc length of its sector.")
+      .into(&FemOptions::length);
+  keys.choice("far_boundary")
+      .otherwise("`point_load`; `clamped` with a mesh of your own or true sections")
+      .says(
+          "Far boundary of the segments: `clamped`, or displaced like a half-space under the force "
+          "on the patch (`point_load`), so that the approach depends less on their size.")
+      .into(&FemOptions::far_boundary,
+            {{"clamped", FarBoundary::clamped}, {"point_load", FarBoundary::point_load}});
+}
+
+}  // namespace
+
+SectionWithKeys fem_section() {
+  FemKeys keys("fem", "Finite-element model", &Case::fem);
+  add_elements(keys);
+  add_meshes(keys);
+  return keys;
+}
+
+}  // namespace rollfem::contact

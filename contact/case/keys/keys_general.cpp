@@ -1,0 +1,40 @@
+// Keys before the first section.
+#include "contact/base/accuracy.hpp"
+#include "contact/case/keys/key_builder.hpp"
+
+namespace rollfem::contact {
+
+SectionWithKeys general_section() {
+  Keys<Case> keys("", "Before the first section", whole_case());
+  keys.text("title")
+      .example(R"("a wheel on a crowned rail")")
+      .otherwise("the name of the file")
+      .says("Heading of the report.")
+      .into(&Case::title);
+  keys.choices("models")
+      .says(
+          "The models that `run` solves, in this order; `--model` on the command line overrides "
+          "it. `auto`, on its own, chooses the cheapest of halfspace, hybrid and fem that meets "
+          "`accuracy` (docs/choice.md).")
+      .by([](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
+          [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); });
+  keys.real("accuracy")
+      .between(1e-5, 0.5)
+      .otherwise("the cells of the case, whatever their error")
+      .says(
+          "Largest relative estimated error of the quantities of `accuracy_of`. The models "
+          "halfspace and fem halve their cells, starting from those of the case, until it is "
+          "reached; if memory or the finest grid ends that first, the results are written and the "
+          "run ends with status 1. The model auto chooses model and grid for it and adds the model "
+          "error; its default is 0.01, and missing that is only a warning.")
+      .into(&Case::accuracy);
+  keys.choices("accuracy_of")
+      .among(accuracy_words())
+      .says(
+          "Quantities that `accuracy` applies to: the largest error over all load points, as a "
+          "fraction of the value, for traction_coefficient of mu, for max_traction_x of mu p_0.")
+      .into(&Case::accuracy_of);
+  return keys;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,75 @@
+#include "contact/case/keys/key_builder.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+/// A list in place of `points` and `largest`.
+void add_list(Keys<TableOptions>& keys, const std::string& name, const std::string& symbol,
+              const std::string& sentence, std::vector<double> TableOptions::*list) {
+  keys.reals(name)
+      .symbol(symbol)
+      .between(0.0, 1000.0)
+      .otherwise("by points and largest")
+      .says(sentence)
+      .into(list);
+}
+
+}  // namespace
+
+SectionWithKeys table_section() {
+  Keys<TableOptions> keys("table", "Grid of `rollfem table`; nothing else reads it", &Case::table);
+  keys.reals("axis_ratio")
+      .symbol("a/b")
+      .between(0.02, 50.0)
+      .otherwise("that of Hertz's ellipse of the case")
+      .says("Axis ratios a/b of the ellipse, a along rolling, in increasing order.")
+      .into(&TableOptions::axis_ratio);
+  keys.reals("lateral_shift")
+      .unit("mm")
+      .within(1e3)
+      .otherwise("none, the table is over axis_ratio")
+      .says(
+          "Lateral shifts of the wheelset, positive to the right, each larger than the one before: "
+          "the table is that of the wheel on its rail, with profiles, under the load and friction "
+          "of the case.")
+      .into(&TableOptions::lateral_shift);
+  keys.real("lateral_shift_step")
+      .unit("mm")
+      .between(1e-3, 1e3)
+      .otherwise("lateral_shift holds every shift")
+      .says("lateral_shift holds the first and the last shift only, between which steps are even.")
+      .into(&TableOptions::lateral_shift_step);
+  keys.triple("points")
+      .between(2, 200)
+      .otherwise("16, 16, 31; over lateral shifts 8, 8, 15")
+      .says(
+          "Grid points along xi', eta' (from 0; over lateral shifts the negative ones follow) and "
+          "phi' (of both signs; with an odd number 0 is among them): whole numbers.")
+      .into(&TableOptions::points);
+  keys.triple("largest")
+      .between(0.01, 1000.0)
+      .says("Largest xi', eta' and phi' of the grid; beyond it full sliding is assumed.")
+      .into(&TableOptions::largest);
+  add_list(keys, "longitudinal_values", "xi'",
+           "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, instead of "
+           "the first of points and largest; over lateral shifts the negative ones follow.",
+           &TableOptions::longitudinal);
+  add_list(keys, "lateral_values", "eta'",
+           "Scaled lateral creepages eta' = eta G a b C22 / (3 mu F_n) from 0 on, instead of the "
+           "second.",
+           &TableOptions::lateral);
+  add_list(keys, "spin_values", "phi'",
+           "Scaled spins phi' = phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n) that are not "
+           "negative, instead of the third; the negative ones follow.",
+           &TableOptions::spin);
+  keys.whole("check_points")
+      .between(0, 1e6)
+      .says(
+          "Number of random points between those of the grid at which the interpolation error is "
+          "evaluated.")
+      .into(&TableOptions::check_points);
+  return keys;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,75 @@
+// The theories that take options, a section each: [fastsim], [strip], [carter].
+#include "contact/case/keys/key_builder.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+template <class Options>
+void add_strips(Keys<Options>& keys, int fewest) {
+  keys.whole("strips")
+      .between(fewest, 2000)
+      .says("Strips across the patch.")
+      .into(&Options::strips);
+}
+
+template <class Options>
+void add_strip_elements(Keys<Options>& keys) {
+  keys.whole("strip_elements")
+      .between(4, 2000)
+      .says("Elements along each strip.")
+      .into(&Options::strip_elements);
+}
+
+}  // namespace
+
+SectionWithKeys fastsim_section() {
+  Keys<FastsimOptions> keys(
+      "fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse", &Case::fastsim);
+  keys.choice("bound")
+      .says(
+          "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "
+          "`elliptic` mu p0 sqrt(1 - r^2), that of Hertz's pressure.")
+      .into(&FastsimOptions::bound,
+            {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}});
+  keys.choice("flexibilities")
+      .says(
+          "Flexibility of the brushes: one for each creepage, or their mean weighted by the "
+          "creepages.")
+      .into(&FastsimOptions::flexibilities,
+            {{"three", Flexibilities::three}, {"one", Flexibilities::one}});
+  keys.choice("elements")
+      .says(
+          "`chord` divides every strip equally; `grid` uses elements of a common grid and takes "
+          "the spin a sixth of a step upstream, as CONTACT does (first order).")
+      .into(&FastsimOptions::elements,
+            {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}});
+  add_strips(keys, 8);
+  add_strip_elements(keys);
+  return keys;
+}
+
+SectionWithKeys strip_section() {
+  Keys<StripCase> keys(
+      "strip", "Model `strip`: strips along rolling, each with Hertzian pressure and brushes",
+      &Case::strip);
+  add_strips(keys, 16);
+  add_strip_elements(keys);
+  keys.real("virtual_penetration")
+      .between(0.3, 1.0)
+      .otherwise("from Hertz's ellipse of the same depth and volume")
+      .says(
+          "Fraction of the approach by which the undeformed profiles penetrate to define the "
+          "patch; 0.55 after Kik and Piotrowski.")
+      .into(&StripCase::virtual_penetration);
+  return keys;
+}
+
+SectionWithKeys carter_section() {
+  Keys<CarterCase> keys("carter", "Model `carter`: strips along rolling, each a line contact",
+                        &Case::carter);
+  add_strips(keys, 8);
+  return keys;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,55 @@
+#include "contact/case/case_text.hpp"
+#include "contact/case/keys/key_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// A tangent as the file would have it: "none", "1:40" where that is what it is, else the angle.
+KeyValue lean_of(double tangent) {
+  if (tangent == 0.0) return std::string("none");
+  const std::string ratio = fmt::format("1:{:g}", 1.0 / tangent);
+  const std::optional<double> number = ratio_of(ratio);
+  if (number && std::abs(*number * tangent - 1.0) < 1e-12) return ratio;
+  return std::atan(tangent);
+}
+
+double tangent_of(const KeyValue& value) {
+  if (const auto* angle = std::get_if<double>(&value)) return std::tan(*angle);
+  const std::optional<double> ratio = ratio_of(std::get<std::string>(value));
+  return ratio ? 1.0 / *ratio : 0.0;
+}
+
+}  // namespace
+
+SectionWithKeys track_section() {
+  Keys<Track> keys("track", "The track under wheels with profiles", &Case::track);
+  keys.section().of_profiles = true;
+  keys.real("gauge")
+      .unit("mm")
+      .between(1.0, 1e4)
+      .says("Distance between the rails.")
+      .into(&Track::gauge);
+  keys.real("gauge_height")
+      .unit("mm")
+      .between(0.1, 100.0)
+      .says("How far below the top of the rails the gauge is measured.")
+      .into(&Track::gauge_height);
+  keys.lean("inclination")
+      .among({"none"})
+      .within(0.5)
+      .example(R"("1:40")")
+      .otherwise("required with profiles")
+      .says(
+          "How far the rails lean towards the middle of the track; `none` also where the rail's "
+          "profile was measured in place.")
+      .by([](const Track& track) { return lean_of(track.inclination); },
+          [](Track& track, const KeyValue& value) { track.inclination = tangent_of(value); });
+  return keys;
+}
+
+}  // namespace rollfem::contact

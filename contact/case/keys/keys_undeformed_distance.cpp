@@ -1,0 +1,26 @@
+#include "contact/case/keys/key_builder.hpp"
+
+namespace rollfem::contact {
+
+SectionWithKeys undeformed_distance_section() {
+  Keys<DistanceOptions> keys("undeformed_distance",
+                             "Distance of the undeformed bodies, instead of that from the radii",
+                             &Case::undeformed_distance);
+  keys.section().alternatives = true;
+  keys.pair("quadratic")
+      .symbol("A, B")
+      .unit("1/mm")
+      .between(1e-9, 1e6)
+      .otherwise("from the radii of wheel and rail")
+      .says("h = A x^2 + B y^2; the radii may then be omitted.")
+      .into(&DistanceOptions::quadratic);
+  keys.text("file")
+      .otherwise("from the radii of wheel and rail")
+      .says(
+          "Lines `x, y, h` in mm on a regular lattice, which becomes the potential contact area; "
+          "cubics interpolate between the points. The path is relative to the case file.")
+      .into(&DistanceOptions::values);
+  return keys;
+}
+
+}  // namespace rollfem::contact

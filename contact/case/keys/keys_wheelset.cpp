@@ -1,0 +1,89 @@
+#include "contact/case/keys/key_builder.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+using WheelsetKeys = Keys<Wheelset>;
+
+/// Lists over the positions of the wheelset, made one length by complete_track.
+void add_positions(WheelsetKeys& keys) {
+  keys.reals("lateral_shift")
+      .unit("mm")
+      .within(1e3)
+      .per("positions")
+      .says(
+          "Lateral shift of the wheelset, positive to the right seen along x. A list makes "
+          "positions; lateral_shift, yaw and roll then have the same length, or one number for "
+          "all.")
+      .into(&Wheelset::lateral_shift);
+  keys.reals("yaw")
+      .unit("rad")
+      .within(0.2)
+      .per("positions")
+      .says("Yaw of the wheelset about the vertical, positive to the right.")
+      .into(&Wheelset::yaw);
+  keys.reals("roll")
+      .unit("rad")
+      .within(0.2)
+      .per("positions")
+      .otherwise("both wheels touch their rails")
+      .says(
+          "Roll of the wheelset about x, positive when the right wheel is lower. If given, each "
+          "wheel touches its rail separately.")
+      .into(&Wheelset::roll);
+}
+
+void add_motion(WheelsetKeys& keys) {
+  keys.real("lateral_velocity")
+      .within(1.0)
+      .says("Lateral velocity of the wheelset over its forward speed, positive to the right.")
+      .into(&Wheelset::lateral_velocity);
+  keys.real("yaw_velocity")
+      .unit("rad/mm")
+      .within(1.0)
+      .says("Change of yaw per distance rolled.")
+      .into(&Wheelset::yaw_velocity);
+  keys.reals("rotation_change")
+      .within(1.0)
+      .otherwise("0: the wheelset turns with V / rolling_radius")
+      .says(
+          "Relative change of the wheelset's rotation from V / rolling_radius: positive drives, "
+          "negative brakes. A list makes a creep curve; not with longitudinal_creepage.")
+      .into_each(&Wheelset::rotation_change);
+  keys.choice("free_rolling")
+      .says(
+          "What determines the rotation instead of rotation_change: `force`: no F_x on each wheel "
+          "separately; `torque`: no torque of both wheels about the axle; `none`: nothing.")
+      .into(&Wheelset::free_rolling, {{"none", FreeRolling::none},
+                                      {"force", FreeRolling::force},
+                                      {"torque", FreeRolling::torque}});
+}
+
+}  // namespace
+
+SectionWithKeys wheelset_section() {
+  WheelsetKeys keys("wheelset",
+                    "Where the wheelset with profiles stands on the track and how it moves",
+                    &Case::wheelset);
+  keys.section().of_profiles = true;
+  keys.choice("side")
+      .says("The wheels to solve; both are placed in any case.")
+      .into(&Wheelset::side,
+            {{"left", WheelSide::left}, {"right", WheelSide::right}, {"both", WheelSide::both}});
+  keys.real("flange_back_distance")
+      .unit("mm")
+      .between(1.0, 1e4)
+      .says("Distance between the backs of the two flanges (back to back).")
+      .into(&Wheelset::flange_back_distance);
+  keys.real("flange_back_position")
+      .unit("mm")
+      .within(1e3)
+      .says("y of the back of the flange in the wheel's profile.")
+      .into(&Wheelset::flange_back_position);
+  add_positions(keys);
+  add_motion(keys);
+  return keys;
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,74 @@
+#include "tables/files/table_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace rollfem::tables {
+
+namespace {
+
+const char* const creepage_columns =
+    ",longitudinal_scaled [-],lateral_scaled [-],spin_scaled [-],longitudinal_force [mu "
+    "F_n],lateral_force [mu F_n],spin_moment [mu F_n c],";
+
+std::string first_column(const CreepTable& table) {
+  return table.over_shifts() ? "lateral_shift [mm]" : "axis_ratio [-]";
+}
+
+}  // namespace
+
+std::string table_csv(const CreepTable& table) {
+  std::string text = first_column(table) + creepage_columns +
+                     "force_bar [mu F_n],moment_bar [mu F_n c],elements_across [-]" +
+                     (table.over_shifts() ? ",force_along_normal [mu F_n]\n" : "\n");
+  const auto& [xi, eta, phi] = table.creepage;
+  std::size_t at = 0;
+  for (const double place : table.places())
+    for (const double x : xi)
+      for (const double y : eta)
+        for (const double z : phi) {
+          const Scaled& force = table.forces[at];
+          fmt::format_to(std::back_inserter(text),
+                         "{},{},{},{},{:.7g},{:.7g},{:.7g},{:.2g},{:.2g},{}", place, x, y, z,
+                         force[0], force[1], force[2], table.bars[at][0], table.bars[at][1],
+                         table.elements_across[at]);
+          if (table.over_shifts())
+            fmt::format_to(std::back_inserter(text), ",{:.7g}", table.along_normal[at]);
+          text += '\n';
+          ++at;
+        }
+  return text;
+}
+
+std::string interpolation_csv(const CreepTable& table) {
+  std::string text =
+      first_column(table) + creepage_columns + "force_error [mu F_n],moment_error [mu F_n c]\n";
+  for (const CheckedPoint& point : table.checked) {
+    const auto& [x, y, z] = point.creepage;
+    const Scaled& found = point.interpolated;
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{:.7g},{:.7g},{:.7g},{:.3g},{:.3g}\n",
+                   point.place, x, y, z, point.solved[0], point.solved[1], point.solved[2],
+                   std::hypot(found[0] - point.solved[0], found[1] - point.solved[1]),
+                   found[2] - point.solved[2]);
+  }
+  return text;
+}
+
+std::string shifts_csv(const CreepTable& table) {
+  std::string text = "lateral_shift [mm]";
+  for (const WheelColumn& column : wheel_columns())
+    text +=
+        fmt::format(",{} [{}]", column.name, column.unit == std::string("1") ? "-" : column.unit);
+  text += '\n';
+  for (std::size_t k = 0; k < table.wheels.size(); ++k) {
+    fmt::format_to(std::back_inserter(text), "{}", table.lateral_shift[k]);
+    for (const WheelColumn& column : wheel_columns())
+      fmt::format_to(std::back_inserter(text), ",{:.9g}", table.wheels[k].*column.member);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace rollfem::tables

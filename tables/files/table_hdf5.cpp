@@ -1,0 +1,246 @@
+#include "contact/base/errors.hpp"
+#include "postprocess/files/seal.hpp"
+#include "postprocess/hdf5/hdf5_objects.hpp"
+#include "tables/files/table_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace rollfem::tables {
+
+namespace {
+
+using namespace postprocess::hdf5;
+
+const char* const table_format = "rollfem table";
+/// 1: over ratios of axes only; what it has is the same since.
+constexpr long table_version = 2;
+
+const char* const table_conventions =
+    "Scaled creepages: xi' = xi G a b C11 / (3 mu F_n), eta' = eta G a b C22 / (3 mu F_n), phi' = "
+    "phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n); G combined shear modulus, C Kalker's "
+    "coefficients, a along rolling. Forces act on the wheel, F_x and F_y over mu F_n, M_z over mu "
+    "F_n sqrt(a b). ";
+const char* const ratio_conventions =
+    "Arrays [axis_ratio, longitudinal, lateral, spin]. At -xi' F_x changes sign; at -eta' and "
+    "-phi' F_y and M_z change sign.";
+const char* const shift_conventions =
+    "Arrays [lateral_shift, longitudinal, lateral, spin]. Creepages and forces are those of the "
+    "main contact, the most loaded one, in its frame; other contacts of the wheel move as one "
+    "rigid "
+    "body with it, and forces are the sums over all; F_n is the sum of their normal forces. Forces "
+    "are those of friction: what pressure does is in the group wheel. G is shear_modulus, a and b "
+    "are wheel/semi_axis_x and wheel/semi_axis_y. The table holds for the load of the case.";
+
+/// One number of every entry of a list.
+template <class List, class Get>
+std::vector<double> column(const List& list, const Get& get) {
+  std::vector<double> found;
+  found.reserve(list.size());
+  for (const auto& entry : list) found.push_back(get(entry));
+  return found;
+}
+
+void write_column(hid_t group, const char* name, const std::vector<hsize_t>& shape,
+                  const std::vector<double>& values, const char* unit, const char* says) {
+  describe(write_dataset(group, name, shape, values.data()), unit, says, "on the wheel");
+}
+
+void write_axes(hid_t file, const CreepTable& table) {
+  const Handle group = create_group(file, "axes", "The axes of the arrays");
+  const auto write = [&](const char* name, const std::vector<double>& values, const char* says) {
+    describe(write_dataset(group, name, {values.size()}, values.data()), "1", says, "");
+  };
+  if (table.over_shifts())
+    describe(write_dataset(group, "lateral_shift", {table.lateral_shift.size()},
+                           table.lateral_shift.data()),
+             "mm", "lateral shift of the wheelset", "positive to the right");
+  else
+    write("axis_ratio", table.axis_ratio, "a/b of the ellipse, a along rolling");
+  write("longitudinal", table.creepage[0], "xi', scaled longitudinal creepage");
+  write("lateral", table.creepage[1], "eta', scaled lateral creepage");
+  write("spin", table.creepage[2], "phi', scaled spin");
+  write_rows(group, "scale", table.scale, "1",
+             "Of every ratio or shift: C11/3, C22/3 and sqrt(C23^2 + C33^2), by which xi G a b/(mu "
+             "F_n), eta "
+             "G a b/(mu F_n) and phi G (a b)^(3/2)/(mu F_n) are multiplied; between them their "
+             "logarithms are interpolated");
+}
+
+void write_wheels(hid_t file, const CreepTable& table) {
+  const Handle group =
+      create_group(file, "wheel", "The wheel at every lateral shift, pressed without friction");
+  write_attribute(group, "shear_modulus", table.shear_modulus);
+  write_attribute(group, "friction_coefficient", table.friction_coefficient);
+  for (const WheelColumn& entry : wheel_columns()) {
+    const auto values =
+        column(table.wheels, [&](const TableWheel& wheel) { return wheel.*entry.member; });
+    describe(write_dataset(group, entry.name, {values.size()}, values.data()), entry.unit,
+             entry.says, "");
+  }
+}
+
+void write_interpolation(hid_t file, const CreepTable& table) {
+  const InterpolationError& error = table.interpolation;
+  const Handle group = create_group(file, "interpolation",
+                                    "Errors of interpolation at random points between those of the "
+                                    "grid:  forces over mu F_n, the moment over mu F_n c");
+  write_attribute(group, "points", static_cast<long>(error.points));
+  write_attribute(group, "seed", static_cast<long>(error.seed));
+  for (const auto& [name, member] : interpolation_errors)
+    write_attribute(group, name, error.*member);
+  if (table.checked.empty()) return;
+  std::vector<std::array<double, 10>> rows;
+  for (const CheckedPoint& p : table.checked)
+    rows.push_back({p.place, p.creepage[0], p.creepage[1], p.creepage[2], p.interpolated[0],
+                    p.interpolated[1], p.interpolated[2], p.solved[0], p.solved[1], p.solved[2]});
+  write_rows(group, "checked", rows, "1",
+             "a/b or lateral shift, xi', eta', phi', then F_x, F_y, M_z as interpolated and as "
+             "solved for");
+}
+
+void write_values(hid_t file, const CreepTable& table) {
+  std::vector<hsize_t> shape{table.places().size()};
+  for (const auto& axis : table.creepage) shape.push_back(axis.size());
+  const auto force = [&](std::size_t q) {
+    return column(table.forces, [q](const Scaled& f) { return f[q]; });
+  };
+  const auto bar = [&](std::size_t q) {
+    return column(table.bars, [q](const std::array<double, 2>& b) { return b[q]; });
+  };
+  write_column(file, "longitudinal_force", shape, force(0), "mu F_n", "F_x");
+  write_column(file, "lateral_force", shape, force(1), "mu F_n", "F_y");
+  write_column(file, "spin_moment", shape, force(2), "mu F_n c", "M_z, c = sqrt(a b)");
+  write_column(file, "force_bar", shape, bar(0), "mu F_n", "error bar of the force vector");
+  write_column(file, "moment_bar", shape, bar(1), "mu F_n c", "error bar of M_z");
+  describe(write_dataset(file, "elements_across", shape, table.elements_across.data()), "1",
+           "contact elements across the patch on the finest grid", "");
+  if (table.over_shifts())
+    write_column(
+        file, "force_along_normal", shape, table.along_normal, "mu F_n",
+        "force of friction along the normal of the main contact: not 0 on a curved surface "
+        "and where contacts in other planes take part");
+}
+
+[[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
+  throw contact::InputError(
+      fmt::format("{}: {}; do: name a table.h5 written by rollfem table", path, why));
+}
+
+std::vector<double> numbers_of(hid_t parent, const char* name) {
+  return read_dataset(parent, name).values;
+}
+
+void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
+  table.lateral_shift = numbers_of(axes, "lateral_shift");
+  table.along_normal = numbers_of(file, "force_along_normal");
+  const Handle group = open_group(file, "wheel");
+  table.shear_modulus = read_number(group, "shear_modulus");
+  table.friction_coefficient = read_number(group, "friction_coefficient");
+  table.wheels.resize(table.lateral_shift.size());
+  for (const WheelColumn& entry : wheel_columns()) {
+    const std::vector<double> values = numbers_of(group, entry.name);
+    if (values.size() != table.wheels.size())
+      throw std::runtime_error("its wheels do not fit its lateral shifts");
+    for (std::size_t k = 0; k < values.size(); ++k) table.wheels[k].*entry.member = values[k];
+  }
+}
+
+CreepTable table_of(hid_t file) {
+  CreepTable table;
+  table.title = read_text(file, "title");
+  table.program = read_text(file, "program");
+  table.command = read_text(file, "command");
+  table.started = read_text(file, "started");
+  table.case_file = read_text(file, "case_file");
+  table.poisson_ratio = read_number(file, "poisson_ratio");
+  for (const std::string& line : read_lines(file, "case_text")) table.case_text += line;
+  const Handle axes = open_group(file, "axes");
+  if (has_member(axes, "lateral_shift"))
+    read_wheels(file, axes, table);
+  else
+    table.axis_ratio = numbers_of(axes, "axis_ratio");
+  table.creepage = {numbers_of(axes, "longitudinal"), numbers_of(axes, "lateral"),
+                    numbers_of(axes, "spin")};
+  table.scale = read_rows<3>(axes, "scale");
+  const auto x = numbers_of(file, "longitudinal_force"), y = numbers_of(file, "lateral_force"),
+             m = numbers_of(file, "spin_moment"), force = numbers_of(file, "force_bar"),
+             moment = numbers_of(file, "moment_bar"), across = numbers_of(file, "elements_across");
+  for (const auto* values : {&y, &m, &force, &moment, &across})
+    if (values->size() != x.size()) throw std::runtime_error("its arrays have different sizes");
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    table.forces.push_back({x[k], y[k], m[k]});
+    table.bars.push_back({force[k], moment[k]});
+    table.elements_across.push_back(static_cast<int>(across[k]));
+  }
+  return table;
+}
+
+void read_interpolation(hid_t file, CreepTable& table) {
+  const Handle group = open_group(file, "interpolation");
+  InterpolationError& error = table.interpolation;
+  error.points = static_cast<int>(read_number(group, "points"));
+  error.seed = static_cast<unsigned>(read_number(group, "seed"));
+  for (const auto& [name, member] : interpolation_errors) error.*member = read_number(group, name);
+  if (!has_member(group, "checked")) return;
+  const Numbers found = read_dataset(group, "checked");
+  if (found.shape.size() != 2 || found.shape[1] != 10)
+    throw std::runtime_error("its checked points have the wrong shape");
+  for (std::size_t k = 0; k < found.values.size(); k += 10) {
+    const double* r = &found.values[k];
+    table.checked.push_back({r[0], {r[1], r[2], r[3]}, {r[4], r[5], r[6]}, {r[7], r[8], r[9]}});
+  }
+}
+
+}  // namespace
+
+std::string table_hdf5(const CreepTable& table) {
+  const Handle file = create_file_in_memory();
+  write_attribute(file, "format", std::string(table_format));
+  write_attribute(file, "format_version", table_version);
+  const bool shifts = table.over_shifts();
+  write_attribute(file, "kind",
+                  std::string(shifts ? "creep force law of a wheel on its rail over lateral shift"
+                                     : "creep force law of Hertzian contacts"));
+  write_attribute(file, "conventions",
+                  table_conventions + std::string(shifts ? shift_conventions : ratio_conventions));
+  write_attribute(file, "title", table.title);
+  write_attribute(file, "program", table.program);
+  write_attribute(file, "command", table.command);
+  write_attribute(file, "started", table.started);
+  write_attribute(file, "case_file", table.case_file);
+  write_attribute(file, "poisson_ratio", table.poisson_ratio);
+  write_dataset(file, "case_text", table.case_text);
+  write_axes(file, table);
+  write_values(file, table);
+  if (shifts) write_wheels(file, table);
+  write_interpolation(file, table);
+  return sealed_image(file);
+}
+
+CreepTable read_table(const std::string& path) {
+  namespace fs = std::filesystem;
+  const std::string file_name =
+      fs::is_directory(path) ? (fs::path(path) / "table.h5").string() : path;
+  if (!fs::exists(file_name)) refuse_file(file_name, "there is no such file");
+  if (postprocess::check_hdf5_seal(file_name) == postprocess::Seal::broken)
+    refuse_file(file_name, "is damaged");
+  try {
+    const Handle file = open_file(file_name);
+    if (!has_attribute(file, "format") || read_text(file, "format") != table_format)
+      refuse_file(file_name, "is no table");
+    const double version = read_number(file, "format_version");
+    if (version != 1.0 && version != static_cast<double>(table_version))
+      refuse_file(file_name, "is of another version");
+    CreepTable table = table_of(file);
+    read_interpolation(file, table);
+    return table;
+  } catch (const contact::InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    refuse_file(file_name, error.what());
+  }
+}
+
+}  // namespace rollfem::tables

@@ -1,0 +1,171 @@
+#include "tables/filling/table_filling.hpp"
+
+#include "tables/filling/table_parts.hpp"
+#include "tables/filling/table_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace rollfem::tables {
+
+namespace {
+
+constexpr unsigned seed = 20120816;
+constexpr std::size_t points_of_a_place = 10;  ///< at random, of one place that lies between
+
+/// Places of the creepages of point `n` of a ratio or shift: to and fro, so that points that follow
+/// each other are neighbours.
+std::array<std::size_t, 3> to_and_fro(const CreepTable& table, std::size_t n) {
+  const std::size_t across = table.creepage[1].size(), spins = table.creepage[2].size();
+  const std::size_t row = n / spins, m = n % spins, i = row / across;
+  const std::size_t j = i % 2 == 0 ? row % across : across - 1 - row % across;
+  return {i, j, row % 2 == 0 ? m : spins - 1 - m};
+}
+
+void fill_grid(CreepTable& table, const TableSource& source, const contact::Progress& progress,
+               contact::Checkpoint* checkpoint) {
+  const std::size_t of_a_place = table.size() / table.places().size();
+  table.forces.resize(table.size());
+  table.bars.resize(table.size());
+  table.elements_across.resize(table.size());
+  if (table.over_shifts()) table.along_normal.resize(table.size());
+  TableParts parts{"table", "points", parts_of(table.size(), of_a_place), {}, {}};
+  parts.solve = [&](const TablePart& part) {
+    std::vector<Scaled> creepages;
+    for (std::size_t n = part.begin; n < part.end; ++n) {
+      const auto [i, j, k] = to_and_fro(table, n % of_a_place);
+      creepages.push_back({table.creepage[0][i], table.creepage[1][j], table.creepage[2][k]});
+    }
+    return source.at_node(part.begin / of_a_place, creepages);
+  };
+  parts.done = [&](const TablePart& part, const std::vector<TablePoint>& points) {
+    for (std::size_t n = part.begin; n < part.end; ++n) {
+      const auto [i, j, k] = to_and_fro(table, n % of_a_place);
+      const std::size_t at = table.place(n / of_a_place, i, j, k);
+      const TablePoint& point = points[n - part.begin];
+      table.forces[at] = point.forces;
+      table.bars[at] = point.bars;
+      table.elements_across[at] = point.elements_across;
+      if (table.over_shifts()) table.along_normal[at] = point.along_normal;
+    }
+  };
+  solve_parts(parts, progress, checkpoint);
+}
+
+/// Where places at random are drawn on the first axis: mm, or the logarithm of the ratio. Gaps in
+/// which contact jumps are left out, for nothing is interpolated there.
+std::vector<std::array<double, 2>> stretches_of(const CreepTable& table) {
+  const auto coordinate = [&](std::size_t k) {
+    return table.over_shifts() ? table.lateral_shift[k] : std::log(table.axis_ratio[k]);
+  };
+  std::vector<std::array<double, 2>> stretches;
+  for (std::size_t k = 0; k < table.places().size(); ++k) {
+    if (k == 0 || (table.over_shifts() && table.wheels[k - 1].jump_after != 0.0))
+      stretches.push_back({coordinate(k), coordinate(k)});
+    stretches.back()[1] = coordinate(k);
+  }
+  return stretches;
+}
+
+double place_at(const CreepTable& table, const std::vector<std::array<double, 2>>& stretches,
+                double share) {
+  double whole = 0.0;
+  for (const auto& [low, high] : stretches) whole += high - low;
+  double way = share * whole;
+  std::size_t s = 0;
+  // Stretches of one place only are met where there are no others.
+  if (whole == 0.0)
+    s = std::min(stretches.size() - 1,
+                 static_cast<std::size_t>(share * static_cast<double>(stretches.size())));
+  for (; s + 1 < stretches.size() && way > stretches[s][1] - stretches[s][0]; ++s)
+    way -= stretches[s][1] - stretches[s][0];
+  const double x = std::min(stretches[s][0] + way, stretches[s][1]);
+  const std::vector<double>& places = table.places();
+  return std::clamp(table.over_shifts() ? x : std::exp(x), places.front(), places.back());
+}
+
+/// Even over the coordinates of the axes, of both signs.
+std::vector<CheckedPoint> points_between(const CreepTable& table, int count) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) + 0.5) / 4294967296.0;
+  };
+  const auto stretches = stretches_of(table);
+  std::vector<CheckedPoint> points(static_cast<std::size_t>(count));
+  double place = 1.0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (k % points_of_a_place == 0) place = place_at(table, stretches, uniform(0.0, 1.0));
+    points[k].place = place;
+    for (std::size_t q = 0; q < 3; ++q) {
+      const double end = table_coordinate(table.creepage[q].back());
+      points[k].creepage[q] = creepage_at(uniform(-end, end));
+    }
+  }
+  return points;
+}
+
+InterpolationError error_of(const std::vector<CheckedPoint>& points) {
+  InterpolationError error;
+  error.points = static_cast<int>(points.size());
+  error.seed = seed;
+  if (points.empty()) return error;
+  std::vector<double> force, moment;
+  for (const auto& [place, creepage, found, solved] : points) {
+    force.push_back(std::hypot(found[0] - solved[0], found[1] - solved[1]));
+    moment.push_back(std::abs(found[2] - solved[2]));
+  }
+  const auto judge = [](std::vector<double>& errors, double& rms, double& most, double& largest) {
+    std::sort(errors.begin(), errors.end());
+    double sum = 0.0;
+    for (const double e : errors) sum += e * e;
+    rms = std::sqrt(sum / static_cast<double>(errors.size()));
+    const double share = std::ceil(0.95 * static_cast<double>(errors.size()));
+    most = errors[static_cast<std::size_t>(share) - 1];
+    largest = errors.back();
+  };
+  judge(force, error.force_rms, error.force_95, error.force_max);
+  judge(moment, error.moment_rms, error.moment_95, error.moment_max);
+  return error;
+}
+
+void look_between(CreepTable& table, const TableSource& source, int count,
+                  const contact::Progress& progress, contact::Checkpoint* checkpoint) {
+  std::vector<CheckedPoint> points = points_between(table, count);
+  if (!points.empty()) {
+    CreepTableReader reader(std::move(table));  // no second copy of a large table
+    TableParts parts{"check", "points between", parts_of(points.size(), points_of_a_place), {}, {}};
+    parts.solve = [&](const TablePart& part) {
+      std::vector<Scaled> creepages;
+      for (std::size_t k = part.begin; k < part.end; ++k) creepages.push_back(points[k].creepage);
+      return source.between(reader, points[part.begin].place, creepages);
+    };
+    parts.done = [&](const TablePart& part, const std::vector<TablePoint>& solved) {
+      for (std::size_t k = part.begin; k < part.end; ++k) {
+        points[k].solved = solved[k - part.begin].forces;
+        points[k].interpolated = reader.at(points[k].place, points[k].creepage).forces;
+      }
+    };
+    solve_parts(parts, progress, checkpoint);
+    table = std::move(reader).release();
+  }
+  table.interpolation = error_of(points);
+  table.checked = std::move(points);
+}
+
+}  // namespace
+
+void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
+                contact::Checkpoint* checkpoint) {
+  const std::unique_ptr<TableSource> source =
+      table.over_shifts() ? wheel_source(input) : ellipse_source(table);
+  source->prepare(table, progress);
+  fill_grid(table, *source, progress, checkpoint);
+  look_between(table, *source, input.table.check_points, progress, checkpoint);
+}
+
+}  // namespace rollfem::tables

@@ -1,0 +1,177 @@
+#include "tables/filling/table_grid.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/material.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rollfem::tables {
+
+namespace {
+
+constexpr std::size_t most_table_points = 20'000'000;
+
+[[noreturn]] void refuse(const contact::Case& input, const std::string& key,
+                         const std::string& wrong, const std::string& advice) {
+  throw contact::InputError(fmt::format("{}: table.{}: {}; {}", input.file, key, wrong, advice));
+}
+
+void check_increasing(const contact::Case& input, const std::string& key,
+                      const std::vector<double>& values) {
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (!(values[k] > values[k - 1]))
+      refuse(input, key, fmt::format("{:g} follows {:g}", values[k], values[k - 1]),
+             "allowed: values that increase; do: sort them");
+}
+
+std::vector<double> ratios_of(const contact::Case& input) {
+  if (!input.table.axis_ratio.empty()) return input.table.axis_ratio;
+  const char* const ratios =
+      "add `axis_ratio = [0.2, 0.5, 1.0, 2.0, 5.0]` under [table], for ellipses of any kind";
+  if (input.has_profiles())
+    refuse(input, "axis_ratio", "is missing, and true profiles have no ellipse",
+           std::string("allowed: this or table.lateral_shift; do: add `lateral_shift = [-4.0, "
+                       "-2.0, 0.0, 2.0, 4.0]` under [table] for this wheel on its rail, or ") +
+               ratios);
+  if (input.geometry.shape == contact::ContactShape::line)
+    refuse(input, "axis_ratio", "is missing, and lines have no ellipse",
+           std::string("allowed: ratios a/b from 0.02 to 50; do: ") + ratios);
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(contact::Scene(input));
+  const double ratio = hertz.semi_axis_x / hertz.semi_axis_y;
+  if (!(ratio >= 0.02 && ratio <= 50.0))
+    refuse(input, "axis_ratio", fmt::format("the ellipse of the case has a/b = {:g}", ratio),
+           "allowed: 0.02 to 50; do: name the ratios under [table]");
+  return {ratio};
+}
+
+constexpr std::array<int, 3> points_over_ratios{16, 16, 31}, points_over_shifts{8, 8, 15};
+
+/// Negative values before positive ones of a list from 0 on, or above.
+std::vector<double> both_signs(const std::vector<double>& list) {
+  std::vector<double> both;
+  for (auto value = list.rbegin(); value != list.rend(); ++value)
+    if (*value > 0.0) both.push_back(-*value);
+  both.insert(both.end(), list.begin(), list.end());
+  return both;
+}
+
+/// 0 and what is listed, or the even steps of points and largest; a spin, and over shifts all, with
+/// both signs.
+std::vector<double> axis_of(const contact::Case& input, std::size_t axis) {
+  const contact::TableOptions& asked = input.table;
+  const bool shifts = !asked.lateral_shift.empty();
+  const auto points = asked.points.value_or(shifts ? points_over_shifts : points_over_ratios);
+  const char* const names[] = {"longitudinal_values", "lateral_values", "spin_values"};
+  const std::vector<double>* const lists[] = {&asked.longitudinal, &asked.lateral, &asked.spin};
+  const std::vector<double>& list = *lists[axis];
+  if (list.empty())
+    return axis == 2 ? spins_to(asked.largest[2], points[2])
+           : shifts  ? spins_to(asked.largest[axis], 2 * points[axis] - 1)
+                     : creepages_to(asked.largest[axis], points[axis]);
+  check_increasing(input, names[axis], list);
+  if (list.back() <= 0.0 || (axis < 2 && (list.front() != 0.0 || list.size() < 2)))
+    refuse(input, names[axis], "has no positive value, or does not begin with 0",
+           "allowed: 0 and larger values; do: begin with 0.0");
+  return axis < 2 && !shifts ? list : both_signs(list);
+}
+
+constexpr std::size_t most_shifts = 10'000;
+
+std::vector<double> shifts_of(const contact::Case& input) {
+  const std::vector<double>& asked = input.table.lateral_shift;
+  check_increasing(input, "lateral_shift", asked);
+  if (!input.table.lateral_shift_step) return asked;
+  const double step = *input.table.lateral_shift_step;
+  if (asked.size() != 2)
+    refuse(input, "lateral_shift_step", fmt::format("lateral_shift has {} values", asked.size()),
+           "allowed: two beside a step; do: give the first and the last shift, or no step");
+  const double steps = (asked[1] - asked[0]) / step;
+  const double whole = std::round(steps);
+  if (std::abs(steps - whole) > 1e-6 || whole < 1.0 || whole > most_shifts)
+    refuse(input, "lateral_shift_step",
+           fmt::format("{:g} mm from {:g} to {:g} are {:g} steps", step, asked[0], asked[1], steps),
+           fmt::format("allowed: a whole number up to {}; do: change one of them", most_shifts));
+  std::vector<double> shifts;
+  for (double k = 0.0; k <= whole; k += 1.0)
+    shifts.push_back(asked[0] + k * (asked[1] - asked[0]) / whole);
+  return shifts;
+}
+
+/// What a table over lateral shifts cannot be made of.
+void check_wheel(const contact::Case& input) {
+  const auto refuse_key = [&](const std::string& what) {
+    throw contact::InputError(fmt::format("{}: {}", input.file, what));
+  };
+  if (!input.table.axis_ratio.empty())
+    refuse(input, "axis_ratio", "a table is over ratios of axes or over lateral shifts",
+           "allowed: one of axis_ratio and lateral_shift; do: remove the other");
+  if (!input.has_profiles())
+    refuse(input, "lateral_shift", "wheel and rail are given by radii, without a track",
+           "allowed: with profiles; do: give wheel.profile, rail.profile and [wheelset], as in "
+           "cases/manchester_A22.toml");
+  if (input.wheelset.side == contact::WheelSide::both)
+    refuse_key(
+        "wheelset.side = \"both\": a table is that of one wheel; allowed: \"left\" or "
+        "\"right\"; do: make a table for each");
+  if (input.wheelset.yaw.size() > 1 || input.wheelset.roll.size() > 1)
+    refuse_key(
+        "wheelset.yaw, wheelset.roll: are lists; allowed: one value beside "
+        "table.lateral_shift; do: make a table for each");
+  if (input.rolling.problem != contact::Problem::steady)
+    refuse_key("rolling.problem: a table is of steady rolling; allowed: \"steady\"; do: remove it");
+  if (!(input.friction_coefficient > 0.0))
+    refuse_key(
+        "friction.coefficient = 0: without friction there is no creep force; allowed: above "
+        "0; do: give one");
+}
+
+}  // namespace
+
+CreepTable empty_table(const contact::Case& input) {
+  const contact::CombinedMaterial material =
+      contact::combine(input.wheel.material, input.rail.material);
+  if (material.couples())
+    throw contact::InputError(
+        fmt::format("{}: wheel and rail are of unlike materials: their pressure depends on "
+                    "creepage, which a table cannot hold; allowed: like materials; do: give both "
+                    "the same Young's modulus and Poisson's ratio, or use rollfem run",
+                    input.file));
+  CreepTable table;
+  table.title = input.title;
+  table.case_file = input.file;
+  table.case_text = input.text;
+  table.poisson_ratio = material.poisson_ratio;
+  if (!input.table.lateral_shift.empty()) {
+    check_wheel(input);
+    table.lateral_shift = shifts_of(input);
+    table.shear_modulus = material.shear_modulus;
+    table.friction_coefficient = input.friction_coefficient;
+  } else {
+    if (input.table.lateral_shift_step)
+      refuse(input, "lateral_shift_step", "there is no lateral_shift",
+             "allowed: beside it; do: give lateral_shift = [first, last]");
+    check_increasing(input, "axis_ratio", input.table.axis_ratio);
+    table.axis_ratio = ratios_of(input);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) table.creepage[axis] = axis_of(input, axis);
+  if (table.size() > most_table_points)
+    refuse(input, "points", fmt::format("makes {} points", table.size()),
+           fmt::format("allowed: {}; do: take fewer", most_table_points));
+  for (const double ratio : table.axis_ratio)
+    table.scale.push_back(scale_of_ratio(ratio, table.poisson_ratio));
+  return table;
+}
+
+Scaled scale_of_ratio(double axis_ratio, double poisson_ratio) {
+  const auto c = halfspace::kalker_coefficients(std::sqrt(axis_ratio), 1.0 / std::sqrt(axis_ratio),
+                                                poisson_ratio);
+  return {c.c11 / 3.0, c.c22 / 3.0, std::hypot(c.c23, c.c33)};
+}
+
+}  // namespace rollfem::tables

@@ -1,0 +1,48 @@
+// Points of a table solved in parts on all cores; finished parts outlive a call that is ended.
+#pragma once
+
+#include "contact/base/checkpoint.hpp"
+#include "contact/base/progress.hpp"
+#include "tables/files/creep_table.hpp"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rollfem::tables {
+
+/// As it was solved for; scaled as those of a CreepTable.
+struct TablePoint {
+  Scaled forces{};
+  double along_normal = 0.0;
+  std::array<double, 2> bars{};
+  int elements_across = 0;
+};
+
+/// Points `begin` to `end` - 1 of a list.
+struct TablePart {
+  std::size_t begin = 0, end = 0;
+};
+
+/// Cuts a list into parts of at most halfspace::longest_chain points, none of which holds points of
+/// two groups of `of_a_group` that follow each other. The same whatever is taken up, so that
+/// numbers are the same to the last bit.
+std::vector<TablePart> parts_of(std::size_t points, std::size_t of_a_group);
+
+struct TableParts {
+  std::string name;   ///< of the records
+  std::string stage;  ///< in progress events
+  std::vector<TablePart> parts;
+  /// Called by several threads at once.
+  std::function<std::vector<TablePoint>(const TablePart&)> solve;
+  /// Told of every part that is solved or taken up, by one thread at a time.
+  std::function<void(const TablePart&, const std::vector<TablePoint>&)> done;
+};
+
+/// `checkpoint` may be null. What solve, done or progress throw ends the work and comes out.
+void solve_parts(const TableParts& table, const contact::Progress& progress,
+                 contact::Checkpoint* checkpoint);
+
+}  // namespace rollfem::tables

@@ -1,0 +1,150 @@
+#include "contact/base/errors.hpp"
+#include "tables/filling/table_grid.hpp"
+#include "tables/filling/table_source.hpp"
+#include "track/balance/pressed_wheel.hpp"
+#include "track/motion/placed_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rollfem::tables {
+
+namespace {
+
+using track::PressedWheel;
+
+TableWheel wheel_of(const track::PressedState& state) {
+  TableWheel wheel;
+  wheel.semi_axis_x = state.semi_axis_x;
+  wheel.semi_axis_y = state.semi_axis_y;
+  wheel.normal_force = state.normal_force;
+  wheel.contact_angle = state.place.contact_angle;
+  wheel.rolling_radius = state.place.rolling_radius;
+  wheel.y_rail = state.place.y_rail;
+  wheel.y_wheel = state.place.y_wheel;
+  wheel.lateral_pressure = state.lateral_pressure;
+  wheel.max_pressure = state.max_pressure;
+  wheel.contact_area = state.contact_area;
+  wheel.contacts = state.contacts;
+  return wheel;
+}
+
+/// Patches of neighbouring shifts that overlap by less than a quarter. S1002 on UIC60, 80 kN, steps
+/// of 0.5 mm: where they overlap by a fifth interpolation is off by three times as much as
+/// elsewhere, where by a half by no more.
+constexpr double least_overlap = 0.25;
+
+/// Between such neighbours another contact comes or goes, or the one has moved aside.
+bool jumps(const TableWheel& a, const TableWheel& b) {
+  const double way = std::max(std::abs(a.y_wheel - b.y_wheel), std::abs(a.y_rail - b.y_rail));
+  return a.contacts != b.contacts || way > (1.0 - least_overlap) * (a.semi_axis_y + b.semi_axis_y);
+}
+
+/// A failure says at which shift.
+template <class Work>
+auto at_shift(double shift, const Work& work) {
+  const auto where = [&](const std::exception& error) {
+    return fmt::format("at a lateral shift of {:g} mm: {}", shift, error.what());
+  };
+  try {
+    return work();
+  } catch (const contact::SolveError& error) {
+    throw contact::SolveError(where(error));
+  } catch (const contact::InputError& error) {
+    throw contact::InputError(where(error));
+  }
+}
+
+/// What scaled creepages and forces are times.
+struct Units {
+  double bound;   ///< mu F_n, N
+  double length;  ///< c, mm
+  Scaled creepage;
+};
+
+class WheelSource : public TableSource {
+ public:
+  explicit WheelSource(const contact::Case& input)
+      : input_(input), search_(track::search_scene_of(input)) {}
+
+  void prepare(CreepTable& table, const contact::Progress& progress) override {
+    shear_modulus_ = table.shear_modulus;
+    contact::ProgressEvent event;
+    event.model = "table";
+    event.stage = "contacts of the shifts";
+    event.points = static_cast<int>(table.lateral_shift.size());
+    for (const double shift : table.lateral_shift) {
+      contact::report(progress, event);
+      wheels_.push_back(pressed(shift));
+      table.wheels.push_back(wheel_of(wheels_.back().state()));
+      const TableWheel& wheel = table.wheels.back();
+      table.scale.push_back(
+          scale_of_ratio(wheel.semi_axis_x / wheel.semi_axis_y, table.poisson_ratio));
+      units_.push_back(units_of(wheel, table.scale.back()));
+      ++event.point;
+    }
+    event.finished = true;
+    contact::report(progress, event);
+    for (std::size_t k = 1; k < table.wheels.size(); ++k)
+      if (jumps(table.wheels[k - 1], table.wheels[k])) table.wheels[k - 1].jump_after = 1.0;
+  }
+
+  std::vector<TablePoint> at_node(std::size_t first,
+                                  const std::vector<Scaled>& creepages) const override {
+    return at_shift(wheels_[first].state().place.lateral_shift,
+                    [&] { return solve(wheels_[first], units_[first], creepages); });
+  }
+
+  std::vector<TablePoint> between(const CreepTableReader& reader, double place,
+                                  const std::vector<Scaled>& creepages) const override {
+    const Units units = units_of(reader.wheel_at(place), reader.scale_at(place));
+    return at_shift(place, [&] { return solve(pressed(place), units, creepages); });
+  }
+
+ private:
+  PressedWheel pressed(double shift) const {
+    contact::Case here = input_;
+    here.wheelset.lateral_shift.assign(1, shift);
+    return at_shift(shift, [&] { return PressedWheel(here, search_); });
+  }
+
+  Units units_of(const TableWheel& wheel, const Scaled& scale) const {
+    const double c = std::sqrt(wheel.semi_axis_x * wheel.semi_axis_y);
+    const double bound = input_.friction_coefficient * wheel.normal_force;
+    const double creepage = bound / (shear_modulus_ * c * c);
+    return {bound, c, {creepage / scale[0], creepage / scale[1], creepage / (scale[2] * c)}};
+  }
+
+  std::vector<TablePoint> solve(const PressedWheel& wheel, const Units& units,
+                                const std::vector<Scaled>& creepages) const {
+    std::vector<contact::Creepage> asked;
+    for (const Scaled& scaled : creepages)
+      asked.push_back({scaled[0] * units.creepage[0], scaled[1] * units.creepage[1],
+                       scaled[2] * units.creepage[2]});
+    std::vector<TablePoint> found;
+    const double force = units.bound, moment = units.bound * units.length;
+    for (const track::FrictionForce& one : wheel.forces(asked))
+      found.push_back({{one.longitudinal / force, one.lateral / force, one.spin_moment / moment},
+                       one.normal / force,
+                       {one.force_bar / force, one.moment_bar / moment},
+                       input_.contact_grid.elements_across});
+    return found;
+  }
+
+  const contact::Case& input_;
+  track::SearchScene search_;
+  double shear_modulus_ = 0.0;  // MPa, combined
+  std::vector<PressedWheel> wheels_;
+  std::vector<Units> units_;
+};
+
+}  // namespace
+
+std::unique_ptr<TableSource> wheel_source(const contact::Case& input) {
+  return std::make_unique<WheelSource>(input);
+}
+
+}  // namespace rollfem::tables

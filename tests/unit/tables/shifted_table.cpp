@@ -1,0 +1,158 @@
+// Tables over lateral shifts: at and between their points, at a jump of the contact, in physical
+// units, and through their files.
+#include "support/shifted_table.hpp"
+
+#include "contact/base/errors.hpp"
+#include "tables/files/table_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/temporary_folder.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace rollfem;
+using rollfem::testing::law_of_shift;
+using rollfem::testing::table_of_shifts;
+using tables::CreepTable;
+using tables::CreepTableReader;
+using tables::Scaled;
+
+TEST(ShiftedTable, IsItsPointsOfBothSigns) {
+  const CreepTableReader reader(table_of_shifts(3));
+  const CreepTable& table = reader.table();
+  for (const double shift : table.lateral_shift)
+    for (const double x : table.creepage[0])
+      for (const double y : table.creepage[1])
+        for (const double z : table.creepage[2]) {
+          const auto found = reader.at(shift, {x, y, z});
+          const Scaled exact = law_of_shift(shift, {x, y, z});
+          for (std::size_t q = 0; q < 3; ++q) EXPECT_NEAR(found.forces[q], exact[q], 1e-13);
+          EXPECT_NEAR(found.along_normal, 0.1 * exact[1], 1e-13);
+        }
+}
+
+TEST(ShiftedTable, ErrorBetweenPointsFallsWithTheirNumber) {
+  const auto largest = [](int count) {
+    const CreepTableReader reader(table_of_shifts(count));
+    double error = 0.0;
+    for (const double shift : {-0.7, 0.4, 2.6})
+      for (double x = -2.9; x < 3.0; x += 0.37)
+        for (double z = -3.9; z < 4.0; z += 0.43)
+          for (std::size_t q = 0; q < 3; ++q)
+            error = std::max(error, std::abs(reader.at(shift, {x, 0.6, z}).forces[q] -
+                                             law_of_shift(shift, {x, 0.6, z})[q]));
+    return error;
+  };
+  // The law is linear in the shift, so that creepages alone make errors.
+  const double coarse = largest(5), fine = largest(13);
+  EXPECT_LT(fine, 0.01);
+  EXPECT_GT(coarse / fine, 5.0);
+}
+
+TEST(ShiftedTable, NothingIsInterpolatedAcrossAJump) {
+  const CreepTableReader reader(table_of_shifts(3));
+  const Scaled creepage{1.0, -0.5, 0.7};
+  const auto left = reader.at(1.0, creepage), right = reader.at(2.0, creepage);
+  const double force =
+                   std::hypot(left.forces[0] - right.forces[0], left.forces[1] - right.forces[1],
+                              left.along_normal - right.along_normal),
+               moment = std::abs(left.forces[2] - right.forces[2]);
+  ASSERT_GT(force, 0.1);
+  for (const double shift : {1.001, 1.3, 1.499, 1.501, 1.7, 1.999}) {
+    const auto& side = shift < 1.5 ? left : right;
+    const auto found = reader.at(shift, creepage);
+    EXPECT_EQ(found.forces, side.forces) << shift;
+    EXPECT_NEAR(found.force_bar, side.force_bar + force, 1e-14) << shift;
+    EXPECT_NEAR(found.moment_bar, side.moment_bar + moment, 1e-14) << shift;
+    EXPECT_EQ(reader.wheel_at(shift).contacts, shift < 1.5 ? 1.0 : 2.0);
+    EXPECT_EQ(reader.wheel_at(shift).jump_after, 1.0);
+    // Either side lies within the bars.
+    const auto& other = shift < 1.5 ? right : left;
+    EXPECT_LE(std::hypot(found.forces[0] - other.forces[0], found.forces[1] - other.forces[1]),
+              found.force_bar);
+  }
+  EXPECT_NEAR(left.force_bar, 0.012, 1e-15);
+  EXPECT_NEAR(right.force_bar, 0.012, 1e-15);
+  // The slope before a jump does not know of what is behind it.
+  const double h = 1e-4;
+  const double slope = (left.forces[0] - reader.at(1.0 - h, creepage).forces[0]) / h;
+  const double exact = (law_of_shift(1.0, creepage)[0] - law_of_shift(1.0 - h, creepage)[0]) / h;
+  EXPECT_NEAR(slope, exact, 0.1 * std::abs(exact));
+}
+
+TEST(ShiftedTable, PhysicalForcesAreThoseOfTheScaledCreepages) {
+  const CreepTableReader reader(table_of_shifts(4));
+  const double a = 7.0, b = 5.0, c = std::sqrt(a * b), bound = 15e3;
+  const double stiffness = 80e3 * a * b / bound;
+  const Scaled creepage{0.002, -0.001, 3e-4};
+  const auto scaled = reader.at(1.0, {2.1 * stiffness * creepage[0], 1.8 * stiffness * creepage[1],
+                                      1.5 * stiffness * c * creepage[2]});
+  const auto found = reader.of_wheel(1.0, bound, creepage);
+  for (std::size_t q = 0; q < 2; ++q) EXPECT_NEAR(found.forces[q], bound * scaled.forces[q], 1e-8);
+  EXPECT_NEAR(found.forces[2], bound * c * scaled.forces[2], 1e-8);
+  EXPECT_NEAR(found.along_normal, bound * scaled.along_normal, 1e-8);
+  EXPECT_NEAR(found.force_bar, bound * scaled.force_bar, 1e-9);
+  EXPECT_NEAR(reader.wheel_at(0.5).rolling_radius, 449.5, 1e-10);
+  // At a jump both sides have their own scale.
+  const auto other = reader.of_wheel(2.0, bound, creepage);
+  const auto between = reader.of_wheel(1.2, bound, creepage);
+  EXPECT_EQ(between.forces, found.forces);
+  EXPECT_NEAR(between.force_bar,
+              found.force_bar + std::hypot(found.forces[0] - other.forces[0],
+                                           found.forces[1] - other.forces[1],
+                                           found.along_normal - other.along_normal),
+              1e-8);
+}
+
+TEST(ShiftedTable, RefusesShiftsOutsideAndQuestionsOfTheOtherKind) {
+  const CreepTableReader reader(table_of_shifts(2));
+  EXPECT_NO_THROW(reader.at(3.0, {}));
+  EXPECT_THROW(reader.at(3.001, {}), contact::InputError);
+  EXPECT_THROW(reader.at(-1.001, {}), contact::InputError);
+  EXPECT_THROW(reader.at(std::nan(""), {}), contact::InputError);
+  EXPECT_THROW(reader.physical(5.0, 5.0, 80e3, 15e3, {}), contact::InputError);
+  EXPECT_THROW(reader.of_wheel(0.0, 0.0, {}), contact::InputError);
+  EXPECT_THROW(reader.of_wheel(0.0, 15e3, {std::nan(""), 0.0, 0.0}), contact::InputError);
+  CreepTable broken = table_of_shifts(2);
+  broken.wheels.pop_back();
+  EXPECT_THROW(CreepTableReader{broken}, contact::InputError);
+  broken = table_of_shifts(2);
+  broken.along_normal.pop_back();
+  EXPECT_THROW(CreepTableReader{broken}, contact::InputError);
+  broken = table_of_shifts(2);
+  broken.wheels[1].semi_axis_y = 0.0;
+  EXPECT_THROW(CreepTableReader{broken}, contact::InputError);
+  broken = table_of_shifts(2);
+  broken.creepage[0].front() = -9.0;
+  EXPECT_THROW(CreepTableReader{broken}, contact::InputError);
+}
+
+TEST(ShiftedTable, ComesBackFromItsFileToTheLastBit) {
+  const rollfem::testing::TemporaryFolder folder;
+  CreepTable table = table_of_shifts(3);
+  table.checked = {{0.7, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}}};
+  const std::string file = folder.file("table.h5", tables::table_hdf5(table));
+  const CreepTable back = tables::read_table(file);
+  EXPECT_EQ(back.lateral_shift, table.lateral_shift);
+  EXPECT_TRUE(back.axis_ratio.empty());
+  EXPECT_EQ(back.creepage, table.creepage);
+  EXPECT_EQ(back.scale, table.scale);
+  EXPECT_EQ(back.forces, table.forces);
+  EXPECT_EQ(back.along_normal, table.along_normal);
+  EXPECT_EQ(back.shear_modulus, table.shear_modulus);
+  EXPECT_EQ(back.friction_coefficient, table.friction_coefficient);
+  ASSERT_EQ(back.wheels.size(), table.wheels.size());
+  for (std::size_t k = 0; k < table.wheels.size(); ++k)
+    for (const tables::WheelColumn& column : tables::wheel_columns())
+      EXPECT_EQ(back.wheels[k].*column.member, table.wheels[k].*column.member) << column.name;
+  ASSERT_EQ(back.checked.size(), 1U);
+  EXPECT_EQ(back.checked[0].place, 0.7);
+  const std::string rows = tables::shifts_csv(table);
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 6);
+  EXPECT_EQ(rows.rfind("lateral_shift [mm],semi_axis_x [mm]", 0), 0U);
+}
+
+}  // namespace
