@@ -76,13 +76,13 @@ bool QuickPatch::rub(const QuickProblem& problem, const Field& weights,
   contact::TangentialOptions options;
   options.tolerance = traction_tolerance;
   options.krylov_tolerance = krylov_tolerance;
-  newton_.solve(rolling_, {grid_, pressure_, slip, *problem.friction, 1.0}, rolling_.places(),
+  newton_.solve(rolling_, {grid_, pressure_, slip, *problem.friction, 1.0}, rolling_.grid_indices(),
                 options, anew ? none : traction_);
   traction_.x.setZero();
   traction_.y.setZero();
-  const auto count = static_cast<Eigen::Index>(rolling_.places().size());
+  const auto count = static_cast<Eigen::Index>(rolling_.grid_indices().size());
   for (Eigen::Index e = 0; e < count; ++e) {
-    const Eigen::Index k = rolling_.places()[static_cast<std::size_t>(e)];
+    const Eigen::Index k = rolling_.grid_indices()[static_cast<std::size_t>(e)];
     traction_.x[k] = newton_.traction()[e];
     traction_.y[k] = newton_.traction()[count + e];
   }
@@ -187,7 +187,7 @@ void QuickPatch::fill_fields(const QuickProblem& problem) {
   fields.displacement.n = normal_.displacement().cwiseProduct(carried_);
   fields.traction_bound.setZero(pressure_.size());
   if (!problem.friction) return;
-  for (const Eigen::Index k : rolling_.places())
+  for (const Eigen::Index k : rolling_.grid_indices())
     fields.traction_bound[k] = problem.friction->bound(pressure_[k], 0.0).value;
 }
 

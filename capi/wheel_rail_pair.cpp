@@ -16,11 +16,8 @@ namespace rollfem::capi {
 namespace {
 
 using contact::Case;
+using contact::cross;
 using contact::Vector3;
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Every number of a state, with the bounds of case files.
 void check(const WheelState& state, double rolling_radius) {

@@ -25,13 +25,13 @@ void read_digits(InputLines& lines, ContactCase& next) {
   constexpr int seven = 9999999, eight = 99999999;
   const auto control = [&](const char* name, int most, std::initializer_list<int*> digits) {
     const auto values = lines.numbers({std::string("the control integers ") + name}, 1);
-    unpack(lines.whole(values[0], name, 0, most), digits);
+    unpack(lines.integer(values[0], name, 0, most), digits);
     return values.size() > 1 ? values[1] : 0.0;
   };
   control("P-B-T-N-F-S", seven, {&d.config, &d.P, &d.B, &d.T, &d.N, &d.F, &d.S});
   const double damping =
       control("V-L-D-C-M-Z-E", seven, {&d.V, &d.L, &d.D, &d.C, &d.M, &d.Z, &d.E});
-  d.M2 = lines.whole(damping, "digit M2", 0, 9);
+  d.M2 = lines.integer(damping, "digit M2", 0, 9);
   control("H-G-I-A-O-W-R", eight, {&d.X, &d.H, &d.G, &d.I, &d.A, &d.O, &d.W, &d.R});
   if (d.X >= 1) lines.numbers({"the control integers P-S-F-L-R-I-N (X >= 1)"}, 1);
   if (next.number == 1) d.P = 2;  // as CONTACT does: there is no case before
@@ -47,7 +47,7 @@ std::size_t count(int n) {
 
 void read_solver(InputLines& lines, ContactCase& next) {
   const auto limits = lines.numbers({"MAXGS", "MAXIN", "MAXNR", "MAXOUT", "EPS"});
-  next.max_outer = lines.whole(limits[3], "MAXOUT", 1, 9999);
+  next.max_outer = lines.integer(limits[3], "MAXOUT", 1, 9999);
   const int G = next.digits.G;
   if (G == 2 || G == 3) lines.numbers({"OMEGAH", "OMEGAS", "INISLP", "OMGSLP"});
   if (G == 4) lines.numbers({"INISLP", "OMGSLP"});
@@ -85,7 +85,7 @@ void read_material(InputLines& lines, ContactCase& next) {
   if (d.C == 4 && next.module == 3) {
     const auto method = lines.numbers({"IF_METH", "VARIANT", "NN"});
     lines.array("the surface inclinations",
-                2 * count(lines.whole(method[2], "NN", 1, largest_grid)));
+                2 * count(lines.integer(method[2], "NN", 1, largest_grid)));
   }
   if (d.C == 4 && next.module == 1) lines.numbers({"IF_METH", "VARIANT"});
   if (d.C == 9) lines.named("the name of a file of influence coefficients", {}, 0);
@@ -112,15 +112,15 @@ void read_potential_contact(InputLines& lines, ContactCase& next) {
       {1, {"XL", "YL", "DX", "DY"}},         {2, {"XL", "YL", "XH", "YH"}},
       {3, {"XC1", "YC1", "DX", "DY"}},       {4, {"XC1", "YC1", "XCM", "YCM"}}};
   PotentialContact& area = next.potential;
-  area.ipotcn = lines.whole("IPOTCN", -6, 4);
+  area.ipotcn = lines.integer("IPOTCN", -6, 4);
   const auto size = sizes.find(area.ipotcn);
   if (size == sizes.end())
     lines.fail("IPOTCN = 0; allowed: -6 to -1, 1 to 4", "look at the line above");
   std::vector<std::string> names{"MX", "MY"};
   names.insert(names.end(), size->second.begin(), size->second.end());
   const auto values = lines.numbers(names);
-  area.mx = lines.whole(values[0], "MX", 1, largest_grid);
-  area.my = lines.whole(values[1], "MY", 1, largest_grid);
+  area.mx = lines.integer(values[0], "MX", 1, largest_grid);
+  area.my = lines.integer(values[1], "MY", 1, largest_grid);
   if (static_cast<double>(area.mx) * area.my > largest_area)
     lines.fail(fmt::format("MX MY = {} by {} elements; allowed: {:g} in all", area.mx, area.my,
                            largest_area),
@@ -133,7 +133,7 @@ void read_planform(InputLines& lines, int iplan) {
   if (iplan == 2) lines.array("the planform", 6);
   if (iplan == 3) lines.array("the planform", 8);
   if (iplan != 4) return;
-  const int patches = lines.whole("NPATCH", 1, 100);
+  const int patches = lines.integer("NPATCH", 1, 100);
   lines.array("YSEP", count(patches - 1));
   lines.array("FAC", count(patches * (patches - 1) / 2));
 }
@@ -141,13 +141,13 @@ void read_planform(InputLines& lines, int iplan) {
 void read_undeformed_distance(InputLines& lines, ContactCase& next) {
   UndeformedDistance& distance = next.distance;
   const auto kind = lines.numbers({"IBASE", "IPLAN"});
-  distance.ibase = lines.whole(kind[0], "IBASE", 1, 9);
-  distance.iplan = lines.whole(kind[1], "IPLAN", 1, 4);
+  distance.ibase = lines.integer(kind[0], "IBASE", 1, 9);
+  distance.iplan = lines.integer(kind[1], "IPLAN", 1, 4);
   if (distance.ibase == 1) {
     distance.values = lines.numbers({"B1", "B2", "B3", "B4", "B5", "B6"});
   } else if (distance.ibase == 2) {
     const auto values = lines.numbers({"NN", "XM", "RX1", "Y1", "DY1"});
-    lines.array("the heights", count(lines.whole(values[0], "NN", 1, largest_grid)));
+    lines.array("the heights", count(lines.integer(values[0], "NN", 1, largest_grid)));
   } else if (distance.ibase == 3) {
     lines.array("the geometry", 8);
   } else if (distance.ibase == 9) {
@@ -161,7 +161,7 @@ void read_undeformed_distance(InputLines& lines, ContactCase& next) {
 }
 
 std::size_t points(const InputLines& lines, double value, const char* name) {
-  return count(lines.whole(value, name, 1, largest_block));
+  return count(lines.integer(value, name, 1, largest_block));
 }
 
 /// As many coordinates of each name as numbers before them say.
@@ -210,7 +210,7 @@ void read_subsurface(InputLines& lines, ContactCase& next) {
   lines.numbers({"MATFIL", "OUTPUT"});
   if (next.digits.S < 3) return;
   next.stress_blocks.clear();
-  while (const int kind = lines.whole("ISUBS", 0, 9)) {
+  while (const int kind = lines.integer("ISUBS", 0, 9)) {
     if (kind == 4 || kind == 8)
       lines.fail(fmt::format("ISUBS = {}; allowed: 0 to 3, 5 to 7, 9", kind),
                  "look at the line above");
@@ -227,10 +227,11 @@ ProfileFile read_profile(InputLines& lines, const char* what) {
   const auto given = lines.named(what, {"MIRRORY", "SCALE", "SMOOTH"}, 2);
   ProfileFile profile;
   profile.name = given.text;
-  profile.mirror_y = lines.whole(given.numbers[0], "MIRRORY", -1, 1);
+  profile.mirror_y = lines.integer(given.numbers[0], "MIRRORY", -1, 1);
   profile.scale = given.numbers[1];
   profile.smooth = given.numbers[2];
-  if (given.numbers.size() > 3) profile.mirror_z = lines.whole(given.numbers[3], "MIRRORZ", -1, 1);
+  if (given.numbers.size() > 3)
+    profile.mirror_z = lines.integer(given.numbers[3], "MIRRORZ", -1, 1);
   const double option = given.numbers.size() > 4 ? given.numbers[4] : 0.0;
   profile.has_options = option >= 1.0;
   if (option >= 1.0) lines.numbers({"ISMOOTH", "ZIGTHRS", "KINKHIGH", "KINKLOW", "KINKWID"});
@@ -290,7 +291,7 @@ void read_single_contact(InputLines& lines, ContactCase& next) {
 void read_wheel_on_rail(InputLines& lines, ContactCase& next) {
   const Digits& digits = next.digits;
   if (digits.G != 1) read_solver(lines, next);
-  if (digits.L != 1) read_friction(lines, next, digits.V == 0 ? 1 : lines.whole("NVF", 1, 10000));
+  if (digits.L != 1) read_friction(lines, next, digits.V == 0 ? 1 : lines.integer("NVF", 1, 10000));
   if (digits.C >= 2 && digits.C <= 4) read_material(lines, next);
   read_wheel_rail(lines, next);
 }

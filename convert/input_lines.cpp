@@ -98,7 +98,7 @@ std::vector<double> InputLines::array(const std::string& name, std::size_t count
   return take(count, 0, {name});
 }
 
-int InputLines::whole(double value, const char* name, int least, int most) const {
+int InputLines::integer(double value, const char* name, int least, int most) const {
   if (value != std::floor(value) || value < least || value > most)
     fail(fmt::format("{} = {:g}; allowed: a whole number from {} to {}", name, value, least, most),
          "check for a missing value or line above it");

@@ -45,10 +45,10 @@ class InputLines {
 
   /// A count or a choice: `value` as a whole number. Throws contact::InputError, which calls it
   /// `name`, where it is none from `least` to `most`.
-  int whole(double value, const char* name, int least, int most) const;
+  int integer(double value, const char* name, int least, int most) const;
   /// The same of the next number.
-  int whole(const char* name, int least, int most) {
-    return whole(numbers({name}).front(), name, least, most);
+  int integer(const char* name, int least, int most) {
+    return integer(numbers({name}).front(), name, least, most);
   }
 
   /// Line on which the last thing read began, from 1.

@@ -27,24 +27,24 @@ MshBytes::MshBytes(const std::string& path, std::string name) : name_(std::move(
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status))
-    fail_whole("there is no such mesh file", "check the path, which is relative to the case file");
+    fail_file("there is no such mesh file", "check the path, which is relative to the case file");
   if (!fs::is_regular_file(status))
-    fail_whole("is not a regular file", "name a gmsh mesh file (.msh)");
+    fail_file("is not a regular file", "name a gmsh mesh file (.msh)");
   std::ifstream file(path, std::ios::binary);
   bytes_.resize(static_cast<std::size_t>(fs::file_size(path, error)));
   if (error || !file.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size())))
-    fail_whole("cannot be read", "check the permissions of the file");
+    fail_file("cannot be read", "check the permissions of the file");
 }
 
-void MshBytes::fail_whole(const std::string& wrong, const std::string& action) const {
+void MshBytes::fail_file(const std::string& wrong, const std::string& action) const {
   throw contact::InputError(fmt::format("{}: {}; do: {}", name_, wrong, action));
 }
 
 void MshBytes::fail_at(std::size_t place, const std::string& wrong,
                        const std::string& action) const {
-  if (format_.binary) fail_whole(fmt::format("byte {}: {}", place, wrong), action);
+  if (format_.binary) fail_file(fmt::format("byte {}: {}", place, wrong), action);
   const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(place, bytes_.size()));
-  fail_whole(fmt::format("line {}: {}", 1 + std::count(bytes_.begin(), end, '\n'), wrong), action);
+  fail_file(fmt::format("line {}: {}", 1 + std::count(bytes_.begin(), end, '\n'), wrong), action);
 }
 
 bool MshBytes::at_end() {
@@ -107,13 +107,13 @@ std::int64_t MshBytes::checked(std::int64_t number, const char* what, std::int64
   fail(fmt::format("{} is {}; allowed: {} to {}", what, number, least, most), save_msh_again);
 }
 
-std::int64_t MshBytes::whole(const char* what, std::int64_t least, std::int64_t most) {
+std::int64_t MshBytes::integer(const char* what, std::int64_t least, std::int64_t most) {
   return checked(format_.binary ? raw<std::int32_t>(what) : from_text(what), what, least, most);
 }
 
 std::int64_t MshBytes::large(const char* what, std::int64_t least, std::int64_t most) {
   if (!format_.binary || format_.old || format_.count_bytes == sizeof(std::int32_t))
-    return whole(what, least, most);
+    return integer(what, least, most);
   return checked(raw<std::int64_t>(what), what, least, most);
 }
 

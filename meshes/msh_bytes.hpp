@@ -38,7 +38,7 @@ class MshBytes {
   bool pass(std::string_view text);
 
   /// A whole number; an int in a binary file.
-  std::int64_t whole(const char* what, std::int64_t least, std::int64_t most);
+  std::int64_t integer(const char* what, std::int64_t least, std::int64_t most);
   /// A whole number; in a binary file of 4.1 one of count_bytes.
   std::int64_t large(const char* what, std::int64_t least, std::int64_t most);
   /// How many of something follow, each of at least `text_bytes` or `binary_bytes`: no more than
@@ -55,7 +55,7 @@ class MshBytes {
   [[noreturn]] void fail_at(std::size_t place, const std::string& wrong,
                             const std::string& action) const;
   /// A failure that concerns the whole file.
-  [[noreturn]] void fail_whole(const std::string& wrong, const std::string& action) const;
+  [[noreturn]] void fail_file(const std::string& wrong, const std::string& action) const;
 
  private:
   std::string_view token(const char* what);

@@ -49,9 +49,9 @@ void MshReader::read_format() {
     bytes_.fail("is not a gmsh mesh: the format should be three numbers, such as 4.1 0 8",
                 "export it from gmsh as .msh");
   if (fields[0] != "2.2" && fields[0] != "4.1")
-    bytes_.fail_whole(fmt::format("is in the gmsh format {}; allowed: 4.1 and 2.2",
-                                  contact::printable(fields[0])),
-                      "save it in the format 4.1 or 2.2 (gmsh -format msh41)");
+    bytes_.fail_file(fmt::format("is in the gmsh format {}; allowed: 4.1 and 2.2",
+                                 contact::printable(fields[0])),
+                     "save it in the format 4.1 or 2.2 (gmsh -format msh41)");
   const bool sized = fields[2] == "8" || (fields[2] == "4" && fields[0] == "4.1");
   if ((fields[1] != "0" && fields[1] != "1") || !sized)
     bytes_.fail(fmt::format("file type and data size are {} {}; allowed: 0 (text) or 1 (binary), "
@@ -60,7 +60,7 @@ void MshReader::read_format() {
                 save_msh_again);
   bytes_.set_format({fields[0] == "2.2", fields[1] == "1", fields[2] == "4" ? 4U : 8U});
   if (!bytes_.format().binary) return;
-  if (const std::int64_t one = bytes_.whole("the number 1", INT_MIN, INT_MAX); one == 1 << 24)
+  if (const std::int64_t one = bytes_.integer("the number 1", INT_MIN, INT_MAX); one == 1 << 24)
     bytes_.fail("the numbers are in another byte order",
                 "save it as text (gmsh -format msh41 without -bin)");
   else if (one != 1)
@@ -95,18 +95,18 @@ void MshReader::read_names() {
 
 /// Its physical groups are all that counts.
 void MshReader::read_entity(int dimension) {
-  const int entity = static_cast<int>(bytes_.whole("the number of an entity", INT_MIN, INT_MAX));
+  const int entity = static_cast<int>(bytes_.integer("the number of an entity", INT_MIN, INT_MAX));
   for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k)
     bytes_.real("a coordinate of the box of an entity");
   const std::size_t groups = bytes_.count("the number of physical groups", 2, 4);
   for (std::size_t k = 0; k < groups; ++k) {
-    const auto group = bytes_.whole("a physical group", -INT_MAX, INT_MAX);
+    const auto group = bytes_.integer("a physical group", -INT_MAX, INT_MAX);
     // Negative: the group has the surface the other way round.
     if (dimension == 2) groups_of_[entity].push_back(static_cast<int>(std::abs(group)));
   }
   if (dimension == 0) return;
   const std::size_t around = bytes_.count("the number of bounding entities", 2, 4);
-  for (std::size_t k = 0; k < around; ++k) bytes_.whole("a bounding entity", INT_MIN, INT_MAX);
+  for (std::size_t k = 0; k < around; ++k) bytes_.integer("a bounding entity", INT_MIN, INT_MAX);
 }
 
 void MshReader::read_entities() {
@@ -144,9 +144,9 @@ void MshReader::read_nodes() {
   std::size_t read = 0;
   std::vector<std::int64_t> numbers;
   for (std::size_t block = 0; block < blocks; ++block) {
-    const std::int64_t dimension = bytes_.whole("the dimension of an entity", 0, 3);
-    bytes_.whole("the number of an entity", INT_MIN, INT_MAX);
-    const bool parametric = bytes_.whole("whether nodes have parameters", 0, 1) == 1;
+    const std::int64_t dimension = bytes_.integer("the dimension of an entity", 0, 3);
+    bytes_.integer("the number of an entity", INT_MIN, INT_MAX);
+    const bool parametric = bytes_.integer("whether nodes have parameters", 0, 1) == 1;
     numbers.resize(bytes_.count("the number of nodes of a block", 8, 28));
     for (std::int64_t& number : numbers) number = bytes_.large("a node", 1, largest_number);
     for (const std::int64_t number : numbers) {
@@ -171,9 +171,10 @@ void MshReader::read_elements() {
     bytes_.large(what, 0, largest_number);
   std::size_t read = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
-    const std::int64_t dimension = bytes_.whole("the dimension of an entity", 0, 3);
-    const auto entity = static_cast<int>(bytes_.whole("the number of an entity", INT_MIN, INT_MAX));
-    const MshKind& kind = elements_.kind(bytes_.whole("the type of elements", 1, INT_MAX));
+    const std::int64_t dimension = bytes_.integer("the dimension of an entity", 0, 3);
+    const auto entity =
+        static_cast<int>(bytes_.integer("the number of an entity", INT_MIN, INT_MAX));
+    const MshKind& kind = elements_.kind(bytes_.integer("the type of elements", 1, INT_MAX));
     if (kind.dimension != dimension)
       bytes_.fail(
           fmt::format("elements of type {} are in an entity of dimension {}", kind.name, dimension),
@@ -190,16 +191,17 @@ void MshReader::read_elements() {
 /// One element of a text, or all that share a header in a binary file; how many they were.
 std::size_t MshReader::read_old_block(std::size_t left) {
   const bool binary = bytes_.format().binary;
-  std::int64_t number = binary ? 0 : bytes_.whole("an element", INT_MIN, INT_MAX);
-  const MshKind& kind = elements_.kind(bytes_.whole("the type of an element", 1, INT_MAX));
+  std::int64_t number = binary ? 0 : bytes_.integer("an element", INT_MIN, INT_MAX);
+  const MshKind& kind = elements_.kind(bytes_.integer("the type of an element", 1, INT_MAX));
   const auto most = static_cast<std::int64_t>(left);
-  const std::int64_t count = binary ? bytes_.whole("the number of elements of a kind", 1, most) : 1;
-  const std::int64_t tags = bytes_.whole("the number of tags", 0, 1000);
+  const std::int64_t count =
+      binary ? bytes_.integer("the number of elements of a kind", 1, most) : 1;
+  const std::int64_t tags = bytes_.integer("the number of tags", 0, 1000);
   for (std::int64_t k = 0; k < count; ++k) {
-    if (binary) number = bytes_.whole("an element", INT_MIN, INT_MAX);
+    if (binary) number = bytes_.integer("an element", INT_MIN, INT_MAX);
     int group = 0;
     for (std::int64_t tag = 0; tag < tags; ++tag) {
-      const std::int64_t value = bytes_.whole("a tag of an element", -INT_MAX, INT_MAX);
+      const std::int64_t value = bytes_.integer("a tag of an element", -INT_MAX, INT_MAX);
       if (tag == 0) group = static_cast<int>(std::abs(value));
     }
     read_element(number, kind, group);
@@ -243,8 +245,8 @@ HexMesh MshReader::read() {
   while (!bytes_.at_end()) {
     const std::string line(bytes_.line());
     if (seen.empty() && line != "$MeshFormat")
-      bytes_.fail_whole("is not a gmsh mesh: it does not begin with $MeshFormat",
-                        "export it from gmsh as .msh");
+      bytes_.fail_file("is not a gmsh mesh: it does not begin with $MeshFormat",
+                       "export it from gmsh as .msh");
     if (line.empty() || line.front() != '$')
       bytes_.fail(fmt::format("`{}` does not start a section; allowed: $Nodes, $Elements, ...",
                               contact::printable(line)),
@@ -267,7 +269,7 @@ HexMesh MshReader::read() {
                   save_msh_again);
   }
   if (seen.empty())
-    bytes_.fail_whole("is not a gmsh mesh: it is empty", "export it from gmsh as .msh");
+    bytes_.fail_file("is not a gmsh mesh: it is empty", "export it from gmsh as .msh");
   for (const char* section : {"Nodes", "Elements"})
     if (seen.count(section) == 0)
       bytes_.fail(fmt::format("there is no section ${} in the file", section), save_msh_again);

@@ -51,7 +51,8 @@ std::map<std::string, Column> wheels_of(const tables::CreepTable& table) {
 /// All that the table holds.
 py::dict contents_of(const CreepTableReader& reader) {
   const tables::CreepTable& table = reader.table();
-  const std::array axes{table.places(), table.creepage[0], table.creepage[1], table.creepage[2]};
+  const std::array axes{table.first_axis(), table.creepage[0], table.creepage[1],
+                        table.creepage[2]};
   return py::dict("title"_a = table.title, "case_text"_a = table.case_text,
                   "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
                   "shear_modulus"_a = table.shear_modulus,

@@ -33,15 +33,17 @@ using contact::pi;
 /// Extents or pressure that differ by more than this from the half-space are said.
 constexpr double worth_a_note = 0.02;
 
-constexpr const char* of_ellipse = "elements across the equivalent ellipse (contact_grid)";
+constexpr const char* elements_of_ellipse = "elements across the equivalent ellipse (contact_grid)";
 
 /// A row of `count` elements from `first` on, made longer by whole elements to hold low to high.
 void widen(double low, double high, double cell, double& first, int& count) {
   const double lowest = first - 0.5 * cell;
   const double highest = lowest + count * cell;
-  const int before = std::max(0, contact::count_of(std::ceil((lowest - low) / cell), of_ellipse));
+  const int before =
+      std::max(0, contact::count_of(std::ceil((lowest - low) / cell), elements_of_ellipse));
   first -= before * cell;
-  count += before + std::max(0, contact::count_of(std::ceil((high - highest) / cell), of_ellipse));
+  count += before +
+           std::max(0, contact::count_of(std::ceil((high - highest) / cell), elements_of_ellipse));
 }
 
 /// The potential area of the case, which may end within the ellipse where the true patch is shorter

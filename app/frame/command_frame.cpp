@@ -158,7 +158,7 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
   session_.reset();
 }
 
-void write_whole(const std::string& directory, const postprocess::RunRecord& record) {
+void store_results(const std::string& directory, const postprocess::RunRecord& record) {
   const SignalsHeld held;
   postprocess::write_results(directory, record);
   say_when_interrupted("the results were written to " + directory +

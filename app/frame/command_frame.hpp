@@ -86,7 +86,7 @@ class CommandFrame {
 };
 
 /// Writes a result folder; Ctrl-C waits until it is whole.
-void write_whole(const std::string& directory, const postprocess::RunRecord& record);
+void store_results(const std::string& directory, const postprocess::RunRecord& record);
 
 /// Throws contact::InputError when another of run, compare and study has written to `directory`;
 /// `own` is the file that this one would write.

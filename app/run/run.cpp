@@ -68,7 +68,7 @@ std::string model_to_tell(const postprocess::RunRecord& record,
 void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record,
                     const contact::ModelRegistry& models) {
   const fs::path directory = output_directory(request);
-  write_whole(directory.string(), record);
+  store_results(directory.string(), record);
   const bool drawn = request.report && report_drawn(directory.string());
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"

@@ -50,9 +50,9 @@ void read_files(const GivenCase& given, Case& input) {
 
 Case parse_case(const std::string& text, const std::string& name, const ModelWords& models) {
   if (text.size() > largest_file)
-    fail_whole(name, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
+    fail_file(name, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-    fail_whole(name, "is empty", "fill it in; `rollfem new-case` prints a template");
+    fail_file(name, "is empty", "fill it in; `rollfem new-case` prints a template");
   const GivenCase given = read_toml(text, name, models.known);
   check_together(given);
   check_problem(given);
@@ -80,26 +80,26 @@ Case read_case(const std::string& path, const ModelWords& models,
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status))
-    fail_whole(path, "there is no such file", "check the path; cases/ holds examples");
+    fail_file(path, "there is no such file", "check the path; cases/ holds examples");
   if (fs::is_directory(status))
-    fail_whole(path, "is a folder, not a case file", "name a .toml file in it");
+    fail_file(path, "is a folder, not a case file", "name a .toml file in it");
   if (!fs::is_regular_file(status))
-    fail_whole(path, "is not a regular file", "save the case in a file and name that");
+    fail_file(path, "is not a regular file", "save the case in a file and name that");
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error && size > largest_file)
-    fail_whole(path, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
+    fail_file(path, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file && size > 0) text << file.rdbuf();
-  if (!file || !text) fail_whole(path, "cannot be read", "check the permissions of the file");
+  if (!file || !text) fail_file(path, "cannot be read", "check the permissions of the file");
   return parse_case(with_changes(text.str(), path, changes, models), path, models);
 }
 
 std::vector<SubsurfaceRequest> read_places(const std::string& path) {
   const GivenCase given = read_toml(text_of_file(path, path, largest_file), path);
   if (given.entries.empty())
-    fail_whole(path, "has no section [[subsurface.point]], .line, .plane or .surface",
-               "add one, as in a case file (docs/case-file.md)");
+    fail_file(path, "has no section [[subsurface.point]], .line, .plane or .surface",
+              "add one, as in a case file (docs/case-file.md)");
   check_entries(given);
   Case places;
   for (const GivenEntry& entry : given.entries) {

@@ -18,7 +18,7 @@ class ContactElements {
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(places_.size()); }
   /// Grid indices.
-  const std::vector<Eigen::Index>& places() const { return places_; }
+  const std::vector<Eigen::Index>& grid_indices() const { return places_; }
   Eigen::Index operator[](Eigen::Index e) const { return places_[static_cast<std::size_t>(e)]; }
 
   Eigen::VectorXd gathered(const TangentialField& field) const;

@@ -63,7 +63,7 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
   const auto [newton_steps, krylov_iterations, residual] = newton.solve(
       on_elements,
       {compliance.grid(), problem.pressure, problem.rigid_slip, law, problem.slip_factor},
-      elements.places(), options, start);
+      elements.grid_indices(), options, start);
   TangentialSolution result;
   result.traction = elements.scattered(newton.traction());
   const TangentialField displacement = compliance.apply(result.traction);

@@ -179,7 +179,7 @@ struct Worst {
 };
 
 /// Sine of half the angle by which a section turns from one end of the patch to the other.
-double turned(const HeightCurve& curve, double middle, double width) {
+double slope_change(const HeightCurve& curve, double middle, double width) {
   const auto angle = [&](double y) { return std::atan(curve.at(y).slope); };
   return std::sin(0.5 * std::abs(angle(middle + 0.5 * width) - angle(middle - 0.5 * width)));
 }
@@ -200,7 +200,7 @@ void compare_with_radii(const Scene& scene, const PointResult& point, std::size_
   const double middle = point.patch_y_middle.value_or(0.0);
   for (const auto& [curve, body] : {std::pair{&surface.profiles->rail(), "rail"},
                                     std::pair{&surface.profiles->wheel(), "wheel"}}) {
-    const double part = turned(*curve, middle, point.contact_width);
+    const double part = slope_change(*curve, middle, point.contact_width);
     worst.raise(part, k,
                 fmt::format("the {} turns by {:.3g} rad across the patch of {:.4g} mm", body,
                             2.0 * std::asin(part), point.contact_width));

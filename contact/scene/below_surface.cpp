@@ -9,10 +9,6 @@ namespace {
 /// Over which the bend of the surface is taken, mm.
 constexpr double bend_step = 0.01;
 
-double dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 }  // namespace
 
 BelowSurface::BelowSurface(const ChartedGeometry& geometry, bool wheel)
@@ -70,7 +66,7 @@ Vector3 BelowSurface::turned_direction(const Vector3& v, double angle) const {
   return result;
 }
 
-Vector3 BelowSurface::turned(const Vector3& in_section, double angle) const {
+Vector3 BelowSurface::turned_about_axle(const Vector3& in_section, double angle) const {
   Vector3 place = turned_direction(from_axle(in_section), angle);
   for (std::size_t d = 0; d < 3; ++d) place[d] += axle_.point[d];
   return place;
@@ -82,7 +78,7 @@ BelowSurface::Coordinates BelowSurface::coordinates(const Vector3& place) const 
   if (turns_) {
     const Vector3 radial = from_axle(place);
     angle = std::atan2(radial[0], dot(radial, down_));
-    section = turned(place, -angle);
+    section = turned_about_axle(place, -angle);
   }
   // The foot on the body's section, along the normal of the common surface.
   double y = section[1];
@@ -117,7 +113,7 @@ Vector3 BelowSurface::place(double x, double arc, double depth) const {
   const double climb = surface_.climb(y);
   const double upwards = (wheel_ ? depth : -depth) / stretch_of(climb);
   const Vector3 section{turns_ ? 0.0 : x, y - climb * upwards, own(y).value + upwards};
-  return turns_ ? turned(section, x / surface_.local_rolling_radius(y)) : section;
+  return turns_ ? turned_about_axle(section, x / surface_.local_rolling_radius(y)) : section;
 }
 
 Vector3 BelowSurface::below(double x, double y, double depth) const {
@@ -125,7 +121,7 @@ Vector3 BelowSurface::below(double x, double y, double depth) const {
   const Vector3 section{0.0, y, own(y).value + depth};
   const double radius = dot(from_axle(section), down_);
   if (!(std::abs(x) < radius)) return {x, y, infinity};
-  return turned(section, std::asin(x / radius));
+  return turned_about_axle(section, std::asin(x / radius));
 }
 
 }  // namespace rollfem::contact

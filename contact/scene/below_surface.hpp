@@ -42,7 +42,7 @@ class BelowSurface {
   Vector3 from_axle(const Vector3& place) const;
   double bend(double y) const;
   double arc_of(double y) const;
-  Vector3 turned(const Vector3& in_section, double angle) const;
+  Vector3 turned_about_axle(const Vector3& in_section, double angle) const;
   Vector3 turned_direction(const Vector3& in_section, double angle) const;
 
   const ChartedGeometry& geometry_;

@@ -14,6 +14,14 @@ namespace rollfem::contact {
 
 using Vector3 = std::array<double, 3>;
 
+inline double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// The wheel's axle: a point of it (the one at axial coordinate 0) and its unit direction, which
 /// points to larger axial coordinates and has a positive y component. A yaw of the wheelset turns
 /// it out of the plane x = 0.

@@ -116,7 +116,7 @@ void ContactRun::prepare() {
   conditions.fit_leading_edge = scene_.leading_edge == LeadingEdge::fitted;
   conditions.same_normal_block = elasticity_->same_normal_block();
   conditions.coupled_standin = elasticity_->coupled_standin();
-  problem_ = std::make_unique<ContactProblem>(elasticity_->whole(), elasticity_->standin(),
+  problem_ = std::make_unique<ContactProblem>(elasticity_->compliance(), elasticity_->standin(),
                                               std::move(conditions));
   motion_->set_extra(elasticity_->extra_slip());
   result_.setup_seconds += setup.seconds();

@@ -26,7 +26,7 @@ class Elasticity {
   /// Does what is costly, meshes and solvers, before the members below are called. A run that takes
   /// up all its load points does without.
   virtual void prepare() {}
-  virtual const Compliance& whole() const = 0;
+  virtual const Compliance& compliance() const = 0;
   /// The same object, or the half-space that preconditions it.
   virtual const SolvableCompliance& standin() const = 0;
   /// The stand-in with the coupling of unlike materials (ContactConditions); null: none.

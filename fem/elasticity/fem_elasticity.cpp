@@ -31,7 +31,7 @@ class FemElasticity : public contact::Elasticity {
                 const contact::Progress& progress, LevelStart& start, contact::ModelResult& result);
 
   void prepare() override;
-  const contact::Compliance& whole() const override { return *compliance_; }
+  const contact::Compliance& compliance() const override { return *compliance_; }
   const contact::SolvableCompliance& standin() const override { return *half_; }
   const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
   contact::Field extra_distance() const override {

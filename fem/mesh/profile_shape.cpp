@@ -60,7 +60,7 @@ dealii::Tensor<1, 3> ProfileShape::axle_direction() const {
   return dealii::Tensor<1, 3>({0.0, cosine_, sine_});
 }
 
-dealii::Point<3> ProfileShape::turned(double y, double z, double angle) const {
+dealii::Point<3> ProfileShape::turned_about_axle(double y, double z, double angle) const {
   const double radius = distance_from_axle(y, z);
   // 1 - cos = 2 sin^2(angle/2) keeps all digits near the contact point.
   const double half_sine = std::sin(0.5 * angle);
@@ -68,7 +68,7 @@ dealii::Point<3> ProfileShape::turned(double y, double z, double angle) const {
   return {radius * std::sin(angle), y - inwards * sine_, z + inwards * cosine_};
 }
 
-dealii::Point<3> ProfileShape::turned_back(const dealii::Point<3>& place) const {
+dealii::Point<3> ProfileShape::turned_to_section(const dealii::Point<3>& place) const {
   const double below = distance_from_axle(place[1], place[2]);
   const double radius = std::hypot(place[0], below);
   // By the difference of both distances, without cancellation.
@@ -79,12 +79,12 @@ dealii::Point<3> ProfileShape::turned_back(const dealii::Point<3>& place) const 
 dealii::Point<3> ProfileShape::place(double s, double t, double depth) const {
   const double z = height(t).value;
   if (!is_wheel_) return {s, t, z - depth};
-  return turned(t, z + depth, s / distance_from_axle(t, z));
+  return turned_about_axle(t, z + depth, s / distance_from_axle(t, z));
 }
 
 dealii::Point<3> ProfileShape::coordinates(const dealii::Point<3>& place) const {
   if (!is_wheel_) return {place[0], place[1], height(place[1]).value - place[2]};
-  const dealii::Point<3> back = turned_back(place);
+  const dealii::Point<3> back = turned_to_section(place);
   const double surface = height(back[1]).value;
   return {distance_from_axle(back[1], surface) * back[0], back[1], back[2] - surface};
 }

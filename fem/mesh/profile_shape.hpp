@@ -43,9 +43,9 @@ class ProfileShape {
   SurfaceFrame frame(double s, double t, double climb) const;
 
   /// A place of the wheel's section (y, z at x = 0) after turning by `angle` about the axle.
-  dealii::Point<3> turned(double y, double z, double angle) const;
+  dealii::Point<3> turned_about_axle(double y, double z, double angle) const;
   /// And back: angle, y, z.
-  dealii::Point<3> turned_back(const dealii::Point<3>& place) const;
+  dealii::Point<3> turned_to_section(const dealii::Point<3>& place) const;
   dealii::Point<3> axle_point() const { return {0.0, axle_y_, axle_z_}; }
   dealii::Tensor<1, 3> axle_direction() const;
   bool is_wheel() const { return is_wheel_; }

@@ -47,7 +47,8 @@ CoarseBody swept_section(const meshes::BlockedSection& blocked, const meshes::Se
       blocked.section, places.size(), [&](const meshes::SectionPoint& p, std::size_t k) {
         if (!shape.is_revolved()) return std::array<double, 3>{places[k], p[0], p[1]};
         const double t = std::clamp(p[0], block.middle - reach, block.middle + reach);
-        const auto at = shape.profile->turned(p[0], p[1], places[k] / shape.profile->radius(t));
+        const auto at =
+            shape.profile->turned_about_axle(p[0], p[1], places[k] / shape.profile->radius(t));
         return std::array<double, 3>{at[0], at[1], at[2]};
       });
   const std::size_t quads = blocked.section.quads.size();

@@ -148,11 +148,11 @@ std::unique_ptr<dealii::Manifold<3, 3>> AxleManifold::clone() const {
 }
 
 dealii::Point<3> AxleManifold::pull_back(const dealii::Point<3>& place) const {
-  return wheel_->turned_back(place);
+  return wheel_->turned_to_section(place);
 }
 
 dealii::Point<3> AxleManifold::push_forward(const dealii::Point<3>& chart) const {
-  return wheel_->turned(chart[1], chart[2], chart[0]);
+  return wheel_->turned_about_axle(chart[1], chart[2], chart[0]);
 }
 
 }  // namespace rollfem::fem

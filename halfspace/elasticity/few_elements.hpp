@@ -36,7 +36,7 @@ class FewElementsRolling : public contact::ElementOperator {
   bool set(const InfluenceTable& table, const contact::Field& pressure,
            const contact::Field& weights);
   /// Their indices on the grid.
-  const std::vector<Eigen::Index>& places() const { return places_; }
+  const std::vector<Eigen::Index>& grid_indices() const { return places_; }
 
   double diagonal() const override { return diagonal_; }
   void apply(const Given& p, Vector result) override;

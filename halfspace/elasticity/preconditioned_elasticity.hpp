@@ -19,7 +19,7 @@ class PreconditionedElasticity : public contact::Elasticity {
   PreconditionedElasticity(const contact::Scene& scene, const contact::ContactGrid& grid,
                            std::unique_ptr<const contact::Compliance> whole);
 
-  const contact::Compliance& whole() const override { return *whole_; }
+  const contact::Compliance& compliance() const override { return *whole_; }
   const contact::SolvableCompliance& standin() const override { return standin_; }
   const contact::Compliance* coupled_standin() const override { return coupled_.get(); }
   contact::Field extra_distance() const override;

@@ -54,7 +54,7 @@ class HalfspaceElasticity : public contact::Elasticity {
   }
 
   bool same_normal_block() const override { return true; }
-  const contact::Compliance& whole() const override { return *whole_; }
+  const contact::Compliance& compliance() const override { return *whole_; }
   const contact::SolvableCompliance& standin() const override {
     return uncoupled_ ? *uncoupled_ : *whole_;
   }

@@ -136,14 +136,14 @@ Index BelowParts::terms() const {
 
 void BelowParts::choose_points() {
   double deepest = 0.0;
-  for (std::size_t k = 0; k < body_->places().size(); ++k) {
-    const auto& place = body_->places()[k];
+  for (std::size_t k = 0; k < body_->points().size(); ++k) {
+    const auto& place = body_->points()[k];
     const auto at = coordinates_.coordinates({place[0], place[1], place[2]});
     const bool inside = at.spread > BelowSurface::least_spread &&
                         std::abs(at.x) <= box_.half_length &&
                         std::abs(at.y - box_.middle) <= box_.half_width && at.depth <= depth_;
     if (!inside) continue;
-    const auto& flat = twin_->places()[k];
+    const auto& flat = twin_->points()[k];
     rows_.push_back(static_cast<Index>(k));
     at_.push_back(at);
     flat_.push_back({flat[0], flat[1], wheel_ ? flat[2] : -flat[2]});

@@ -36,7 +36,7 @@ class GaussStates {
  public:
   /// The cells of these numbers among the active ones of the body, which outlives this.
   GaussStates(const Body& body, const std::vector<unsigned int>& cells);
-  const std::vector<dealii::Point<3>>& places() const { return places_; }
+  const std::vector<dealii::Point<3>>& points() const { return places_; }
   /// A row for each point: u_x u_y u_z, xx yy zz xy yz xz in global axes.
   Eigen::MatrixXd at(const Vector& displacement) const;
 

@@ -86,7 +86,7 @@ class LoadedBody {
     return fields;
   }
   /// Of the whole body under number k of the tractions that it was under last.
-  Vector whole(std::size_t k, const SurfaceField& traction) const {
+  Vector displacement(std::size_t k, const SurfaceField& traction) const {
     Vector all(displacements_[k]);
     if (far_) far_->add(resultant(traction), all);
     all.update_ghost_values();
@@ -236,9 +236,9 @@ Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
       difference << curved[j].x - flat[j].x, curved[j].y - flat[j].y, curved[j].n - flat[j].n;
       result.surface.col(column) = sign * basis.fitted(difference);
       if (below != nullptr)
-        result.below.col(column) =
-            below->fitted(below->beyond(component, shapes[j], pair.loaded.whole(j, tractions[j]),
-                                        pair.flat.whole(j, tractions[j])));
+        result.below.col(column) = below->fitted(
+            below->beyond(component, shapes[j], pair.loaded.displacement(j, tractions[j]),
+                          pair.flat.displacement(j, tractions[j])));
     }
   }
   return result;

@@ -30,7 +30,7 @@ bool is_record(const fs::path& name) {
   return name.extension() == record_suffix;
 }
 
-bool is_ours(const fs::path& name) {
+bool is_of_checkpoint(const fs::path& name) {
   return name == about_name || is_record(name) || name.extension() == part_suffix;
 }
 
@@ -97,7 +97,7 @@ void empty(const fs::path& folder, std::error_code& error) {
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const fs::path name = entry->path().filename();
-    if (is_ours(name) && name != about_name) records.push_back(entry->path());
+    if (is_of_checkpoint(name) && name != about_name) records.push_back(entry->path());
   }
   for (const fs::path& record : records)
     if (!error) fs::remove(record, error);
@@ -132,7 +132,7 @@ void CheckpointFolder::look_at(const contact::Case& input) {
   for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
        entry.increment(error)) {
     const fs::path name = entry->path().filename();
-    if (!is_ours(name))
+    if (!is_of_checkpoint(name))
       throw InputError(
           fmt::format("{} is the folder for unfinished runs, but holds {}, which rollfem did not "
                       "write; do: move it, or name another folder with -o",

@@ -73,7 +73,7 @@ fs::path checked_target(const std::string& directory) {
 }
 
 /// Whether a file of an earlier result, relative to its folder, is one that rollfem makes.
-bool is_ours(const fs::path& name) {
+bool is_of_result(const fs::path& name) {
   static const std::set<std::string> files{
       "summary.json",   "results.h5",   "creep_curve.csv",   "contacts.csv", "patches.csv",
       "path_x.csv",     "path_y.csv",   "case.toml",         "report.html",  "report.log",
@@ -94,7 +94,7 @@ void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs
     const bool folder = entry->is_directory(error) && !entry->is_symlink(error);
     if (folder && (name == "fields" || name == "figures")) {
       carry_over(old_folder, new_folder, name, all_saved);
-    } else if (!is_ours(name)) {
+    } else if (!is_of_result(name)) {
       fs::create_directories((new_folder / name).parent_path(), error);
       fs::rename(old_folder / name, new_folder / name, error);
       if (error) all_saved = false;

@@ -102,7 +102,7 @@ bool positive(double value) {
 }  // namespace
 
 std::size_t CreepTable::size() const {
-  return places().size() * creepage[0].size() * creepage[1].size() * creepage[2].size();
+  return first_axis().size() * creepage[0].size() * creepage[1].size() * creepage[2].size();
 }
 
 std::size_t CreepTable::place(std::size_t first, std::size_t i, std::size_t j,
@@ -158,19 +158,19 @@ const std::vector<WheelColumn>& wheel_columns() {
 }
 
 CreepTableReader::CreepTableReader(CreepTable table) : table_(std::move(table)) {
-  if (!increasing(table_.places())) refuse_shape("its first axis does not increase");
+  if (!increasing(table_.first_axis())) refuse_shape("its first axis does not increase");
   check_creepages();
   for (std::size_t q = 0; q < 3; ++q)
     for (const double x : table_.creepage[q]) coordinate_[q].push_back(table_coordinate(x));
   const bool shifts = table_.over_shifts();
   if (!shifts && table_.axis_ratio.front() <= 0.0) refuse_shape("its ratios are not positive");
   if (table_.forces.size() != table_.size() || table_.bars.size() != table_.size() ||
-      table_.scale.size() != table_.places().size())
+      table_.scale.size() != table_.first_axis().size())
     refuse_shape("its forces do not fit its axes");
   if (shifts) check_wheels();
-  for (std::size_t k = 0; k < table_.places().size(); ++k) {
+  for (std::size_t k = 0; k < table_.first_axis().size(); ++k) {
     if (k == 0 || (shifts && table_.wheels[k - 1].jump_after != 0.0)) stretches_.push_back({k, {}});
-    const double place = table_.places()[k];
+    const double place = table_.first_axis()[k];
     stretches_.back().nodes.push_back(shifts ? place : std::log(place));
   }
 }
@@ -211,7 +211,7 @@ void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
 }
 
 double CreepTableReader::coordinate_of(double place) const {
-  const double low = table_.places().front(), high = table_.places().back();
+  const double low = table_.first_axis().front(), high = table_.first_axis().back();
   if (table_.over_shifts()) {
     if (!(place >= low - shift_let_pass && place <= high + shift_let_pass))
       throw contact::InputError(

@@ -85,7 +85,9 @@ struct CreepTable {
   std::vector<CheckedPoint> checked;
 
   bool over_shifts() const { return !lateral_shift.empty(); }
-  const std::vector<double>& places() const { return over_shifts() ? lateral_shift : axis_ratio; }
+  const std::vector<double>& first_axis() const {
+    return over_shifts() ? lateral_shift : axis_ratio;
+  }
   std::size_t size() const;
   std::size_t place(std::size_t first, std::size_t i, std::size_t j, std::size_t k) const;
 };

@@ -25,7 +25,7 @@ std::string table_csv(const CreepTable& table) {
                      (table.over_shifts() ? ",force_along_normal [mu F_n]\n" : "\n");
   const auto& [xi, eta, phi] = table.creepage;
   std::size_t at = 0;
-  for (const double place : table.places())
+  for (const double place : table.first_axis())
     for (const double x : xi)
       for (const double y : eta)
         for (const double z : phi) {

@@ -101,7 +101,7 @@ void write_interpolation(hid_t file, const CreepTable& table) {
 }
 
 void write_values(hid_t file, const CreepTable& table) {
-  std::vector<hsize_t> shape{table.places().size()};
+  std::vector<hsize_t> shape{table.first_axis().size()};
   for (const auto& axis : table.creepage) shape.push_back(axis.size());
   const auto force = [&](std::size_t q) {
     return column(table.forces, [q](const Scaled& f) { return f[q]; });

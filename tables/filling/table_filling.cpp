@@ -29,7 +29,7 @@ std::array<std::size_t, 3> to_and_fro(const CreepTable& table, std::size_t n) {
 
 void fill_grid(CreepTable& table, const TableSource& source, const contact::Progress& progress,
                contact::Checkpoint* checkpoint) {
-  const std::size_t of_a_place = table.size() / table.places().size();
+  const std::size_t of_a_place = table.size() / table.first_axis().size();
   table.forces.resize(table.size());
   table.bars.resize(table.size());
   table.elements_across.resize(table.size());
@@ -64,7 +64,7 @@ std::vector<std::array<double, 2>> stretches_of(const CreepTable& table) {
     return table.over_shifts() ? table.lateral_shift[k] : std::log(table.axis_ratio[k]);
   };
   std::vector<std::array<double, 2>> stretches;
-  for (std::size_t k = 0; k < table.places().size(); ++k) {
+  for (std::size_t k = 0; k < table.first_axis().size(); ++k) {
     if (k == 0 || (table.over_shifts() && table.wheels[k - 1].jump_after != 0.0))
       stretches.push_back({coordinate(k), coordinate(k)});
     stretches.back()[1] = coordinate(k);
@@ -85,7 +85,7 @@ double place_at(const CreepTable& table, const std::vector<std::array<double, 2>
   for (; s + 1 < stretches.size() && way > stretches[s][1] - stretches[s][0]; ++s)
     way -= stretches[s][1] - stretches[s][0];
   const double x = std::min(stretches[s][0] + way, stretches[s][1]);
-  const std::vector<double>& places = table.places();
+  const std::vector<double>& places = table.first_axis();
   return std::clamp(table.over_shifts() ? x : std::exp(x), places.front(), places.back());
 }
 

@@ -26,7 +26,7 @@ class Mutation:
 
 MUTATIONS = [
     # capi/
-    Mutation("c_moment_arm", "capi/wheel_rail_pair.cpp",
+    Mutation("c_moment_arm", "contact/scene/patch_geometry.hpp",
              "a[2] * b[0] - a[0] * b[2]", "a[0] * b[2] - a[2] * b[0]",
              "a force along the rail turns the axle the other way",
              ("unit_c_interface",)),

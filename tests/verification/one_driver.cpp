@@ -26,7 +26,7 @@ class Disguised : public contact::Elasticity {
  public:
   Disguised(const Scene& scene, const contact::ContactGrid& grid, double standin_scale)
       : whole_(grid, scene.material), standin_(grid, scaled(scene.material, standin_scale)) {}
-  const contact::Compliance& whole() const override { return whole_; }
+  const contact::Compliance& compliance() const override { return whole_; }
   const contact::SolvableCompliance& standin() const override { return standin_; }
   Eigen::Vector2d rolling_stiffness(const contact::PatchSize&) const override {
     return Eigen::Vector2d::Constant(2e8);

@@ -15,19 +15,13 @@ namespace rollfem::track {
 
 using contact::Case;
 using contact::Creepage;
+using contact::cross;
+using contact::dot;
 using contact::PointResult;
 using contact::Scene;
 using contact::Vector3;
 
 namespace {
-
-double dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// One load point without friction and without anything else that is read from motion or output.
 Case frictionless(Case input) {

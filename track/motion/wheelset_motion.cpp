@@ -9,18 +9,12 @@
 
 namespace rollfem::track {
 
+using contact::cross;
+using contact::dot;
 using contact::pi;
 using contact::Vector3;
 
 namespace {
-
-double dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1.0) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};

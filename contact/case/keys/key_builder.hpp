@@ -266,7 +266,7 @@ class Keys {
   KeyBuilder<Part> choices(const std::string& name) { return key(name, KeyKind::words); }
   KeyBuilder<Part> lean(const std::string& name) { return key(name, KeyKind::lean); }
   KeyBuilder<Part> real(const std::string& name) { return key(name, KeyKind::number); }
-  KeyBuilder<Part> whole(const std::string& name) { return key(name, KeyKind::integer); }
+  KeyBuilder<Part> integer(const std::string& name) { return key(name, KeyKind::integer); }
   KeyBuilder<Part> toggle(const std::string& name) { return key(name, KeyKind::boolean); }
   KeyBuilder<Part> pair(const std::string& name) { return key(name, KeyKind::pair); }
   KeyBuilder<Part> triple(const std::string& name) { return key(name, KeyKind::triple); }

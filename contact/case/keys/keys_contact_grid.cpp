@@ -6,7 +6,7 @@ SectionWithKeys contact_grid_section() {
   Keys<GridOptions> keys("contact_grid", "Elements of the contact area of the half-space model",
                          &Case::contact_grid);
   keys.section().alternatives = true;
-  keys.whole("elements_across")
+  keys.integer("elements_across")
       .between(4, 2000)
       .says(
           "Number of contact elements along the smaller extent of the patch; not together with "

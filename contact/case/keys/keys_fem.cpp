@@ -14,7 +14,7 @@ void add_elements(FemKeys& keys) {
       .otherwise("chosen from the size of the patch")
       .says("Size of a finite element in the patch, and of a contact element of this model.")
       .into(&FemOptions::cell_size);
-  keys.whole("degree")
+  keys.integer("degree")
       .between(1, 2)
       .says(
           "Polynomial degree of the displacement; 1 is 15 to 20 times less accurate on the same "

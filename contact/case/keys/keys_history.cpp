@@ -20,7 +20,7 @@ SectionWithKeys history_section() {
                   "counts from the step before, not from the beginning",
                   whole_case());
   keys.section().alternatives = true;
-  keys.whole("steps")
+  keys.integer("steps")
       .between(1, 1000)
       .per("load points")
       .otherwise("the length of the lists")

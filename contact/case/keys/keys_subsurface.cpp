@@ -66,7 +66,7 @@ void add_end(RequestKeys& keys, const std::string& name, const std::string& sent
 }
 
 void add_number_of_points(RequestKeys& keys, const std::string& sentence) {
-  keys.whole("points").between(2, 10000).required("61").says(sentence).into(
+  keys.integer("points").between(2, 10000).required("61").says(sentence).into(
       [](auto& request) -> auto& { return request.points[0]; });
 }
 

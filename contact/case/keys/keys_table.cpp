@@ -63,7 +63,7 @@ SectionWithKeys table_section() {
            "Scaled spins phi' = phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n) that are not "
            "negative, instead of the third; the negative ones follow.",
            &TableOptions::spin);
-  keys.whole("check_points")
+  keys.integer("check_points")
       .between(0, 1e6)
       .says(
           "Number of random points between those of the grid at which the interpolation error is "

@@ -7,7 +7,7 @@ namespace {
 
 template <class Options>
 void add_strips(Keys<Options>& keys, int fewest) {
-  keys.whole("strips")
+  keys.integer("strips")
       .between(fewest, 2000)
       .says("Strips across the patch.")
       .into(&Options::strips);
@@ -15,7 +15,7 @@ void add_strips(Keys<Options>& keys, int fewest) {
 
 template <class Options>
 void add_strip_elements(Keys<Options>& keys) {
-  keys.whole("strip_elements")
+  keys.integer("strip_elements")
       .between(4, 2000)
       .says("Elements along each strip.")
       .into(&Options::strip_elements);

@@ -98,14 +98,14 @@ class Reader {
  private:
   toml::table parse() const {
     if (source_.text().find('\0') != std::string::npos)
-      fail_whole(given_.file, "is a binary file, not a case file",
-                 "give a case file in TOML; `rollfem new-case` prints one");
+      fail_file(given_.file, "is a binary file, not a case file",
+                "give a case file in TOML; `rollfem new-case` prints one");
     const std::vector<std::string>& lines = source_.lines();
     for (std::size_t i = 0; i < lines.size(); ++i)
       if (lines[i].size() > longest_line)
-        fail_whole(fmt::format("{}:{}", given_.file, i + 1),
-                   fmt::format("the line is longer than {} characters", longest_line),
-                   "break it into several; lists may extend over many lines");
+        fail_file(fmt::format("{}:{}", given_.file, i + 1),
+                  fmt::format("the line is longer than {} characters", longest_line),
+                  "break it into several; lists may extend over many lines");
     if (const auto fault = find_toml_fault(source_.text()))
       fail_invalid(fault->line, fault->column, fault->wrong);
     try {
@@ -151,9 +151,8 @@ class Reader {
 
   void read_entry(const std::string& section, const toml::node& node) {
     if (given_.entries.size() >= longest_list)
-      fail_whole(given_.file,
-                 fmt::format("has more than {} sections [[{}]]", longest_list, section),
-                 "give planes or lines of points instead");
+      fail_file(given_.file, fmt::format("has more than {} sections [[{}]]", longest_list, section),
+                "give planes or lines of points instead");
     GivenEntry entry;
     entry.section = section;
     entry.line = node.source().begin.line;
@@ -230,7 +229,7 @@ class Reader {
 
 }  // namespace
 
-void fail_whole(const std::string& file, const std::string& wrong, const std::string& action) {
+void fail_file(const std::string& file, const std::string& wrong, const std::string& action) {
   CaseProblem problem;
   problem.wrong = wrong;
   problem.action = action;

@@ -84,7 +84,7 @@ TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
                                              compliance.rolling(contact::UpwindOrder::second),
                                              weights);
     ASSERT_TRUE(elements.set(of.table, pressure, weights));
-    const auto count = static_cast<Eigen::Index>(elements.places().size());
+    const auto count = static_cast<Eigen::Index>(elements.grid_indices().size());
     contact::TangentialField traction;
     contact::TangentialOptions options;
     options.tolerance = 1e-9;
@@ -97,11 +97,11 @@ TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
       const auto exact =
           contact::solve_tangential(rolling, {pressure, slip, law, 1.0}, options, {});
       const bool anew = creepage.lateral != 6e-4;
-      quick.solve(elements, {of.grid, pressure, slip, *law, 1.0}, elements.places(), options,
+      quick.solve(elements, {of.grid, pressure, slip, *law, 1.0}, elements.grid_indices(), options,
                   anew ? contact::TangentialField() : traction);
       traction = {Field::Zero(n * n), Field::Zero(n * n)};
       for (Eigen::Index e = 0; e < count; ++e) {
-        const Eigen::Index k = elements.places()[static_cast<std::size_t>(e)];
+        const Eigen::Index k = elements.grid_indices()[static_cast<std::size_t>(e)];
         traction.x[k] = quick.traction()[e];
         traction.y[k] = quick.traction()[count + e];
       }
