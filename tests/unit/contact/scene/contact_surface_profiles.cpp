@@ -29,10 +29,6 @@ Vector3 direction(double tilt, double yaw) {
   return {std::sin(yaw), std::cos(yaw) * std::cos(tilt), std::cos(yaw) * std::sin(tilt)};
 }
 
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The nearer root of |start + way * normal - centre|^2 = radius^2.
 double way_to_sphere(const Vector3& start, const Vector3& normal, const Vector3& centre,
                      double radius, bool circle) {
