@@ -214,7 +214,9 @@ contact::ModelRegistry make_models() {
   halfspace.refinements = {halfspace::contact_grid()};
   halfspace.no_model_error =
       "not requested: halfspace.model_error = true estimates what half-spaces leave out";
-  halfspace.has_stress = halfspace.in_compare = halfspace.joins_planes = true;
+  halfspace.choosable = contact::Choosable::half_spaces;
+  halfspace.measures_others = halfspace.has_stress = halfspace.in_compare = halfspace.joins_planes =
+      true;
   models.add(halfspace);
   return models;
 }

@@ -190,7 +190,7 @@ void report_and_tell(const CompareRequest& request, const postprocess::Compariso
   if (request.quiet) return;
   std::vector<postprocess::CaseStandings> all;
   for (const ComparedCase& compared : record.cases) {
-    all.push_back(postprocess::case_standings(compared, record.reference));
+    all.push_back(postprocess::case_standings(compared, record.references));
     std::cout << compared.name << ": " << compared.title << '\n'
               << postprocess::comparison_table(all.back());
     for (const postprocess::MissingModel& missing : compared.missing)
@@ -283,6 +283,8 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
   record.provenance = frame.provenance();
   record.models = models;
   record.reference = request.reference;
+  record.references = known.names(&contact::ModelInfo::measures_others);
+  record.references.insert(record.references.begin(), request.reference);
   frame.compute("--model", "load points", [&](modelling::Solving how) {
     how.go_on = true;
     for (const Task& task : tasks) {

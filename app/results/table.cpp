@@ -92,7 +92,7 @@ void write_and_tell(const TableRequest& request, const CreepTable& table, double
 void table(const TableRequest& request, const contact::ModelRegistry& models) {
   const contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);
-  CommandFrame frame(request, models, {"halfspace"});
+  CommandFrame frame(request, models, {});
   if (frame.idle()) return;
   tables::CreepTable made = tables::empty_table(input);
   const postprocess::Provenance provenance = frame.provenance();

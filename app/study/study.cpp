@@ -131,6 +131,9 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
   series.vary = plan.vary;
   series.parameter = plan.parameter;
   series.ratio = plan.ratio;
+  const contact::ModelInfo& model = work.how.models->at(plan.model);
+  series.measures_others = model.name == work.how.models->reference().name;
+  series.limit_of_its_own = model.keeps_bodies;
   if (!parallel(plan, work) && !work.how.first) return series;
   for (const contact::RefinedInput& wanted : plan.levels) {
     const auto failed = [&](const std::exception& error, std::string& list) {

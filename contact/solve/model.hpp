@@ -77,6 +77,9 @@ struct Refinement {
   RefinedInput (*level)(ModelInput input, int k, int n) = nullptr;
 };
 
+/// As what `auto` may take a model; each has a forecast (models/choice/laws.hpp).
+enum class Choosable { never, half_spaces, corrected_half_spaces, finite_bodies };
+
 struct ModelInfo {
   std::string name;      ///< as --model and `models` of a case file have it: "halfspace"
   std::string label;     ///< in figures and tables of reports: "half-space"
@@ -98,9 +101,11 @@ struct ModelInfo {
   /// Takes one of the others, whose result and name it hands on: no run of its own; the program
   /// chooses (models/solving/auto_model.hpp).
   bool chooses = false;
-  bool in_run = false;      ///< `run` computes it where neither call nor case names models
-  bool in_compare = false;  ///< the same for `compare`
-  BarRules bars = {};       ///< what it says of values without an error estimate
+  Choosable choosable = Choosable::never;
+  bool measures_others = false;  ///< a reference where `compare` is told of none, in their order
+  bool in_run = false;           ///< `run` computes it where neither call nor case names models
+  bool in_compare = false;       ///< the same for `compare`
+  BarRules bars = {};            ///< what it says of values without an error estimate
   /// Why it gives no PointResult::model_error, where it does not.
   const char* no_model_error = "not estimated";
 

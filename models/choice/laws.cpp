@@ -131,7 +131,6 @@ Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
   const double part = static_cast<double>(elements_of_model_error(size, accuracy)) / usual_elements;
   const double estimate = of_model_error * part * part * static_cast<double>(size.load_points);
   Forecast forecast = on_grids(size, start + estimate, 1.0);
-  forecast.model = "halfspace";
   forecast.label = "half-space";
   forecast.model_error = expected_model_error(size);
   return forecast;
@@ -139,9 +138,7 @@ Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
 
 Forecast hybrid_forecast(const ContactSize& size) {
   Forecast forecast = on_grids(size, correction_seconds(size), hybrid_times);
-  forecast.model = "hybrid";
   forecast.label = "hybrid";
-  forecast.corrects = "halfspace";
   forecast.uncertain_part = 0.1;
   forecast.model_error = forecast.uncertain_part * expected_model_error(size);
   return forecast;
@@ -149,7 +146,6 @@ Forecast hybrid_forecast(const ContactSize& size) {
 
 Forecast fem_forecast(const ContactSize& size) {
   Forecast forecast;
-  forecast.model = "fem";
   forecast.label = "finite elements";
   const double error = size.friction > 0.0 ? fem_error_with_friction : fem_error_without_friction;
   const double unknowns = fem_unknowns + fem_unknowns_of_length * (elongation(size) - 1.0);

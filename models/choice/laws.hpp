@@ -38,7 +38,7 @@ int elements_of_model_error(const ContactSize& size, double accuracy);
 /// Above all model errors found, as part of the whole of the worst quantity.
 double largest_model_error(const ContactSize& size);
 
-/// `accuracy`: that is asked for.
+/// Without the names of the models. `accuracy`: that is asked for.
 Forecast halfspace_forecast(const ContactSize& size, double accuracy);
 Forecast hybrid_forecast(const ContactSize& size);
 Forecast fem_forecast(const ContactSize& size);

@@ -66,7 +66,8 @@ contact::ModelInfo fem_model() {
                      {"degree", "", "degree", 0.0, 2, true, degree_level},
                      {"domain", "", "extent", 2.0, 3, false, domain_level}};
   fem.half_spaces = false;
-  fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_compare = true;
+  fem.choosable = contact::Choosable::finite_bodies;
+  fem.measures_others = fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_compare = true;
   fem.built = ROLLFEM_WITH_FEM;
   fem.no_model_error = "none known: linear elasticity of the bodies as the case gives them";
   return fem;

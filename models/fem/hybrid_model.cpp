@@ -72,6 +72,7 @@ contact::ModelInfo hybrid_model() {
   };
   hybrid.refinements = {halfspace::contact_grid()};
   hybrid.half_spaces = false;
+  hybrid.choosable = contact::Choosable::corrected_half_spaces;
   hybrid.has_stress = hybrid.corrects_stress = hybrid.parallel = true;
   hybrid.built = ROLLFEM_WITH_FEM;
   hybrid.no_model_error =

@@ -19,6 +19,7 @@ namespace rollfem::modelling {
 
 namespace {
 
+using contact::Choosable;
 using contact::ModelRegistry;
 using contact::Scene;
 
@@ -85,24 +86,36 @@ ContactSize size_of(const Scene& scene) {
 }
 
 /// Why a model is out of the question for the scene; empty: it is not.
-std::string out_of_question(const contact::ModelInfo* model, const Scene& scene) {
-  if (model == nullptr || !model->built) return "not in this build";
-  if (const auto reason = model->cannot(scene)) return *reason;
-  if (scene.asks_for_stress() && !model->has_stress) return "it has no stress below the surface";
+std::string out_of_question(const contact::ModelInfo& model, const Scene& scene) {
+  if (!model.built) return "not in this build";
+  if (const auto reason = model.cannot(scene)) return *reason;
+  if (scene.asks_for_stress() && !model.has_stress) return "it has no stress below the surface";
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
   const bool boxes = !scene.fem.mesh || *scene.fem.mesh == contact::MeshFamily::structured;
-  if (model->name == "hybrid" && (meshes || !boxes))
+  if (model.choosable == Choosable::corrected_half_spaces && (meshes || !boxes))
     return "it meshes bodies only as boxes below their surface";
   return "";
 }
 
+Forecast forecast_as(Choosable kind, const ContactSize& size, double accuracy) {
+  if (kind == Choosable::finite_bodies) return modelling::fem_forecast(size);
+  return kind == Choosable::corrected_half_spaces ? modelling::hybrid_forecast(size)
+                                                  : modelling::halfspace_forecast(size, accuracy);
+}
+
+/// In the order of the registry.
 std::vector<Forecast> forecasts_of(const Scene& scene, const ContactSize& size,
                                    const ModelRegistry& models) {
-  std::vector<Forecast> all{modelling::halfspace_forecast(size, accuracy_of(scene.accuracy)),
-                            modelling::hybrid_forecast(size), modelling::fem_forecast(size)};
-  for (Forecast& forecast : all) {
-    const std::string why = out_of_question(models.find(forecast.model), scene);
-    if (!why.empty()) forecast.cannot = why;
+  std::vector<Forecast> all;
+  std::string half_spaces;
+  for (const contact::ModelInfo& model : models.all()) {
+    if (model.choosable == Choosable::never) continue;
+    all.push_back(forecast_as(model.choosable, size, accuracy_of(scene.accuracy)));
+    all.back().model = model.name;
+    if (model.choosable == Choosable::half_spaces) half_spaces = model.name;
+    if (model.choosable == Choosable::corrected_half_spaces) all.back().corrects = half_spaces;
+    const std::string why = out_of_question(model, scene);
+    if (!why.empty()) all.back().cannot = why;
   }
   return all;
 }
@@ -145,7 +158,8 @@ class Solver {
   Candidate candidate(const Forecast& forecast) const {
     Candidate made{forecast, {}, false, {}};
     const std::string name = forecast.model;
-    if (name == "halfspace") {
+    const Choosable kind = how_.models->at(name).choosable;
+    if (kind == Choosable::half_spaces) {
       const bool known = scene_.geometry.has_surfaces();
       const int elements = elements_of_model_error(asked_, size_);
       made.estimates_model_error = elements > 0;
@@ -153,15 +167,16 @@ class Solver {
         made.no_model_error = "only the undeformed distance of the bodies is known";
       else if (elements == 0)
         made.largest_model_error = modelling::largest_model_error(size_);
-      made.solve = [this, elements](int across) {
-        contact::ModelResult result = run("halfspace", on_grid(scene_, across));
+      made.solve = [this, elements, name](int across) {
+        contact::ModelResult result = run(name, on_grid(scene_, across));
         if (elements > 0) share_model_error(elements, result);
         return result;
       };
-    } else if (name == "hybrid") {
-      made.solve = [this](int across) { return run("hybrid", on_grid(scene_, across)); };
     } else {
-      made.solve = [this, name](int across) { return run(name, on_cells(scene_, across)); };
+      const bool cells = kind == Choosable::finite_bodies;
+      made.solve = [this, name, cells](int across) {
+        return run(name, cells ? on_cells(scene_, across) : on_grid(scene_, across));
+      };
     }
     return made;
   }

@@ -74,7 +74,7 @@ void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
   few.output.stress_maxima = false;
   few.model_error = true;
   try {
-    const contact::ModelResult result = how.models->run("halfspace", few, how.progress);
+    const contact::ModelResult result = how.models->run(half.model, few, how.progress);
     if (!result.has_model_error()) return;
     half.model_error =
         modelling::reached_by(result, scene.accuracy, scene.friction_coefficient(), true)

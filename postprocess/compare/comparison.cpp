@@ -70,10 +70,10 @@ std::string patch_label(const ModelResult& model) {
 
 /// The model that others are held against; null where there are none.
 const ModelResult* reference_among(const std::vector<const ModelResult*>& models,
-                                   const std::string& wished) {
+                                   const std::vector<std::string>& references) {
   std::vector<std::string> names;
   for (const ModelResult* model : models) names.push_back(model->name);
-  const std::string name = reference_of(names, wished);
+  const std::string name = reference_of(names, references);
   for (const ModelResult* model : models)
     if (model->name == name) return model;
   return nullptr;
@@ -118,12 +118,12 @@ void refer(ComparedNumber& number, const ModelResult& reference, std::size_t k,
 /// All numbers of the models of one patch.
 void append_patch(std::vector<ComparedNumber>& numbers,
                   const std::vector<const ModelResult*>& models, double friction,
-                  const std::string& wished) {
+                  const std::vector<std::string>& references) {
   std::vector<const ModelResult*> with_friction;
   for (const ModelResult* model : models)
     if (has_friction(*model)) with_friction.push_back(model);
-  const ModelResult* base_patch = reference_among(models, wished);
-  const ModelResult* base_friction = reference_among(with_friction, wished);
+  const ModelResult* base_patch = reference_among(models, references);
+  const ModelResult* base_friction = reference_among(with_friction, references);
   const bool lateral = has_lateral(with_friction);
   const std::vector<Quantity> quantities = compared_quantities();
   for (const ModelResult* model : models)
@@ -180,14 +180,15 @@ bool ComparedNumber::differs() const {
   return reference_value.has_value() && std::abs(difference()) > allowed() + 1e-9;
 }
 
-std::string reference_of(const std::vector<std::string>& models, const std::string& wished) {
-  for (const std::string& name : {wished, std::string("halfspace"), std::string("fem")})
+std::string reference_of(const std::vector<std::string>& models,
+                         const std::vector<std::string>& order) {
+  for (const std::string& name : order)
     if (std::find(models.begin(), models.end(), name) != models.end()) return name;
   return models.empty() ? std::string() : models.front();
 }
 
 std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
-                                             const std::string& wished_reference) {
+                                             const std::vector<std::string>& references) {
   std::vector<ComparedNumber> numbers;
   if (compared.summary.empty()) return numbers;
   const std::vector<ModelResult> models = models_of_summary(compared.summary);
@@ -199,7 +200,7 @@ std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
     patches[label].push_back(&model);
   }
   for (const std::string& label : order)
-    append_patch(numbers, patches[label], compared.friction, wished_reference);
+    append_patch(numbers, patches[label], compared.friction, references);
   return numbers;
 }
 
@@ -221,8 +222,9 @@ std::vector<Standing> over_places(const std::vector<Standing>& standings) {
   return all;
 }
 
-CaseStandings case_standings(const ComparedCase& compared, const std::string& wished_reference) {
-  CaseStandings all{compared.name, standings(compared_numbers(compared, wished_reference)), {}};
+CaseStandings case_standings(const ComparedCase& compared,
+                             const std::vector<std::string>& references) {
+  CaseStandings all{compared.name, standings(compared_numbers(compared, references)), {}};
   if (compared.summary.empty()) return all;
   for (const ModelResult& model : models_of_summary(compared.summary)) {
     const auto total = model.seconds.find("total");

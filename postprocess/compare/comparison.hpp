@@ -31,7 +31,9 @@ struct ComparedCase {
 struct ComparisonRecord {
   Provenance provenance;
   std::vector<std::string> models;  ///< as asked for
-  std::string reference;            ///< as asked for; empty: halfspace, else fem, else the first
+  std::string reference;            ///< as asked for; may be empty
+  /// In what order models are taken as the reference: the one asked for, then the program's own.
+  std::vector<std::string> references;
   std::vector<ComparedCase> cases;
 };
 
@@ -61,13 +63,14 @@ struct ComparedNumber {
 /// By what models are held against each other, those of the patch before those of friction.
 std::vector<contact::Quantity> compared_quantities();
 
-/// The model that others are compared with: the wished one where it has such results (of friction
-/// or of the patch), else halfspace, fem, the first. `models` have such results.
-std::string reference_of(const std::vector<std::string>& models, const std::string& wished);
+/// The model that others are compared with: the first of `order` that is among `models`, which have
+/// such results (of friction or of the patch), else the first of these.
+std::string reference_of(const std::vector<std::string>& models,
+                         const std::vector<std::string>& order);
 
 /// All numbers of a case, patch by patch, model by model, load point by load point.
 std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
-                                             const std::string& wished_reference);
+                                             const std::vector<std::string>& references);
 
 /// How a model stands to the reference in one quantity at one place of one case.
 struct Standing {
@@ -91,7 +94,8 @@ struct CaseStandings {
   std::vector<Standing> standings;
   std::vector<std::pair<std::string, double>> seconds;  ///< of the models, in their order
 };
-CaseStandings case_standings(const ComparedCase& compared, const std::string& wished_reference);
+CaseStandings case_standings(const ComparedCase& compared,
+                             const std::vector<std::string>& references);
 
 /// For the terminal: the largest differences of every model, marked where any is beyond the error
 /// bars, and its seconds. Of several places the worst.

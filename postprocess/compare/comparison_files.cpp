@@ -26,8 +26,8 @@ ordered_json standing_json(const Standing& standing) {
   return json;
 }
 
-ordered_json case_json(const ComparedCase& compared, const std::string& reference) {
-  const CaseStandings stand = case_standings(compared, reference);
+ordered_json case_json(const ComparedCase& compared, const std::vector<std::string>& references) {
+  const CaseStandings stand = case_standings(compared, references);
   ordered_json json;
   json["name"] = compared.name;
   json["title"] = compared.title;
@@ -68,11 +68,11 @@ std::string comparison_json(const ComparisonRecord& record) {
     json["quantities"][quantity.name]["relative_to"] = contact::text_of(quantity.scale);
   std::vector<CaseStandings> all;
   for (const ComparedCase& compared : record.cases)
-    all.push_back(case_standings(compared, record.reference));
+    all.push_back(case_standings(compared, record.references));
   json["verdict"] = comparison_verdict(all);
   json["cases"] = ordered_json::array();
   for (const ComparedCase& compared : record.cases)
-    json["cases"].push_back(case_json(compared, record.reference));
+    json["cases"].push_back(case_json(compared, record.references));
   return json_text(json);
 }
 
@@ -83,7 +83,7 @@ std::string comparison_csv(const ComparisonRecord& record) {
       "difference [%],allowed by error bars [%],differs\n";
   auto out = std::back_inserter(text);
   for (const ComparedCase& compared : record.cases)
-    for (const ComparedNumber& n : compared_numbers(compared, record.reference)) {
+    for (const ComparedNumber& n : compared_numbers(compared, record.references)) {
       fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}", quoted(compared.name),
                      quoted(n.patch), n.model, n.point, n.longitudinal_creepage, n.lateral_creepage,
                      n.spin, n.quantity, n.value, cell(n.error), cell(n.model_error));

@@ -53,7 +53,7 @@ std::size_t reference_series(const StudyPlace& place) {
     const StudySeries& series = place.series[k];
     if (series.levels.empty()) continue;
     int rank = series.levels.size() >= 3 ? 1 : 0;
-    if (series.model == "halfspace" && rank == 1) rank = 2;
+    if (series.measures_others && rank == 1) rank = 2;
     if (rank > best_rank) {
       best = k;
       best_rank = rank;
@@ -65,9 +65,8 @@ std::size_t reference_series(const StudyPlace& place) {
 std::map<std::string, StudyReference> references(const StudyPlace& place, ReferenceRule rule) {
   std::map<std::string, StudyReference> all;
   const StudySeries& base = place.series.at(reference_series(place));
-  // Finite bodies have a limit of their own.
   const bool take_exact =
-      rule == ReferenceRule::exact || (rule == ReferenceRule::automatic && base.model != "fem");
+      rule == ReferenceRule::exact || (rule == ReferenceRule::automatic && !base.limit_of_its_own);
   std::set<std::string> keys;
   for (const StudySeries& series : place.series)
     for (const StudyLevel& level : series.levels)

@@ -37,6 +37,8 @@ struct StudySeries {
   double ratio = 0.0;
   std::vector<StudyLevel> levels;  ///< coarsest first
   std::string failure;             ///< of levels that should have a result; empty: none
+  bool measures_others = false;    ///< the others are held against it where it has three levels
+  bool limit_of_its_own = false;   ///< finite bodies do not tend to the closed form
   std::string left_out = {};       ///< coarse levels that the case cannot be laid out on, and why
 };
 

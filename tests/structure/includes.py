@@ -8,6 +8,7 @@ chooses among models (of which models/choice knows results only); tables fills t
 in files; app knows all; interface, which others build on, hands models on, and
 python stands on interface; capi, the C interface, knows what track knows, and files of tables; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
+No model is told apart by its name: what differs is a property of its entry in the registry (contact/solve/model.hpp).
 Inside contact: base <- case <- scene <- result <- iteration <- solve; the order of the other modules' rooms: ROOMS.
 Call: includes.py SOURCE_DIR
 """
@@ -94,7 +95,34 @@ def judge(path, bracket, name):
     return None
 
 
+NAMED = re.compile(r'ModelInfo\s+\w+\{\s*"([a-z-]+)"')
+TOLD_APART = re.compile(r'(?:[=!]=\s*"([a-z-]+)")|(?:"([a-z-]+)"\s*[=!]=)')
+# There the name is a word of the case file that is written.
+MAY_NAME_MODELS = {"convert"}
+
+
+def told_apart(line, names):
+    """The model whose name a line of code compares with, or None."""
+    for match in TOLD_APART.finditer(line.split("//")[0]):
+        if (name := match[1] or match[2]) in names:
+            return name
+    return None
+
+
+def names_compared(root):
+    texts = {file: file.read_text(encoding="utf-8") for module in sorted(MODULES) for file in (root / module).rglob("*.cpp")}
+    names = {name for text in texts.values() for name in NAMED.findall(text)} - {"auto"}  # a word of many keys
+    if len(names) < 8:
+        yield f"only {len(names)} registered models found: {sorted(names)}"
+    for file, text in texts.items():
+        path = file.relative_to(root).as_posix()
+        for number, line in enumerate(text.splitlines(), 1):
+            if room_of(path)[0] not in MAY_NAME_MODELS and (name := told_apart(line, names)):
+                yield f"{path}:{number}: {line.strip()}: asks for the name {name}; do: ask its entry in the registry"
+
+
 def problems(root):
+    yield from names_compared(root)
     for module in sorted(MODULES):
         files = sorted((root / module).rglob("*.[ch]pp"))
         if not files:
@@ -129,6 +157,8 @@ def self_test():
     assert verdict("fem/mesh/a.cpp", '"fem/linear/multigrid.hpp')
     assert verdict("hybrid/a.cpp", '"hybrid/correction/flat_twin.hpp')
     assert verdict("hybrid/a.cpp", "<deal.II/base/mpi.h")
+    assert told_apart('if (model.name == "fem") {', {"fem"}) and told_apart('"fem" != name', {"fem"})
+    assert not told_apart('run.name = "fem";  // == "fem"', {"fem"}) and not told_apart('word == "planar"', {"fem"})
     assert verdict("app/a.cpp", "<deal.II/base/mpi.h")
     assert verdict("fem/linear/a.cpp", '"body.hpp')
     assert not verdict("fem/linear/a.cpp", "<deal.II/base/mpi.h")

@@ -167,6 +167,7 @@ StudyRecord record() {
   StudyPlace place;
   place.creepages = {{0.0, 0.0, 0.0}, {0.001, 0.0, 0.0}};
   StudySeries series{"halfspace", "grid", "contact grid", 2.0, {}, ""};
+  series.measures_others = true;
   for (int k = 0; k < 4; ++k) {
     StudyLevel level;
     level.label = std::to_string(10 << k);
@@ -205,11 +206,13 @@ TEST(Study, TakesWhatIsExactAndExtrapolatesTheRest) {
 TEST(Study, FiniteBodiesAreNotMeasuredAgainstHalfSpaces) {
   StudyRecord study = record();
   study.places[0].exact = {{"max_pressure", 100.5}};
-  study.places[0].series[0].model = "fem";
+  study.places[0].series[0].limit_of_its_own = true;
+  study.places[0].series[0].measures_others = false;
   EXPECT_EQ(references_of(study).at("max_pressure").kind, "extrapolated");
   // A half-space in the same study is the reference of both.
   study.places[0].series.push_back(study.places[0].series[0]);
-  study.places[0].series[1].model = "halfspace";
+  study.places[0].series[1].measures_others = true;
+  study.places[0].series[1].limit_of_its_own = false;
   EXPECT_EQ(reference_series(study.places[0]), 1U);
   EXPECT_EQ(references_of(study).at("max_pressure").kind, "exact");
 }
