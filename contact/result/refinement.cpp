@@ -55,4 +55,16 @@ std::string shortfall_text(const AccuracyRequest& asked, const WorstError& worst
                      *asked.relative, worst.text(), reason);
 }
 
+bool refine_further(const AccuracyRequest& asked, double friction_coefficient, const Rung& rung,
+                    const std::vector<PointResult>& points, ModelResult& result) {
+  if (!asked.relative) return false;
+  const WorstError worst = worst_error(asked, friction_coefficient, points);
+  const bool reached = rung.enough_levels && worst.error <= *asked.relative;
+  if (!reached && rung.no_finer.empty()) return true;
+  result.notes.push_back(fmt::format("accuracy {:g} requested: {}; largest estimated error {}",
+                                     *asked.relative, rung.cells, worst.text()));
+  if (!reached) result.shortfall = shortfall_text(asked, worst, rung.no_finer);
+  return false;
+}
+
 }  // namespace rollfem::contact

@@ -40,4 +40,16 @@ WorstError worst_error(const AccuracyRequest& asked, double friction_coefficient
 std::string shortfall_text(const AccuracyRequest& asked, const WorstError& worst,
                            const std::string& reason);
 
+/// The finest level of a ladder of ever finer ones, with its error bars.
+struct Rung {
+  std::string cells;     ///< "40 elements across"
+  std::string no_finer;  ///< why it is the finest that can be had, and what to do; empty: it is not
+  bool enough_levels = true;  ///< for its bars to be believed
+};
+
+/// Whether the accuracy of the case wants another level; says in the notes or as the shortfall of
+/// the result what has come of it when it does not, or cannot have one. Of a case without: false.
+bool refine_further(const AccuracyRequest& asked, double friction_coefficient, const Rung& rung,
+                    const std::vector<PointResult>& points, ModelResult& result);
+
 }  // namespace rollfem::contact

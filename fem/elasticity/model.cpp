@@ -1,6 +1,7 @@
 #include "fem/elasticity/model.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/progress.hpp"
 #include "contact/result/refinement.hpp"
 #include "fem/elasticity/error_bars.hpp"
 #include "fem/elasticity/run_level.hpp"
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -21,10 +21,6 @@ namespace {
 
 using contact::ModelResult;
 using contact::Scene;
-
-/// Cells of the start when the case gives accuracy and no cell size: parts of the smaller
-/// semi-axis.
-constexpr double parts_at_start = 8.0;
 
 /// Cells larger than this part of the smaller semi-axis say nothing.
 constexpr double coarsest_part = 0.55;
@@ -42,91 +38,90 @@ std::string note_on_bars(double coarse_cell, double cell, bool beside_half_space
       coarse_cell, cell);
 }
 
-/// Those of the finest level alone are asked for.
-void drop_bodies(ModelResult& level) {
-  level.bodies.clear();
-  for (contact::PointResult& point : level.points) point.bodies.clear();
-}
-
 /// Two levels alone can agree by chance, and cannot show an order.
 constexpr std::size_t fewest_levels = 3;
 
 /// Finest cells relative to those of the start.
 constexpr int most_halvings = 5;
 
-/// Halves the cells until the estimated error is what the case asks for, or memory ends.
-ModelResult run_to_accuracy(const Scene& scene, const contact::Progress& progress,
-                            contact::Checkpoint* checkpoint) {
-  const double smaller_semi_axis = PatchSearch(scene).box().smaller();
-  double cell = scene.fem.cell_size.value_or(smaller_semi_axis / parts_at_start);
-  refuse_beyond_memory(scene, cell);
-  const auto solve = [&](double size, bool fields) {
-    return run_level(scene, {size, fmt::format("{:.3g} mm: ", size), fields, checkpoint}, progress);
-  };
-  std::vector<ModelResult> levels;
-  if (4.0 * cell <= coarsest_part * smaller_semi_axis) levels.push_back(solve(4.0 * cell, false));
-  levels.push_back(solve(2.0 * cell, false));
-  levels.push_back(solve(cell, scene.output.fields));
-  bool beside = set_error_bars(scene, levels);
-  const auto worst_of = [&] {
-    return contact::worst_error(scene.accuracy, scene.friction_coefficient(), levels.back().points);
-  };
-  contact::WorstError worst = worst_of();
-  std::string reason = fmt::format(
-      "cells of {:.3g} mm are the finest allowed; do: start from a smaller [fem] cell_size, or "
-      "request less accuracy",
-      cell / std::exp2(most_halvings));
-  for (int halving = 0; halving < most_halvings &&
-                        (levels.size() < fewest_levels || worst.error > *scene.accuracy.relative);
-       ++halving) {
-    try {
-      refuse_beyond_memory(scene, 0.5 * cell);
-    } catch (const contact::SolveError& error) {
-      reason = error.what();
-      break;
+/// Levels of halved cells, each with the error bars of its load points.
+class Levels {
+ public:
+  Levels(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint)
+      : scene_(scene), progress_(progress), checkpoint_(checkpoint) {}
+
+  /// One below those that count: for the bars alone.
+  void add_coarse(double cell) { levels_.push_back(solve(cell, "estimate: ", false)); }
+  void add(double cell) {
+    // The bodies of the finest level alone are asked for.
+    if (!levels_.empty()) {
+      levels_.back().bodies.clear();
+      for (contact::PointResult& point : levels_.back().points) point.bodies.clear();
     }
-    cell *= 0.5;
-    drop_bodies(levels.back());
-    levels.push_back(solve(cell, scene.output.fields));
-    beside = set_error_bars(scene, levels);
-    worst = worst_of();
+    levels_.push_back(solve(cell, "", scene_.output.fields));
+    cell_ = cell;
+    const contact::Stopwatch watch;
+    beside_half_spaces_ = set_error_bars(scene_, levels_);
+    bar_seconds_ += watch.seconds();
   }
-  ModelResult result = std::move(levels.back());
-  result.notes.push_back(fmt::format(
-      "accuracy {:g} requested: cells were halved to {:.4g} mm; largest estimated error {}",
-      *scene.accuracy.relative, cell, worst.text()));
-  result.notes.push_back(note_on_bars(2.0 * cell, cell, beside));
-  if (worst.error > *scene.accuracy.relative || levels.size() < fewest_levels)
-    result.shortfall = contact::shortfall_text(scene.accuracy, worst, reason);
-  return result;
-}
+  /// The finest level must be there. `first`: cells of the start.
+  bool refine_further(double first) {
+    contact::Rung rung{fmt::format("cells were halved to {:.4g} mm", cell_), "",
+                       levels_.size() >= fewest_levels};
+    if (cell_ < 1.5 * first / std::exp2(most_halvings))
+      rung.no_finer = fmt::format(
+          "cells of {:.3g} mm are the finest allowed; do: start from a smaller [fem] cell_size, or "
+          "request less accuracy",
+          cell_);
+    try {
+      if (rung.no_finer.empty() && scene_.accuracy.relative)
+        refuse_beyond_memory(scene_, 0.5 * cell_);
+    } catch (const contact::SolveError& error) {
+      rung.no_finer = error.what();
+    }
+    return contact::refine_further(scene_.accuracy, scene_.friction_coefficient(), rung,
+                                   levels_.back().points, levels_.back());
+  }
+  double bar_seconds() const { return bar_seconds_; }
+  ModelResult take_finest() {
+    ModelResult result = std::move(levels_.back());
+    result.notes.push_back(note_on_bars(2.0 * cell_, cell_, beside_half_spaces_));
+    return result;
+  }
+
+ private:
+  ModelResult solve(double cell, const std::string& stage, bool fields) const {
+    const std::string prefix = scene_.accuracy.relative ? fmt::format("{:.3g} mm: ", cell) : stage;
+    return run_level(scene_, {cell, prefix, fields, checkpoint_}, progress_);
+  }
+
+  const Scene& scene_;
+  const contact::Progress& progress_;
+  contact::Checkpoint* checkpoint_;
+  std::vector<ModelResult> levels_;
+  double cell_ = 0.0, bar_seconds_ = 0.0;
+  bool beside_half_spaces_ = false;
+};
 
 }  // namespace
 
 ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
                     contact::Checkpoint* checkpoint) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  if (scene.accuracy.relative) {
-    ModelResult result = run_to_accuracy(scene, progress, checkpoint);
-    result.seconds["total"] = elapsed();
-    return result;
-  }
+  const contact::Stopwatch watch;
+  const bool to_accuracy = scene.accuracy.relative.has_value();
   const double cell = default_cell_size(scene);
+  const bool two_coarser =
+      to_accuracy && 4.0 * cell <= coarsest_part * PatchSearch(scene).box().smaller();
   refuse_beyond_memory(scene, cell);
-  std::vector<ModelResult> levels;
-  levels.push_back(run_level(scene, {2.0 * cell, "estimate: ", false, checkpoint}, progress));
-  double estimate_seconds = elapsed();
-  levels.push_back(run_level(scene, {cell, "", scene.output.fields, checkpoint}, progress));
-  const double before_bars = elapsed();
-  const bool beside = set_error_bars(scene, levels);
-  ModelResult result = std::move(levels.back());
-  result.notes.push_back(note_on_bars(2.0 * cell, cell, beside));
-  estimate_seconds += elapsed() - before_bars;
-  result.seconds["estimate"] = estimate_seconds;
-  result.seconds["total"] = elapsed();
+  Levels levels(scene, progress, checkpoint);
+  if (two_coarser) levels.add_coarse(4.0 * cell);
+  levels.add_coarse(2.0 * cell);
+  const double coarse_seconds = watch.seconds();
+  levels.add(cell);
+  for (double finer = 0.5 * cell; levels.refine_further(cell); finer *= 0.5) levels.add(finer);
+  ModelResult result = levels.take_finest();
+  if (!to_accuracy) result.seconds["estimate"] = coarse_seconds + levels.bar_seconds();
+  result.seconds["total"] = watch.seconds();
   return result;
 }
 

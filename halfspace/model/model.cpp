@@ -242,26 +242,13 @@ void refuse_beyond_memory(const Scene& scene, const contact::ContactGrid& grid) 
 /// Beyond this many elements across nothing is refined further for an accuracy.
 constexpr int most_elements_across = 320;
 
-/// Whether another level is wanted for the accuracy of the case; says in the result when it is and
-/// cannot be had.
-bool refine_further(const Scene& scene, const contact::LevelResult& fine, const Cell& cell,
-                    ModelResult& result) {
-  if (!scene.accuracy.relative) return false;
-  const contact::WorstError worst =
-      contact::worst_error(scene.accuracy, scene.friction_coefficient(), fine.points);
-  if (worst.error <= *scene.accuracy.relative) {
-    result.notes.push_back(
-        fmt::format("accuracy {:g} requested: {} elements across; largest estimated error {}",
-                    *scene.accuracy.relative, cell.across, worst.text()));
-    return false;
-  }
-  if (2 * cell.across <= most_elements_across) return true;
-  result.shortfall =
-      contact::shortfall_text(scene.accuracy, worst,
-                              fmt::format("{} elements across are the maximum; do: request less "
-                                          "accuracy, or give a smaller contact_grid.cell_size",
-                                          cell.across));
-  return false;
+contact::Rung rung_of(const Cell& cell) {
+  contact::Rung rung{fmt::format("{} elements across", cell.across), "", true};
+  if (2 * cell.across > most_elements_across)
+    rung.no_finer = rung.cells +
+                    " are the maximum; do: request less accuracy, or give a smaller "
+                    "contact_grid.cell_size";
+  return rung;
 }
 
 }  // namespace
@@ -303,7 +290,8 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
       break;
     }
     if (levels.coarse) set_bars(scene, levels);
-    if (!levels.coarse || refine_further(scene, *levels.fine, cell, result))
+    if (!levels.coarse || contact::refine_further(scene.accuracy, scene.friction_coefficient(),
+                                                  rung_of(cell), levels.fine->points, result))
       cells.push_back({0.5 * cell.dx, factor_across(scene, 0.5) * cell.dy, 2 * cell.across});
   }
   add_stresses(scene, elasticity, levels, result);
