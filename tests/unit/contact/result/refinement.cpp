@@ -69,4 +69,48 @@ TEST(Refinement, ErrorsOfFrictionArePartsOfFullSliding) {
                    "the largest estimated error is 0.8 % of mu (traction_coefficient at load"));
 }
 
+/// Bars fall with order 1 from 0.08 of the pressure on 10 elements across.
+PointResult on(int across) {
+  PointResult point;
+  point.max_pressure = 100.0;
+  point.error_estimate["max_pressure"] = 80.0 / across;
+  return point;
+}
+
+TEST(Ladder, IsClimbedUntilTheAccuracyIsReached) {
+  ModelResult result;
+  int across = 10;
+  while (refine_further({0.011, {"max_pressure"}}, 0.5,
+                        {std::to_string(across) + " across", "", true}, {on(across)}, result))
+    across *= 2;
+  EXPECT_EQ(across, 80);
+  EXPECT_TRUE(result.shortfall.empty());
+  EXPECT_EQ(
+      result.notes.back(),
+      "accuracy 0.011 requested: 80 across; largest estimated error 1 % (max_pressure at load "
+      "point 1)");
+}
+
+TEST(Ladder, SaysSoWhereThereIsNoFinerLevel) {
+  ModelResult result;
+  EXPECT_FALSE(refine_further({0.001, {"max_pressure"}}, 0.5, {"40 across", "memory is full", true},
+                              {on(40)}, result));
+  EXPECT_TRUE(says(result.shortfall, "accuracy = 0.001 was not reached", "2 %", "memory is full"));
+}
+
+TEST(Ladder, TwoLevelsThatAgreeAreNotBelieved) {
+  ModelResult result;
+  EXPECT_TRUE(
+      refine_further({0.1, {"max_pressure"}}, 0.5, {"20 across", "", false}, {on(20)}, result));
+  EXPECT_FALSE(refine_further({0.1, {"max_pressure"}}, 0.5, {"20 across", "no memory", false},
+                              {on(20)}, result));
+  EXPECT_TRUE(says(result.shortfall, "no memory"));
+}
+
+TEST(Ladder, OfACaseWithoutAnAccuracyHasOneLevel) {
+  ModelResult result;
+  EXPECT_FALSE(refine_further({}, 0.5, {"20 across", "", true}, {on(20)}, result));
+  EXPECT_TRUE(result.notes.empty());
+}
+
 }  // namespace

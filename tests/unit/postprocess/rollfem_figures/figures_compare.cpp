@@ -39,6 +39,7 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
   ComparisonRecord record;
   record.provenance.labels = rollfem::testing::labels;
   record.models = {"hertz", "halfspace", "fem", "strip"};
+  record.references = {"halfspace", "fem"};
   record.cases.push_back(written("one", run));
   run.input.title = "second <case>";
   run.models.erase(run.models.begin());
@@ -78,6 +79,7 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
   ComparisonRecord record;
   record.provenance.labels = rollfem::testing::labels;
   record.models = {"halfspace", "fem"};
+  record.references = {"halfspace", "fem"};
   record.cases.push_back(written("wheels", run));
   replace_file(base_ / "compare.json", comparison_json(record));
   ASSERT_EQ(make_report(base_.string(), scripts), "");
