@@ -42,20 +42,20 @@ RefinedInput strips_level(int strips, ModelInput input) {
 }
 
 RefinedInput carter_level(ModelInput input, int k, int /*n*/) {
-  input.carter.strips = scaled(input.carter.strips, k);
-  return strips_level(input.carter.strips, std::move(input));
+  input.options.carter.strips = scaled(input.options.carter.strips, k);
+  return strips_level(input.options.carter.strips, std::move(input));
 }
 
 RefinedInput fastsim_level(ModelInput input, int k, int /*n*/) {
-  input.fastsim.strips = scaled(input.fastsim.strips, k);
-  input.fastsim.strip_elements = scaled(input.fastsim.strip_elements, k);
-  return strips_level(input.fastsim.strips, std::move(input));
+  input.options.fastsim.strips = scaled(input.options.fastsim.strips, k);
+  input.options.fastsim.strip_elements = scaled(input.options.fastsim.strip_elements, k);
+  return strips_level(input.options.fastsim.strips, std::move(input));
 }
 
 RefinedInput strip_level(ModelInput input, int k, int /*n*/) {
-  input.strip.strips = scaled(input.strip.strips, k);
-  input.strip.strip_elements = scaled(input.strip.strip_elements, k);
-  return strips_level(input.strip.strips, std::move(input));
+  input.options.strip.strips = scaled(input.options.strip.strips, k);
+  input.options.strip.strip_elements = scaled(input.options.strip.strip_elements, k);
+  return strips_level(input.options.strip.strips, std::move(input));
 }
 
 /// How a study refines a theory: strips and their elements of the case are the third of five
@@ -68,14 +68,14 @@ Refinement strips_of(RefinedInput (*level)(ModelInput, int, int)) {
 constexpr double smallest_slip_worth_a_note = 1e-7;
 
 ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
-  return run_fastsim(scene, progress, scene.fastsim);
+  return run_fastsim(scene, progress, scene.options.fastsim);
 }
 
 ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
                                            contact::Checkpoint* checkpoint) {
-  if (scene.model_error) halfspace::check_bodies_known(scene);
+  if (scene.options.halfspace.model_error) halfspace::check_bodies_known(scene);
   ModelResult result = halfspace::run_halfspace(scene, progress, checkpoint);
-  if (scene.model_error) halfspace::add_model_error(scene, progress, result);
+  if (scene.options.halfspace.model_error) halfspace::add_model_error(scene, progress, result);
   return result;
 }
 
@@ -118,9 +118,9 @@ contact::Model elliptic(contact::Model theory, Leaves leaves = {}) {
 }
 
 ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
-  return run_strip(
-      scene, progress,
-      {scene.strip.strips, scene.strip.strip_elements, scene.strip.virtual_penetration});
+  return run_strip(scene, progress,
+                   {scene.options.strip.strips, scene.options.strip.strip_elements,
+                    scene.options.strip.virtual_penetration});
 }
 
 /// Without a checkpoint: a theory takes no time. Its distance from the half-space goes with it.
@@ -178,7 +178,7 @@ void add_theories(contact::ModelRegistry& models) {
   ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
   carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
   carter.run =
-      theory([](const Scene& c, const Progress& p) { return run_carter(c, p, c.carter.strips); });
+      theory([](const Scene& c, const Progress& p) { return run_carter(c, p, c.options.carter.strips); });
   carter.bars = strips_on_ellipse;
   carter.refinements = {strips_of(carter_level)};
   models.add(carter);

@@ -5,6 +5,7 @@
 #include "contact/base/choices.hpp"
 #include "contact/base/material.hpp"
 #include "contact/base/profile_drop.hpp"
+#include "contact/case/model_options.hpp"
 #include "contact/case/track.hpp"
 
 #include <array>
@@ -145,34 +146,6 @@ struct GridOptions {
   std::array<double, 2> middle{0.0, 0.0};          ///< mm, of the potential contact area
 };
 
-struct FastsimOptions {
-  BoundShape bound = BoundShape::parabolic;  ///< 4/3 mu p0 (1 - r^2), or mu p0 sqrt(1 - r^2)
-  Flexibilities flexibilities = Flexibilities::three;
-  FastsimElements elements = FastsimElements::chord;
-  int strips = 100;          ///< across the patch
-  int strip_elements = 100;  ///< along each strip, for `grid` along the longest
-};
-
-/// Where the elements of the model halfspace lie: in the tangent plane, along the arc of the common
-/// surface across, or as the spread of the contact's normals asks for.
-enum class SurfaceForm { automatic, planar, curved };
-
-struct HalfspaceCase {
-  SurfaceForm surface = SurfaceForm::automatic;
-  bool model_error = false;
-};
-
-struct StripCase {
-  int strips = 100;
-  int strip_elements = 100;
-  /// Share of the approach by which the profiles penetrate; not given: as Hertz's ellipse does.
-  std::optional<double> virtual_penetration;
-};
-
-struct CarterCase {
-  int strips = 200;
-};
-
 /// Points at which stress and displacement are asked for: a point (1 by 1), a line (n by 1) or a
 /// plane (n by m) of them, the parallelogram `from`, `to`, `across`; or a line (n by 1) that
 /// follows the contact surface of the body at one depth, of which `from` and `to` hold x and y
@@ -187,29 +160,6 @@ struct SubsurfaceRequest {
   std::array<double, 3> across{};   ///< end of the second side, that begins at `from`
   double depth = 0.0;               ///< mm below the surface of the body, kind surface
   std::array<int, 2> points{1, 1};  ///< along the first and the second side
-};
-
-enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
-/// How the program meshes wheel and rail: a graded box laid on the surface, or a gmsh cross-section
-/// revolved and extruded, with profiles the true section of rail and rim.
-enum class MeshFamily { structured, gmsh };
-/// How the far boundary of the segments is held: fixed, or displaced as a half-space under the
-/// force on the patch, taken as a point load.
-enum class FarBoundary { clamped, point_load };
-
-struct FemOptions {
-  std::optional<double> cell_size;    ///< mm, FE cell and contact element in the patch
-  int degree = 2;                     ///< polynomial degree of the displacement
-  std::optional<double> extent;       ///< mm, how far the segments reach from the patch
-  std::optional<double> width;        ///< mm, of the segments across; else twice the extent
-  std::optional<double> depth;        ///< mm, of the segments; else the extent
-  std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
-  std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
-  std::optional<MeshFamily> mesh;     ///< not given: structured where it fits
-  std::optional<double> rim_thickness;      ///< mm, of the wheel's true section below the tread
-  std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
-  LinearSolver linear_solver = LinearSolver::automatic;
-  bool inertia = false;  ///< of wheel and rail at Rolling::speed
 };
 
 /// Of which load points displacement and stress of the whole bodies are kept.
@@ -259,7 +209,7 @@ struct TableOptions {
   int check_points = 200;                           ///< between grid points, at random
 };
 
-struct Case {
+struct Case : ModelOptions {
   std::string title;
   std::string file;  ///< as given by the user
   std::string text;  ///< the whole case file, kept for provenance
@@ -280,12 +230,7 @@ struct Case {
   DistanceOptions undeformed_distance;
   std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;
-  HalfspaceCase halfspace;
-  FastsimOptions fastsim;
-  StripCase strip;
-  CarterCase carter;
   std::vector<SubsurfaceRequest> subsurface;
-  FemOptions fem;
   OutputOptions output;
   TableOptions table;
   /// Wheel and rail are given by profiles: not to be solved as it is, but made into scenes.

@@ -49,11 +49,7 @@ Scene::Scene(const Case& input)
       contact_grid(input.contact_grid),
       accuracy{input.accuracy, input.accuracy_of},
       follows_surface(input.halfspace.surface == SurfaceForm::curved ? 1.0 : 0.0),
-      model_error(input.halfspace.model_error),
-      fastsim(input.fastsim),
-      strip(input.strip),
-      carter(input.carter),
-      fem(input.fem),
+      options(input),
       subsurface(input.subsurface),
       output(input.output) {
   for (std::size_t k = 0; k < input.rolling.creepages.size(); ++k)

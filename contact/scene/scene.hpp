@@ -78,15 +78,10 @@ struct Scene {
   LeadingEdge leading_edge = LeadingEdge::fitted;
   GridOptions contact_grid;
   AccuracyRequest accuracy;
-  // What single models are asked for.
   /// How far the half-space's surface follows that of wheel and rail (ContactSurface::follows): as
   /// the case asks for, or as the normals of a placed contact do.
   double follows_surface = 0.0;
-  bool model_error = false;  ///< of the half-space
-  FastsimOptions fastsim;
-  StripCase strip;
-  CarterCase carter;
-  FemOptions fem;
+  ModelOptions options;  ///< each section for its model alone
   std::vector<SubsurfaceRequest> subsurface;
   OutputOptions output;
 
@@ -97,7 +92,7 @@ struct Scene {
   double friction_coefficient() const { return coefficient_of(friction_law); }
   bool has_profiles() const { return geometry.has_profiles(); }
   /// Inertia of wheel and rail is asked for.
-  bool feels_inertia() const { return fem.inertia && speed > 0.0; }
+  bool feels_inertia() const { return options.fem.inertia && speed > 0.0; }
   /// The load points differ in their loads.
   bool load_changes() const;
   /// Below the surface.

@@ -56,11 +56,11 @@ constexpr double default_cut_depth = 172.0;     // mm, the whole rail
 meshes::TrueSection section_of(const contact::Scene& scene, bool is_wheel) {
   if (is_wheel)
     return meshes::wheel_section(*scene.geometry.surface.profiles,
-                                 scene.fem.rim_thickness.value_or(default_rim_thickness));
+                                 scene.options.fem.rim_thickness.value_or(default_rim_thickness));
   meshes::RailStand stand;
   stand.inclination = scene.rail_inclination;
   stand.field_at_left = scene.place && !scene.place->left;
-  stand.cut_depth = scene.fem.depth.value_or(default_cut_depth);
+  stand.cut_depth = scene.options.fem.depth.value_or(default_cut_depth);
   return meshes::rail_section(*scene.geometry.surface.profiles, stand);
 }
 
@@ -84,15 +84,16 @@ std::string section_note(const contact::Scene& scene) {
     text += fmt::format(
         "; the rail with the underside of the head, web and foot of 60E1, cut and fixed {:.4g} mm "
         "below its top",
-        std::min(default_cut_depth, scene.fem.depth.value_or(default_cut_depth)));
+        std::min(default_cut_depth, scene.options.fem.depth.value_or(default_cut_depth)));
   if (!scene.wheel.material.rigid())
     text += fmt::format("; the rim is fixed {:.4g} mm below the contact",
-                        scene.fem.rim_thickness.value_or(default_rim_thickness));
+                        scene.options.fem.rim_thickness.value_or(default_rim_thickness));
   return text;
 }
 
 void check_far_boundary(const contact::Scene& scene) {
-  if (has_true_sections(scene) && scene.fem.far_boundary == contact::FarBoundary::point_load)
+  if (has_true_sections(scene) &&
+      scene.options.fem.far_boundary == contact::FarBoundary::point_load)
     throw contact::InputError(fmt::format(
         "{}: fem.far_boundary = \"point_load\" moves the far boundary like that of a half-space, "
         "which does not suit true sections with free sides; allowed with profiles: \"clamped\"; "

@@ -58,13 +58,13 @@ std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Bo
 }  // namespace
 
 bool takes_algebraic(const Scene& scene, const Body& body) {
-  return scene.fem.linear_solver == contact::LinearSolver::algebraic ||
-         (scene.fem.linear_solver == contact::LinearSolver::automatic &&
+  return scene.options.fem.linear_solver == contact::LinearSolver::algebraic ||
+         (scene.options.fem.linear_solver == contact::LinearSolver::automatic &&
           body.dofs().get_triangulation().n_cells(0) > most_coarse_cells);
 }
 
 bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
-  switch (scene.fem.linear_solver) {
+  switch (scene.options.fem.linear_solver) {
     case contact::LinearSolver::factorisation:
       if (demand.processes > 1)
         throw contact::InputError(scene.file +
@@ -137,7 +137,7 @@ void refuse_beyond_memory(const Scene& scene, double cell_size) {
   MemoryDemand demand = memory_demand(scene.wheel.material.rigid() ? 0.0 : unknowns,
                                       scene.rail.material.rigid() ? 0.0 : unknowns, bodies,
                                       points_that_keep_bodies(scene));
-  demand.algebraic = scene.fem.linear_solver == contact::LinearSolver::algebraic;
+  demand.algebraic = scene.options.fem.linear_solver == contact::LinearSolver::algebraic;
   demand.factorisation = takes_factorisation(scene, demand);
   refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
 }

@@ -64,23 +64,23 @@ void fit_to_profiles(const Scene& scene, BodyOptions& options) {
 
 /// Width, depth, length and mesh family of the case.
 void set_segment_sizes(const Scene& scene, BodyOptions& options) {
-  options.family = scene.fem.mesh.value_or(MeshFamily::structured);
-  if (scene.fem.width) options.half_width = 0.5 * *scene.fem.width;
-  if (scene.fem.length) options.half_length = 0.5 * *scene.fem.length;
-  options.depth = scene.fem.depth;
+  options.family = scene.options.fem.mesh.value_or(MeshFamily::structured);
+  if (scene.options.fem.width) options.half_width = 0.5 * *scene.options.fem.width;
+  if (scene.options.fem.length) options.half_length = 0.5 * *scene.options.fem.length;
+  options.depth = scene.options.fem.depth;
 }
 
 BodyOptions body_options(const Scene& scene, const PatchBox& patch, const ContactGrid& grid,
                          double cell) {
-  const double reach = scene.fem.fine_extent.value_or(default_reach);
+  const double reach = scene.options.fem.fine_extent.value_or(default_reach);
   BodyOptions options;
   options.cell_size = cell;
   options.fine_half_length = std::max(reach * patch.half_length, 0.5 * grid.nx * grid.dx);
   options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
   options.middle = patch.middle;
-  options.extent = scene.fem.extent.value_or(8.0 * patch.larger());
+  options.extent = scene.options.fem.extent.value_or(8.0 * patch.larger());
   options.half = scene.is_symmetric();
-  options.degree = scene.fem.degree;
+  options.degree = scene.options.fem.degree;
   if (scene.feels_inertia()) options.speed = scene.speed;
   set_segment_sizes(scene, options);
   if (scene.has_profiles()) fit_to_profiles(scene, options);
@@ -90,12 +90,13 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 }  // namespace
 
 double default_cell_size(const Scene& scene) {
-  return scene.fem.cell_size ? *scene.fem.cell_size : PatchSearch(scene).box().smaller() / 8.0;
+  return scene.options.fem.cell_size ? *scene.options.fem.cell_size
+                                     : PatchSearch(scene).box().smaller() / 8.0;
 }
 
 bool has_true_sections(const Scene& scene) {
   if (!scene.has_profiles()) return false;
-  if (scene.fem.mesh) return *scene.fem.mesh == MeshFamily::gmsh;
+  if (scene.options.fem.mesh) return *scene.options.fem.mesh == MeshFamily::gmsh;
   const PatchBox patch = PatchSearch(scene).box();
   double reach = contact::infinity;
   for (const SurfaceShape& shape : meshed_surfaces(scene))
@@ -112,7 +113,7 @@ RunLayout run_layout(const Scene& scene, double cell) {
   layout.patch.half_width += std::abs(layout.patch.middle - exact);
   // Linear displacements cannot follow a traction of their own on every face: elements of one face
   // let it oscillate, and the contact iteration then ends nowhere.
-  layout.grid = lattice_grid(layout.patch, scene.fem.degree == 1 ? 2.0 * cell : cell);
+  layout.grid = lattice_grid(layout.patch, scene.options.fem.degree == 1 ? 2.0 * cell : cell);
   layout.bodies = body_options(scene, layout.patch, layout.grid, cell);
   return layout;
 }

@@ -48,8 +48,8 @@ double curvature_error(const contact::Material& material, double force, double e
 contact::FarBoundary far_boundary_of(const contact::Scene& scene) {
   const bool given_mesh =
       has_true_sections(scene) || !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
-  return scene.fem.far_boundary.value_or(given_mesh ? contact::FarBoundary::clamped
-                                                    : contact::FarBoundary::point_load);
+  return scene.options.fem.far_boundary.value_or(given_mesh ? contact::FarBoundary::clamped
+                                                            : contact::FarBoundary::point_load);
 }
 
 double approach_left_out(const contact::Scene& scene, double normal_force, double extent) {

@@ -27,7 +27,7 @@ constexpr double steepest_way = 0.5;
 constexpr double extent_in_semi_axes = 8.0;
 
 double extent_of_bodies(const Scene& scene) {
-  if (scene.fem.extent) return *scene.fem.extent;
+  if (scene.options.fem.extent) return *scene.options.fem.extent;
   const ExpectedPatch patch = PatchSearch(scene).patch();
   return extent_in_semi_axes * 0.5 * std::max(patch.length(), patch.width());
 }

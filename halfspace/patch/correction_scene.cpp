@@ -101,7 +101,7 @@ Scene correction_scene(const Scene& scene) {
   bodies.rail = scene.rail;
   bodies.material = scene.material;
   bodies.follows_surface = scene.follows_surface;
-  bodies.fem = scene.fem;
+  bodies.options.fem = scene.options.fem;
   bodies.speed = scene.speed;
   const NormalLoad largest = contact::largest_load(scene);
   contact::LoadPoint point;
@@ -110,7 +110,7 @@ Scene correction_scene(const Scene& scene) {
   bodies.points = {point};
   try {
     const PatchBox box = PatchSearch(bodies).box();
-    if (is_alike(box, PatchSearch(scene).box()) && fits(box, bodies.fem)) return bodies;
+    if (is_alike(box, PatchSearch(scene).box()) && fits(box, bodies.options.fem)) return bodies;
   } catch (const std::runtime_error&) {
     // The profiles end before, or no patch is found.
   }
@@ -125,7 +125,7 @@ std::string correction_key(const Scene& correction) {
   add_surface(text, correction.geometry.surface);
   for (const auto* material : {&correction.wheel.material, &correction.rail.material})
     add(text, "material", material->young_modulus, material->poisson_ratio);
-  const contact::FemOptions& fem = correction.fem;
+  const contact::FemOptions& fem = correction.options.fem;
   add(text, "bodies", fem.extent.value_or(0.0), fem.width.value_or(0.0), fem.depth.value_or(0.0),
       fem.length.value_or(0.0), fem.fine_extent.value_or(0.0));
   text += fmt::format("degree {} far {}\n", fem.degree,

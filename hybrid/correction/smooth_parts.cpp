@@ -307,7 +307,7 @@ void check(const Scene& scene) {
   refuse(!scene.geometry.has_surfaces(), "undeformed_distance, which knows no bodies");
   refuse(!scene.wheel.mesh.empty() || !scene.rail.mesh.empty(), "meshes of your own");
   refuse(has_true_sections(scene), "patches where the bodies must be true sections");
-  refuse(scene.fem.mesh && *scene.fem.mesh != MeshFamily::structured,
+  refuse(scene.options.fem.mesh && *scene.options.fem.mesh != MeshFamily::structured,
          "fem.mesh = \"gmsh\": both meshes must be alike");
 }
 
@@ -326,7 +326,7 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   event.stage = "correction";
   contact::report(progress, event);
   const double cell = PatchSearch(scene).box().smaller() / cells_in_semi_axis /
-                      (scene.fem.degree == 1 ? times_cells_of_degree_one : 1.0);
+                      (scene.options.fem.degree == 1 ? times_cells_of_degree_one : 1.0);
   const RunLayout layout = run_layout(scene, cell);
   const Basis basis(scene, layout);
   halfspace::SmoothParts parts;

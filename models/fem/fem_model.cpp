@@ -30,24 +30,26 @@ halfspace::PatchBox box_for(const ModelInput& input, const char* key) {
 
 /// The case's own cell is the last level.
 RefinedInput cell_level(ModelInput input, int k, int n) {
-  if (!input.fem.cell_size) input.fem.cell_size = box_for(input, "cell_size").smaller() / 8.0;
-  const double size = *input.fem.cell_size * std::exp2(n - 1 - k);
-  input.fem.cell_size = size;
+  if (!input.options.fem.cell_size)
+    input.options.fem.cell_size = box_for(input, "cell_size").smaller() / 8.0;
+  const double size = *input.options.fem.cell_size * std::exp2(n - 1 - k);
+  input.options.fem.cell_size = size;
   return {fmt::format("{:.4g} mm", size), size, std::move(input)};
 }
 
 RefinedInput degree_level(ModelInput input, int k, int /*n*/) {
-  input.fem.degree = k + 1;
+  input.options.fem.degree = k + 1;
   return {fmt::format("degree {}", k + 1), k + 1.0, std::move(input)};
 }
 
 /// The case's own domain is the last but one.
 RefinedInput domain_level(ModelInput input, int k, int n) {
-  if (!input.fem.extent) input.fem.extent = 8.0 * box_for(input, "extent").larger();
+  if (!input.options.fem.extent) input.options.fem.extent = 8.0 * box_for(input, "extent").larger();
   const double factor = std::exp2(k - (n - 2));
-  for (auto* length : {&input.fem.extent, &input.fem.width, &input.fem.depth, &input.fem.length})
+  for (auto* length : {&input.options.fem.extent, &input.options.fem.width,
+                       &input.options.fem.depth, &input.options.fem.length})
     if (*length) **length *= factor;
-  const double size = *input.fem.extent;
+  const double size = *input.options.fem.extent;
   return {fmt::format("extent {:.4g} mm", size), size, std::move(input)};
 }
 

@@ -60,7 +60,8 @@ int meshed_bodies(const Scene& scene) {
 }
 
 int elements_of_model_error(const Scene& scene, const ContactSize& size) {
-  if (scene.model_error && size.bodies_known) return halfspace::elements_of_model_error;
+  if (scene.options.halfspace.model_error && size.bodies_known)
+    return halfspace::elements_of_model_error;
   return modelling::elements_of_model_error(size, accuracy_of(scene.accuracy));
 }
 
@@ -91,7 +92,8 @@ std::string out_of_question(const contact::ModelInfo& model, const Scene& scene)
   if (const auto reason = model.cannot(scene)) return *reason;
   if (scene.asks_for_stress() && !model.has_stress) return "it has no stress below the surface";
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
-  const bool boxes = !scene.fem.mesh || *scene.fem.mesh == contact::MeshFamily::structured;
+  const bool boxes =
+      !scene.options.fem.mesh || *scene.options.fem.mesh == contact::MeshFamily::structured;
   if (model.choosable == Choosable::corrected_half_spaces && (meshes || !boxes))
     return "it meshes bodies only as boxes below their surface";
   return "";
@@ -134,7 +136,7 @@ Scene on_grid(Scene scene, int across) {
 
 Scene on_cells(Scene scene, int across) {
   const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
-  scene.fem.cell_size = std::min(extent.length, extent.width) / across;
+  scene.options.fem.cell_size = std::min(extent.length, extent.width) / across;
   return scene;
 }
 
@@ -150,7 +152,7 @@ class Solver {
         checkpoint_(checkpoint),
         how_(how) {
     scene_.accuracy.relative.reset();
-    scene_.model_error = false;
+    scene_.options.halfspace.model_error = false;
   }
 
   const ContactSize& size() const { return size_; }

@@ -72,7 +72,7 @@ void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
   few.accuracy.relative.reset();
   few.subsurface.clear();
   few.output.stress_maxima = false;
-  few.model_error = true;
+  few.options.halfspace.model_error = true;
   try {
     const contact::ModelResult result = how.models->run(half.model, few, how.progress);
     if (!result.has_model_error()) return;

@@ -86,7 +86,7 @@ TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
   const auto quadratic = fem::find_smooth_parts(scene, {});
-  scene.fem.degree = 1;
+  scene.options.fem.degree = 1;
   const auto linear = fem::find_smooth_parts(scene, {});
   const double difference = farthest(beyond(linear.wheel), beyond(quadratic.wheel));
   rollfem::testing::record("difference", difference);

@@ -80,9 +80,9 @@ constexpr double coarse_cell = 1.6;
 
 contact::Scene left_wheel(contact::MeshFamily family) {
   contact::Scene scene = rollfem::testing::left_wheel_scene({0.002});
-  scene.fem.mesh = family;
-  scene.fem.linear_solver = contact::LinearSolver::factorisation;
-  scene.fem.extent = 30.0;
+  scene.options.fem.mesh = family;
+  scene.options.fem.linear_solver = contact::LinearSolver::factorisation;
+  scene.options.fem.extent = 30.0;
   return scene;
 }
 

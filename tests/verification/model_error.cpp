@@ -115,7 +115,7 @@ TEST(ModelError, BodiesMustBeKnown) {
   const LevelResult half = half_space(scene, 10);
   scene.geometry.quadratic = std::array<double, 2>{1e-3, 1e-3};
   EXPECT_THROW(halfspace::model_errors(scene, half, {}), contact::InputError);
-  scene.model_error = true;
+  scene.options.halfspace.model_error = true;
   EXPECT_THROW(theories::models().run("halfspace", scene, {}), contact::InputError);
 }
 

@@ -3,7 +3,7 @@
 namespace rollfem::contact {
 
 SectionWithKeys halfspace_section() {
-  Keys<HalfspaceCase> keys("halfspace", "Model `halfspace`", &Case::halfspace);
+  Keys<HalfspaceOptions> keys("halfspace", "Model `halfspace`", &Case::halfspace);
   keys.choice("surface")
       .says(
           "`planar` solves the contact in the tangent plane of the contact point; `curved` follows "
@@ -12,14 +12,14 @@ SectionWithKeys halfspace_section() {
           "like materials). `auto` uses the plane unless the normals of a contact of true profiles "
           "spread by more than 0.03 rad; then the surface follows them, fully from 0.06 rad on "
           "(docs/track.md). Stresses below the surface need the plane.")
-      .into(&HalfspaceCase::surface, {{"auto", SurfaceForm::automatic},
-                                      {"planar", SurfaceForm::planar},
-                                      {"curved", SurfaceForm::curved}});
+      .into(&HalfspaceOptions::surface, {{"auto", SurfaceForm::automatic},
+                                         {"planar", SurfaceForm::planar},
+                                         {"curved", SurfaceForm::curved}});
   keys.toggle("model_error")
       .says(
           "Estimate what the half-space neglects, per quantity and load point, from the true "
           "curvature of wheel and rail (some 0.1 s per load point). Needs radii or profiles.")
-      .into(&HalfspaceCase::model_error);
+      .into(&HalfspaceOptions::model_error);
   return keys;
 }
 

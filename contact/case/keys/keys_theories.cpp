@@ -50,7 +50,7 @@ SectionWithKeys fastsim_section() {
 }
 
 SectionWithKeys strip_section() {
-  Keys<StripCase> keys(
+  Keys<StripOptions> keys(
       "strip", "Model `strip`: strips along rolling, each with Hertzian pressure and brushes",
       &Case::strip);
   add_strips(keys, 16);
@@ -61,13 +61,13 @@ SectionWithKeys strip_section() {
       .says(
           "Fraction of the approach by which the undeformed profiles penetrate to define the "
           "patch; 0.55 after Kik and Piotrowski.")
-      .into(&StripCase::virtual_penetration);
+      .into(&StripOptions::virtual_penetration);
   return keys;
 }
 
 SectionWithKeys carter_section() {
-  Keys<CarterCase> keys("carter", "Model `carter`: strips along rolling, each a line contact",
-                        &Case::carter);
+  Keys<CarterOptions> keys("carter", "Model `carter`: strips along rolling, each a line contact",
+                           &Case::carter);
   add_strips(keys, 8);
   return keys;
 }

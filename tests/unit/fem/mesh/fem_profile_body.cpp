@@ -193,7 +193,7 @@ TEST(TrueSections, HaveTheSizesOfRailAndRim) {
 TEST(TrueSections, MeshedHaveTheVolumeOfTheOutlineAndLieOnTheSurface) {
   contact::Scene scene = left_wheel_scene();
   EXPECT_FALSE(fem::has_true_sections(scene));  // flat enough for boxes
-  scene.fem.mesh = contact::MeshFamily::gmsh;
+  scene.options.fem.mesh = contact::MeshFamily::gmsh;
   const fem::RunLayout layout = fem::run_layout(scene, 2.0);
   const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
   expect_on_surface(*bodies.wheel, *scene.geometry.surface.profiles);
@@ -221,8 +221,8 @@ TEST(TrueSections, AreMeshedAtTheRootOfTheFlange) {
 
 TEST(TrueSections, RefuseThePointLoadOfAHalfSpace) {
   contact::Scene scene = left_wheel_scene();
-  scene.fem.mesh = contact::MeshFamily::gmsh;
-  scene.fem.far_boundary = contact::FarBoundary::point_load;
+  scene.options.fem.mesh = contact::MeshFamily::gmsh;
+  scene.options.fem.far_boundary = contact::FarBoundary::point_load;
   EXPECT_THROW(fem::make_bodies(scene, fem::run_layout(scene, 2.0).bodies, MPI_COMM_WORLD),
                contact::InputError);
 }
