@@ -1,10 +1,10 @@
 #include "contact/case/case_edit.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/toml/toml_library.hpp"
 #include "contact/case/toml/toml_reader.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>

@@ -2,7 +2,7 @@
 
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_text.hpp"
-#include "contact/case/toml/toml_syntax.hpp"
+#include "contact/case/toml/toml_faults.hpp"
 #include "contact/case/toml/toml_values.hpp"
 
 #include <fmt/format.h>
@@ -20,15 +20,6 @@ CaseProblem at(const toml::source_region& source) {
   problem.line = source.begin.line;
   problem.column = source.begin.column;
   return problem;
-}
-
-/// A name in quotes may hold anything: what would upset a terminal, or end the line of a message,
-/// is not repeated.
-std::string shown(std::string name, std::size_t longest = 80) {
-  if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
-  for (char& c : name)
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
-  return name;
 }
 
 bool is_section(const std::string& name) {
@@ -106,13 +97,16 @@ class Reader {
         fail_file(fmt::format("{}:{}", given_.file, i + 1),
                   fmt::format("the line is longer than {} characters", longest_line),
                   "break it into several; lists may extend over many lines");
-    if (const auto fault = find_toml_fault(source_.text()))
+    if (const auto fault = find_toml_fault(source_))
       fail_invalid(fault->line, fault->column, fault->wrong);
     try {
-      return toml::parse(source_.text(), given_.file);
+      // What the last line lacks is said as of any other: it ends too.
+      const bool ends = source_.text().empty() || source_.text().back() == '\n';
+      return toml::parse(source_.text() + (ends ? "" : "\n"), given_.file);
     } catch (const toml::parse_error& error) {
-      fail_invalid(error.source().begin.line, error.source().begin.column,
-                   shown(std::string(error.description()), 200));
+      const unsigned line = error.source().begin.line;
+      fail_invalid(line, error.source().begin.column,
+                   meaning_of(error.description(), lines[line - 1]));
     }
   }
 

@@ -1,7 +1,7 @@
 // The text of a case file, for messages that quote it; private to contact/case.
 #pragma once
 
-#include <toml++/toml.h>
+#include "contact/case/toml/toml_library.hpp"
 
 #include <string>
 #include <vector>

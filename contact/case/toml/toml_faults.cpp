@@ -1,0 +1,156 @@
+#include "contact/case/toml/toml_faults.hpp"
+
+#include <boost/locale/utf.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rollfem::contact {
+
+namespace {
+
+constexpr std::size_t longest_key = 64;
+
+struct Wording {
+  std::string_view said;  ///< part of what toml++ says
+  std::string_view meant;
+};
+
+constexpr std::string_view values =
+    "expected a number, true or false, a list in brackets, or a string in straight quotes";
+constexpr std::string_view escapes =
+    "unknown escape after a backslash; write \\\\, or put the string in 'single quotes'";
+constexpr Wording wordings[] = {
+    {"could not determine value type", values},
+    {"boolean: expected", values},
+    {"expected 'inf'", values},
+    {"expected 'nan'", values},
+    {"expected value, saw", "expected a value"},
+    {"floating-point: expected decimal digit", "expected a digit (0.5, not .5; 5.0, not 5.)"},
+    {"decimal integer: expected digit", "expected a digit or the end of the number"},
+    {"expected a comment or whitespace", "expected the end of the line or a comment"},
+    {"expected '='", "expected '=' after a key"},
+    {"bare key starting character",
+     "expected a key, of the letters A to Z and a to z, digits, '_' and '-'"},
+    {"keys, tables, whitespace or comments", "expected a key, a [section] or a comment"},
+    {"table header: expected ']'", "expected ']' after the name of a section"},
+    {"comma or closing ']'", "expected ',' or ']' in a list"},
+    {"value or closing ']'", "expected a value or ']' in a list"},
+    {"array: encountered end-of-file", "expected ',' or ']' in a list, found the end of the file"},
+    {"key or closing '}'", "expected ',' or '}' between braces"},
+    {"string: encountered end-of-file",
+     "expected the three closing quotation marks of a string, found the end of the file"},
+    {"escape sequence", escapes},
+    {"line-ending backslashes", escapes},
+    {"unicode scalar sequence",
+     "\\u and \\U need 4 and 8 hexadecimal digits of a character; for a backslash write \\\\, or "
+     "put the string in 'single quotes'"},
+    {"maximum nested value depth", "nested more than 64 deep"},
+};
+
+/// What toml++ found, to end a sentence with; "" where it does not say.
+std::string found_instead(std::string_view description) {
+  const std::size_t at = description.rfind(", saw ");
+  if (at == std::string_view::npos) return "";
+  const std::string saw(description.substr(at + 6));
+  if (saw == "'\\n'" || saw == "'\\r'") return ", found the end of the line";
+  const bool ascii = std::all_of(saw.begin(), saw.end(),
+                                 [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  return ascii ? ", found " + shown(saw) : ", found a character that is not ASCII";
+}
+
+bool has_control_character(const std::string& line) {
+  return std::any_of(line.begin(), line.end(), [&](const char& c) {
+    const bool ends_line = c == '\r' && &c == &line.back();
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\t' && !ends_line) || c == 0x7f;
+  });
+}
+
+std::optional<TomlFault> find_fault_of_encoding(const std::vector<std::string>& lines) {
+  for (unsigned number = 1; number <= lines.size(); ++number) {
+    const std::string& line = lines[number - 1];
+    unsigned column = 1;
+    for (auto at = line.begin(); at != line.end(); ++column) {
+      const auto byte = static_cast<unsigned char>(*at);
+      if (!boost::locale::utf::is_valid_codepoint(
+              boost::locale::utf::utf_traits<char>::decode(at, line.end())))
+        return TomlFault{number, column,
+                         fmt::format("the file is not UTF-8: found byte 0x{:02X}", byte)};
+    }
+  }
+  return {};
+}
+
+/// Where the text in quotes or the comment ends that begins at `at`; `at` where neither begins.
+std::size_t end_of_words(std::string_view text, std::size_t at) {
+  if (text[at] == '#') return std::min(text.find('\n', at), text.size());
+  const char quote = text[at];
+  if (quote != '"' && quote != '\'') return at;
+  const std::string three(3, quote);
+  const bool of_lines = text.substr(at, 3) == three;
+  const std::string closing = of_lines ? three : std::string(1, quote);
+  for (at += closing.size(); at < text.size(); ++at) {
+    if (!of_lines && text[at] == '\n') return at;
+    if (text.substr(at, closing.size()) == closing) {
+      // Up to two more marks belong to a text of several lines.
+      const std::size_t last = at + (of_lines ? 5 : 1);
+      for (at += closing.size(); at < std::min(last, text.size()) && text[at] == quote;) ++at;
+      return at;
+    }
+    if (text[at] == '\\' && quote == '"') ++at;
+  }
+  return text.size();
+}
+
+/// The place behind the first 64 dots of one key; the end of the text where there is none.
+std::size_t find_long_key(std::string_view text) {
+  std::size_t dots = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = end_of_words(text, at);
+    if (end > at) {
+      at = end;
+      continue;
+    }
+    const char c = text[at++];
+    if (c == '.' && text.substr(at, 1) != ".") ++dots;
+    if (dots == longest_key) return at;
+    if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+std::optional<TomlFault> find_toml_fault(const TomlSource& source) {
+  if (const auto fault = find_fault_of_encoding(source.lines())) return fault;
+  const std::string_view text = source.text();
+  const std::string_view before = text.substr(0, find_long_key(text));
+  if (before.size() == text.size()) return {};
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  return TomlFault{1 + static_cast<unsigned>(lines),
+                   static_cast<unsigned>(before.size() - before.rfind('\n')),
+                   fmt::format("nested more than {} deep", longest_key)};
+}
+
+std::string meaning_of(std::string_view description, const std::string& line) {
+  if (description.find("control characters other than") != std::string_view::npos)
+    return has_control_character(line)
+               ? "control characters are not allowed in texts and comments"
+               : "expected the closing quotation mark of a string, found the end of the line";
+  for (const Wording& wording : wordings)
+    if (description.find(wording.said) != std::string_view::npos)
+      return std::string(wording.meant) + found_instead(description);
+  constexpr std::string_view beginning = "Error while parsing ";
+  if (description.substr(0, beginning.size()) == beginning)
+    description.remove_prefix(beginning.size());
+  return shown(std::string(description), 200);
+}
+
+std::string shown(std::string name, std::size_t longest) {
+  if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+  return name;
+}
+
+}  // namespace rollfem::contact
