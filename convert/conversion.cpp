@@ -173,7 +173,8 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
                                  ? stem
                                  : fmt::format("{}_{:0{}}", stem, group.cases.front(), digits);
     CaseFile file{name + ".toml", group.cases, case_text(group, name, source), {}, group.notes};
-    for (const auto& [ending, text] : group.first.files) file.beside[name + "_" + ending] = text;
+    for (const auto& [ending, text] : group.first.files)
+      file.attached_files[name + "_" + ending] = text;
     conversion.files.push_back(file);
   }
   return conversion;

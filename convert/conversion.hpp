@@ -14,8 +14,8 @@ struct CaseFile {
   std::string name;        ///< with .toml, without a folder
   std::vector<int> cases;  ///< of CONTACT, from 1; load points are in this order
   std::string text;
-  std::map<std::string, std::string> beside;  ///< further files: name, text
-  std::vector<std::string> notes;             ///< also comments of the text
+  std::map<std::string, std::string> attached_files;  ///< further files: name, text
+  std::vector<std::string> notes;                     ///< also comments of the text
 };
 
 /// A case without an equivalent.

@@ -177,8 +177,8 @@ void add_theories(contact::ModelRegistry& models) {
 
   ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
   carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
-  carter.run =
-      theory([](const Scene& c, const Progress& p) { return run_carter(c, p, c.options.carter.strips); });
+  carter.run = theory(
+      [](const Scene& c, const Progress& p) { return run_carter(c, p, c.options.carter.strips); });
   carter.bars = strips_on_ellipse;
   carter.refinements = {strips_of(carter_level)};
   models.add(carter);

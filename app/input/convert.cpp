@@ -145,7 +145,7 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
   Written written(directory);
   std::vector<convert::CaseFile> kept;
   for (const convert::CaseFile& made : conversion.files) {
-    for (const auto& [name, content] : made.beside) written.write(name, content);
+    for (const auto& [name, content] : made.attached_files) written.write(name, content);
     written.write(made.name, made.text);
     const std::string wrong = why_not_read(directory / made.name, models);
     if (wrong.empty()) {
@@ -153,7 +153,7 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
       continue;
     }
     for (const int number : made.cases) add(refused, {wrong}, number);
-    for (const auto& [name, content] : made.beside) written.remove(directory / name);
+    for (const auto& [name, content] : made.attached_files) written.remove(directory / name);
     written.remove(directory / made.name);
   }
   for (const auto& [reasons, numbers] : refused)

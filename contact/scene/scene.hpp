@@ -43,7 +43,7 @@ struct LoadPoint {
 
 /// A point load of another contact of the same wheel, on the wheel, where it is on the grid of this
 /// one: the surface of both is rolled out flat.
-struct LoadBeside {
+struct NeighbourLoad {
   double x = 0.0, y = 0.0;                                 ///< mm
   double longitudinal = 0.0, lateral = 0.0, normal = 0.0;  ///< N
 };
@@ -63,7 +63,7 @@ struct Scene {
   Geometry geometry;
   std::optional<ContactPlace> place;  ///< on the track; with true profiles
   /// What presses on the half-space beside this contact, the same at every load point.
-  std::vector<LoadBeside> beside;
+  std::vector<NeighbourLoad> neighbour_loads;
   double rail_inclination = 0.0;  ///< as a tangent; with true profiles
   SceneBody wheel;
   SceneBody rail;

@@ -117,7 +117,7 @@ struct Beside {
  private:
   /// Bodies of finite elements know nothing of other contacts of their wheel.
   static Scene without(Scene scene) {
-    scene.beside.clear();
+    scene.neighbour_loads.clear();
     return scene;
   }
 };

@@ -11,7 +11,7 @@ namespace rollfem::halfspace {
 using contact::CombinedMaterial;
 using contact::ContactGrid;
 using contact::Field;
-using contact::LoadBeside;
+using contact::NeighbourLoad;
 using contact::TangentialField;
 
 namespace {
@@ -145,28 +145,28 @@ Influence element_influence(const contact::ContactGrid& grid, int i, int j,
   return rectangle_influence(i * grid.dx, j * grid.dy, grid.dx, grid.dy, material);
 }
 
-double displacement_beside(const std::vector<LoadBeside>& loads, const CombinedMaterial& material,
-                           double x, double y) {
+double neighbour_displacement(const std::vector<NeighbourLoad>& loads,
+                              const CombinedMaterial& material, double x, double y) {
   double sum = 0.0;
-  for (const LoadBeside& load : loads) sum += load.normal / std::hypot(x - load.x, y - load.y);
+  for (const NeighbourLoad& load : loads) sum += load.normal / std::hypot(x - load.x, y - load.y);
   return sum / (contact::pi * material.contact_modulus);
 }
 
-Field displacement_beside(const std::vector<LoadBeside>& loads, const CombinedMaterial& material,
-                          const ContactGrid& grid) {
+Field neighbour_displacement(const std::vector<NeighbourLoad>& loads,
+                             const CombinedMaterial& material, const ContactGrid& grid) {
   if (loads.empty()) return {};
   return grid.sample(
-      [&](double x, double y) { return displacement_beside(loads, material, x, y); });
+      [&](double x, double y) { return neighbour_displacement(loads, material, x, y); });
 }
 
-TangentialField slip_beside(const std::vector<LoadBeside>& loads, const CombinedMaterial& material,
-                            const ContactGrid& grid) {
+TangentialField neighbour_slip(const std::vector<NeighbourLoad>& loads,
+                               const CombinedMaterial& material, const ContactGrid& grid) {
   if (loads.empty()) return {};
   const double nu = material.poisson_ratio;
   TangentialField slip{Field::Zero(grid.size()), Field::Zero(grid.size())};
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      for (const LoadBeside& load : loads) {
+      for (const NeighbourLoad& load : loads) {
         const double x = grid.x(i) - load.x, y = grid.y(j) - load.y;
         const double square = x * x + y * y;
         const double cube = square * std::sqrt(square);

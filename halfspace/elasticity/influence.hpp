@@ -44,17 +44,17 @@ Influence element_influence(const contact::ContactGrid& grid, int i, int j,
 // (Boussinesq, Cerruti; Johnson 1985, 3.2 and 3.6).
 
 /// Normal displacement difference (wheel minus rail, mm) at (x, y): an extra distance.
-double displacement_beside(const std::vector<contact::LoadBeside>& loads,
-                           const contact::CombinedMaterial& material, double x, double y);
+double neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
+                              const contact::CombinedMaterial& material, double x, double y);
 
 /// The same at the element centres; empty where nothing loads.
-contact::Field displacement_beside(const std::vector<contact::LoadBeside>& loads,
-                                   const contact::CombinedMaterial& material,
-                                   const contact::ContactGrid& grid);
+contact::Field neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
+                                      const contact::CombinedMaterial& material,
+                                      const contact::ContactGrid& grid);
 
 /// Slip of steady rolling by the tangential loads: -du/dx at the element centres; empty as well.
-contact::TangentialField slip_beside(const std::vector<contact::LoadBeside>& loads,
-                                     const contact::CombinedMaterial& material,
-                                     const contact::ContactGrid& grid);
+contact::TangentialField neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
+                                        const contact::CombinedMaterial& material,
+                                        const contact::ContactGrid& grid);
 
 }  // namespace rollfem::halfspace

@@ -22,11 +22,11 @@ PreconditionedElasticity::PreconditionedElasticity(const contact::Scene& scene,
 }
 
 contact::Field PreconditionedElasticity::extra_distance() const {
-  return displacement_beside(scene_.beside, scene_.material, standin_.grid());
+  return neighbour_displacement(scene_.neighbour_loads, scene_.material, standin_.grid());
 }
 
 contact::TangentialField PreconditionedElasticity::extra_slip() const {
-  return slip_beside(scene_.beside, scene_.material, standin_.grid());
+  return neighbour_slip(scene_.neighbour_loads, scene_.material, standin_.grid());
 }
 
 Eigen::Vector2d PreconditionedElasticity::rolling_stiffness(const contact::PatchSize& patch) const {

@@ -68,10 +68,10 @@ class HalfspaceElasticity : public contact::Elasticity {
                : halfspace::shift_stiffness(patch, scene_.material);
   }
   contact::Field extra_distance() const override {
-    return displacement_beside(scene_.beside, scene_.material, whole_->grid());
+    return neighbour_displacement(scene_.neighbour_loads, scene_.material, whole_->grid());
   }
   contact::TangentialField extra_slip() const override {
-    return slip_beside(scene_.beside, scene_.material, whole_->grid());
+    return neighbour_slip(scene_.neighbour_loads, scene_.material, whole_->grid());
   }
   void check_patch(const PatchSize& patch) const override {
     check_profiles_reach(scene_, geometry_.lateral_place(patch.y_lower),

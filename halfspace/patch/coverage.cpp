@@ -54,7 +54,7 @@ std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
     const double opening =
         geometry.undeformed_distance(place)[0] +
         displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus) +
-        displacement_beside(scene.beside, scene.material, x, y);
+        neighbour_displacement(scene.neighbour_loads, scene.material, x, y);
     // The bodies approach along the load, of which the plane knows the part along z.
     const double along_normal =
         geometry.curved()

@@ -22,7 +22,7 @@ namespace rollfem::halfspace {
 
 using contact::ContactGrid;
 using contact::Field;
-using contact::LoadBeside;
+using contact::NeighbourLoad;
 using contact::Scene;
 
 namespace {
@@ -82,13 +82,13 @@ class ForceLaw {
   ForceLaw(const Patch& patch, double largest_approach);
 
   /// Presses at an approach; `beside`: what loads the surface beside the contact.
-  void press(double approach, const std::vector<LoadBeside>& beside);
+  void press(double approach, const std::vector<NeighbourLoad>& neighbour_loads);
 
   double normal_force() const { return force_[1]; }   ///< N, along z; 0 where nothing touches
   double lateral_force() const { return force_[0]; }  ///< N, along y: not 0 on a curved surface
 
   /// The pressure as point loads, each that of a block of elements.
-  std::vector<LoadBeside> point_loads() const;
+  std::vector<NeighbourLoad> point_loads() const;
 
  private:
   contact::CombinedMaterial material_;
@@ -133,12 +133,13 @@ ForceLaw::ForceLaw(const Patch& patch, double largest_approach)
   problem_.load.direction = patch.up;
 }
 
-void ForceLaw::press(double approach, const std::vector<LoadBeside>& beside) {
+void ForceLaw::press(double approach, const std::vector<NeighbourLoad>& neighbour_loads) {
   force_ = {};
   if (!compliance_) return;
   const ContactGrid& grid = compliance_->grid();
   problem_.undeformed_distance = distance_;
-  if (!beside.empty()) problem_.undeformed_distance += displacement_beside(beside, material_, grid);
+  if (!neighbour_loads.empty())
+    problem_.undeformed_distance += neighbour_displacement(neighbour_loads, material_, grid);
   problem_.load.approach = approach;
   const double along_z = problem_.load.direction[1];
   const double opening =
@@ -153,15 +154,15 @@ void ForceLaw::press(double approach, const std::vector<LoadBeside>& beside) {
   force_ = {force[1], force[2]};
 }
 
-std::vector<LoadBeside> ForceLaw::point_loads() const {
-  std::vector<LoadBeside> loads;
+std::vector<NeighbourLoad> ForceLaw::point_loads() const {
+  std::vector<NeighbourLoad> loads;
   if (!(force_[1] > 0.0)) return loads;
   const ContactGrid& grid = compliance_->grid();
   const auto step = [](int count, int blocks) { return (count + blocks - 1) / blocks; };
   const int di = step(grid.nx, blocks_along), dj = step(grid.ny, blocks_across);
   for (int j0 = 0; j0 < grid.ny; j0 += dj)
     for (int i0 = 0; i0 < grid.nx; i0 += di) {
-      LoadBeside load;
+      NeighbourLoad load;
       for (int j = j0; j < std::min(j0 + dj, grid.ny); ++j)
         for (int i = i0; i < std::min(i0 + di, grid.nx); ++i) {
           const double force = pressure_[grid.index(i, j)] * grid.element_area();
@@ -192,9 +193,9 @@ class SinkingWheel {
       double change = 0.0, sum = 0.0;
       for (std::size_t i = 0; i < laws_.size(); ++i) {
         const double before = laws_[i].normal_force();
-        std::vector<LoadBeside> all;
+        std::vector<NeighbourLoad> all;
         for (std::size_t j = 0; j < laws_.size(); ++j)
-          for (const LoadBeside& load : beside(i, j)) all.push_back(load);
+          for (const NeighbourLoad& load : neighbour_loads(i, j)) all.push_back(load);
         laws_[i].press(patches_[i].approach_at(sinking), all);
         change = std::max(change, std::abs(laws_[i].normal_force() - before));
         sum += laws_[i].normal_force();
@@ -222,7 +223,8 @@ class SinkingWheel {
     std::vector<Share> shares;
     for (std::size_t i = 0; i < laws_.size(); ++i) {
       shares.push_back({laws_[i].normal_force(), laws_[i].lateral_force(), {}});
-      for (std::size_t j = 0; j < laws_.size(); ++j) shares.back().beside.push_back(beside(i, j));
+      for (std::size_t j = 0; j < laws_.size(); ++j)
+        shares.back().neighbour_loads.push_back(neighbour_loads(i, j));
     }
     return shares;
   }
@@ -237,12 +239,12 @@ class SinkingWheel {
   }
 
   /// What patch j presses beside patch i, where it is on the surface of i rolled out.
-  std::vector<LoadBeside> beside(std::size_t i, std::size_t j) const {
+  std::vector<NeighbourLoad> neighbour_loads(std::size_t i, std::size_t j) const {
     if (i == j) return {};
     const contact::ContactPlace& here = *patches_[i].scene.place;
     const contact::ContactPlace& there = *patches_[j].scene.place;
-    std::vector<LoadBeside> loads = laws_[j].point_loads();
-    for (LoadBeside& load : loads) {
+    std::vector<NeighbourLoad> loads = laws_[j].point_loads();
+    for (NeighbourLoad& load : loads) {
       load.x += there.x_track - here.x_track;
       load.y += patches_[i].outward() * (there.way_across - here.way_across);
     }

@@ -14,7 +14,7 @@ struct Share {
   double lateral_force = 0.0;  ///< N, of the pressure along y: not 0 on a curved surface
   /// The loads of each of the other contacts, without friction, as Scene::beside has them; by the
   /// index of the scene, its own none.
-  std::vector<std::vector<contact::LoadBeside>> beside;
+  std::vector<std::vector<contact::NeighbourLoad>> neighbour_loads;
 };
 
 struct SharedLoad {

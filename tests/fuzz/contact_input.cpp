@@ -13,7 +13,7 @@ std::string outcome_of(const std::string& input) {
     const auto cases = convert::read_contact_file(input, "input.inp");
     const convert::Conversion made = convert::convert_cases(cases, "input", "input.inp", "");
     for (const convert::CaseFile& file : made.files)
-      if (file.beside.empty()) static_cast<void>(contact::parse_case(file.text, file.name));
+      if (file.attached_files.empty()) static_cast<void>(contact::parse_case(file.text, file.name));
   } catch (const contact::InputError& error) {
     return error.what();
   }

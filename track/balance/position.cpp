@@ -149,13 +149,13 @@ class Position {
   static void set_beside(Wheel& wheel, const std::vector<halfspace::SharedLoad>& shared) {
     const double part = 1.0 / static_cast<double>(shared.size());
     for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
-      std::vector<contact::LoadBeside>& all = wheel.patches[i].placed.scene.beside;
+      std::vector<contact::NeighbourLoad>& all = wheel.patches[i].placed.scene.neighbour_loads;
       all.clear();
       for (std::size_t k = 0; k < shared.size(); ++k)
         for (std::size_t j = 0; j < wheel.patches.size(); ++j) {
           const auto& force = wheel.patches[j].force;
           const bool known = k < force.size() && force[k].normal > 0.0;
-          for (contact::LoadBeside load : shared[k].shares[i].beside[j]) {
+          for (contact::NeighbourLoad load : shared[k].shares[i].neighbour_loads[j]) {
             load.normal *= part;
             load.longitudinal = known ? force[k].longitudinal / force[k].normal * load.normal : 0.0;
             load.lateral = known ? force[k].lateral / force[k].normal * load.normal : 0.0;

@@ -10,7 +10,7 @@ using namespace rollfem;
 namespace {
 
 const contact::Material steel{210e3, 0.3};
-const contact::LoadBeside load{3.0, 25.0, 4e3, -2e3, 30e3};
+const contact::NeighbourLoad load{3.0, 25.0, 4e3, -2e3, 30e3};
 
 /// Of wheel and rail together at (x, y): they move apart by twice what one of them moves.
 halfspace::Displacement of_both(double x, double y) {
@@ -27,8 +27,8 @@ halfspace::Displacement of_both(double x, double y) {
 TEST(LoadsBeside, DisplaceAsPointLoadsDo) {
   const contact::CombinedMaterial both = contact::combine(steel, steel);
   const contact::ContactGrid grid{3, 4, 2.0, 1.5, -2.0, -3.0};
-  const contact::Field distance = halfspace::displacement_beside({load}, both, grid);
-  const contact::TangentialField slip = halfspace::slip_beside({load}, both, grid);
+  const contact::Field distance = halfspace::neighbour_displacement({load}, both, grid);
+  const contact::TangentialField slip = halfspace::neighbour_slip({load}, both, grid);
   constexpr double step = 1e-3;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
