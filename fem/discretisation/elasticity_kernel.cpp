@@ -1,9 +1,12 @@
 #include "fem/discretisation/elasticity_kernel.hpp"
 
+#include "contact/base/errors.hpp"
 #include "fem/discretisation/simd_nodes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace rollfem::fem {
@@ -76,9 +79,14 @@ ROLLFEM_INLINE void multiply(const double (&m)[n][n], bool odd, const V (&x)[n],
   }
 }
 
+/// Registers that hold a row of the lanes of a batch: rows in memory are so many apart.
+template <typename V>
+constexpr int parts = 64 / static_cast<int>(sizeof(V));
+
 /// out (+)= M in along one direction of an n^3 array; `transpose` takes M^T. `odd`: the matrix of
-/// derivatives, else that of values.
-template <int n, int direction, bool transpose, bool odd, bool add, typename V, typename Number>
+/// derivatives, else that of values. Entries of `in` and `out` are `in_step` and `out_step` apart.
+template <int n, int direction, bool transpose, bool odd, bool add, typename V, typename Number,
+          int in_step = 1, int out_step = 1>
 ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) {
   constexpr int stride = direction == 0 ? 1 : direction == 1 ? n : n * n;
   for (int line = 0; line < n * n; ++line) {
@@ -87,19 +95,20 @@ ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) 
                                        : line;
     V x[n], product[n];
 #pragma GCC unroll 4
-    for (int i = 0; i < n; ++i) x[i] = in[start + i * stride];
+    for (int i = 0; i < n; ++i) x[i] = in[(start + i * stride) * in_step];
     multiply<n, transpose, V, Number>(matrix, odd, x, product);
 #pragma GCC unroll 4
     for (int i = 0; i < n; ++i) {
       if (add)
-        out[start + i * stride] += product[i];
+        out[(start + i * stride) * out_step] += product[i];
       else
-        out[start + i * stride] = product[i];
+        out[(start + i * stride) * out_step] = product[i];
     }
   }
 }
 
-/// One batch's part of CellBatches, and the number of functions for the dilatation.
+/// One register's part of a batch of CellBatches, entries parts<V> apart, and the number of
+/// functions for the dilatation.
 template <typename V>
 struct CellData {
   const V *geometry, *flow, *dilatation;
@@ -113,7 +122,9 @@ template <typename V>
 ROLLFEM_INLINE V trace(const V* h, const V (&g)[3][3]) {
   V sum{};
 #pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c) sum += g[c][0] * h[0 + c] + g[c][1] * h[3 + c] + g[c][2] * h[6 + c];
+  for (int c = 0; c < 3; ++c)
+    sum += g[c][0] * h[c * parts<V>] + g[c][1] * h[(3 + c) * parts<V>] +
+           g[c][2] * h[(6 + c) * parts<V>];
   return sum;
 }
 
@@ -128,7 +139,8 @@ ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& materi
   for (int c = 0; c < 3; ++c)
 #pragma GCC unroll 3
     for (int d = 0; d < 3; ++d)
-      grad[c][d] = g[c][0] * h[0 + d] + g[c][1] * h[3 + d] + g[c][2] * h[6 + d];
+      grad[c][d] = g[c][0] * h[d * parts<V>] + g[c][1] * h[(3 + d) * parts<V>] +
+                   g[c][2] * h[(6 + d) * parts<V>];
   const V pressure =
       projected != nullptr ? *projected : material.lambda * (grad[0][0] + grad[1][1] + grad[2][2]);
   V s[3][3];
@@ -141,7 +153,8 @@ ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& materi
   for (int c = 0; c < 3; ++c)
 #pragma GCC unroll 3
     for (int e = 0; e < 3; ++e)
-      g[c][e] = s[c][0] * h[3 * e] + s[c][1] * h[3 * e + 1] + s[c][2] * h[3 * e + 2];
+      g[c][e] = s[c][0] * h[3 * e * parts<V>] + s[c][1] * h[(3 * e + 1) * parts<V>] +
+                s[c][2] * h[(3 * e + 2) * parts<V>];
 }
 
 template <int points, typename V>
@@ -161,10 +174,10 @@ ROLLFEM_INLINE void project(const CellData<V>& cell, const LameConstants<Number>
   for (int q = 0; q < n * n * n; ++q) {
     V g[3][3];
     gather_point<n * n * n>(gradient, q, g);
-    const V dilatation = trace(cell.geometry + 9 * q, g);
+    const V dilatation = trace(cell.geometry + 9 * q * parts<V>, g);
 #pragma GCC unroll 4
     for (int k = 0; k < functions; ++k)
-      coefficients[k] += cell.dilatation[functions * q + k] * dilatation;
+      coefficients[k] += cell.dilatation[(functions * q + k) * parts<V>] * dilatation;
   }
   for (int k = 0; k < functions; ++k) coefficients[k] *= material.lambda;
 }
@@ -183,20 +196,21 @@ ROLLFEM_INLINE void apply_law(const CellData<V>& cell, const LameConstants<Numbe
     if constexpr (projected) {
 #pragma GCC unroll 4
       for (int k = 0; k < functions; ++k)
-        pressure += cell.dilatation[functions * q + k] * coefficients[k];
+        pressure += cell.dilatation[(functions * q + k) * parts<V>] * coefficients[k];
     }
     if constexpr (flows) {
-      const V* const a = cell.flow + 3 * q;
+      const V* const a = cell.flow + 3 * q * parts<V>;
 #pragma GCC unroll 3
-      for (int c = 0; c < 3; ++c) along[c] = a[0] * g[c][0] + a[1] * g[c][1] + a[2] * g[c][2];
+      for (int c = 0; c < 3; ++c)
+        along[c] = a[0] * g[c][0] + a[parts<V>] * g[c][1] + a[2 * parts<V>] * g[c][2];
     }
-    apply_stress(cell.geometry + 9 * q, material, projected ? &pressure : nullptr, g);
+    apply_stress(cell.geometry + 9 * q * parts<V>, material, projected ? &pressure : nullptr, g);
     if constexpr (flows) {
-      const V* const a = cell.flow + 3 * q;
+      const V* const a = cell.flow + 3 * q * parts<V>;
 #pragma GCC unroll 3
       for (int c = 0; c < 3; ++c)
 #pragma GCC unroll 3
-        for (int e = 0; e < 3; ++e) g[c][e] -= a[e] * along[c];
+        for (int e = 0; e < 3; ++e) g[c][e] -= a[e * parts<V>] * along[c];
     }
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c)
@@ -223,17 +237,18 @@ ROLLFEM_INLINE void apply_law_of_parallelepiped(const V* geometry,
   }
 }
 
-/// u = K_cell u for one batch, u[component][node].
+/// u = K_cell u for the cells of one register, u[component][node] parts<V> apart.
 template <int n, typename V, typename Number>
 ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Number>& material,
                                  V* u) {
   constexpr int nodes = n * n * n;
   constexpr Shape<n> shape = make_shape<n>();
   V gradient[3][3][nodes];
-  V work[nodes];
+  constexpr int step = parts<V>;
+  V work[nodes], v[nodes];
   for (int c = 0; c < 3; ++c) {
-    V* v = u + c * nodes;
-    contract<n, 0, false, false, false, V, Number>(shape.value, v, work);
+    contract<n, 0, false, false, false, V, Number, step, 1>(shape.value, u + c * nodes * step,
+                                                            work);
     contract<n, 1, false, false, false, V, Number>(shape.value, work, v);
     contract<n, 2, false, false, false, V, Number>(shape.value, v, work);
     contract<n, 0, false, true, false, V, Number>(shape.gradient, work, gradient[c][0]);
@@ -252,106 +267,130 @@ ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Nu
   else
     apply_law<n, true, true>(cell, material, gradient);
   for (int c = 0; c < 3; ++c) {
-    V* v = u + c * nodes;
     contract<n, 0, true, true, false, V, Number>(shape.gradient, gradient[c][0], work);
     contract<n, 1, true, true, true, V, Number>(shape.gradient, gradient[c][1], work);
     contract<n, 2, true, true, true, V, Number>(shape.gradient, gradient[c][2], work);
     contract<n, 2, true, false, false, V, Number>(shape.value, work, v);
     contract<n, 1, true, false, false, V, Number>(shape.value, v, work);
-    contract<n, 0, true, false, false, V, Number>(shape.value, work, v);
+    contract<n, 0, true, false, false, V, Number, 1, step>(shape.value, work, u + c * nodes * step);
   }
 }
 
 template <int n, typename V, typename Number>
-ROLLFEM_INLINE CellData<V> data_of(const CellBatches<Number>& cells, std::size_t batch) {
+ROLLFEM_INLINE CellData<V> data_of(const CellBatches<Number>& cells, std::size_t batch, int at) {
   constexpr std::size_t points = n * n * n, width = lanes<Number>;
-  const auto part = [batch](const Number* data, std::size_t items) {
-    return data == nullptr ? nullptr : reinterpret_cast<const V*>(data + batch * items * width);
+  const auto part = [=](const Number* data, std::size_t items) {
+    return data == nullptr ? nullptr
+                           : reinterpret_cast<const V*>(data + batch * items * width) + at;
   };
   return {part(cells.geometry, cells.parallelepipeds ? 9 : 9 * points),
           part(cells.flow, 3 * points), part(cells.dilatation, dilatation_functions<n> * points),
           cells.parallelepipeds};
 }
 
-template <int n, typename Number>
+template <int n, int bytes, typename Number>
 ROLLFEM_INLINE void add_product(const CellBatches<Number>& cells,
                                 const LameConstants<Number>& material, const Number* x, Number* y) {
-  using V = typename Simd<Number>::type;
+  using V = typename Simd<Number, bytes>::type;
   constexpr int nodes = n * n * n;
-  V u[3 * nodes];
+  alignas(64) Number u[3 * nodes * lanes<Number>];
   for (std::size_t batch = 0; batch < cells.count; ++batch) {
     const unsigned int* const offsets = cells.nodes + batch * nodes * lanes<Number>;
     if (batch + 1 < cells.count) fetch_nodes(offsets + nodes * lanes<Number>, nodes, x, y);
     gather_nodes<nodes>(offsets, x, u);
-    cell_product<n, V, Number>(data_of<n, V>(cells, batch), material, u);
+    for (int part = 0; part < parts<V>; ++part)
+      cell_product<n, V, Number>(data_of<n, V>(cells, batch, part), material,
+                                 reinterpret_cast<V*>(u) + part);
     scatter_nodes<nodes>(u, offsets, y);
   }
 }
 
-template <int n, typename Number>
+template <int n, int bytes, typename Number>
 ROLLFEM_INLINE void element_matrices(const CellBatches<Number>& cells,
                                      const LameConstants<Number>& material, std::size_t batch,
                                      Number* matrices) {
-  using V = typename Simd<Number>::type;
+  using V = typename Simd<Number, bytes>::type;
   constexpr int width = lanes<Number>, dofs = 3 * n * n * n;
-  const auto cell = data_of<n, V>(cells, batch);
-  V u[dofs];
+  alignas(64) Number u[dofs * width];
   for (int column = 0; column < dofs; ++column) {
-    for (int i = 0; i < dofs; ++i) u[i] = V{} + static_cast<Number>(i == column ? 1 : 0);
-    cell_product<n, V, Number>(cell, material, u);
+    for (int i = 0; i < dofs * width; ++i) u[i] = static_cast<Number>(i / width == column ? 1 : 0);
+    for (int part = 0; part < parts<V>; ++part)
+      cell_product<n, V, Number>(data_of<n, V>(cells, batch, part), material,
+                                 reinterpret_cast<V*>(u) + part);
     for (int i = 0; i < dofs; ++i)
       for (int lane = 0; lane < width; ++lane)
-        matrices[(static_cast<std::size_t>(i) * dofs + column) * width + lane] = u[i][lane];
+        matrices[(static_cast<std::size_t>(i) * dofs + column) * width + lane] =
+            u[i * width + lane];
   }
 }
 
 // The same code for each instruction set.
-#define ROLLFEM_VARIANT(name, attribute)                                                           \
+#define ROLLFEM_VARIANT(name, bytes, attribute)                                                    \
   template <int n, typename Number>                                                                \
   attribute void add_product_##name(const CellBatches<Number>& cells,                              \
                                     const LameConstants<Number>& material, const Number* x,        \
                                     Number* y) {                                                   \
-    add_product<n, Number>(cells, material, x, y);                                                 \
+    add_product<n, bytes, Number>(cells, material, x, y);                                          \
   }                                                                                                \
   template <int n, typename Number>                                                                \
   attribute void element_matrices_##name(const CellBatches<Number>& cells,                         \
                                          const LameConstants<Number>& material, std::size_t batch, \
                                          Number* matrices) {                                       \
-    element_matrices<n, Number>(cells, material, batch, matrices);                                 \
+    element_matrices<n, bytes, Number>(cells, material, batch, matrices);                          \
   }                                                                                                \
   template <int n, typename Number>                                                                \
   ElasticityKernel<Number> kernel_##name() {                                                       \
     return {&add_product_##name<n, Number>, &element_matrices_##name<n, Number>};                  \
   }
 
-ROLLFEM_VARIANT(plain, )
+ROLLFEM_VARIANT(sse2, 16, )
 #ifdef __x86_64__
-ROLLFEM_VARIANT(avx2, __attribute__((target("avx2,fma"))))
-ROLLFEM_VARIANT(avx512, __attribute__((target("avx512f,avx512dq,avx512vl,fma"))))
+ROLLFEM_VARIANT(avx2, 32, __attribute__((target("avx2,fma"))))
+ROLLFEM_VARIANT(avx512, 64, __attribute__((target("avx512f,avx512dq,avx512vl,fma"))))
 #endif
 
 template <int n, typename Number>
-ElasticityKernel<Number> best_kernel() {
+ElasticityKernel<Number> kernel_of(const std::string& variant) {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl"))
-    return kernel_avx512<n, Number>();
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return kernel_avx2<n, Number>();
+  if (variant == "avx512") return kernel_avx512<n, Number>();
+  if (variant == "avx2") return kernel_avx2<n, Number>();
 #endif
-  return kernel_plain<n, Number>();
+  return kernel_sse2<n, Number>();
 }
 
 }  // namespace
 
+std::vector<std::string> simd_variants() {
+  std::vector<std::string> all{"sse2"};
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) all.emplace_back("avx2");
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    all.emplace_back("avx512");
+#endif
+  return all;
+}
+
+std::string simd_variant() {
+  const std::vector<std::string> all = simd_variants();
+  const char* wanted = std::getenv("ROLLFEM_SIMD");
+  if (wanted == nullptr || *wanted == '\0') return all.back();
+  if (std::find(all.begin(), all.end(), wanted) != all.end()) return wanted;
+  std::string allowed;
+  for (const std::string& variant : all) allowed += (allowed.empty() ? "" : ", ") + variant;
+  throw contact::InputError("ROLLFEM_SIMD = " + std::string(wanted) +
+                            ": not an instruction set of this processor; allowed: " + allowed +
+                            "; do: choose one of these, or unset it");
+}
+
 template <typename Number>
-ElasticityKernel<Number> elasticity_kernel(int degree) {
-  if (degree == 1) return best_kernel<2, Number>();
-  if (degree == 2) return best_kernel<3, Number>();
+ElasticityKernel<Number> elasticity_kernel(int degree, const std::string& variant) {
+  if (degree == 1) return kernel_of<2, Number>(variant);
+  if (degree == 2) return kernel_of<3, Number>(variant);
   throw std::invalid_argument("elasticity_kernel: only degrees 1 and 2 are supported");
 }
 
-template ElasticityKernel<float> elasticity_kernel(int);
-template ElasticityKernel<double> elasticity_kernel(int);
+template ElasticityKernel<float> elasticity_kernel(int, const std::string&);
+template ElasticityKernel<double> elasticity_kernel(int, const std::string&);
 
 }  // namespace rollfem::fem

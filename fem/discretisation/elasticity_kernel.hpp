@@ -1,15 +1,17 @@
 // The product of element stiffness matrices of linear elasticity with a vector, without forming
 // them: sum factorisation on tensor-product hexahedra, several cells at a time in the lanes of
 // SIMD registers. deal.II's own kernels are as wide as the library was compiled for, which in
-// Debian is one lane; this one picks AVX-512, AVX2 or plain code at run time. It does not depend
-// on deal.II.
+// Debian is one lane; this one picks AVX-512, AVX2 or SSE2 at run time. It does not depend on
+// deal.II.
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace rollfem::fem {
 
-/// Cells per batch: what fits 64 bytes.
+/// Cells per batch: what fits 64 bytes, whatever the registers hold.
 template <typename Number>
 constexpr int lanes = 64 / static_cast<int>(sizeof(Number));
 
@@ -62,8 +64,16 @@ struct ElasticityKernel {
                            std::size_t batch, Number* matrices);
 };
 
-/// Degree 1 or 2, Number float or double; the quickest variant that this processor can run.
+/// Instruction sets for which there is a variant and which this processor has, the widest last:
+/// "sse2", "avx2", "avx512".
+std::vector<std::string> simd_variants();
+
+/// The variant that $ROLLFEM_SIMD names, else the widest. Throws contact::InputError for one that
+/// there is not on this machine.
+std::string simd_variant();
+
+/// Degree 1 or 2, Number float or double; `variant`: one of simd_variants().
 template <typename Number>
-ElasticityKernel<Number> elasticity_kernel(int degree);
+ElasticityKernel<Number> elasticity_kernel(int degree, const std::string& variant = simd_variant());
 
 }  // namespace rollfem::fem

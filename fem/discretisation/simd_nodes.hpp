@@ -1,5 +1,5 @@
-// The nodes of a batch of cells between memory, four entries a node, and the lanes of SIMD
-// registers, one component a register.
+// The nodes of a batch of cells between memory, four entries a node, and rows of lanes, one
+// component a row.
 #pragma once
 
 #include "fem/discretisation/elasticity_kernel.hpp"
@@ -13,9 +13,11 @@
 
 namespace rollfem::fem {
 
-template <typename Number>
+/// A register of so many bytes. A vector wider than the registers of the instruction set is lowered
+/// by GCC 12 through memory, six times slower.
+template <typename Number, int bytes>
 struct Simd {
-  typedef Number type __attribute__((vector_size(64)));
+  typedef Number type __attribute__((vector_size(bytes)));
 };
 
 /// Four lanes of each component from four nodes: the transpose, without its last row.
@@ -30,10 +32,10 @@ ROLLFEM_INLINE void to_lanes(const Node& a, const Node& b, const Node& c, const 
                               __builtin_shufflevector(c, d, 2, 6, 3, 7), 0, 1, 4, 5);
 }
 
-/// u[component][node] of the cells of a batch. Four lanes at a time whatever the registers hold:
-/// wider ones gain nothing, and narrower ones would take wide shuffles lane by lane.
-template <int nodes, typename Number, typename V>
-ROLLFEM_INLINE void gather_nodes(const unsigned int* offsets, const Number* x, V* u) {
+/// u[component][node][lane] of the cells of a batch. Four lanes at a time whatever the registers
+/// hold: wider ones gain nothing, and narrower ones would take wide shuffles lane by lane.
+template <int nodes, typename Number>
+ROLLFEM_INLINE void gather_nodes(const unsigned int* offsets, const Number* x, Number* u) {
   using Node = typename NodeEntries<Number>::type;
   constexpr int groups = lanes<Number> / entries_per_node;
   Node* const to = reinterpret_cast<Node*>(u);
@@ -46,8 +48,8 @@ ROLLFEM_INLINE void gather_nodes(const unsigned int* offsets, const Number* x, V
 }
 
 /// The way back, added to y. One node after the other: lanes may share nodes.
-template <int nodes, typename Number, typename V>
-ROLLFEM_INLINE void scatter_nodes(const V* u, const unsigned int* offsets, Number* y) {
+template <int nodes, typename Number>
+ROLLFEM_INLINE void scatter_nodes(const Number* u, const unsigned int* offsets, Number* y) {
   using Node = typename NodeEntries<Number>::type;
   constexpr int groups = lanes<Number> / entries_per_node;
   const Node* const from = reinterpret_cast<const Node*>(u);

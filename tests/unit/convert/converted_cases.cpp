@@ -138,7 +138,7 @@ TEST(ConvertedCase, DistanceOfEveryElementGoesIntoAFile) {
   const Conversion made =
       converted(replaced(pushed_ball, "0.02 0.0 0.02\n 0.0 0.0", "0.02 0.001 0.02\n 0.0 0.0"));
   ASSERT_EQ(made.files.size(), 1U);
-  const std::string& lattice = made.files[0].beside.at("made_distance.csv");
+  const std::string& lattice = made.files[0].attached_files.at("made_distance.csv");
   // The first element is at (-1.3125, -1.3125): 0.041 * 1.3125^2.
   EXPECT_EQ(lattice.substr(0, 40), "x, y, h\n-1.3125, -1.3125, 0.07062890625\n");
 }

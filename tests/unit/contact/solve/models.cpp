@@ -64,7 +64,7 @@ TEST(ModelRegistry, RefusesAndNamesTheModelsThatCan) {
             "a.toml: model theory: young_modulus = inf: it cannot handle a rigid body; allowed: "
             "rough, solver; do: run with --model solver, or change the case");
   input.speed = 1.0;
-  input.fem.inertia = true;
+  input.options.fem.inertia = true;
   EXPECT_EQ(refusal(models, input, "solver"),
             "a.toml: model solver: fem.inertia: it cannot handle the inertia of moving bodies; "
             "allowed: no model can solve all of this case; do: change it");
