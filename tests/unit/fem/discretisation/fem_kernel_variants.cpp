@@ -83,10 +83,11 @@ void expect_alike(int degree) {
       const auto other =
           product(fem::elasticity_kernel<Number>(degree, variant), cells.of_kind(kind));
       const double rounding = 200.0 * std::numeric_limits<Number>::epsilon();
-      for (std::size_t i = 0; i < plain.size(); ++i)
-        if (i % 4 != 3)  // the entry that does not count
-          ASSERT_NEAR(other[i], plain[i], rounding)
-              << variant << ", degree " << degree << ", kind " << kind << ", entry " << i;
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        if (i % 4 == 3) continue;  // the entry that does not count
+        ASSERT_NEAR(other[i], plain[i], rounding)
+            << variant << ", degree " << degree << ", kind " << kind << ", entry " << i;
+      }
     }
   }
 }
