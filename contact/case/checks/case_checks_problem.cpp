@@ -180,7 +180,7 @@ void check_friction_limit(const GivenCase& given, const Case& input) {
     fail_at(given, std::string("rolling.") + name, *given.find("rolling", name),
             fmt::format("asks for {:.6g} N at load point {}, but friction transmits less than mu "
                         "F_z = {:.6g} N",
-                        size, k, limit),
+                        size, k + 1, limit),
             fmt::format("a tangential force below {:.6g} N in size", limit),
             "lower the force, or raise the friction coefficient or the normal force");
   }

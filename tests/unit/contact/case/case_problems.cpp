@@ -106,7 +106,7 @@ TEST(PrescribedForce, BeyondFrictionOrBesideItsCreepageIsRefused) {
   // mu F_z = 27 500 N.
   EXPECT_EQ(error_of(plus("[rolling]\nlongitudinal_force = 27499\n")), "");
   expect_error(plus("[rolling]\nlongitudinal_force = [0, 27500]\n"),
-               {"rolling.longitudinal_force = [0, 27500]: asks for 27500 N at load point 1",
+               {"rolling.longitudinal_force = [0, 27500]: asks for 27500 N at load point 2",
                 "below 27500 N"});
   expect_error(plus("[rolling]\nlongitudinal_force = 20e3\nlateral_force = -20e3\n"),
                {"asks for 28284.3 N"});
