@@ -107,7 +107,7 @@ std::optional<PatchSize> QuickPatch::find_patch(const QuickProblem& problem) {
     const Field distance = geometry.undeformed_distance(grid_);
     press(distance, problem.force / problem.direction[1], search_tolerance, true);
     if (!contact::touches_border(grid_, pressure_)) {
-      if (!is_one_region(grid_, pressure_)) return {};
+      if (across_ < most_across && !is_one_region(grid_, pressure_)) return {};
       return contact::patch_size(grid_, pressure_);
     }
     half *= 1.3;

@@ -36,11 +36,13 @@ class QuickPatch {
   /// A grid with more across the patch is better solved by transforms.
   static constexpr int most_across = 20;
 
+  /// Several regions in one plane share their grid, and need more elements than one: a patch of
+  /// several is solved only with `most_across`.
   QuickPatch(const halfspace::InfluenceTables& tables, int across);
 
-  /// Checked as every result is, kept until the next call. Null where the contact has several
-  /// regions, or one that the grid or this iteration does not hold: those are for the solvers of
-  /// the model halfspace, which say why if they fail as well.
+  /// Checked as every result is, kept until the next call. Null where the contact is one that the
+  /// grid or this iteration does not hold: those are for the solvers of the model halfspace, which
+  /// say why if they fail as well.
   const contact::PointResult* solve(const QuickProblem& problem);
 
  private:

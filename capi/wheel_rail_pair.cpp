@@ -146,9 +146,10 @@ class WheelRailPair::Borrowed {
       }
     }
     if (workspace_) return;
-    const int across = pair_.input_.contact_grid.elements_across;
     workspace_.reset(new Workspace{pair_.input_, {}});
-    if (pair_.tables_) workspace_->patch.emplace(*pair_.tables_, across);
+    for (const auto& tables : pair_.tables_)
+      workspace_->patches.push_back(
+          std::make_unique<QuickPatch>(*tables, tables->n() - 2 * QuickPatch::margin));
   }
   ~Borrowed() {
     const std::lock_guard<std::mutex> lock(pair_.mutex_);
@@ -170,9 +171,11 @@ WheelRailPair::WheelRailPair(Case input)
       material_(contact::combine(input_.wheel.material, input_.rail.material)),
       friction_(contact::coulomb(input_.friction_coefficient)) {
   const int across = input_.contact_grid.elements_across;
-  if (!material_.couples() && across <= QuickPatch::most_across)
-    tables_ = std::make_unique<halfspace::InfluenceTables>(across + 2 * QuickPatch::margin,
-                                                           material_.uncoupled());
+  if (material_.couples() || across > QuickPatch::most_across) return;
+  for (const int elements : {across, QuickPatch::most_across})
+    if (tables_.empty() || elements > across)
+      tables_.push_back(std::make_unique<halfspace::InfluenceTables>(
+          elements + 2 * QuickPatch::margin, material_.uncoupled()));
 }
 
 SolvedWheel WheelRailPair::solve(const WheelState& state) const {
@@ -180,7 +183,7 @@ SolvedWheel WheelRailPair::solve(const WheelState& state) const {
   const Borrowed workspace(*this);
   set(state, (*workspace).input);
   SolvedWheel wheel;
-  if ((*workspace).patch && solve_quickly(*workspace, wheel)) return wheel;
+  if (!tables_.empty() && solve_quickly(*workspace, wheel)) return wheel;
   try {
     solve_with_care((*workspace).input, wheel);
   } catch (const contact::SolveError&) {
@@ -221,9 +224,11 @@ bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) cons
   geometry.surface = contact::ContactSurface::of(
       std::make_shared<const contact::PatchGeometry>(std::move(only->geometry)));
   geometry.surface.follows = track::follows_surface(only->spread_of_normals);
-  const contact::PointResult* point =
-      workspace.patch->solve({*only, geometry, creepage, track::upwards(only->place),
-                              *input.load.vertical_force, friction_, geometry.surface.follows});
+  const contact::PointResult* point = nullptr;
+  for (const auto& patch : workspace.patches)
+    if (point == nullptr)
+      point = patch->solve({*only, geometry, creepage, track::upwards(only->place),
+                            *input.load.vertical_force, friction_, geometry.surface.follows});
   if (point == nullptr) return false;
   wheel.count = 1;
   wheel.patches[0] = patch_of(*point, *only);

@@ -67,7 +67,7 @@ class WheelRailPair {
   /// What a call works in: kept for the next one, of whatever thread.
   struct Workspace {
     contact::Case input;
-    std::optional<QuickPatch> patch;
+    std::vector<std::unique_ptr<QuickPatch>> patches;  ///< tried in this order
   };
   class Borrowed;
 
@@ -79,8 +79,8 @@ class WheelRailPair {
   track::SearchScene search_;
   contact::CombinedMaterial material_;
   contact::Friction friction_;
-  /// Null where bodies are unlike or the grid is too fine for it.
-  std::unique_ptr<halfspace::InfluenceTables> tables_;
+  /// None where bodies are unlike or the grid is too fine for it.
+  std::vector<std::unique_ptr<halfspace::InfluenceTables>> tables_;  ///< coarser grids first
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Workspace>> idle_;
 };

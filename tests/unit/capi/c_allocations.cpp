@@ -39,15 +39,18 @@ long most_of(rollfem_side side) {
   rollfem_pair* pair = rollfem_create(&definition, message, sizeof message);
   EXPECT_NE(pair, nullptr) << message;
   long most = 0;
-  // From the tread to the flange, each in one region.
-  for (const double shift : {0.0, 1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 8.0}) {
-    const double roll = -2.5e-5 * shift * shift;
-    const rollfem_state state = {shift, 8e-4 * shift, roll, 20e3, 30.0, 0.0, 43.5, 50e3};
-    rollfem_result result;
-    const long before = allocations;
-    EXPECT_EQ(rollfem_solve(pair, &state, &result, message, sizeof message), ROLLFEM_OK) << message;
-    if (shift > 0.0) most = std::max(most, allocations - before);
-  }
+  // From the tread to the flange; on the right at 5 mm in two regions, which have a grid of their
+  // own: the first turn takes what is kept.
+  for (const bool counted : {false, true})
+    for (const double shift : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0}) {
+      const double roll = -2.5e-5 * shift * shift;
+      const rollfem_state state = {shift, 8e-4 * shift, roll, 20e3, 30.0, 0.0, 43.5, 50e3};
+      rollfem_result result;
+      const long before = allocations;
+      EXPECT_EQ(rollfem_solve(pair, &state, &result, message, sizeof message), ROLLFEM_OK)
+          << message;
+      if (counted) most = std::max(most, allocations - before);
+    }
   rollfem_destroy(pair);
   return most;
 }
@@ -56,7 +59,7 @@ TEST(CAllocations, OfACallAfterTheFirst) {
   if (!counts) GTEST_SKIP() << "this heap cannot be counted";
   const long most = std::max(most_of(ROLLFEM_LEFT), most_of(ROLLFEM_RIGHT));
   rollfem::testing::record("allocations", static_cast<double>(most));
-  EXPECT_LE(most, 150);
+  EXPECT_LE(most, 160);
 }
 
 }  // namespace
