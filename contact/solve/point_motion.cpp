@@ -93,7 +93,8 @@ std::array<double, 4> cubic_weights(double t) {
 }  // namespace
 
 Field upstream(const ContactGrid& grid, const Field& values, double distance) {
-  const double elements = distance / grid.dx;
+  // Beyond the grid all is what it is at its border, however far a step goes.
+  const double elements = std::min(distance / grid.dx, grid.nx + 2.0);
   // A whole number of elements must stay one.
   const double nearest = std::round(elements);
   const bool whole = std::abs(elements - nearest) < 1e-9 * std::max(1.0, nearest);

@@ -26,8 +26,11 @@ TEST(Upstream, IsExactForCubicsAndForWholeElements) {
       for (int i = 1; i + 6 < grid.nx; ++i)
         EXPECT_NEAR(moved[grid.index(i, j)], cubic(grid.x(i) + distance, grid.y(j)), 1e-12);
   }
-  const Field far = upstream(grid, values, 100.0);
-  EXPECT_NEAR(far[grid.index(0, 1)], cubic(grid.x(grid.nx - 1), grid.y(1)), 1e-12);
+  // Also where the step has more elements than an int holds.
+  for (const double distance : {100.0, 1e9, 1e300}) {
+    const Field far = upstream(grid, values, distance);
+    EXPECT_NEAR(far[grid.index(0, 1)], cubic(grid.x(grid.nx - 1), grid.y(1)), 1e-12) << distance;
+  }
 }
 
 TEST(History, AShiftComparesWithTheStepBefore) {
