@@ -242,12 +242,18 @@ void refuse_beyond_memory(const Scene& scene, const contact::ContactGrid& grid) 
 /// Beyond this many elements across nothing is refined further for an accuracy.
 constexpr int most_elements_across = 320;
 
-contact::Rung rung_of(const Cell& cell) {
+contact::Rung rung_of(const Scene& scene, const PatchSearch& area, const Cell& cell) {
   contact::Rung rung{fmt::format("{} elements across", cell.across), "", true};
   if (2 * cell.across > most_elements_across)
     rung.no_finer = rung.cells +
                     " are the maximum; do: request less accuracy, or give a smaller "
                     "contact_grid.cell_size";
+  try {
+    if (scene.accuracy.relative)
+      refuse_beyond_memory(scene, area.grid(0.5 * cell.dx, factor_across(scene, 0.5) * cell.dy, 0));
+  } catch (const contact::SolveError& error) {
+    rung.no_finer = error.what();
+  }
   return rung;
 }
 
@@ -290,8 +296,9 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
       break;
     }
     if (levels.coarse) set_bars(scene, levels);
-    if (!levels.coarse || contact::refine_further(scene.accuracy, scene.friction_coefficient(),
-                                                  rung_of(cell), levels.fine->points, result))
+    if (!levels.coarse ||
+        contact::refine_further(scene.accuracy, scene.friction_coefficient(),
+                                rung_of(scene, area, cell), levels.fine->points, result))
       cells.push_back({0.5 * cell.dx, factor_across(scene, 0.5) * cell.dy, 2 * cell.across});
   }
   add_stresses(scene, elasticity, levels, result);

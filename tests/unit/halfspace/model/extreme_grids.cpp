@@ -45,6 +45,17 @@ TEST(ExtremeGrids, BeyondTheMemoryOfTheMachineAreRefusedAtOnce) {
   EXPECT_TRUE(says(text, "needs about 6.03 GB and 5 GB are available: 4 million"));
 }
 
+TEST(ExtremeGrids, AnAccuracyIsNotClimbedForBeyondThatMemory) {
+  const contact::Case input = contact::parse_case(
+      "accuracy = 1e-5\n" + rollfem::testing::plus("[contact_grid]\nelements_across = 20\n"),
+      "case.toml");
+  setenv("ROLLFEM_MEMORY_GB", "0.04", 1);  // some 6 700 elements
+  const contact::ModelResult result = halfspace::run_halfspace(contact::Scene(input), {});
+  unsetenv("ROLLFEM_MEMORY_GB");
+  EXPECT_LT(result.grid.size(), 10000);  // 320 across would have 100 000
+  EXPECT_TRUE(says(result.shortfall, "accuracy = 1e-05 was not reached", "0.04 GB are available"));
+}
+
 TEST(ExtremeGrids, AreNoneThatHoldThePatch) {
   // Hertz's ellipse is 7.58 by 21.75 mm; the middle may be off where the area still holds it.
   for (const char* grid : {"extent = [10.0, 25.0]\nmiddle = [0.5, -0.5]\ncell_size = [0.5, 1.0]",
