@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 namespace rollfem::fem {
@@ -60,7 +59,8 @@ void contract(const LocalDofs& dofs, std::size_t hanging, std::size_t fixed, Num
   Node* const b = reinterpret_cast<Node*>(entries);
   for (std::size_t i = 0; i < hanging; ++i) {
     const HangingNode& row = dofs.hanging[i];
-    const Node value = std::exchange(b[row.node], Node{});
+    const Node value = b[row.node];
+    b[row.node] = Node{};
     for (unsigned int k = row.first_term; k < row.end_of_terms; ++k)
       b[dofs.terms[k].master] += static_cast<Number>(dofs.terms[k].weight) * value;
   }
