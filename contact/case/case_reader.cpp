@@ -55,7 +55,6 @@ Case parse_case(const std::string& text, const std::string& name, const ModelWor
     fail_file(name, "is empty", "fill it in; `rollfem new-case` prints a template");
   const GivenCase given = read_toml(text, name, models.known);
   check_together(given);
-  check_problem(given);
   Case input = default_case();
   input.models = models.by_default;
   set_values(input, given.values);
@@ -67,7 +66,6 @@ Case parse_case(const std::string& text, const std::string& name, const ModelWor
   input.text = text;
   if (input.title.empty()) input.title = std::filesystem::path(name).stem().string();
   complete(given, input);
-  complete_track(given, input);
   check_geometry(given, input);
   check_values(given, input);
   read_files(given, input);

@@ -2,6 +2,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_text.hpp"
+#include "contact/case/checks/case_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -60,73 +61,6 @@ void check_required(const GivenCase& given) {
   }
 }
 
-/// The keys that can say how hard the bodies are pressed together: exactly one of them does.
-void check_load(const GivenCase& given) {
-  const bool pressure = given.find("given_pressure", "semi_axis_x") != nullptr ||
-                        given.find("given_pressure", "semi_axis_y") != nullptr ||
-                        given.find("given_pressure", "max_pressure") != nullptr;
-  std::vector<const char*> sources{"load.normal_force", "load.approach"};
-  if (pressure)
-    sources = {"load.normal_force", "given_pressure.max_pressure"};
-  else if (given.find("history", "normal_force") != nullptr ||
-           given.find("history", "approach") != nullptr)
-    sources = {"history.normal_force", "history.approach"};
-  const bool plain = sources[0] == std::string("load.normal_force") && !pressure;
-  const bool profiles = plain && has_profiles(given);
-  if (profiles) sources.push_back("load.vertical_force");
-  const char* one_of = profiles ? "exactly one of normal_force, approach and vertical_force"
-                                : "exactly one of normal_force and approach";
-  const GivenValue* first = nullptr;
-  std::string first_path;
-  for (const char* path :
-       {"load.normal_force", "load.approach", "load.vertical_force", "given_pressure.max_pressure",
-        "history.normal_force", "history.approach"}) {
-    const std::string text = path;
-    const GivenValue* value =
-        given.find(text.substr(0, text.find('.')), text.substr(text.find('.') + 1));
-    if (value == nullptr) continue;
-    const bool possible = std::find(sources.begin(), sources.end(), text) != sources.end();
-    if (possible && first == nullptr) {
-      first = value;
-      first_path = text;
-      continue;
-    }
-    CaseProblem problem = problem_at(text, *value);
-    problem.wrong = first != nullptr ? fmt::format("contradicts {} = {} of line {}", first_path,
-                                                   first->text, first->line)
-                                     : fmt::format("does not go together with [{}]",
-                                                   pressure ? "given_pressure" : "history");
-    problem.allowed =
-        plain ? one_of : fmt::format("exactly one of {} and {}", sources[0], sources[1]);
-    problem.action = "remove one of the two";
-    fail(given.file, problem);
-  }
-  if (first != nullptr) return;
-  CaseProblem problem;
-  problem.line = section_line(given, "load");
-  problem.column = problem.line > 0 ? 1 : 0;
-  problem.key = "load.normal_force";
-  problem.wrong = pressure ? "is missing, and given_pressure.max_pressure too"
-                           : "is missing, and load.approach too";
-  problem.allowed =
-      pressure ? "exactly one of load.normal_force and given_pressure.max_pressure" : one_of;
-  problem.action = profiles ? "add `vertical_force = 50e3` under [load]"
-                            : "add `normal_force = 50e3` under [load]";
-  fail(given.file, problem);
-}
-
-void check_grid(const GivenCase& given) {
-  const GivenValue* across = given.find("contact_grid", "elements_across");
-  const GivenValue* size = given.find("contact_grid", "cell_size");
-  if (across == nullptr || size == nullptr) return;
-  CaseProblem problem = problem_at("contact_grid.cell_size", *size);
-  problem.wrong = fmt::format("contradicts contact_grid.elements_across = {} of line {}",
-                              across->text, across->line);
-  problem.allowed = "at most one of elements_across and cell_size";
-  problem.action = "remove one of the two";
-  fail(given.file, problem);
-}
-
 void check_list_lengths(const GivenCase& given, const std::string& group) {
   std::string first_path;
   const GivenValue* first = nullptr;
@@ -171,11 +105,45 @@ void check_approach(const GivenCase& given, const Case& input) {
   fail(given.file, problem);
 }
 
+/// The contact grid of a line is one row of elements across its width.
+void check_grid_of_line(const GivenCase& given, const Case& input) {
+  if (input.geometry.shape != ContactShape::line) return;
+  const double width = input.geometry.width;
+  const auto check = [&](const char* name, double across, double expected) {
+    const GivenValue* value = given.find("contact_grid", name);
+    if (value == nullptr || std::abs(across - expected) <= 1e-9 * width) return;
+    fail_at(
+        given, std::string("contact_grid.") + name, *value,
+        fmt::format("is not a single row of elements as wide as geometry.width, {:g} mm", width),
+        fmt::format("{:g} mm across", expected),
+        fmt::format("write {:g} as its second number", expected));
+  };
+  const GridOptions& grid = input.contact_grid;
+  if (grid.cell_size) check("cell_size", (*grid.cell_size)[1], width);
+  if (grid.extent) check("extent", (*grid.extent)[1], width);
+  check("middle", grid.middle[1], 0.0);
+}
+
 }  // namespace
+
+bool is_line(const GivenCase& given) {
+  const GivenValue* shape = given.find("geometry", "shape");
+  return shape != nullptr && std::get<std::string>(shape->value) == "line";
+}
+
+bool has_profiles(const GivenCase& given) {
+  return given.find("wheel", "profile") != nullptr || given.find("rail", "profile") != nullptr;
+}
 
 const GivenValue* GivenCase::find(const std::string& section, const std::string& name) const {
   const auto found = values.find(find_key(section, name));
   return found == values.end() ? nullptr : &found->second;
+}
+
+std::string word_of(const GivenCase& given, const char* section, const char* name,
+                    const char* otherwise) {
+  const GivenValue* value = given.find(section, name);
+  return value == nullptr ? otherwise : std::get<std::string>(value->value);
 }
 
 bool is_option(const std::string& file) {
@@ -208,25 +176,6 @@ void fail_at(const GivenCase& given, const std::string& path, const GivenValue& 
   fail(given.file, problem);
 }
 
-namespace {
-
-/// A given mesh is held where its group `fixed` says, which need not enclose it.
-void check_far_boundary(const GivenCase& given) {
-  const GivenValue* far = given.find("fem", "far_boundary");
-  if (far == nullptr || std::get<std::string>(far->value) != "point_load") return;
-  for (const char* body : {"wheel", "rail"}) {
-    if (given.find(body, "mesh") == nullptr) continue;
-    CaseProblem problem = problem_at("fem.far_boundary", *far);
-    problem.wrong = fmt::format(
-        "applies to segments meshed by the program, but [{}] mesh names a mesh of your own", body);
-    problem.allowed = "\"clamped\"";
-    problem.action = "leave fem.far_boundary out, or the mesh";
-    fail(given.file, problem);
-  }
-}
-
-}  // namespace
-
 void check_entries(const GivenCase& given) {
   for (const GivenEntry& entry : given.entries)
     for (const Key& key : case_keys())
@@ -235,15 +184,11 @@ void check_entries(const GivenCase& given) {
 }
 
 void check_together(const GivenCase& given) {
-  check_line(given);
   check_profiles(given);
-  check_track(given);
-  check_load(given);
+  check_rules(given);
   check_required(given);
-  check_grid(given);
   check_entries(given);
   for (const char* group : {"load points", "positions"}) check_list_lengths(given, group);
-  check_far_boundary(given);
 }
 
 void check_geometry(const GivenCase& given, const Case& input) {

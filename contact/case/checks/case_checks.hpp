@@ -50,6 +50,10 @@ bool is_option(const std::string& file);
 /// Throws InputError with the message.
 [[noreturn]] void fail(const std::string& file, const CaseProblem& problem);
 
+/// The value of a word, or its default.
+std::string word_of(const GivenCase& given, const char* section, const char* name,
+                    const char* otherwise);
+
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
 
@@ -60,35 +64,19 @@ void check_entries(const GivenCase& given);
 /// in them. Throws InputError.
 void check_places(const GivenCase& given, const Case& input, bool bodies = true);
 
-/// One shape for each body, and only keys of [wheel_profile] and [rail_profile] that are read.
+/// Only keys of [wheel_profile] and [rail_profile] that are read.
 /// Throws InputError.
 void check_profiles(const GivenCase& given);
 
 /// Wheel or rail is given by a profile.
 bool has_profiles(const GivenCase& given);
 
-/// Profiles, track and wheelset must fit each other and the rest. Throws InputError.
-void check_track(const GivenCase& given);
-
-/// Which creepages are given; positions of the wheelset at one length.
-void complete_track(const GivenCase& given, Case& input);
-
 /// The contact is one of endless rollers.
 bool is_line(const GivenCase& given);
 
-/// A line contact has a radius along rolling and nothing that needs an extent across; keys of it
-/// stand only there. Throws InputError.
-void check_line(const GivenCase& given);
-
-/// The contact grid of a line is one row of elements across its width. Throws InputError.
-void check_grid_of_line(const GivenCase& given, const Case& input);
-
-/// What the case asks for and what it gives must fit: problem, forces, history, given pressure,
-/// distance and slip from files. Throws InputError.
-void check_problem(const GivenCase& given);
-
 /// Fills in what follows from what was given: the load of a history or a given pressure, radii that
-/// are not needed (inf), the length of the history.
+/// are not needed (inf), the length of the history, which creepages are given, positions of the
+/// wheelset at one length.
 void complete(const GivenCase& given, Case& input);
 
 /// Values that must fit each other: forces below the friction limit, at most one rigid body, points

@@ -55,35 +55,15 @@ void check_body(const GivenCase& given, const std::string& body) {
   }
   if (profile == nullptr) return;
   CaseProblem problem = problem_at(body + ".profile", *profile);
-  for (const std::string name : {"transverse_radius", "round_to"}) {
-    const GivenValue* circle = given.find(body, name);
-    if (circle == nullptr) continue;
-    problem.wrong =
-        fmt::format("contradicts {}.{} = {} of line {}", body, name, circle->text, circle->line);
-    problem.allowed = "exactly one of profile and " + name;
-    problem.action = "remove one of the two";
-    fail(given.file, problem);
-  }
   if (std::get<std::string>(profile->value).empty()) {
     problem.wrong = "is empty";
     problem.allowed = "a built-in profile, arcs, polynomial or a file";
     problem.action = "name one";
     fail(given.file, problem);
   }
-  for (const auto& [key, value] : given.values) {
-    if (key->section != "undeformed_distance" && key->section != "given_pressure") continue;
-    problem.wrong = fmt::format("contradicts [{}] of line {}", key->section, value.line);
-    problem.allowed = "either a profile or what replaces the shapes, not both";
-    problem.action = "remove one of the two";
-    fail(given.file, problem);
-  }
 }
 
 }  // namespace
-
-bool has_profiles(const GivenCase& given) {
-  return given.find("wheel", "profile") != nullptr || given.find("rail", "profile") != nullptr;
-}
 
 void check_profiles(const GivenCase& given) {
   check_body(given, "wheel");

@@ -103,7 +103,7 @@ TEST(ProfileKeys, WhatContradictsIsRefused) {
            {both + "[wheel_profile]\ncoefficients = [1.0]\n", {"polynomial"}},
            {both + "[wheel_profile]\nsmoothing = -1\n", {"wheel_profile.smoothing = -1", "bounds"}},
            {both + "[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
-            {"wheel.profile", "contradicts [undeformed_distance]"}}}) {
+            {"wheel.profile", "contradicts undeformed_distance"}}}) {
     rollfem::testing::expect_error(rest + wrong.text, wrong.parts);
   }
   EXPECT_EQ(rollfem::testing::error_of(rest + both + track), "");

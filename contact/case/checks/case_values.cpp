@@ -1,4 +1,5 @@
-// Checks of problem, prescribed forces, history, given pressure, distance and slip from files.
+// Checks of values against each other, where every key for itself is allowed; and what follows
+// from what is given.
 #include "contact/base/material.hpp"
 #include "contact/base/profile_drop.hpp"
 #include "contact/case/checks/case_checks.hpp"
@@ -11,141 +12,6 @@
 namespace rollfem::contact {
 
 namespace {
-
-/// The value of a word, or its default.
-std::string word(const GivenCase& given, const std::string& section, const std::string& name,
-                 const std::string& otherwise) {
-  const GivenValue* value = given.find(section, name);
-  return value == nullptr ? otherwise : std::get<std::string>(value->value);
-}
-
-bool all_zero(const GivenValue& value) {
-  const auto& numbers = std::get<std::vector<double>>(value.value);
-  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0.0; });
-}
-
-/// `name` of `section` must not be given (other than as 0, when that says the same).
-void refuse(const GivenCase& given, const std::string& section, const std::string& name,
-            const std::string& wrong, const std::string& allowed, const std::string& action) {
-  const GivenValue* value = given.find(section, name);
-  if (value == nullptr) return;
-  const bool list = std::holds_alternative<std::vector<double>>(value->value);
-  if (section == "rolling" && list && name.find("force") == std::string::npos && all_zero(*value))
-    return;
-  fail_at(given, section + "." + name, *value, wrong, allowed, action);
-}
-
-/// A force takes the place of the creepage (or shift) of its direction.
-void check_forces(const GivenCase& given, const std::string& problem) {
-  for (const char* direction : {"longitudinal", "lateral"}) {
-    const std::string name = std::string(direction) + "_force";
-    const GivenValue* force = given.find("rolling", name);
-    if (force == nullptr) continue;
-    if (problem == "frictionless")
-      fail_at(given, "rolling." + name, *force, "is not possible without friction",
-              "a force with the problems steady, shift, transient",
-              "remove it, or choose another rolling.problem");
-    const bool shift = problem == "shift";
-    const std::string section = shift ? "history" : "rolling";
-    const std::string rival = std::string(direction) + (shift ? "_shift" : "_creepage");
-    const GivenValue* other = given.find(section, rival);
-    if (other != nullptr)
-      fail_at(given, "rolling." + name, *force,
-              fmt::format("contradicts {}.{} = {} of line {}, which follows from the force",
-                          section, rival, other->text, other->line),
-              fmt::format("at most one of {} and {}", name, rival), "remove one of the two");
-  }
-}
-
-void check_history(const GivenCase& given, const std::string& problem) {
-  for (const auto& [key, value] : given.values) {
-    if (key->section != "history") continue;
-    if (problem == "steady" || problem == "frictionless")
-      fail_at(given, key->path(), value,
-              fmt::format("is a step of a history, but rolling.problem is {}", problem),
-              "[history] with the problems shift and transient",
-              "write `problem = \"shift\"` or `problem = \"transient\"` under [rolling], or remove "
-              "[history]");
-    const bool is_shift = key->name.find("_shift") != std::string::npos;
-    if (problem == "transient" && is_shift)
-      fail_at(given, key->path(), value, "belongs to the problem shift, but here the bodies roll",
-              "creepages and step_length with the problem transient",
-              "give the creepage under [rolling], or choose `problem = \"shift\"`");
-    if (problem == "shift" && key->name == "step_length")
-      fail_at(given, key->path(), value, "belongs to the problem transient, but here nothing rolls",
-              "shifts with the problem shift", "remove it, or choose `problem = \"transient\"`");
-  }
-  if (problem != "transient" || given.find("history", "step_length") != nullptr) return;
-  CaseProblem missing;
-  missing.line = section_line(given, "history");
-  missing.column = missing.line > 0 ? 1 : 0;
-  missing.key = "history.step_length";
-  missing.wrong = "is missing";
-  missing.allowed = "with the problem transient, the distance rolled in each step, in mm";
-  missing.action = "add `step_length = 0.1` under [history]";
-  fail(given.file, missing);
-}
-
-void check_creepages(const GivenCase& given, const std::string& problem) {
-  for (const char* name : {"longitudinal_creepage", "lateral_creepage", "spin"}) {
-    if (problem == "shift")
-      refuse(given, "rolling", name, "has no meaning where nothing rolls (problem shift)",
-             "shifts or forces with the problem shift",
-             "give longitudinal_shift, lateral_shift or spin_shift under [history]");
-    if (problem == "frictionless")
-      refuse(given, "rolling", name, "has no effect without friction (problem frictionless)",
-             "creepages with the problems steady and transient",
-             "remove it, or choose `problem = \"steady\"`");
-  }
-}
-
-void check_extra_slip(const GivenCase& given, const std::string& problem) {
-  const std::string extra = word(given, "rolling", "extra_slip", "auto");
-  const GivenValue* file = given.find("rolling", "extra_slip_file");
-  if (file != nullptr && extra != "file")
-    fail_at(given, "rolling.extra_slip_file", *file,
-            fmt::format("is not used, because extra_slip is {}", extra),
-            "a file with extra_slip = \"file\"",
-            "write `extra_slip = \"file\"`, or remove the file");
-  const GivenValue* asked = given.find("rolling", "extra_slip");
-  if (asked == nullptr || extra != "file") return;
-  if (problem == "shift" || problem == "frictionless")
-    fail_at(given, "rolling.extra_slip", *asked,
-            fmt::format("has no meaning with the problem {}", problem),
-            "\"none\", or the problems steady and transient", "remove it");
-  if (file == nullptr)
-    fail_at(given, "rolling.extra_slip", *asked, "names no file", "`file` with extra_slip_file",
-            "add `extra_slip_file = \"slip.csv\"` under [rolling]");
-}
-
-void check_surface(const GivenCase& given) {
-  const GivenValue* quadratic = given.find("undeformed_distance", "quadratic");
-  const GivenValue* file = given.find("undeformed_distance", "file");
-  if (quadratic != nullptr && file != nullptr)
-    fail_at(given, "undeformed_distance.file", *file,
-            fmt::format("contradicts undeformed_distance.quadratic = {} of line {}",
-                        quadratic->text, quadratic->line),
-            "at most one of quadratic and file", "remove one of the two");
-  const GivenValue* x = given.find("given_pressure", "semi_axis_x");
-  const GivenValue* y = given.find("given_pressure", "semi_axis_y");
-  const GivenValue* any = x != nullptr ? x : y;
-  if (any == nullptr) any = given.find("given_pressure", "max_pressure");
-  if (any == nullptr) return;
-  if (quadratic != nullptr || file != nullptr)
-    fail_at(given, "undeformed_distance", quadratic != nullptr ? *quadratic : *file,
-            "is not used, because the pressure is given", "at most one of the two sections",
-            "remove [undeformed_distance] or [given_pressure]");
-  if (x != nullptr && y != nullptr) return;
-  CaseProblem missing;
-  missing.line = section_line(given, "given_pressure");
-  missing.column = 1;
-  missing.key = fmt::format("given_pressure.{}", x == nullptr ? "semi_axis_x" : "semi_axis_y");
-  missing.wrong = "is missing";
-  missing.allowed = "both semi-axes of the ellipse in mm";
-  missing.action = fmt::format("add `{} = 5.0` under [given_pressure]",
-                               x == nullptr ? "semi_axis_x" : "semi_axis_y");
-  fail(given.file, missing);
-}
 
 /// The normal force of a load point, where it is known before solving.
 std::optional<double> known_normal_force(const Case& input, std::size_t k) {
@@ -299,15 +165,6 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
   }
 }
 
-void check_problem(const GivenCase& given) {
-  const std::string problem = word(given, "rolling", "problem", "steady");
-  check_forces(given, problem);
-  check_creepages(given, problem);
-  check_history(given, problem);
-  check_extra_slip(given, problem);
-  check_surface(given);
-}
-
 void complete(const GivenCase& given, Case& input) {
   const Problem problem = input.rolling.problem;
   if (problem == Problem::shift || problem == Problem::transient)
@@ -330,6 +187,14 @@ void complete(const GivenCase& given, Case& input) {
       input.load.normal_force = pressure.max_pressure * volume;
   }
   if (given.find("wheel", "rolling_radius") == nullptr) input.wheel.rolling_radius = infinity;
+  input.rolling.given = {given.find("rolling", "longitudinal_creepage") != nullptr,
+                         given.find("rolling", "lateral_creepage") != nullptr,
+                         given.find("rolling", "spin") != nullptr};
+  Wheelset& wheelset = input.wheelset;
+  const std::size_t count =
+      std::max({wheelset.lateral_shift.size(), wheelset.yaw.size(), wheelset.roll.size()});
+  for (auto* list : {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll})
+    if (!list->empty()) list->resize(count, list->front());
 }
 
 void check_values(const GivenCase& given, const Case& input) {

@@ -1,0 +1,104 @@
+// Holds a case against the tables of case_rules.cpp.
+#include "contact/case/checks/case_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// Whether a path is meant by "section.name" with at most one *.
+bool matches(const std::string& pattern, const std::string& path) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string::npos) return pattern == path;
+  const std::size_t after = pattern.size() - star - 1;
+  return path.size() >= star + after && path.compare(0, star, pattern, 0, star) == 0 &&
+         path.compare(path.size() - after, after, pattern, star + 1, after) == 0;
+}
+
+/// A value that asks for nothing: the default, no curvature, no motion.
+bool asks_for_nothing(const Key& key, const GivenValue& given) {
+  static const Case defaults = default_case();
+  if (key.get(defaults) == given.value) return true;
+  if (const auto* number = std::get_if<double>(&given.value)) return std::isinf(*number);
+  if (const auto* text = std::get_if<std::string>(&given.value)) return *text == "planar";
+  const auto* numbers = std::get_if<std::vector<double>>(&given.value);
+  return numbers != nullptr && key.unit != "N" &&
+         std::all_of(numbers->begin(), numbers->end(), [](double number) { return number == 0.0; });
+}
+
+/// Two defaults contradict each other all the same.
+bool is_none(const Key&, const GivenValue& given) {
+  const auto* word = std::get_if<std::string>(&given.value);
+  return word != nullptr && *word == "none";
+}
+
+struct Found {
+  const Key* key = nullptr;
+  const GivenValue* value = nullptr;
+};
+
+/// The first key of the file that a pattern means and that asks for something.
+Found find_match(const GivenCase& given, const char* pattern,
+                 bool (*nothing)(const Key&, const GivenValue&)) {
+  for (const auto& [key, value] : given.values)
+    if (matches(pattern, key->path()) && !nothing(*key, value)) return {key, &value};
+  return {};
+}
+
+void check_exclusion(const GivenCase& given, const Exclusion& rule) {
+  if (!rule.where(given)) return;
+  for (const char* pattern : rule.keys) {
+    const Found found = find_match(given, pattern, rule.defaults_too ? is_none : asks_for_nothing);
+    if (found.key == nullptr) continue;
+    const std::string wrong =
+        fmt::format(fmt::runtime(rule.wrong),
+                    fmt::arg("problem", word_of(given, "rolling", "problem", "steady")),
+                    fmt::arg("slip", word_of(given, "rolling", "extra_slip", "auto")));
+    fail_at(given, found.key->path(), *found.value, wrong, rule.allowed, rule.action);
+  }
+}
+
+void check_rivals(const GivenCase& given, const Rivals& rule) {
+  Found first;
+  for (const char* pattern : rule.keys) {
+    const Found found = find_match(given, pattern, is_none);
+    if (found.key == nullptr) continue;
+    if (first.key != nullptr)
+      fail_at(given, found.key->path(), *found.value,
+              fmt::format("contradicts {} = {} of line {}{}", first.key->path(), first.value->text,
+                          first.value->line, rule.why),
+              rule.allowed, "remove one of the two");
+    first = found;
+  }
+}
+
+void check_need(const GivenCase& given, const Need& rule) {
+  if (!rule.where(given)) return;
+  for (const char* key : rule.one_of)
+    for (const auto& [known, value] : given.values)
+      if (known->path() == key) return;
+  const std::string path = rule.one_of.front();
+  CaseProblem problem;
+  problem.line = section_line(given, path.substr(0, path.find('.')));
+  problem.column = problem.line > 0 ? 1 : 0;
+  problem.key = path;
+  problem.wrong = rule.wrong;
+  problem.allowed = rule.allowed;
+  problem.action = rule.action;
+  fail(given.file, problem);
+}
+
+}  // namespace
+
+void check_rules(const GivenCase& given) {
+  for (const auto* rules : {&exclusions_of_shapes(), &exclusions_of_problems()})
+    for (const Exclusion& rule : *rules) check_exclusion(given, rule);
+  for (const Rivals& rule : rivals()) check_rivals(given, rule);
+  for (const Need& rule : needs()) check_need(given, rule);
+}
+
+}  // namespace rollfem::contact
