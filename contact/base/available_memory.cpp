@@ -1,5 +1,6 @@
 #include "contact/base/available_memory.hpp"
 
+#include "contact/base/cgroups.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 
@@ -19,13 +20,6 @@ namespace {
 
 constexpr double gigabyte = 1e9;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-double first_number(const std::string& file) {
-  std::ifstream stream(file);
-  double value = unlimited;
-  if (!(stream >> value)) return unlimited;  // also "max"
-  return value;
-}
 
 /// The value of a line "name 123 ...", in its own unit.
 double line_in(const std::string& file, const std::string& name) {
@@ -48,29 +42,15 @@ double left_below(double limit, double used, double droppable) {
 
 double left_in_cgroups(const std::string& proc, const std::string& root) {
   double left = unlimited;
-  std::ifstream stream(proc + "/self/cgroup");
-  for (std::string line; std::getline(stream, line);) {
-    const std::size_t first = line.find(':');
-    const std::size_t second = line.find(':', first + 1);
-    if (first == std::string::npos || second == std::string::npos) continue;
-    const std::string controllers = line.substr(first + 1, second - first - 1);
-    const bool unified = controllers.empty();
-    if (!unified && controllers.find("memory") == std::string::npos) continue;
-    const std::string base = unified ? root : root + "/memory";
-    // Limits of the groups above count as well; in a container the path may not exist at all.
-    for (std::string path = line.substr(second + 1);; path.resize(path.rfind('/'))) {
-      while (!path.empty() && path.back() == '/') path.pop_back();
-      const std::string group = base + path;
-      left = std::min(left,
-                      unified ? left_below(first_number(group + "/memory.max"),
+  for_each_cgroup(proc, root, "memory", [&](const std::string& group, bool unified) {
+    left = std::min(left, unified
+                              ? left_below(first_number(group + "/memory.max"),
                                            first_number(group + "/memory.current"),
                                            line_in(group + "/memory.stat", "inactive_file"))
                               : left_below(first_number(group + "/memory.limit_in_bytes"),
                                            first_number(group + "/memory.usage_in_bytes"),
                                            line_in(group + "/memory.stat", "total_inactive_file")));
-      if (path.empty() || path.find('/') == std::string::npos) break;
-    }
-  }
+  });
   return left;
 }
 

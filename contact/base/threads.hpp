@@ -3,13 +3,18 @@
 #pragma once
 
 #include <future>
+#include <string>
 #include <utility>
 
 namespace rollfem::contact {
 
-/// How many threads a single solution may use: what OMP_NUM_THREADS says, else the number of cores;
-/// 1 under a SingleThread.
+/// How many threads a single solution may use: what OMP_NUM_THREADS says, else the cores that this
+/// process may use by its affinity and its control groups; 1 under a SingleThread.
 int threads();
+
+/// The cores that control groups leave this process, at least 1; very many without a limit. The
+/// folders stand for /proc and /sys/fs/cgroup.
+int allowed_cores(const std::string& proc, const std::string& cgroup);
 
 /// As long as one exists solutions of the thread that made it use no other thread: for callers
 /// that solve several at once.

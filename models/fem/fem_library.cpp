@@ -17,9 +17,13 @@ namespace {
 #if ROLLFEM_WITH_FEM
 
 /// The two bodies are factorised side by side, one core each, and MPI processes share the cores:
-/// threads inside OpenBLAS would only get in the way. It reads this when it is loaded.
-void one_thread_for_blas() {
+/// threads inside OpenBLAS would only get in the way. What waits sleeps or yields: a core that
+/// spins is taken from the other body, the other process or whoever else is on the machine.
+/// Libraries read this when they are loaded.
+void leave_cores_to_others() {
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
+  setenv("OMP_WAIT_POLICY", "passive", 0);
+  setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
 }
 
 void* open_library() {
@@ -43,7 +47,7 @@ void* open_library() {
 #if ROLLFEM_WITH_FEM
 
 const fem::Entry& open_fem_library(const std::string&) {
-  one_thread_for_blas();
+  leave_cores_to_others();
   void* library = open_library();
   using EntryFunction = const fem::Entry* (*)();
   const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "rollfem_fem_entry"));

@@ -1,7 +1,9 @@
-// What the machine still has: /proc/meminfo, cgroups of both versions, the environment.
+// What the machine still has for this process, memory and cores: /proc/meminfo, cgroups of both
+// versions, the environment.
 #include "contact/base/available_memory.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +19,7 @@ class Machine : public rollfem::testing::TemporaryFolder {
  public:
   Machine() { file("proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable: 4000000 kB\n"); }
   double available() const { return contact::available_bytes(path("proc"), path("cgroup")); }
+  int cores() const { return contact::allowed_cores(path("proc"), path("cgroup")); }
 };
 
 TEST(AvailableMemory, IsWhatTheKernelSays) {
@@ -51,6 +54,28 @@ TEST(AvailableMemory, IsWhatTheEnvironmentSays) {
   setenv("ROLLFEM_MEMORY_GB", "plenty", 1);
   EXPECT_THROW(contact::available_bytes(), contact::InputError);
   unsetenv("ROLLFEM_MEMORY_GB");
+}
+
+TEST(AllowedCores, AreWhatTheTightestGroupLeaves) {
+  const Machine machine;
+  EXPECT_GT(machine.cores(), 1000000);
+  machine.file("proc/self/cgroup", "0::/user/job\n");
+  machine.file("cgroup/user/job/cpu.max", "max 100000\n");
+  EXPECT_GT(machine.cores(), 1000000);
+  machine.file("cgroup/user/cpu.max", "300000 100000\n");
+  EXPECT_EQ(machine.cores(), 3);
+  machine.file("cgroup/user/job/cpu.max", "20000 100000\n");
+  EXPECT_EQ(machine.cores(), 1);
+}
+
+TEST(AllowedCores, OfVersionOneHaveAQuota) {
+  const Machine machine;
+  machine.file("proc/self/cgroup", "4:cpu,cpuacct:/x\n");
+  machine.file("cgroup/cpu/x/cpu.cfs_quota_us", "-1\n");
+  machine.file("cgroup/cpu/x/cpu.cfs_period_us", "100000\n");
+  EXPECT_GT(machine.cores(), 1000000);
+  machine.file("cgroup/cpu/x/cpu.cfs_quota_us", "200000\n");
+  EXPECT_EQ(machine.cores(), 2);
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// The control groups (v1 and v2) of this process: what a container or job may use of its machine.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace rollfem::contact {
+
+/// Calls `visit` with the folder of each group that limits `controller` ("memory", "cpu"), from
+/// that of this process up, whose limits count as well; `unified` for version 2. `proc` stands for
+/// /proc, `root` for /sys/fs/cgroup. Folders need not exist: a container may hide them.
+void for_each_cgroup(const std::string& proc, const std::string& root,
+                     const std::string& controller,
+                     const std::function<void(const std::string& group, bool unified)>& visit);
+
+/// The first number in a file; infinite for "max" and where there is none.
+double first_number(const std::string& file);
+
+}  // namespace rollfem::contact
