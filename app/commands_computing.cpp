@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/frame/parts.hpp"
 #include "app/study/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "models/registry.hpp"
@@ -89,6 +90,21 @@ void add_report_flags(CLI::App& command, Request& request) {
       "write results only, no figures and no report");
 }
 
+/// What divides long work among calls: jobs of an array, machines.
+template <class Request>
+void add_division(CLI::App& command, Request& request, const std::string& items) {
+  command.add_option_function<std::string>(
+      "--part", [&request](const std::string& text) { request.share = app::parse_part(text); },
+      "K/N: compute one of N parts of the " + items +
+          " and keep it beside FOLDER; calls for other parts may run at once, on any machine that "
+          "has the folder");
+  command
+      .add_option("--merge", request.merge,
+                  "N: write the result of the N parts that --part has left, or say which are "
+                  "missing; equal to that of one call")
+      ->check(CLI::Range(2, 1000000));
+}
+
 void add_run(CLI::App& program, Call& call) {
   CLI::App* run = program.add_subcommand("run", "solve a case with one or more models");
   run->add_option("case", call.run.case_file, "case file (.toml)");
@@ -101,6 +117,7 @@ void add_run(CLI::App& program, Call& call) {
                   "folder for the results (default: results/<name of the case file>)");
   run->add_flag("--resume", call.run.resume,
                 "continue an interrupted run from the load points kept in FOLDER.unfinished");
+  add_division(*run, call.run, "positions of a wheelset");
   add_report_flags(*run, call.run);
   run->footer("example: rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a\n" +
               model_list(call.models));
@@ -168,6 +185,7 @@ void add_study(CLI::App& program, Call& call) {
                     "folder for the study (default: results/<name of the case file>_study)");
   study->add_flag("--resume", call.study.resume,
                   "continue an interrupted study from the levels kept in FOLDER.unfinished");
+  add_division(*study, call.study, "levels");
   add_report_flags(*study, call.study);
   study->footer("example: rollfem study cases/thesis_a.toml --models all\n" +
                 model_list(call.models));
@@ -204,6 +222,7 @@ void add_table(CLI::App& program, Call& call) {
   table->add_flag("--resume", call.table.resume,
                   "go on with a table that was ended: its finished points are in FOLDER.unfinished "
                   "beside the results");
+  add_division(*table, call.table, "points");
   add_report_flags(*table, call.table);
   table->footer(
       "examples: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"

@@ -1,6 +1,7 @@
 #include "app/frame/command_frame.hpp"
 
 #include "app/frame/interruption.hpp"
+#include "app/frame/parts.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "models/program/provenance.hpp"
@@ -45,6 +46,10 @@ class SignalsHeld {
   std::array<struct sigaction, 3> before_{};
 };
 
+void warn(const std::string& warning) {
+  std::cerr << warning << '\n';
+}
+
 }  // namespace
 
 CommandFrame::CommandFrame(const ComputingRequest& request, const contact::ModelRegistry& known,
@@ -52,12 +57,16 @@ CommandFrame::CommandFrame(const ComputingRequest& request, const contact::Model
     : request_(request),
       known_(known),
       models_(std::move(models)),
-      first_(modelling::processes().first()),
-      parallel_(modelling::any_parallel(known, models_)),
-      processes_(modelling::processes().count),
+      first_(!request.share.whole() || modelling::processes().first()),
+      parallel_(request.share.whole() && modelling::any_parallel(known, models_)),
+      processes_(request.share.whole() ? modelling::processes().count : 1),
       display_(request.quiet || !first_ ? ProgressDisplay::Mode::silent
                                         : ProgressDisplay::mode_of_stderr()),
       progress_([this](const contact::ProgressEvent& event) { display_.show(event); }) {}
+
+std::string CommandFrame::program() const {
+  return fmt::format("{} ({})", modelling::version(), modelling::commit());
+}
 
 CommandFrame::~CommandFrame() {
   remove_nothing_when_interrupted();  // what bears those names from here on is somebody else's
@@ -76,8 +85,8 @@ postprocess::Provenance CommandFrame::provenance() const {
 
 void CommandFrame::own(const fs::path& directory) {
   if (!first_) return;
-  owned_.push_back(
-      std::make_unique<postprocess::FolderOwner>(directory.string(), request_.command));
+  owned_.push_back(std::make_unique<postprocess::FolderOwner>(
+      part_directory(directory, request_.share), request_.command));
   for (const fs::path& made : owned_.back()->made()) remove_when_interrupted(made.string());
 }
 
@@ -96,9 +105,9 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
                                                      const contact::Case& input) {
   if (!first_) return nullptr;
   kept_.reset();  // one at a time: its lock goes with it
-  kept_ = std::make_unique<postprocess::CheckpointFolder>(
-      directory.string(), input, fmt::format("{} ({})", modelling::version(), modelling::commit()),
-      request_.resume, [](const std::string& warning) { std::cerr << warning << '\n'; });
+  kept_ = std::make_unique<postprocess::CheckpointFolder>(part_directory(directory, request_.share),
+                                                          input, program(), request_.resume, warn);
+  take_up_parts(directory, input);
   kept_->tell([this] { prepare_farewell(); });
   prepare_farewell();
   const std::string folder = fs::path(kept_->folder()).lexically_proximate(fs::current_path());
@@ -113,6 +122,34 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   else if (request_.resume)
     say("resume: no load points of an earlier run found; everything is computed");
   return kept_.get();
+}
+
+/// Throws contact::InputError that names the parts which are not done.
+void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case& input) {
+  std::string missing;
+  for (int part = 0; part < request_.merge; ++part) {
+    const std::string folder = part_directory(directory, {part, request_.merge});
+    if (postprocess::CheckpointFolder::is_marked(folder, part_done))
+      kept_->take_up_also(
+          std::make_unique<postprocess::CheckpointFolder>(folder, input, program(), true, warn));
+    else
+      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", part + 1);
+  }
+  if (!missing.empty())
+    throw contact::InputError(fmt::format(
+        "--merge {}: not done beside {}: part {}; do: run the same command with --part K/{} for "
+        "each, and merge then",
+        request_.merge, directory.string(), missing, request_.merge));
+}
+
+bool CommandFrame::ends_part() {
+  if (request_.share.whole()) return false;
+  kept_->mark(part_done);
+  const int of = request_.share.of;
+  say(fmt::format(
+      "part {} of {} is done; when all are, the same command with --merge {} writes the result",
+      request_.share.part + 1, of, of));
+  return true;
 }
 
 void CommandFrame::forget_kept() {

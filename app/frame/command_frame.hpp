@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/frame/progress_display.hpp"
+#include "contact/base/share.hpp"
 #include "contact/solve/model.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/solving.hpp"
@@ -24,10 +25,12 @@ struct ComputingRequest {
   std::vector<std::string> changes;  ///< of keys, by --set
   std::string directory;             ///< empty: a folder of results/
   bool quiet = false;
-  bool resume = false;  ///< take up what a call that did not end has finished
-  bool report = true;   ///< draw figures and page, which takes some seconds
-  std::string command;  ///< the whole call, for provenance
-  int argc = 0;         ///< of main, for MPI
+  bool resume = false;   ///< take up what a call that did not end has finished
+  contact::Share share;  ///< --part: what of the work is done; it is kept, and no result written
+  int merge = 0;         ///< --merge: so many parts are put together
+  bool report = true;    ///< draw figures and page, which takes some seconds
+  std::string command;   ///< the whole call, for provenance
+  int argc = 0;          ///< of main, for MPI
   char** argv = nullptr;
 };
 
@@ -59,6 +62,8 @@ class CommandFrame {
   /// other processes than the first.
   postprocess::CheckpointFolder* keep_in(const std::filesystem::path& directory,
                                          const contact::Case& input);
+  /// This call does a part of the work, which is done and kept now, and writes no result.
+  bool ends_part();
   /// All is written: what was kept goes.
   void forget_kept();
 
@@ -69,6 +74,8 @@ class CommandFrame {
                const std::function<void(const modelling::Solving&)>& body);
 
  private:
+  void take_up_parts(const std::filesystem::path& directory, const contact::Case& input);
+  std::string program() const;
   void tell_of_kept(const std::string& kept) const;
   void prepare_farewell() const;
 

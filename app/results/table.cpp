@@ -1,5 +1,6 @@
 #include "app/results/table.hpp"
 
+#include "app/frame/parts.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/registry.hpp"
 #include "postprocess/files/result_folder.hpp"
@@ -87,9 +88,7 @@ void write_and_tell(const TableRequest& request, const CreepTable& table, double
   if (drawn) std::cout << "report:  " << (directory / "table.html").string() << '\n';
 }
 
-}  // namespace
-
-void table(const TableRequest& request, const contact::ModelRegistry& models) {
+void table_at_once(const TableRequest& request, const contact::ModelRegistry& models) {
   const contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);
   CommandFrame frame(request, models, {});
@@ -103,12 +102,21 @@ void table(const TableRequest& request, const contact::ModelRegistry& models) {
   frame.own(table_directory(request));
   const auto begin = std::chrono::steady_clock::now();
   frame.compute("table", "points", [&](const modelling::Solving& how) {
-    tables::fill_table(made, input, how.progress, frame.keep_in(table_directory(request), input));
+    tables::fill_table(made, input, how.progress, frame.keep_in(table_directory(request), input),
+                       request.share);
     frame.clear_line();
+    if (frame.ends_part()) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     write_and_tell(request, made, seconds.count());
     frame.forget_kept();
   });
+}
+
+}  // namespace
+
+void table(TableRequest request, const contact::ModelRegistry& models) {
+  check_division(request, 2, "");  // a table has many points
+  in_parts(request, true, table_directory(request), [&] { table_at_once(request, models); });
 }
 
 }  // namespace rollfem::app

@@ -17,6 +17,6 @@ struct TableRequest : ComputingRequest {
 /// Writes DIR/table.h5, table.csv, interpolation.csv, over lateral shifts shifts.csv, and
 /// table.html. Throws contact::InputError before anything is computed, contact::SolveError where a
 /// point has no solution or a wheel does not touch.
-void table(const TableRequest& request, const contact::ModelRegistry& models);
+void table(TableRequest request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

@@ -1,5 +1,6 @@
 #include "app/run/run.hpp"
 
+#include "app/frame/parts.hpp"
 #include "app/input/wheelset.hpp"
 #include "app/run/run_table.hpp"
 #include "contact/base/errors.hpp"
@@ -90,15 +91,18 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
         fmt::format("{}: the results were written, but {}", record.input.file, text));
 }
 
-}  // namespace
-
-void run(const RunRequest& request, const contact::ModelRegistry& models) {
-  postprocess::RunRecord record;
-  record.input =
+/// The case with the models that run.
+contact::Case read(const RunRequest& request, const contact::ModelRegistry& models) {
+  contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);
-  const bool named = !request.models.empty();
-  if (named) record.input.models = request.models;
-  const std::string asked_by = named ? "--model" : request.case_file + ": models";
+  if (!request.models.empty()) input.models = request.models;
+  return input;
+}
+
+void run_at_once(const RunRequest& request, const contact::ModelRegistry& models) {
+  postprocess::RunRecord record;
+  record.input = read(request, models);
+  const std::string asked_by = request.models.empty() ? request.case_file + ": models" : "--model";
   modelling::check_alone(models, record.input.models, asked_by);
   CommandFrame frame(request, models, record.input.models);
   if (frame.idle()) return;
@@ -108,8 +112,9 @@ void run(const RunRequest& request, const contact::ModelRegistry& models) {
   record.provenance = frame.provenance();
   frame.compute(asked_by, "load points", [&](modelling::Solving how) {
     how.checkpoint = frame.keep_in(output_directory(request), record.input);
+    how.share = request.share;
     modelling::Solved solved = modelling::solve(record.input, how);
-    if (!how.first) return;
+    if (!how.first || frame.ends_part()) return;
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);
     add_rigid_wheelset(record);
@@ -118,6 +123,16 @@ void run(const RunRequest& request, const contact::ModelRegistry& models) {
     frame.forget_kept();
     refuse_shortfall(record);
   });
+}
+
+}  // namespace
+
+void run(RunRequest request, const contact::ModelRegistry& models) {
+  const contact::Case input = read(request, models);
+  const std::size_t positions = input.has_profiles() ? input.wheelset.positions() : 1;
+  check_division(request, positions, "position of the wheelset");
+  const bool divisible = positions > 1 && !modelling::any_parallel(models, input.models);
+  in_parts(request, divisible, output_directory(request), [&] { run_at_once(request, models); });
 }
 
 }  // namespace rollfem::app

@@ -13,6 +13,6 @@ struct RunRequest : ComputingRequest {
 };
 
 /// Throws contact::InputError or contact::SolveError; nothing is written then.
-void run(const RunRequest& request, const contact::ModelRegistry& models);
+void run(RunRequest request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

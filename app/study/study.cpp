@@ -1,5 +1,6 @@
 #include "app/study/study.hpp"
 
+#include "app/frame/parts.hpp"
 #include "app/study/study_checkpoint.hpp"
 #include "app/study/study_checks.hpp"
 #include "app/study/study_levels.hpp"
@@ -135,7 +136,9 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
   series.measures_others = model.name == work.how.models->reference().name;
   series.limit_of_its_own = model.keeps_bodies;
   if (!parallel(plan, work) && !work.how.first) return series;
-  for (const contact::RefinedInput& wanted : plan.levels) {
+  for (std::size_t k = 0; k < plan.levels.size(); ++k) {
+    if (!work.how.share.holds(k)) continue;
+    const contact::RefinedInput& wanted = plan.levels[k];
     const auto failed = [&](const std::exception& error, std::string& list) {
       if (!work.how.together) throw;  // the others may be inside a collective call
       work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
@@ -152,7 +155,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
     } catch (const InputError& error) {
       failed(error, series.levels.empty() ? series.left_out : series.failure);
     }
-    if (!series.levels.empty()) break;
+    if (!series.levels.empty() && work.how.share.whole()) break;
   }
   if (series.levels.empty() && !series.left_out.empty()) {
     series.failure += (series.failure.empty() ? "" : "; ") + series.left_out;
@@ -246,9 +249,7 @@ void forget_empty(std::vector<StudyPlace>& places) {
                places.end());
 }
 
-}  // namespace
-
-void study(const StudyRequest& request, const contact::ModelRegistry& known) {
+void study_at_once(const StudyRequest& request, const contact::ModelRegistry& known) {
   const contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(known), request.changes);
   CommandFrame frame(request, known, named_models(request, known));
@@ -262,13 +263,14 @@ void study(const StudyRequest& request, const contact::ModelRegistry& known) {
   frame.compute("--model", "levels", [&](const modelling::Solving& how) {
     Work work;
     work.how = how;
+    work.how.share = request.share;
     work.notes = scenes.notes;
     work.say = [&](const std::string& text) { frame.say("study: " + text); };
     work.kept = frame.keep_in(directory_of(request), input);
     for (std::size_t k = 0; k < scenes.list.size(); ++k)
       run_place(request, models, scenes.list[k], record.places[k], work);
     frame.clear_line();
-    if (!how.first) return;
+    if (!how.first || frame.ends_part()) return;
     for (std::size_t k = 0; k < scenes.list.size(); ++k)
       if (!record.places[k].series.empty())
         modelling::add_choice(scenes.list[k], how, record.friction, record.places[k]);
@@ -280,6 +282,14 @@ void study(const StudyRequest& request, const contact::ModelRegistry& known) {
                                 failures);
     frame.forget_kept();
   });
+}
+
+}  // namespace
+
+void study(StudyRequest request, const contact::ModelRegistry& known) {
+  check_division(request, 2, "");  // a study has several levels
+  const bool divisible = !modelling::any_parallel(known, named_models(request, known));
+  in_parts(request, divisible, directory_of(request), [&] { study_at_once(request, known); });
 }
 
 }  // namespace rollfem::app

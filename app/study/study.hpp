@@ -23,6 +23,6 @@ struct StudyRequest : ComputingRequest {
 /// Writes DIR/study.json, .csv and .html; with profiles every patch has its series. Throws
 /// contact::InputError before anything is computed, contact::SolveError at the end when a level
 /// failed.
-void study(const StudyRequest& request, const contact::ModelRegistry& models);
+void study(StudyRequest request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

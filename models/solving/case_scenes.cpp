@@ -64,9 +64,10 @@ std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
 
 }  // namespace
 
-Scenes scenes_of(const Case& input, const contact::Progress& progress) {
+Scenes scenes_of(const Case& input, const contact::Progress& progress, contact::Checkpoint* kept,
+                 contact::Share share) {
   if (!input.has_profiles()) return {{contact::Scene(input)}, {}, {}};
-  track::BalancedCase balanced = track::balance(input, progress);
+  track::BalancedCase balanced = track::balance(input, progress, kept, share);
   return {std::move(balanced.scenes), drawn_pairs(input, balanced.search, balanced.placed),
           std::move(balanced.notes)};
 }

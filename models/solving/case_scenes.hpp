@@ -2,7 +2,9 @@
 // patch in balance; and the figures and text about them.
 #pragma once
 
+#include "contact/base/checkpoint.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/base/share.hpp"
 #include "contact/case/case.hpp"
 #include "postprocess/write/output.hpp"
 #include "track/motion/placed_scenes.hpp"
@@ -19,8 +21,10 @@ struct Scenes {
   std::vector<std::string> notes;
 };
 
-/// Throws contact::InputError and contact::SolveError.
-Scenes scenes_of(const contact::Case& input, const contact::Progress& progress);
+/// With profiles those at positions that `share` holds, balances kept and taken up in `kept`, which
+/// may be null. Throws contact::InputError and contact::SolveError.
+Scenes scenes_of(const contact::Case& input, const contact::Progress& progress,
+                 contact::Checkpoint* kept = nullptr, contact::Share share = {});
 
 /// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
 /// of the table without ending, and its text. One for each wheel that the case asks for.

@@ -156,7 +156,7 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
 
 Solved solve(const contact::Case& input, const Solving& how) {
   Solved solved;
-  Scenes scenes = scenes_of(input, how.progress);
+  Scenes scenes = scenes_of(input, how.progress, how.checkpoint, how.share);
   std::vector<std::string> able = able_models(input, scenes, how, solved.missing);
   for (const contact::Scene& scene : scenes.list)
     for (const std::string& name : std::vector<std::string>(able)) {

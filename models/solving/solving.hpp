@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/base/progress.hpp"
+#include "contact/base/share.hpp"
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 #include "contact/solve/model.hpp"
@@ -34,6 +35,7 @@ struct Solving {
   std::function<void()> need_session = {};
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
+  contact::Share share;                       ///< positions of the wheelset that this call solves
   bool first = true;  ///< the first process of a parallel run: it alone runs what is not parallel
   bool together = true;  ///< this is the only process
   /// A model that cannot take the case, or fails, is listed and the others go on; otherwise what it

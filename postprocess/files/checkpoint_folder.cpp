@@ -175,10 +175,13 @@ bool CheckpointFolder::holds_records() const {
 }
 
 std::optional<std::string> CheckpointFolder::find(const std::string& name) {
-  if (!resume_ || found_ == 0) return {};
-  const fs::path file = folder_ / (name + record_suffix);
   std::error_code error;
-  if (!fs::exists(file, error)) return {};
+  const fs::path file = folder_ / (name + record_suffix);
+  if (!resume_ || found_ == 0 || !fs::exists(file, error)) {
+    for (const auto& other : others_)
+      if (std::optional<std::string> record = other->find(name)) return record;
+    return {};
+  }
   std::optional<std::string> record = opened(about_, name, contents_of(file));
   if (!record)
     warn_(
@@ -238,7 +241,22 @@ void CheckpointFolder::drop(const std::string& begin) {
   for (const fs::path& file : gone) fs::remove(file, error);
 }
 
+void CheckpointFolder::take_up_also(std::unique_ptr<CheckpointFolder> other) {
+  others_.push_back(std::move(other));
+}
+
+void CheckpointFolder::mark(const std::string& name) {
+  start_ -= grace;
+  keep(name, {});
+}
+
+bool CheckpointFolder::is_marked(const std::string& result_directory, const std::string& name) {
+  std::error_code error;
+  return fs::exists(folder_of_records(result_directory) / (name + record_suffix), error);
+}
+
 void CheckpointFolder::remove() {
+  for (const auto& other : others_) other->remove();
   held_back_.clear();
   failed_ = true;
   remove_folder(folder_);

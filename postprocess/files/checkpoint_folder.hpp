@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,12 @@ class CheckpointFolder : public contact::Checkpoint {
   int kept() const { return written_ + (resume_ ? found_ : 0); }
   /// Whether a later run finds something.
   bool holds_records() const;
+  /// Records that another call has left are found here as well, and go with these.
+  void take_up_also(std::unique_ptr<CheckpointFolder> other);
+  /// Keeps an empty record of that name and all that is held back.
+  void mark(const std::string& name);
+  /// Whether the folder of a result holds a record of that name, whatever it is of.
+  static bool is_marked(const std::string& result_directory, const std::string& name);
   /// Records whose names begin so are needed no more.
   void drop(const std::string& begin);
   /// The results are written: the folder goes.
@@ -51,6 +58,7 @@ class CheckpointFolder : public contact::Checkpoint {
   void write(const std::string& name, const std::string& record);
 
   std::filesystem::path folder_;
+  std::vector<std::unique_ptr<CheckpointFolder>> others_;
   std::string about_;  ///< what the folder is bound to, as text
   bool resume_ = false;
   std::function<void(const std::string&)> warn_;

@@ -28,13 +28,13 @@ std::array<std::size_t, 3> to_and_fro(const CreepTable& table, std::size_t n) {
 }
 
 void fill_grid(CreepTable& table, const TableSource& source, const contact::Progress& progress,
-               contact::Checkpoint* checkpoint) {
+               contact::Checkpoint* checkpoint, contact::Share share) {
   const std::size_t of_a_place = table.size() / table.first_axis().size();
   table.forces.resize(table.size());
   table.bars.resize(table.size());
   table.elements_across.resize(table.size());
   if (table.over_shifts()) table.along_normal.resize(table.size());
-  TableParts parts{"table", "points", parts_of(table.size(), of_a_place), {}, {}};
+  TableParts parts{"table", "points", share, parts_of(table.size(), of_a_place), {}, {}};
   parts.solve = [&](const TablePart& part) {
     std::vector<Scaled> creepages;
     for (std::size_t n = part.begin; n < part.end; ++n) {
@@ -138,7 +138,8 @@ void look_between(CreepTable& table, const TableSource& source, int count,
   std::vector<CheckedPoint> points = points_between(table, count);
   if (!points.empty()) {
     CreepTableReader reader(std::move(table));  // no second copy of a large table
-    TableParts parts{"check", "points between", parts_of(points.size(), points_of_a_place), {}, {}};
+    TableParts parts{"check", "points between", {}, parts_of(points.size(), points_of_a_place), {},
+                     {}};
     parts.solve = [&](const TablePart& part) {
       std::vector<Scaled> creepages;
       for (std::size_t k = part.begin; k < part.end; ++k) creepages.push_back(points[k].creepage);
@@ -160,11 +161,12 @@ void look_between(CreepTable& table, const TableSource& source, int count,
 }  // namespace
 
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
-                contact::Checkpoint* checkpoint) {
+                contact::Checkpoint* checkpoint, contact::Share share) {
   const std::unique_ptr<TableSource> source =
       table.over_shifts() ? wheel_source(input) : ellipse_source(table);
   source->prepare(table, progress);
-  fill_grid(table, *source, progress, checkpoint);
+  fill_grid(table, *source, progress, checkpoint, share);
+  if (!share.whole()) return;
   look_between(table, *source, input.table.check_points, progress, checkpoint);
 }
 

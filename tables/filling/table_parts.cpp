@@ -46,7 +46,7 @@ class SharedParts {
       const TablePart& part = table_.parts[p];
       const auto kept = checkpoint_ == nullptr ? std::nullopt : checkpoint_->find(name_of(p));
       if (!kept) {
-        missing_.push_back(p);
+        if (table_.share.holds(p)) missing_.push_back(p);
         continue;
       }
       table_.done(part, points_of(*kept, part.end - part.begin));

@@ -3,6 +3,7 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/base/share.hpp"
 #include "tables/files/creep_table.hpp"
 
 #include <array>
@@ -32,8 +33,9 @@ struct TablePart {
 std::vector<TablePart> parts_of(std::size_t points, std::size_t of_a_group);
 
 struct TableParts {
-  std::string name;   ///< of the records
-  std::string stage;  ///< in progress events
+  std::string name;      ///< of the records
+  std::string stage;     ///< in progress events
+  contact::Share share;  ///< of the parts: others are taken up where they are kept, not solved
   std::vector<TablePart> parts;
   /// Called by several threads at once.
   std::function<std::vector<TablePoint>(const TablePart&)> solve;

@@ -61,7 +61,7 @@ TEST(Resume, AfterAKillTheResultIsTheSameToTheLastBit) {
 TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
   const Folder folder;
   std::string steps = "0.5";
-  for (int k = 1; k < 60; ++k) steps += ", 0.5";
+  for (int k = 1; k < 24; ++k) steps += ", 0.5";
   const std::string file = folder.file(
       "slow.toml",
       slow_creepages("problem = \"transient\"\nlongitudinal_creepage = 0.002\n[history]\n"

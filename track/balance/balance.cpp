@@ -1,12 +1,14 @@
 #include "track/balance/balance.hpp"
 
 #include "contact/base/errors.hpp"
+#include "track/balance/balance_record.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -58,6 +60,23 @@ std::vector<std::string> notes_of(const Case& input) {
   return notes;
 }
 
+/// The balance of one position, taken up or found; what is found again sooner than it is read is
+/// not kept.
+std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
+                                             const std::vector<PlacedScene>& here,
+                                             contact::Checkpoint* kept) {
+  const std::string name = fmt::format("balance-{}", position);
+  if (kept != nullptr)
+    if (const auto record = kept->find(name)) return balance_of_record(here, *record);
+  constexpr auto worth_keeping = std::chrono::milliseconds(50);
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<contact::Scene> scenes =
+      at_position(input, position, [&] { return balanced_position(input, here); });
+  if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping)
+    kept->keep(name, record_of_balance(here, scenes));
+  return scenes;
+}
+
 }  // namespace
 
 std::vector<WheelRailContact> place_wheels(const Case& input, const SearchScene& scene) {
@@ -70,7 +89,8 @@ std::vector<WheelRailContact> place_wheels(const Case& input, const SearchScene&
   return all;
 }
 
-BalancedCase balance(const Case& input, const contact::Progress& progress) {
+BalancedCase balance(const Case& input, const contact::Progress& progress,
+                     contact::Checkpoint* kept, contact::Share share) {
   BalancedCase result;
   result.notes = notes_of(input);
   const int count = static_cast<int>(input.wheelset.positions());
@@ -80,23 +100,23 @@ BalancedCase balance(const Case& input, const contact::Progress& progress) {
   SearchOptions options;
   options.with_reserve = input.load.vertical_force.has_value();
   const std::vector<PlacedScene> placed = make_scenes(all_sides, result.search, options);
+  contact::ProgressEvent event;
+  event.model = "wheelset";
+  event.stage = "balance";
   for (int position = 1; position <= count; ++position) {
-    contact::ProgressEvent event;
-    event.model = "wheelset";
-    event.stage = "balance";
+    if (!share.holds(static_cast<std::size_t>(position) - 1)) continue;
     event.note = fmt::format("position {} of {}", position, count);
     contact::report(progress, event);
     std::vector<PlacedScene> here;
     for (const PlacedScene& scene : placed)
       if (scene.contact.place.position == position) here.push_back(scene);
-    auto scenes = at_position(input, position, [&] { return balanced_position(input, here); });
-    for (contact::Scene& patch : scenes)
+    for (contact::Scene& patch : kept_or_balanced(input, position, here, kept))
       if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));
     for (const PlacedScene& scene : here)
       if (asked_for(input, scene.contact.place.left)) result.placed.push_back(scene);
-    event.finished = position == count;
-    if (event.finished) contact::report(progress, event);
   }
+  event.finished = true;
+  contact::report(progress, event);
   return result;
 }
 

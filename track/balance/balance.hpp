@@ -4,7 +4,9 @@
 // grid.
 #pragma once
 
+#include "contact/base/checkpoint.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/base/share.hpp"
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 #include "track/motion/placed_scenes.hpp"
@@ -27,9 +29,11 @@ struct BalancedCase {
 /// contact::InputError and contact::SolveError as find_contacts does.
 std::vector<WheelRailContact> place_wheels(const contact::Case& input, const SearchScene& scene);
 
-/// Throws contact::SolveError when there is no balance (friction that would lift the wheel, no
-/// rotation without torque).
-BalancedCase balance(const contact::Case& input, const contact::Progress& progress = {});
+/// Positions that `share` does not hold are left out. `kept` may be null; positions are taken up
+/// from it and kept in it. Throws contact::SolveError when there is no balance (friction
+/// that would lift the wheel, no rotation without torque).
+BalancedCase balance(const contact::Case& input, const contact::Progress& progress = {},
+                     contact::Checkpoint* kept = nullptr, contact::Share share = {});
 
 // Checks of the results of one wheel: patches must not overlap, each on a grid that holds its
 // reference point, with positive approaches and shares that add up to the load.

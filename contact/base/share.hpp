@@ -1,0 +1,19 @@
+// One of several parts of a long piece of work that independent calls do.
+#pragma once
+
+#include <cstddef>
+
+namespace rollfem::contact {
+
+/// Part `part` (from 0) of `of`: every so many-th item, so that neighbours, which cost alike, are
+/// spread.
+struct Share {
+  int part = 0;
+  int of = 1;
+  bool whole() const { return of == 1; }
+  bool holds(std::size_t item) const {
+    return item % static_cast<std::size_t>(of) == static_cast<std::size_t>(part);
+  }
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,19 @@
+// What the balance of one position has found, as a record that outlives the run.
+#pragma once
+
+#include "track/motion/placed_scenes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::track {
+
+/// `balanced`: made of the patches `placed` of one position by balanced_position().
+std::string record_of_balance(const std::vector<PlacedScene>& placed,
+                              std::vector<contact::Scene> balanced);
+
+/// The same scenes again, to the last bit. Throws std::runtime_error for a record of other patches.
+std::vector<contact::Scene> balance_of_record(const std::vector<PlacedScene>& placed,
+                                              const std::string& record);
+
+}  // namespace rollfem::track
