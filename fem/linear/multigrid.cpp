@@ -3,6 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/coarse_solver.hpp"
+#include "fem/linear/flush_subnormals.hpp"
 #include "fem/linear/level_transfer.hpp"
 #include "fem/linear/memory.hpp"
 
@@ -226,6 +227,7 @@ void Multigrid::cycle(std::size_t level) const {
 
 /// z = V-cycle of r, scaled by its norm to stay within single precision.
 void Multigrid::vmult(Vector& z, const Vector& r) const {
+  const FlushSubnormals flush;
   const double norm = r.l2_norm();
   FloatVector& right = levels_.empty() ? coarse_right_ : levels_.back()->right;
   const FloatVector& solution = levels_.empty() ? coarse_solution_ : levels_.back()->solution;

@@ -1,0 +1,31 @@
+// Numbers below the normal range of single precision count as zero while one of these exists.
+#pragma once
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+namespace rollfem::fem {
+
+/// A smoother spreads a local load by one layer of cells a product, in powers of ten each: far away
+/// stand numbers below 1e-38, of which the processor computes each some hundred times slower. Of
+/// this thread, and only on processors that can.
+class FlushSubnormals {
+ public:
+#ifdef __SSE2__
+  FlushSubnormals() : before_(_mm_getcsr()) {
+    constexpr unsigned int results_and_operands = 0x8040;
+    _mm_setcsr(before_ | results_and_operands);
+  }
+  ~FlushSubnormals() {
+    _mm_setcsr(before_);
+  }
+  FlushSubnormals(const FlushSubnormals&) = delete;
+  FlushSubnormals& operator=(const FlushSubnormals&) = delete;
+
+ private:
+  unsigned int before_;
+#endif
+};
+
+}  // namespace rollfem::fem
