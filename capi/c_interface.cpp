@@ -15,6 +15,7 @@ using rollfem::capi::guarded;
 using rollfem::capi::PatchForces;
 using rollfem::capi::SolvedPatch;
 using rollfem::capi::SolvedWheel;
+using rollfem::capi::wanted;
 using rollfem::capi::WheelRailPair;
 using rollfem::capi::WheelState;
 namespace contact = rollfem::contact;
@@ -41,6 +42,15 @@ Units units_of(rollfem_units units) {
       "units = {}: are not known; allowed: ROLLFEM_MM_N, ROLLFEM_M_N, ROLLFEM_MM_KN; do: "
       "fill the definition with rollfem_defaults",
       static_cast<int>(units)));
+}
+
+const char* name_of(rollfem_side side) {
+  if (side == ROLLFEM_LEFT) return "left";
+  if (side == ROLLFEM_RIGHT) return "right";
+  throw contact::InputError(fmt::format(
+      "side = {}: is not known; allowed: ROLLFEM_LEFT, ROLLFEM_RIGHT; do: fill the definition with "
+      "rollfem_defaults",
+      static_cast<int>(side)));
 }
 
 /// A text as TOML, whatever is in it.
@@ -71,7 +81,7 @@ contact::Case case_of(const rollfem_definition& definition) {
       definition.wheel_poisson_ratio, quoted("rail_profile", definition.rail_profile),
       definition.rail_young_modulus * stress, definition.rail_poisson_ratio,
       definition.gauge * length, definition.gauge_height * length, definition.inclination,
-      definition.side == ROLLFEM_LEFT ? "left" : "right", definition.flange_back_distance * length,
+      name_of(definition.side), definition.flange_back_distance * length,
       definition.flange_back_position * length, definition.elements_across);
   return contact::parse_case(text, "pair");
 }
@@ -135,6 +145,7 @@ struct rollfem_pair {
 extern "C" {
 
 void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
+  if (definition == nullptr) return;
   const double mm = units == ROLLFEM_M_N ? 1e-3 : 1.0;
   const double mpa = units == ROLLFEM_M_N ? 1e6 : units == ROLLFEM_MM_KN ? 1e-3 : 1.0;
   *definition = {units,       ROLLFEM_LEFT, "S1002",     "60E1",     460.0 * mm,  1435.0 * mm,
@@ -146,7 +157,9 @@ rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message
   rollfem_pair* made = nullptr;
   guarded(
       [&] {
-        made = new rollfem_pair{units_of(definition->units), WheelRailPair(case_of(*definition))};
+        const rollfem_definition& given =
+            wanted(definition, "definition", "one that rollfem_defaults has filled");
+        made = new rollfem_pair{units_of(given.units), WheelRailPair(case_of(given))};
       },
       message, size);
   return made;
@@ -154,10 +167,15 @@ rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message
 
 rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* state,
                              rollfem_result* result, char* message, size_t size) {
-  *result = rollfem_result{};
+  if (result != nullptr) *result = rollfem_result{};
   return guarded(
-      [&] { fill(pair->pair.solve(state_of(*state, pair->units)), pair->units, *result); }, message,
-      size);
+      [&] {
+        const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
+        rollfem_result& found = wanted(result, "result", "a place for the result");
+        fill(of.pair.solve(state_of(wanted(state, "state", "a state of the wheelset"), of.units)),
+             of.units, found);
+      },
+      message, size);
 }
 
 void rollfem_destroy(rollfem_pair* pair) {

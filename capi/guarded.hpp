@@ -3,6 +3,8 @@
 
 #include "contact/base/errors.hpp"
 
+#include <fmt/format.h>
+
 #include "rollfem/rollfem.h"
 #include <algorithm>
 #include <cstring>
@@ -16,6 +18,17 @@ inline void tell(const std::string& text, char* message, size_t size) {
   const size_t length = std::min(size - 1, text.size());
   std::memcpy(message, text.data(), length);
   message[length] = '\0';
+}
+
+/// What a pointer of the caller points to. `from`: where it comes from. Throws contact::InputError
+/// for NULL: the commonest is a refused creation that nobody looked at.
+template <class T>
+T& wanted(T* pointer, const char* name, const char* from) {
+  if (pointer == nullptr)
+    throw contact::InputError(fmt::format(
+        "{} is NULL; allowed: {}; do: look at the status and message of the call before", name,
+        from));
+  return *pointer;
 }
 
 /// Runs what may throw.

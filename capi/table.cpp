@@ -8,6 +8,16 @@ struct rollfem_table {
   rollfem::tables::CreepTableReader reader;
 };
 
+using rollfem::capi::wanted;
+
+namespace {
+
+const rollfem::tables::CreepTableReader& reader_of(const rollfem_table* table) {
+  return wanted(table, "table", "what rollfem_table_open returned").reader;
+}
+
+}  // namespace
+
 extern "C" {
 
 rollfem_table* rollfem_table_open(const char* path, char* message, size_t size) {
@@ -25,15 +35,15 @@ rollfem_table* rollfem_table_open(const char* path, char* message, size_t size) 
 
 rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_ellipse* ellipse,
                                     rollfem_creep_forces* forces, char* message, size_t size) {
-  *forces = rollfem_creep_forces{};
+  if (forces != nullptr) *forces = rollfem_creep_forces{};
   return rollfem::capi::guarded(
       [&] {
-        const auto found = table->reader.physical(
-            ellipse->semi_axis_x, ellipse->semi_axis_y, ellipse->shear_modulus,
-            ellipse->friction_bound,
-            {ellipse->longitudinal_creepage, ellipse->lateral_creepage, ellipse->spin});
-        *forces = {found.forces[0], found.forces[1], found.forces[2], found.force_bar,
-                   found.moment_bar};
+        const rollfem_ellipse& of = wanted(ellipse, "ellipse", "an ellipse");
+        const auto found = reader_of(table).physical(
+            of.semi_axis_x, of.semi_axis_y, of.shear_modulus, of.friction_bound,
+            {of.longitudinal_creepage, of.lateral_creepage, of.spin});
+        wanted(forces, "forces", "a place for the forces") = {
+            found.forces[0], found.forces[1], found.forces[2], found.force_bar, found.moment_bar};
       },
       message, size);
 }
@@ -42,31 +52,32 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
                                           const rollfem_shifted_wheel* wheel,
                                           rollfem_wheel_forces* forces, char* message,
                                           size_t size) {
-  *forces = rollfem_wheel_forces{};
+  if (forces != nullptr) *forces = rollfem_wheel_forces{};
   return rollfem::capi::guarded(
       [&] {
+        const rollfem_shifted_wheel& of = wanted(wheel, "wheel", "a wheel at a lateral shift");
+        const auto& reader = reader_of(table);
         // What one unit is in mm and N.
-        const double length = wheel->units == ROLLFEM_M_N ? 1e3 : 1.0;
-        const double newtons = wheel->units == ROLLFEM_MM_KN ? 1e3 : 1.0;
-        const double shift = length * wheel->lateral_shift;
-        const auto place = table->reader.wheel_at(shift);
-        const double own = table->reader.table().friction_coefficient * place.normal_force;
-        const double bound = wheel->friction_bound == 0.0 ? own : newtons * wheel->friction_bound;
-        const auto found = table->reader.of_wheel(
-            shift, bound,
-            {wheel->longitudinal_creepage, wheel->lateral_creepage, wheel->spin / length});
+        const double length = of.units == ROLLFEM_M_N ? 1e3 : 1.0;
+        const double newtons = of.units == ROLLFEM_MM_KN ? 1e3 : 1.0;
+        const double shift = length * of.lateral_shift;
+        const auto place = reader.wheel_at(shift);
+        const double own = reader.table().friction_coefficient * place.normal_force;
+        const double bound = of.friction_bound == 0.0 ? own : newtons * of.friction_bound;
+        const auto found = reader.of_wheel(
+            shift, bound, {of.longitudinal_creepage, of.lateral_creepage, of.spin / length});
         const double moment = newtons * length;
-        *forces = {found.forces[0] / newtons,
-                   found.forces[1] / newtons,
-                   found.along_normal / newtons,
-                   found.forces[2] / moment,
-                   found.force_bar / newtons,
-                   found.moment_bar / moment,
-                   bound / newtons,
-                   place.normal_force / newtons,
-                   place.contact_angle,
-                   place.rolling_radius / length,
-                   place.jump_after != 0.0};
+        wanted(forces, "forces", "a place for the forces") = {found.forces[0] / newtons,
+                                                              found.forces[1] / newtons,
+                                                              found.along_normal / newtons,
+                                                              found.forces[2] / moment,
+                                                              found.force_bar / newtons,
+                                                              found.moment_bar / moment,
+                                                              bound / newtons,
+                                                              place.normal_force / newtons,
+                                                              place.contact_angle,
+                                                              place.rolling_radius / length,
+                                                              place.jump_after != 0.0};
       },
       message, size);
 }

@@ -231,4 +231,44 @@ TEST(CInterface, RefusesWithAReasonAndAZeroResult) {
   EXPECT_EQ(result.force[2], 0.0);
 }
 
+TEST(CInterface, NullIsRefusedWithAMessageByEveryCall) {
+  char message[1000];
+  const auto says = [&](const char* what) {
+    return std::strstr(message, what) != nullptr && std::strstr(message, "do: ") != nullptr;
+  };
+  const rollfem_state state{};
+  rollfem_result result;
+  rollfem_defaults(nullptr, ROLLFEM_MM_N);
+  EXPECT_EQ(rollfem_create(nullptr, message, sizeof message), nullptr);
+  EXPECT_TRUE(says("definition is NULL")) << message;
+  EXPECT_EQ(rollfem_solve(nullptr, &state, &result, message, sizeof message), ROLLFEM_REFUSED);
+  EXPECT_TRUE(says("pair is NULL; allowed: what rollfem_create returned")) << message;
+  const Pair pair = make(defaults());
+  EXPECT_EQ(rollfem_solve(pair.get(), nullptr, &result, message, sizeof message), ROLLFEM_REFUSED);
+  EXPECT_TRUE(says("state is NULL")) << message;
+  EXPECT_EQ(rollfem_solve(pair.get(), &state, nullptr, message, sizeof message), ROLLFEM_REFUSED);
+  EXPECT_TRUE(says("result is NULL")) << message;
+  rollfem_creep_forces forces;
+  const rollfem_ellipse ellipse{};
+  EXPECT_EQ(rollfem_table_forces(nullptr, &ellipse, &forces, message, sizeof message),
+            ROLLFEM_REFUSED);
+  EXPECT_TRUE(says("table is NULL")) << message;
+  rollfem_wheel_forces of_wheel;
+  const rollfem_shifted_wheel wheel{};
+  EXPECT_EQ(rollfem_table_wheel_forces(nullptr, &wheel, &of_wheel, message, sizeof message),
+            ROLLFEM_REFUSED);
+  EXPECT_TRUE(says("table is NULL")) << message;
+  rollfem_destroy(nullptr);
+  rollfem_table_close(nullptr);
+}
+
+TEST(CInterface, ASideThatIsNoneIsRefused) {
+  char message[1000];
+  rollfem_definition definition = defaults();
+  definition.side = static_cast<rollfem_side>(9);
+  EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);
+  EXPECT_NE(std::strstr(message, "side = 9: is not known; allowed: ROLLFEM_LEFT"), nullptr)
+      << message;
+}
+
 }  // namespace
