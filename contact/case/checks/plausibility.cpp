@@ -16,6 +16,8 @@ constexpr double smallest_wheel = 100.0;            // mm
 constexpr double least_of_metal = 1e4;              // MPa
 constexpr double stiffest = 2e6;                    // MPa
 constexpr double least_load_of_wheel = 5e-3;        // N/mm^2, force over the rolling radius squared
+constexpr double largest_friction = 1.0;
+constexpr double full_adhesion = 100.0;  // from here on it stands for no limit at all
 constexpr double largest_creepage = 0.3;
 constexpr double largest_spin = 0.1;  // rad/mm
 
@@ -82,6 +84,12 @@ double largest_size(const Case& input, double Creepage::*member) {
   return largest;
 }
 
+void doubt_friction(const Case& input, Doubts& doubts) {
+  const double mu = input.friction_coefficient;
+  doubts.add(mu > largest_friction && mu < full_adhesion, "friction.coefficient", mu, "",
+             "dry steel has 0.3 to 0.6; do: give it as a ratio if this is in percent");
+}
+
 void doubt_creepages(const Case& input, Doubts& doubts) {
   for (const auto& [key, member] :
        {std::pair{"rolling.longitudinal_creepage", &Creepage::longitudinal},
@@ -104,6 +112,7 @@ std::vector<std::string> implausible_values(const Case& input) {
   doubt_radii(input, doubts);
   doubt_moduli(input, doubts);
   doubt_load(input, doubts);
+  doubt_friction(input, doubts);
   doubt_creepages(input, doubts);
   return doubts.take();
 }

@@ -18,7 +18,10 @@ std::string instance_of(const Key& key) {
   const std::string value = key.example.empty() ? toml_text(key.get(default_case())) : key.example;
   if (!value.empty()) return fmt::format("`{} = {}`", key.name, value);
   if (key.kind == KeyKind::text) return fmt::format("`{} = \"points.csv\"`", key.name);
-  return fmt::format("`{} = {}`", key.name, key.kind == KeyKind::pair ? "[0.2, 0.2]" : "2.0");
+  if (key.kind == KeyKind::pair) return fmt::format("`{} = [0.2, 0.2]`", key.name);
+  const double plain = 2.0;
+  const Bounds& of = key.bounds;
+  return fmt::format("`{} = {}`", key.name, toml_text(of.contains(plain) ? plain : 0.5 * of.upper));
 }
 
 std::string kind_is(const toml::node& node) {

@@ -16,14 +16,15 @@ using rollfem::testing::says;
 
 struct Values {
   std::string wheel = "460", rail = "300", force = "80e3", creepage = "0.001", spin = "0",
-              modulus = "210e3";
+              modulus = "210e3", friction = "0.3";
 };
 
 std::vector<std::string> doubts(const Values& v) {
   return implausible_values(parse_case(
-      "[load]\nnormal_force = " + v.force + "\n[friction]\ncoefficient = 0.3\n[wheel]\n" +
-          "rolling_radius = " + v.wheel + "\ntransverse_radius = inf\nyoung_modulus = " +
-          v.modulus + "\n[rail]\ntransverse_radius = " + v.rail + "\nyoung_modulus = " + v.modulus +
+      "[load]\nnormal_force = " + v.force + "\n[friction]\ncoefficient = " + v.friction +
+          "\n[wheel]\n" + "rolling_radius = " + v.wheel +
+          "\ntransverse_radius = inf\nyoung_modulus = " + v.modulus +
+          "\n[rail]\ntransverse_radius = " + v.rail + "\nyoung_modulus = " + v.modulus +
           "\n[rolling]\nlongitudinal_creepage = " + v.creepage + "\nspin = " + v.spin + "\n",
       "slip.toml"));
 }
@@ -52,6 +53,9 @@ TEST(Plausibility, SlipsOfUnitsAreTold) {
   Values per_metre;
   per_metre.spin = "1";
   expect_one(per_metre, "rolling.spin = 1 rad/mm");
+  Values friction;
+  friction.friction = "30";
+  expect_one(friction, "friction.coefficient = 30: dry steel has");
   Values pascals;
   pascals.modulus = "2.1e8";
   EXPECT_EQ(doubts(pascals).size(), 2u);
