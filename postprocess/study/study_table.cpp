@@ -54,7 +54,7 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
   // Labels of several things refined together are long.
   std::size_t width = series.parameter.size();
   for (const StudyLevel& level : series.levels) width = std::max(width, level.label.size());
-  text += fmt::format("    {:<{}}{:>10}{:>10}{:>14}{:>12}{:>14}{:>8}\n", series.parameter, width,
+  text += fmt::format("    {:<{}}{:>10}{:>10}{:>14}{:>12}{:>16}{:>8}\n", series.parameter, width,
                       "unknowns", "seconds", "value", "bar", "error", "order");
   const auto orders = level_orders(record, series, key, reference);
   const double* finest = finest_value(series, key);
@@ -65,7 +65,7 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
     const bool own = &value->second == finest && is_reference(place, series, reference);
     const auto order = orders.at(k++);
     text += fmt::format(
-        "    {:<{}}{:>10}{:>10.3g}{:>14.7g}{:>12}{:>14}{:>8}\n", level.label, width, level.unknowns,
+        "    {:<{}}{:>10}{:>10.3g}{:>14.7g}{:>12}{:>16}{:>8}\n", level.label, width, level.unknowns,
         level.seconds, value->second, bar_text(level, key),
         own ? "reference" : percent(key, study_error(record, key, value->second, reference)),
         order ? fmt::format("{:.2f}", *order) : "");
