@@ -24,12 +24,15 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// `transient` is meant to be "transient".
-bool is_bare_word(const std::string& value) {
+/// `transient` is meant to be "transient", and where a key wants text `60E1` and `1:40` are, too.
+bool is_bare_word(const std::string& value, const Key* key) {
+  if (value.find_first_of("\"'\\") != std::string::npos) return false;
+  if (key != nullptr && (key->kind == KeyKind::text || key->kind == KeyKind::word ||
+                         (key->kind == KeyKind::lean && value.find(':') != std::string::npos)))
+    return !value.empty();
   for (const char* word : {"true", "false", "inf", "nan"})
     if (value == word) return false;
-  return !value.empty() && std::isalpha(static_cast<unsigned char>(value.front())) != 0 &&
-         value.find_first_of("\"'\\") == std::string::npos;
+  return !value.empty() && std::isalpha(static_cast<unsigned char>(value.front())) != 0;
 }
 
 constexpr const char* example = "--set friction.coefficient=0.3";
@@ -52,7 +55,8 @@ Change read_change(const std::string& text, const ModelWords& models) {
   if (dot != std::string::npos) change.section = path.substr(0, dot);
   change.key = dot == std::string::npos ? path : path.substr(dot + 1);
   change.value = trimmed(text.substr(equals + 1));
-  if (is_bare_word(change.value)) change.value = '"' + change.value + '"';
+  if (is_bare_word(change.value, find_key(change.section, change.key)))
+    change.value = '"' + change.value + '"';
   const std::string header = change.section.empty() ? "" : "[" + change.section + "]\n";
   const std::string option = "--set " + (text.size() > 80 ? text.substr(0, 77) + "..." : text);
   if (change.value.empty())

@@ -61,6 +61,14 @@ TEST(CaseEdit, ReplacesTextsAndListsOverManyLines) {
             "one word, or two");
 }
 
+TEST(CaseEdit, WhereAKeyWantsTextItNeedsNoQuotes) {
+  const auto with = [](const std::string& change) { return changed({change}); };
+  EXPECT_NE(with("rail.profile=60E1").find("profile = \"60E1\""), std::string::npos);
+  EXPECT_NE(with("track.inclination=1:40").find("inclination = \"1:40\""), std::string::npos);
+  EXPECT_NE(with("track.inclination=0.025").find("inclination = 0.025"), std::string::npos);
+  EXPECT_NE(with("title=\"60 E1\"").find("title = \"60 E1\""), std::string::npos);
+}
+
 TEST(CaseEdit, AddsKeysAndSections) {
   const Case read = parse_case(
       changed({"wheel.round_to=0.5", "accuracy=0.01", "output.fields=false"}), "case.toml");
