@@ -65,12 +65,17 @@ int elements_of_model_error(const Scene& scene, const ContactSize& size) {
   return modelling::elements_of_model_error(size, accuracy_of(scene.accuracy));
 }
 
+/// So well that what a half-space neglects of them can be estimated.
+bool bodies_known(const Scene& scene) {
+  return scene.geometry.has_surfaces() && !scene.geometry.line;
+}
+
 ContactSize size_of(const Scene& scene) {
   const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
   ContactSize size;
   size.half_length = 0.5 * extent.length;
   size.half_width = 0.5 * extent.width;
-  size.bodies_known = scene.geometry.has_surfaces();
+  size.bodies_known = bodies_known(scene);
   if (size.bodies_known) {
     size.rolling_radius = scene.geometry.surface.rolling_radius;
     size.radius_across = radius_across(scene);
@@ -162,10 +167,11 @@ class Solver {
     const std::string name = forecast.model;
     const Choosable kind = how_.models->at(name).choosable;
     if (kind == Choosable::half_spaces) {
-      const bool known = scene_.geometry.has_surfaces();
       const int elements = elements_of_model_error(asked_, size_);
       made.estimates_model_error = elements > 0;
-      if (!known)
+      if (scene_.geometry.line)
+        made.no_model_error = "what half-planes neglect in line contact is not estimated";
+      else if (!size_.bodies_known)
         made.no_model_error = "only the undeformed distance of the bodies is known";
       else if (elements == 0)
         made.largest_model_error = modelling::largest_model_error(size_);
@@ -222,8 +228,7 @@ contact::ModelInfo auto_model() {
   contact::ModelInfo choice{
       "auto", "auto",
       "chooses the cheapest of halfspace, hybrid and fem whose total error is within `accuracy`"};
-  // There is nothing to choose for a line contact: the half-space alone solves it.
-  choice.takes = contact::all_demands_but({contact::Demand::line_contact});
+  choice.takes = contact::all_demands_but({contact::Demand::stress_of_line});
   choice.chooses = choice.in_run = true;
   choice.parallel = ROLLFEM_WITH_FEM;
   return choice;

@@ -65,7 +65,7 @@ void take_levels(const postprocess::StudySeries& series, const Scene& scene, dou
 
 /// Of the half-space, on the few elements that its estimate takes anyway.
 void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
-  if (!scene.geometry.has_surfaces() || !how.first) return;
+  if (!scene.geometry.has_surfaces() || scene.geometry.line || !how.first) return;
   Scene few = scene;
   few.contact_grid = {};
   few.contact_grid.elements_across = modelling::grids_across().front();

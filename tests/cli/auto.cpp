@@ -56,6 +56,20 @@ TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
   }
 }
 
+TEST(Auto, TakesTheHalfSpaceForALineContact) {
+  const Folder folder;
+  const nlohmann::json model = model_of(
+      folder,
+      "[load]\nnormal_force = 500.0\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = "
+      "460.0\n[rail]\n[geometry]\nshape = \"line\"\n[rolling]\nlongitudinal_creepage = 0.001\n");
+  EXPECT_EQ(model["name"], "halfspace");
+  EXPECT_EQ(model["chosen_by"], "auto");
+  EXPECT_TRUE(says(model["choice"], "line contact is not estimated"));
+  // Hertz: p0 = sqrt(F E* / (pi R)) per mm of width.
+  const double pressure = std::sqrt(500.0 * 115384.615 / (3.14159265 * 460.0));
+  EXPECT_NEAR(model["points"][0]["max_pressure"].get<double>(), pressure, 0.01 * pressure);
+}
+
 TEST(Auto, SaysWhatItTookOnTheScreen) {
   const Folder folder;
   const Outcome outcome =
