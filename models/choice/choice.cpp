@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -26,10 +27,6 @@ constexpr double near_enough = 1.25;
 /// Model errors are expected to a factor of two or three only: until one is found it counts as this
 /// part, so that a cheap model is not ruled out, nor its first grid made too fine, by a guess.
 constexpr double believed_of_expected = 1.0 / 3.0;
-
-/// Nobody who names no accuracy expects to wait longer, s by what is predicted: finer grids are for
-/// those who do.
-constexpr double longest_by_default = 120.0;
 
 std::string duration(double seconds) {
   if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
@@ -70,7 +67,8 @@ class Choice {
         wanted_(wanted),
         accuracy_(*wanted.accuracy.relative),
         attempts_(candidates_.size()),
-        failed_once_(candidates_.size(), false) {
+        failed_once_(candidates_.size(), false),
+        times_(wanted.times) {
     for (const Candidate& candidate : candidates_) forecasts_.push_back(candidate.forecast);
   }
 
@@ -91,7 +89,7 @@ class Choice {
   std::optional<Plan> next() const {
     std::vector<Forecast> hoped = forecasts_;
     for (Forecast& forecast : hoped) {
-      if (wanted_.by_default) leave_out_slow(forecast.levels);
+      leave_out_slow(forecast.levels);
       if (forecast.model_error_found) continue;
       forecast.model_error *= believed_of_expected;
       // Nor is a fine grid laid before it is known.
@@ -101,29 +99,68 @@ class Choice {
     if (const auto plan = cheapest(hoped, accuracy_, true)) return plan;
     const double least = near_enough * least_error(hoped, true);
     if (best_ && reached_best() <= least) return {};
-    return cheapest(hoped, least, true);
+    if (const auto plan = cheapest(hoped, least, true)) return plan;
+    // Some answer is better than none, however slow it is.
+    return best_ ? std::nullopt : quickest();
   }
 
-  static void leave_out_slow(std::vector<Level>& levels) {
-    while (!levels.empty() && levels.back().seconds > longest_by_default) levels.pop_back();
+  /// Levels come with increasing seconds.
+  void leave_out_slow(std::vector<Level>& levels) const {
+    if (wanted_.budget == nullptr) return;
+    const double allowed = wanted_.budget->allowed();
+    while (!levels.empty() && levels.back().seconds > allowed && !levels.back().solved)
+      levels.pop_back();
+  }
+
+  std::optional<Plan> quickest() const {
+    return cheapest(forecasts_, std::numeric_limits<double>::max(), true);
   }
 
   void attempt(const Plan& plan) {
     Forecast& forecast = forecasts_[plan.model];
     const int across = forecast.levels[plan.level].across;
+    announce(forecast, forecast.levels[plan.level]);
     const contact::Stopwatch watch;
     try {
       ModelResult result = candidates_[plan.model].solve(across);
       judge(plan, watch.seconds(), std::move(result));
     } catch (const contact::UnfitGrid& error) {
+      count_failed(watch);
       leave_out_grid(plan, error.what());
     } catch (const contact::SolveError& error) {
+      count_failed(watch);
       if (failed_once_[plan.model]) return leave_out(forecast, error.what());
       failed_once_[plan.model] = true;
       leave_out_grid(plan, error.what());  // another one may have a solution: a second chance
     } catch (const contact::InputError& error) {
       leave_out(forecast, error.what());
     }
+  }
+
+  /// Nothing is known of how it ends, but of how long it takes.
+  void announce(const Forecast& forecast, const Level& level) const {
+    contact::ProgressEvent event;
+    event.model = forecast.model;
+    event.stage = "tried next";
+    event.finished = true;  // its line stays, whatever follows
+    event.note =
+        fmt::format("{} across, about {}", level.across, duration(wanted_.times * level.seconds));
+    contact::report(wanted_.progress, event);
+  }
+
+  void count_failed(const contact::Stopwatch& watch) const {
+    if (wanted_.budget != nullptr) wanted_.budget->spend(0.0, watch.seconds());
+  }
+
+  /// Where a model is grossly mispredicted so are its finer grids, and what corrects it.
+  void count(const Plan& plan, double predicted, double seconds) {
+    if (wanted_.budget == nullptr) return;
+    const double times = wanted_.budget->spend(predicted, seconds);
+    const std::string& model = forecasts_[plan.model].model;
+    for (Forecast& forecast : forecasts_)
+      if (forecast.model == model || forecast.corrects == model)
+        for (Level& level : forecast.levels)
+          if (!level.solved) level.seconds *= times;
   }
 
   /// While an exception is handled.
@@ -149,7 +186,8 @@ class Choice {
                                  !candidate.estimates_model_error || result.has_model_error());
     if (candidate.largest_model_error > 0.0)
       reached.set_largest_model(candidate.largest_model_error);
-    agree(reached);
+    agree(reached, seconds);
+    const double predicted = forecast.levels[plan.level].seconds;
     calibrate(plan, seconds);
     learn(forecast, plan.level, reached.most_discretisation, seconds);
     if (candidate.estimates_model_error || candidate.largest_model_error > 0.0) {
@@ -158,6 +196,7 @@ class Choice {
     }
     for (Forecast& other : forecasts_)
       if (&other != &forecast) learn_from(other, forecast, plan.level);
+    count(plan, predicted, seconds);
     const bool better = !best_ || reached.together() < reached_best();
     attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, seconds, reached};
     met_ = reached.together() <= accuracy_;
@@ -169,17 +208,19 @@ class Choice {
   }
 
   /// Only the first of several processes has whole results.
-  void agree(Reached& reached) const {
+  void agree(Reached& reached, double& seconds) const {
     if (!wanted_.agree) return;
-    const std::string text = wanted_.agree(fmt::format(
-        "{:.17g} {:.17g} {:.17g} {:.17g} {} {}", reached.discretisation, reached.model,
-        reached.most_discretisation, reached.most_model, reached.point, reached.quantity));
+    const std::string text = wanted_.agree(
+        fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", seconds,
+                    reached.discretisation, reached.model, reached.most_discretisation,
+                    reached.most_model, reached.point, reached.quantity));
     std::istringstream words(text);
     const auto number = [&] {  // infinity is one, too
       std::string word;
       words >> word;
       return std::strtod(word.c_str(), nullptr);
     };
+    seconds = number();
     reached.discretisation = number();
     reached.model = number();
     reached.most_discretisation = number();
@@ -236,7 +277,7 @@ class Choice {
   }
 
   void fail(ModelResult& result) const {
-    if (!wanted_.by_default) {
+    if (wanted_.budget == nullptr) {
       result.shortfall =
           fmt::format("accuracy = {:g} was not reached: {}; do: request less accuracy", accuracy_,
                       result.choice);
@@ -244,9 +285,10 @@ class Choice {
     }
     result.notes.insert(
         result.notes.begin(),
-        fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] aims for within {}, is "
-                    "not reached: {}; do: give `accuracy` to allow more time, or name a model",
-                    accuracy_, duration(longest_by_default), result.choice));
+        fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] aims for within {} for "
+                    "the whole run, is not reached: {}; do: give `accuracy` to allow more time, or "
+                    "name a model",
+                    accuracy_, duration(seconds_by_default), result.choice));
   }
 
   std::vector<Candidate> candidates_;
@@ -257,7 +299,7 @@ class Choice {
   std::vector<bool> failed_once_;
   std::optional<Best> best_;
   std::exception_ptr failure_;
-  double times_ = 1.0;
+  double times_;
   bool met_ = false;
 };
 

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "contact/base/accuracy.hpp"
+#include "contact/base/progress.hpp"
 #include "contact/result/result.hpp"
+#include "models/choice/budget.hpp"
 #include "models/choice/forecast.hpp"
 #include "models/choice/reached.hpp"
 
@@ -32,9 +34,13 @@ struct Candidate {
 struct Wanted {
   contact::AccuracyRequest accuracy;  ///< `relative` is set
   double friction_coefficient = 0.0;
-  bool by_default = false;  ///< nobody named an accuracy: that it is not reached is no failure
+  /// Nobody named an accuracy: this is the time there is, and that it is not reached is no failure.
+  Budget* budget = nullptr;
+  double times = 1.0;  ///< this machine's seconds for a predicted one
   /// A model that fails is left out and the others go on; else what it throws ends the choice.
   bool go_on = true;
+  /// Told what is tried and how long that takes before it begins. May be empty.
+  contact::Progress progress = {};
   /// Among processes: the text of the first on all of them. May be empty.
   std::function<std::string(const std::string&)> agree = {};
 };

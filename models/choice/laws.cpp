@@ -18,13 +18,15 @@ constexpr double error_with_friction = 0.006, error_without_friction = 0.0035;
 constexpr int measured_cells = 16;
 constexpr double fem_error_with_friction = 0.006, fem_error_without_friction = 0.003;
 
-// Seconds of one core of an idle machine at 2.5 GHz, -O3.
 /// Elements across the smallest patch that results must have (contact/result/validity.cpp), and one
 /// more, since the patch need not lie well among them.
 constexpr double fewest_across = 5.0;
 
-constexpr double start = 5e-3;          ///< whatever the grid
-constexpr double per_element = 9e-6;    ///< of the patch, and load point
+// Seconds of one core of an idle machine at 2.5 GHz, -O3.
+constexpr double start = 5e-3;        ///< whatever the grid
+constexpr double per_element = 9e-6;  ///< of the patch, and load point
+/// Where pressure and friction change each other they are solved for together, by Newton's method.
+constexpr double coupled_times = 10.0;
 constexpr double of_model_error = 0.1;  ///< a load point, on `usual_elements`
 constexpr double hybrid_times = 9.0;    ///< what the hybrid takes where the half-space takes 1
 /// The hybrid's correction where it is not kept from an earlier run, of halved and of whole bodies,
@@ -130,7 +132,7 @@ int elements_of_model_error(const ContactSize& size, double accuracy) {
 Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
   const double part = static_cast<double>(elements_of_model_error(size, accuracy)) / usual_elements;
   const double estimate = of_model_error * part * part * static_cast<double>(size.load_points);
-  Forecast forecast = on_grids(size, start + estimate, 1.0);
+  Forecast forecast = on_grids(size, start + estimate, size.coupled ? coupled_times : 1.0);
   forecast.label = "half-space";
   forecast.model_error = expected_model_error(size);
   return forecast;

@@ -4,6 +4,7 @@
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "models/caches/machine_speed.hpp"
 #include "models/choice/laws.hpp"
 #include "models/fem/hybrid_model.hpp"
 #include "models/program/provenance.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace rollfem::modelling {
@@ -84,11 +86,19 @@ ContactSize size_of(const Scene& scene) {
   size.smallest_part = smallest_part(scene);
   size.load_points = std::max<std::size_t>(1, scene.points.size());
   size.symmetric = scene.is_symmetric();
+  size.coupled =
+      scene.friction() != nullptr && (scene.material.couples() || scene.follows_surface > 0.0);
   size.meshed_bodies = meshed_bodies(scene);
   // Nor is it looked for where a half-space does anyway. Processes that looked might disagree.
   if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
     size.correction_kept = correction_is_kept(scene);
   return size;
+}
+
+/// This machine's seconds for a predicted one, where it was measured.
+double machine_times() {
+  const std::optional<MachineSpeed> speed = machine_speed();
+  return speed ? speed->times : 1.0;
 }
 
 /// Why a model is out of the question for the scene; empty: it is not.
@@ -268,6 +278,21 @@ double accuracy_of(const contact::AccuracyRequest& asked) {
   return asked.relative.value_or(modelling::default_accuracy);
 }
 
+Budget budget_of(const std::vector<Scene>& scenes, const ModelRegistry& models) {
+  std::vector<double> needs;
+  for (const Scene& scene : scenes) {
+    needs.push_back(0.0);
+    try {
+      const std::vector<Forecast> forecasts = forecasts_of(scene, models);
+      if (const auto plan = cheapest(forecasts, accuracy_of(scene.accuracy)))
+        needs.back() = forecasts[plan->model].levels[plan->level].seconds;
+    } catch (const std::runtime_error&) {
+      // No patch to expect anything of: what solves it will say so.
+    }
+  }
+  return Budget(std::move(needs), machine_times());
+}
+
 contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress& progress,
                                      contact::Checkpoint* checkpoint, const Solving& how) {
   const Solver solver(scene, progress, checkpoint, how);
@@ -277,7 +302,10 @@ contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress
   Wanted wanted;
   wanted.accuracy = scene.accuracy;
   wanted.accuracy.relative = accuracy_of(scene.accuracy);
-  wanted.by_default = !scene.accuracy.relative;
+  Budget alone({}, machine_times());
+  if (!scene.accuracy.relative) wanted.budget = how.budget != nullptr ? how.budget : &alone;
+  wanted.times = machine_times();
+  wanted.progress = progress;
   wanted.friction_coefficient = scene.friction_coefficient();
   wanted.go_on = how.together;
   if (!how.together && how.session != nullptr)

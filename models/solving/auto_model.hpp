@@ -33,6 +33,9 @@ std::vector<Forecast> forecasts_of(const contact::Scene& scene,
 /// The accuracy that auto looks for: of the scene, or 1 %.
 double accuracy_of(const contact::AccuracyRequest& asked);
 
+/// What choices for these scenes may spend where they name no accuracy.
+Budget budget_of(const std::vector<contact::Scene>& scenes, const contact::ModelRegistry& models);
+
 /// The result of the model taken, with its name. Every process of a parallel run calls it.
 contact::ModelResult solve_by_choice(const contact::Scene& scene, const contact::Progress& progress,
                                      contact::Checkpoint* checkpoint, const Solving& how);

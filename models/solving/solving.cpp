@@ -158,7 +158,10 @@ Solved solve(const contact::Case& input, const Solving& how) {
   Solved solved;
   Scenes scenes = scenes_of(input, how.progress, how.checkpoint, how.share);
   std::vector<std::string> able = able_models(input, scenes, how, solved.missing);
-  for (const contact::Scene& scene : scenes.list)
+  Solving counted = how;
+  Budget budget = any_choice(*how.models, able) ? budget_of(scenes.list, *how.models) : Budget({});
+  counted.budget = &budget;
+  for (const contact::Scene& scene : scenes.list) {
     for (const std::string& name : std::vector<std::string>(able)) {
       const bool parallel = how.models->at(name).parallel;
       if (!parallel && !how.first) continue;
@@ -168,7 +171,7 @@ Solved solve(const contact::Case& input, const Solving& how) {
       };
       const bool must_throw = !how.go_on || (parallel && !how.together);
       try {
-        solved.results.push_back(solve_scene(name, scene, scenes.notes, how));
+        solved.results.push_back(solve_scene(name, scene, scenes.notes, counted));
       } catch (const contact::SolveError& error) {
         if (must_throw) throw;
         miss(error, true);
@@ -177,6 +180,8 @@ Solved solve(const contact::Case& input, const Solving& how) {
         miss(error, false);
       }
     }
+    budget.next();
+  }
   track::check_results(input, solved.results);
   solved.pairs = std::move(scenes.pairs);
   return solved;

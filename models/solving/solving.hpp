@@ -6,6 +6,7 @@
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 #include "contact/solve/model.hpp"
+#include "models/choice/budget.hpp"
 #include "models/fem/fem_library.hpp"
 #include "postprocess/write/output.hpp"
 
@@ -35,7 +36,8 @@ struct Solving {
   std::function<void()> need_session = {};
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
-  contact::Share share;                       ///< positions of the wheelset that this call solves
+  Budget* budget = nullptr;  ///< what a choice may spend where no accuracy is named; null: its own
+  contact::Share share;      ///< positions of the wheelset that this call solves
   bool first = true;  ///< the first process of a parallel run: it alone runs what is not parallel
   bool together = true;  ///< this is the only process
   /// A model that cannot take the case, or fails, is listed and the others go on; otherwise what it

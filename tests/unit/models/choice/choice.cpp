@@ -153,23 +153,50 @@ TEST(Choice, GivesTheBestWhereNothingDoesAndFailsWhereItWasAskedFor) {
   EXPECT_EQ(asked.name, "plain");
   EXPECT_TRUE(says(asked.shortfall, "accuracy = 0.01 was not reached"));
   Wanted what = wanted(0.01);
-  what.by_default = true;
+  Budget budget({});
+  what.budget = &budget;
   const contact::ModelResult result = choose(all, what);
   EXPECT_EQ(result.shortfall, "");
   EXPECT_EQ(result.notes.front().rfind("warning: accuracy = 0.01", 0), 0U) << result.notes.front();
 }
 
-TEST(Choice, TakesNoMinutesThatNobodyAskedFor) {
+TEST(Choice, TakesNoMoreTimeThanItsBudget) {
   Toys toys;
   toys.plain.model_error = 0.03;
   auto all = candidates(toys);
   all[1].forecast.cannot = "not in this build";
   Wanted what = wanted(0.01);
-  what.by_default = true;
-  choose(all, what);  // "full" needs 100 s on 16 across, 400 on 32
-  EXPECT_EQ(toys.solved.back(), (std::pair<std::string, int>{"full", 16}));
-  choose(all, wanted(0.01));
+  Budget budget({});
+  what.budget = &budget;
+  EXPECT_EQ(choose(all, what).name, "plain");  // "full" needs 100 s on 16 across, 400 on 32
+  Budget larger({}, 1.0, 1000.0);
+  what.budget = &larger;
+  EXPECT_EQ(choose(all, what).name, "full");
   EXPECT_EQ(toys.solved.back(), (std::pair<std::string, int>{"full", 32}));
+}
+
+TEST(Choice, SolvesTheQuickestWhereTheBudgetHoldsNone) {
+  Toys toys;
+  Wanted what = wanted(0.01);
+  Budget none({}, 1.0, 0.5);
+  what.budget = &none;
+  const contact::ModelResult result = choose(candidates(toys), what);
+  EXPECT_EQ(toys.solved, (Solved{{"plain", 16}}));
+  EXPECT_EQ(result.notes.front().rfind("warning: accuracy = 0.01", 0), 0U) << result.notes.front();
+}
+
+TEST(Choice, SaysWhatIsTriedAndHowLongItTakes) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  Wanted what = wanted(0.01);
+  what.times = 2.0;
+  std::vector<std::string> told;
+  what.progress = [&](const contact::ProgressEvent& event) {
+    told.push_back(event.model + ": " + event.note);
+  };
+  choose(candidates(toys), what);
+  EXPECT_EQ(told, (std::vector<std::string>{"plain: 32 across, about 8 s",
+                                            "corrected: 64 across, about 5 min"}));
 }
 
 TEST(Choice, WhatIsUnknownDoesNotDo) {
@@ -212,7 +239,8 @@ TEST(Choice, AgreesWithTheFirstProcess) {
   Wanted what = wanted(0.01);
   int asked = 0;  // the first one has the plain model's error, this process nothing of it
   what.agree = [&](const std::string&) {
-    return ++asked == 1 ? "0.001 0.03 0.001 0.03 1 max_pressure" : "0.001 0 0.001 0 1 max_pressure";
+    return ++asked == 1 ? "1 0.001 0.03 0.001 0.03 1 max_pressure"
+                        : "1 0.001 0 0.001 0 1 max_pressure";
   };
   EXPECT_EQ(choose(candidates(toys), what).name, "corrected");
   EXPECT_EQ(asked, 2);

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""What does `rollfem run CASE` answer by default, and when? Over the 300 scenes of benchmarks/default_scenes.py, no
+model and no accuracy named: seconds from start to end, crashes, runs beyond the limit, scenes refused, accuracy met
+or its lack said; and predicted against measured seconds of every grid that was tried.
+
+    benchmarks/default_answers.py --program build/app/rollfem --measured ../shared/reference/measured -o /tmp/default
+
+Runs that are there already are read again.
+"""
+
+import argparse
+import json
+import os
+import re
+import statistics
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+import default_scenes
+import scene_sets
+
+WANTED = 60.0  # s
+TRIED = re.compile(r"^(?P<model>\S+)\s.*tried next\s.*?(?P<across>\d+) across, about (?P<time>[\d.e+-]+) (?P<unit>s|min|h)")
+SECONDS = {"s": 1, "min": 60, "h": 3600}
+
+
+def watched(command, cache, limit):
+    """The status of a run, None beyond the limit; its seconds; its last line; and model, grid, predicted and measured
+    seconds of each grid tried."""
+    tried, last, begin = [], "", time.monotonic()
+    run = subprocess.Popen(["timeout", str(limit), *command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                           text=True, errors="replace", env={**os.environ, "ROLLFEM_CACHE": cache, "TERM": "dumb"})
+    for line in run.stderr:
+        last = line.strip() or last
+        found = TRIED.match(line)
+        if found:
+            tried.append([found["model"], int(found["across"]), float(found["time"]) * SECONDS[found["unit"]],
+                          time.monotonic()])
+    status, end = run.wait(), time.monotonic()
+    ends = [attempt[3] for attempt in tried[1:]] + [end]
+    attempts = [[*attempt[:3], after - attempt[3]] for attempt, after in zip(tried, ends)]
+    return {"status": None if status == 124 else status, "seconds": end - begin, "last": last, "tried": attempts}
+
+
+def run(options, scene):
+    """Kept in a file beside the case, by its text."""
+    case, kept = options.output / f"{scene.name}.toml", options.output / f"{scene.name}.json"
+    if kept.exists() and case.read_text("utf-8") == scene.text:
+        return json.loads(kept.read_text("utf-8"))
+    case.write_text(scene.text, "utf-8")
+    folder = options.output / scene.name
+    with tempfile.TemporaryDirectory() as cache:  # seconds are from nothing
+        row = watched([options.program, "run", str(case), "--no-report", "-o", str(folder)], cache, options.limit)
+    summary = folder / "summary.json"
+    models = json.loads(summary.read_text("utf-8"))["models"] if summary.exists() and row["status"] in (0, 1) else []
+    row["taken"] = sorted({model["name"] for model in models})
+    row["short"] = any(note.startswith("warning: accuracy") for model in models for note in model.get("notes", []))
+    kept.write_text(json.dumps(row), "utf-8")
+    return row
+
+
+def outcome(row):
+    if row["status"] is None:
+        return "beyond the limit"
+    if row["status"] < 0 or row["status"] >= 128:
+        return "crash"
+    if row["status"] != 0:
+        return "refused"
+    return "lack said" if row["short"] else "met"
+
+
+OUTCOMES = ["met", "lack said", "refused", "beyond the limit", "crash"]
+
+
+def table(rows):
+    lines = ["| kind | scenes | " + " | ".join(OUTCOMES) + " | within 60 s, % | median s | longest s |",
+             "|---|" + "---|" * (len(OUTCOMES) + 4)]
+    kinds = list(dict.fromkeys(kind for kind, _ in rows))
+    for kind in [*kinds, "all"]:
+        of_kind = [row for its, row in rows if kind in (its, "all")]
+        counts = [sum(outcome(row) == word for row in of_kind) for word in OUTCOMES]
+        seconds = [row["seconds"] for row in of_kind]
+        within = sum(value <= WANTED for value in seconds)
+        lines.append(f"| {kind} | {len(of_kind)} | " + " | ".join(map(str, counts))
+                     + f" | {100 * within / len(of_kind):.0f} | {statistics.median(seconds):.2g} | {max(seconds):.0f} |")
+    return "\n".join(lines)
+
+
+def predictions(rows):
+    """Of grids that take long enough to matter."""
+    worth_it = 2.0
+    lines = ["| model | grids of 2 s and more | within a factor of 3, % | median of measured over predicted | worst |",
+             "|---|---|---|---|---|"]
+    for model in ("halfspace", "hybrid", "fem"):
+        ratios = sorted(measured / predicted for _, row in rows for name, _, predicted, measured in row["tried"]
+                        if name == model and max(measured, predicted) > worth_it)
+        if ratios:
+            held = sum(1 / 3 <= ratio <= 3 for ratio in ratios)
+            lines.append(f"| {model} | {len(ratios)} | {100 * held / len(ratios):.0f} | "
+                         f"{statistics.median(ratios):.2g} | {ratios[0]:.2g}, {ratios[-1]:.2g} |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
+    parser.add_argument("--measured", type=Path, help="folder of measured pairs; without it they are left out")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--every", type=int, default=1, help="take each so many of them only")
+    parser.add_argument("--limit", type=float, default=120.0, help="s for each run")
+    parser.add_argument("-o", "--output", type=Path, required=True)
+    options = parser.parse_args()
+    scene_sets.prepare(options.output)
+    rows = []
+    for scene in default_scenes.scenes(options.seed, options.output, options.measured)[::options.every]:
+        row = run(options, scene)
+        rows.append((scene.kind, row))
+        tried = ", ".join(f"{model} {across}: {measured:.2g} ({predicted:.2g})"
+                          for model, across, predicted, measured in row["tried"])
+        told = row["last"] if outcome(row) not in ("met", "lack said") else ""
+        print(f"{scene.name}: {outcome(row)}, {row['seconds']:.1f} s, {'+'.join(row['taken'])}; {tried} {told}", flush=True)
+    print("\n" + table(rows) + "\n\n" + predictions(rows))
+
+
+if __name__ == "__main__":
+    main()

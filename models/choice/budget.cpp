@@ -1,0 +1,34 @@
+#include "models/choice/budget.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace rollfem::modelling {
+
+namespace {
+
+/// A prediction is wrong where it took so many times as long, and for longer than noise takes, s.
+constexpr double gross = 3.0, least_gross = 2.0;
+
+}  // namespace
+
+Budget::Budget(std::vector<double> needs, double times, double seconds)
+    : needs_(std::move(needs)), times_(times), left_(seconds) {}
+
+double Budget::allowed() const {
+  if (current_ + 1 >= needs_.size()) return std::max(0.0, left_) / times_;
+  const auto later = needs_.begin() + static_cast<std::ptrdiff_t>(current_ + 1);
+  const double kept = times_ * std::accumulate(later, needs_.end(), 0.0);
+  const double share = left_ / static_cast<double>(needs_.size() - current_);
+  return std::max({0.0, left_ - kept, share}) / times_;
+}
+
+double Budget::spend(double predicted, double taken) {
+  const double expected = times_ * predicted;
+  const bool wrong = taken > least_gross && taken > gross * expected;
+  left_ -= wrong ? taken : expected;
+  return wrong && expected > 0.0 ? taken / expected : 1.0;
+}
+
+}  // namespace rollfem::modelling

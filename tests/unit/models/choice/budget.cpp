@@ -1,0 +1,45 @@
+// How the seconds of a run without an accuracy are shared among its scenes.
+#include "models/choice/budget.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using rollfem::modelling::Budget;
+using rollfem::modelling::seconds_by_default;
+
+TEST(Budget, GivesAllToAnOnlyScene) {
+  EXPECT_DOUBLE_EQ(Budget({}).allowed(), seconds_by_default);
+  EXPECT_DOUBLE_EQ(Budget({500.0}).allowed(), seconds_by_default);
+}
+
+TEST(Budget, KeepsWhatLaterScenesNeedButNoMoreThanTheirShares) {
+  EXPECT_DOUBLE_EQ(Budget({1.0, 5.0, 7.0}).allowed(), 48.0);
+  EXPECT_DOUBLE_EQ(Budget({1.0, 500.0, 7.0}).allowed(), 20.0);
+}
+
+TEST(Budget, CountsPredictionsThatHoldAsPredicted) {
+  Budget budget({10.0, 10.0});
+  EXPECT_DOUBLE_EQ(budget.spend(10.0, 25.0), 1.0);  // a busy machine makes no other choice
+  EXPECT_DOUBLE_EQ(budget.spend(0.1, 1.9), 1.0);    // nor does a slow start
+  budget.next();
+  EXPECT_DOUBLE_EQ(budget.allowed(), 49.9);
+}
+
+TEST(Budget, CountsByTheClockWhatWasGrosslyMispredicted) {
+  Budget budget({});
+  EXPECT_DOUBLE_EQ(budget.spend(4.0, 40.0), 10.0);
+  EXPECT_DOUBLE_EQ(budget.allowed(), 20.0);
+  budget.spend(0.0, 50.0);  // nothing was predicted of what failed
+  EXPECT_DOUBLE_EQ(budget.allowed(), 0.0);
+}
+
+TEST(Budget, AllowsASlowMachineLess) {
+  Budget budget({0.0, 5.0}, 2.0);
+  EXPECT_DOUBLE_EQ(budget.allowed(), 25.0);
+  EXPECT_DOUBLE_EQ(budget.spend(5.0, 10.0), 1.0);
+  budget.next();
+  EXPECT_DOUBLE_EQ(budget.allowed(), 25.0);
+}
+
+}  // namespace
