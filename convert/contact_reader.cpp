@@ -146,10 +146,12 @@ void read_undeformed_distance(InputLines& lines, ContactCase& next) {
   if (distance.ibase == 1) {
     distance.values = lines.numbers({"B1", "B2", "B3", "B4", "B5", "B6"});
   } else if (distance.ibase == 2) {
-    const auto values = lines.numbers({"NN", "XM", "RX1", "Y1", "DY1"});
-    lines.array("the heights", count(lines.integer(values[0], "NN", 1, largest_grid)));
+    distance.values = lines.numbers({"NN", "XM", "RX1", "Y1", "DY1"});
+    const int n = lines.integer(distance.values[0], "NN", 2, largest_grid);
+    const auto heights = lines.array("the heights", count(n));
+    distance.values.insert(distance.values.end(), heights.begin(), heights.end());
   } else if (distance.ibase == 3) {
-    lines.array("the geometry", 8);
+    distance.values = lines.array("B1 to B8", 8);
   } else if (distance.ibase == 9) {
     distance.values =
         lines.array("H of every element", count(next.potential.mx) * count(next.potential.my));
@@ -319,7 +321,9 @@ std::vector<ContactCase> read_contact_file(std::string_view text, const std::str
   std::vector<ContactCase> cases;
   ContactCase next;
   while (!lines.at_end()) {
-    const double module = lines.numbers({"the module number"}).front();
+    // Digit R of the case before may say that this one is of the same module.
+    const bool stays = !cases.empty() && next.digits.R % 2 == 0;
+    const double module = stays ? next.module : lines.numbers({"the module number"}).front();
     if (module == 0.0) break;
     if (module != 1.0 && module != 3.0)
       lines.fail(fmt::format("module {:g}; allowed: 1 (wheel and rail), 3 (single contacts), "

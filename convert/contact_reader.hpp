@@ -35,7 +35,8 @@ struct PotentialContact {
 
 struct UndeformedDistance {
   int ibase = 1, iplan = 1;
-  std::vector<double> values;  ///< B1 to B6, or the distance of every element
+  /// B1 to B6; NN, XM, RX1, Y1, DY1 and heights; B1 to B8; or the distance of every element.
+  std::vector<double> values;
 };
 
 struct ProfileFile {
@@ -66,7 +67,7 @@ struct StressBlock {
 struct ContactCase {
   int module = 3;
   int number = 0;        ///< from 1, as CONTACT counts
-  std::size_t line = 0;  ///< of the module number
+  std::size_t line = 0;  ///< of the module number, or of the last one before it
   Digits digits;
   int max_outer = 1;                   ///< MAXOUT
   std::array<double, 4> kinematics{};  ///< module 3: FN or PEN, CKSI or FX, CETA or FY, CPHI

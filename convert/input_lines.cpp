@@ -31,16 +31,27 @@ std::vector<std::string> quoted_fields(std::string_view line) {
   return fields;
 }
 
-/// A number as Fortran writes it (1.5, 1., 1d-5), or an angle in degrees (90d), in rad.
+/// Fortran does without the letter of an exponent where there is its sign: .1-07 is 0.1e-07.
+void complete_exponent(std::string& field) {
+  const std::size_t sign = field.find_last_of("+-");
+  if (sign == std::string::npos || sign == 0) return;
+  if (contact::number_of(field.substr(0, sign))) field.insert(sign, "e");
+}
+
+/// A number as Fortran writes it (1.5, 1., 1d-5, .1-07), or an angle in degrees (90d) or rad
+/// (1.5r), in rad.
 std::optional<double> number(std::string field) {
-  const auto is_d = [](char letter) { return letter == 'd' || letter == 'D'; };
-  if (is_d(field.back())) {
-    const auto degrees = contact::number_of(field.substr(0, field.size() - 1));
-    if (!degrees) return std::nullopt;
-    return *degrees * contact::pi / 180.0;
-  }
-  std::replace_if(field.begin(), field.end(), is_d, 'e');
-  return contact::number_of(field);
+  const auto is = [](char letter, char wanted) {
+    return letter == wanted || letter == wanted - 'a' + 'A';
+  };
+  double unit = 1.0;
+  if (is(field.back(), 'd')) unit = contact::pi / 180.0;
+  if (is(field.back(), 'd') || is(field.back(), 'r')) field.pop_back();
+  std::replace_if(
+      field.begin(), field.end(), [&](char letter) { return is(letter, 'd'); }, 'e');
+  complete_exponent(field);
+  const std::optional<double> value = contact::number_of(field);
+  return value ? std::optional<double>(unit * *value) : std::nullopt;
 }
 
 }  // namespace
@@ -117,7 +128,7 @@ InputLines::Named InputLines::named(const std::string& what, const std::vector<s
   Named result;
   result.text = std::string(contact::trimmed(std::string_view(fields.front()).substr(1)));
   fields.erase(fields.begin());
-  if (fields.empty()) ++next_;
+  if (fields.empty() || (names.empty() && more == 0)) ++next_;
   result.numbers = numbers(names, more);
   return result;
 }

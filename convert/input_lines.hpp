@@ -21,8 +21,9 @@ class InputLines {
   bool at_end() const { return next_ == lines_.size(); }
 
   /// One number for each of `names`, which messages quote, and up to `more` that may follow on the
-  /// same line. Angles may be given in degrees (`90d`) and come in rad; exponents may have a d.
-  /// Throws contact::InputError naming file, line and the number that is missing.
+  /// same line. Angles may be given in degrees (`90d`) or rad (`1.5r`) and come in rad; exponents
+  /// may have a d, or no letter. Throws contact::InputError naming file, line and the number that
+  /// is missing.
   std::vector<double> numbers(const std::vector<std::string>& names, std::size_t more = 0);
 
   /// The same into an array, which keeps what it has beyond them.

@@ -197,18 +197,36 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   made.set("fastsim", "strip_elements", std::round(potential.mx / scale), "MX / SCALE");
 }
 
+/// Circles along x, straight pieces between given heights across, the outer ones without an end.
+double circular_distance(const std::vector<double>& values, double x, double y) {
+  const double xm = values[1], radius = values[2], y1 = values[3], dy = values[4];
+  const auto last = static_cast<double>(values.size() - 7);  // of the pieces, from 0
+  const double piece = std::clamp(std::floor((y - y1) / dy), 0.0, last);
+  const double* height = values.data() + 5 + static_cast<std::size_t>(piece);
+  const double rise = (height[1] - height[0]) * ((y - y1) / dy - piece);
+  return height[0] + rise + (x - xm) * (x - xm) / (2.0 * radius);
+}
+
+/// Of the element with that number at (x, y), in CONTACT's axes.
+double distance_at(const UndeformedDistance& distance, std::size_t element, double x, double y) {
+  const std::vector<double>& B = distance.values;
+  if (distance.ibase == 9) return B[element];
+  if (distance.ibase == 2) return circular_distance(B, x, y);
+  if (distance.ibase == 3)
+    return B[0] * std::sin(B[1] * (x - B[2])) - B[3] * std::sin(B[4] * (x - B[5])) + x * x / B[6] +
+           y * y / B[7];
+  return B[0] * x * x + B[1] * x * y + B[2] * y * y + B[3] * x + B[4] * y + B[5];
+}
+
 /// h of all elements, in our axes, as a file of lines x, y, h.
 std::string lattice_text(const ContactCase& given, const Area& area, double sign) {
-  const auto& values = given.distance.values;
   std::string text = "x, y, h\n";
+  std::size_t element = 0;
   for (int j = 0; j < given.potential.my; ++j)
     for (int i = 0; i < given.potential.mx; ++i) {
       const double x = area.x + (i + 0.5) * area.dx, y = area.y + (j + 0.5) * area.dy;
-      const double h = given.distance.ibase == 9
-                           ? values[static_cast<std::size_t>(j * given.potential.mx + i)]
-                           : values[0] * x * x + values[1] * x * y + values[2] * y * y +
-                                 values[3] * x + values[4] * y + values[5];
-      text += fmt::format("{:.12g}, {:.12g}, {:.12g}\n", sign * x, sign * y, h);
+      text += fmt::format("{:.12g}, {:.12g}, {:.12g}\n", sign * x, sign * y,
+                          distance_at(given.distance, element++, x, y));
     }
   return text;
 }
@@ -252,13 +270,13 @@ void fill_distance(const ContactCase& given, double modulus, double sign, Equiva
   const auto refuse = [&](const std::string& what) { made.refuse(true, what); };
   made.refuse(distance.iplan != 1,
               fmt::format("IPLAN = {}: a prescribed planform", distance.iplan));
-  made.refuse(
-      distance.ibase == 2 || distance.ibase == 3,
-      fmt::format("IBASE = {}: this kind of undeformed distance (only 1 and 9 have an equivalent)",
-                  distance.ibase));
+  const auto& B = distance.values;
+  made.refuse(distance.ibase == 2 && (B[2] == 0.0 || B[4] <= 0.0),
+              "IBASE = 2: RX1 must not be 0 and DY1 must be positive");
+  made.refuse(distance.ibase == 3 && (B[6] == 0.0 || B[7] == 0.0),
+              "IBASE = 3: B7 and B8 must not be 0");
   if (!made.impossible.empty()) return;
   const Area area = stated_area(given.potential);
-  const auto& B = distance.values;
   if (area.dx <= 0.0 || area.dy <= 0.0) return refuse("the element size is not positive");
   if (given.potential.my == 1) return fill_line(given, area, modulus, sign, made);
   const bool plain = distance.ibase == 1 && B[1] == 0.0 && B[3] == 0.0 && B[4] == 0.0 &&

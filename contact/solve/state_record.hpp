@@ -1,8 +1,11 @@
-// The state from which the next load point starts, for checkpoints.
+// A solved load point with the state from which the next one starts, for checkpoints.
 #pragma once
 
 #include "contact/result/record.hpp"
+#include "contact/result/result.hpp"
 #include "contact/solve/contact_problem.hpp"
+
+#include <string>
 
 namespace rollfem::contact {
 
@@ -13,6 +16,19 @@ inline void exchange(Record& record, ContactState& state) {
   TangentialSolution& t = state.tangential;
   record.values(t.traction, t.slip, t.state, t.newton_steps, t.krylov_iterations, t.residual);
   record.values(state.displacement, state.defect, state.iterations, state.residual);
+}
+
+inline std::string point_record(PointResult point, ContactState state) {
+  Record record;
+  record.value(point);
+  exchange(record, state);
+  return record.bytes();
+}
+
+inline void read_point(const std::string& bytes, PointResult& point, ContactState& state) {
+  Record record(bytes);
+  record.value(point);
+  exchange(record, state);
 }
 
 }  // namespace rollfem::contact

@@ -57,9 +57,7 @@ bool LevelCheckpoint::find(std::size_t k, contact::PointResult& point,
                            contact::ContactState& state) const {
   const std::string bytes = everywhere(fmt::format("{:04}", k + 1));
   if (bytes.empty()) return false;
-  Record record(bytes);
-  record.value(point);
-  contact::exchange(record, state);
+  contact::read_point(bytes, point, state);
   if (!first_) point.bodies.clear();
   return true;
 }
@@ -67,12 +65,7 @@ bool LevelCheckpoint::find(std::size_t k, contact::PointResult& point,
 void LevelCheckpoint::keep(std::size_t k, const contact::PointResult& point,
                            const contact::ContactState& state) const {
   if (!first_ || store_ == nullptr) return;
-  Record record;
-  contact::PointResult point_copy = point;
-  contact::ContactState state_copy = state;
-  record.value(point_copy);
-  contact::exchange(record, state_copy);
-  store_->keep(name_of(fmt::format("{:04}", k + 1)), record.bytes());
+  store_->keep(name_of(fmt::format("{:04}", k + 1)), contact::point_record(point, state));
 }
 
 }  // namespace rollfem::fem

@@ -93,20 +93,12 @@ class GridStore : public contact::PointStore {
 
   bool find(std::size_t k, PointResult& point, ContactState& state) override {
     const std::optional<std::string> bytes = checkpoint_.find(name(k));
-    if (!bytes) return false;
-    contact::Record record(*bytes);
-    record.value(point);
-    contact::exchange(record, state);
-    return true;
+    if (bytes) contact::read_point(*bytes, point, state);
+    return bytes.has_value();
   }
 
   void keep(std::size_t k, const PointResult& point, const ContactState& state) override {
-    contact::Record record;
-    PointResult point_to_write = point;
-    ContactState state_to_write = state;
-    record.value(point_to_write);
-    contact::exchange(record, state_to_write);
-    checkpoint_.keep(name(k), record.bytes());
+    checkpoint_.keep(name(k), contact::point_record(point, state));
   }
 
  private:
@@ -119,17 +111,21 @@ class GridStore : public contact::PointStore {
   ContactGrid grid_;
 };
 
-std::string why_no_grid_holds(const contact::ChartedGeometry& geometry, const ContactGrid& grid) {
+std::string why_no_grid_holds(const Scene& scene, const contact::ChartedGeometry& geometry,
+                              const ContactGrid& grid) {
   const double border = geometry.lateral_place(grid.y(grid.ny - 1));
   if (geometry.curved()) {
     const std::string why = contact::why_flanks_touch(geometry.geometry(), border);
     if (!why.empty()) return why;
   }
+  const bool pulled = scene.friction() != nullptr && scene.material.couples();
   return fmt::format(
       "the contact patch reaches the border of the potential contact area ({} by {} elements), or "
-      "the bodies touch beyond it: the surfaces conform over a wider area than their curvatures "
-      "suggest; do: give a larger contact_grid.extent",
-      grid.nx, grid.ny);
+      "the bodies touch beyond it: {}; do: give a larger contact_grid.extent",
+      grid.nx, grid.ny,
+      pulled ? "friction of unlike bodies moves and widens the patch, or the surfaces conform over "
+               "a wider area than their curvatures suggest"
+             : "the surfaces conform over a wider area than their curvatures suggest");
 }
 
 }  // namespace
@@ -167,7 +163,7 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
       if (attempt < most_enlargements && !scene.contact_grid.extent) continue;
     }
     if (attempt == most_enlargements || scene.contact_grid.extent)
-      throw contact::UnfitGrid(why_no_grid_holds(geometry, grid));
+      throw contact::UnfitGrid(why_no_grid_holds(scene, geometry, grid));
     grid = grid.widened(grid.nx / 4 + free_elements, grid.ny / 4 + free_elements);
   }
 }

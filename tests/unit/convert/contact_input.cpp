@@ -32,6 +32,16 @@ TEST(InputLines, TakesNumbersFortranWaysAndLeavesTheWords) {
   EXPECT_TRUE(lines.at_end());
 }
 
+TEST(InputLines, TakesExponentsWithoutALetterAndAnglesWithOne) {
+  InputLines lines(".1-07 -2.5+3 1-5 90d 1.5r -0.5R 1.0D-1 'coefficients.txt' CFNAME\n4\n",
+                   "x.inp");
+  EXPECT_EQ(lines.numbers({"a", "b", "c", "d", "e", "f", "g"}),
+            (std::vector<double>{0.1e-7, -2500.0, 1e-5, M_PI / 2.0, 1.5, -0.5, 0.1}));
+  InputLines file("'coefficients.txt' CFNAME\n4\n", "x.inp");
+  EXPECT_EQ(file.named("a file", {}, 0).text, "coefficients.txt");
+  EXPECT_EQ(file.numbers({"what follows"}), (std::vector<double>{4.0}));
+}
+
 TEST(InputLines, TakesWhatMayFollowFromTheSameLineOnly) {
   InputLines lines("1 2\n3 word 4\n'a b.prr' 0 1.0\n", "x.inp");
   EXPECT_EQ(lines.numbers({"a"}, 3).size(), 2U);
@@ -62,6 +72,16 @@ TEST(ContactInput, KeepsOfTheCaseBeforeWhatDigitsSay) {
   EXPECT_EQ(cases[2].fstat, 0.35);
   EXPECT_EQ(cases[2].potential.size[0], 5.0);
   EXPECT_EQ(cases[2].bodies.shear_modulus[1], 82000.0);
+}
+
+TEST(ContactInput, HasNoModuleLineWhereTheCaseBeforeStaysInItsModule) {
+  std::string text = replaced(rolling_ellipse, " 0001341 ", " 0001340 ");
+  text = replaced(text, "AA BB SCALE\n 3 module\n", "AA BB SCALE\n");
+  text = replaced(text, " 0101341\n 40000. 0.0008 -0.0002 0.0003\n 3 module\n",
+                  " 0101342\n 40000. 0.0008 -0.0002 0.0003\n");
+  const auto cases = read_contact_file(text, "made.inp");
+  ASSERT_EQ(cases.size(), 3U);
+  EXPECT_EQ(cases[2].kinematics[1], 0.0012);
 }
 
 TEST(ContactInput, SkipsWhatIsNotConvertedAndFindsTheNextCase) {

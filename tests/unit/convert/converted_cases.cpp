@@ -2,12 +2,14 @@
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"
 #include "support/contact_inputs.hpp"
 #include "support/temporary_folder.hpp"
+#include <cmath>
 
 namespace {
 
@@ -141,6 +143,27 @@ TEST(ConvertedCase, DistanceOfEveryElementGoesIntoAFile) {
   const std::string& lattice = made.files[0].attached_files.at("made_distance.csv");
   // The first element is at (-1.3125, -1.3125): 0.041 * 1.3125^2.
   EXPECT_EQ(lattice.substr(0, 40), "x, y, h\n-1.3125, -1.3125, 0.07062890625\n");
+}
+
+TEST(ConvertedCase, CirclesAndSinesGoIntoAFile) {
+  const std::string plain =
+      " 1 1                            IBASE IPLAN\n 0.02 0.0 0.02\n 0.0 0.0 0.0";
+  const auto first_line = [&](const std::string& distance) {
+    const Conversion made = converted(replaced(pushed_ball, plain, distance));
+    EXPECT_EQ(made.files.size(), 1U);
+    const std::string& lattice = made.files[0].attached_files.at("made_distance.csv");
+    return lattice.substr(8, lattice.find('\n', 8) - 8);
+  };
+  // The first element is at (-1.3125, -1.3125). A circle of 25 mm about x = 0.2, 1 mm more height
+  // for each mm across, whose pieces go on beyond their ends: 1.5125^2 / 50 - 0.3125.
+  EXPECT_EQ(first_line(" 2 1\n 3 0.2 25. -1. 1.\n 0. 1. 3."), "-1.3125, -1.3125, -0.266746875");
+  EXPECT_EQ(first_line(" 2 1\n 3 0.2 25. -2. 1.\n 0. 1. 3."), "-1.3125, -1.3125, 0.733253125");
+  // 2 sin(0.5 (x - 0.1)) - 0.3 sin(4 (x + 0.2)) + x^2 / 50 + y^2 / 40
+  const double x = -1.3125;
+  EXPECT_EQ(first_line(" 3 1\n 2. 0.5 0.1 0.3 4. -0.2 50. 40."),
+            fmt::format("-1.3125, -1.3125, {:.12g}", 2.0 * std::sin(0.5 * (x - 0.1)) -
+                                                         0.3 * std::sin(4.0 * (x + 0.2)) +
+                                                         x * x / 50.0 + x * x / 40.0));
 }
 
 TEST(ConvertedCase, WheelAndRailHaveTheirOrderAndMotion) {
