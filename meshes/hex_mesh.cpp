@@ -63,11 +63,18 @@ double check_cells(const HexMesh& mesh, const std::string& name) {
   return shortest;
 }
 
-/// How often a face is there, and of which cell.
+/// How often a face is there, of which cell, and how often more one way round than the other.
 struct FaceUse {
   int count = 0;
   int cell = 0;
+  int turns = 0;
 };
+
+/// +1 or -1 for the two ways round the same corners.
+int turn_of(const Face& face) {
+  const auto least = std::min_element(face.begin(), face.end()) - face.begin();
+  return face[(least + 1) % 4] < face[(least + 3) % 4] ? 1 : -1;
+}
 
 std::map<Face, FaceUse> faces_of(const HexMesh& mesh) {
   std::map<Face, FaceUse> faces;
@@ -77,6 +84,7 @@ std::map<Face, FaceUse> faces_of(const HexMesh& mesh) {
       for (int k = 0; k < 4; ++k) face[k] = mesh.cells[c][corners[k]];
       FaceUse& use = faces[sorted(face)];
       ++use.count;
+      use.turns += turn_of(face);
       use.cell = static_cast<int>(c);
     }
   return faces;
@@ -156,6 +164,12 @@ void check_conforming(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
     if (use.count > 2)
       fail(name,
            fmt::format("{} cells share the face at {}", use.count, place(mesh.points[face[0]])),
+           "remove cells that lie on top of each other");
+  for (const auto& [face, use] : faces)
+    if (use.count == 2 && use.turns != 0)
+      fail(name,
+           fmt::format("two cells lie on the same side of the face they share at {}",
+                       place(mesh.points[face[0]])),
            "remove cells that lie on top of each other");
   const OutsideNodes nodes(mesh, faces);
   for (const auto& [face, use] : faces) {

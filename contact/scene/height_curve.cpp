@@ -1,6 +1,7 @@
 #include "contact/scene/height_curve.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -60,6 +61,18 @@ CurveValue HeightCurve::at(double y) const {
   result.slope = chord + left * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t);
   result.second = (-2.0 * left - sum * (2.0 - 6.0 * t)) / h;
   return result;
+}
+
+std::array<double, 2> HeightCurve::gentle_part(double steepest) const {
+  constexpr double step = 0.05;  // mm
+  const auto end = [&](double direction, double last) {
+    double y = 0.0;
+    while (direction * (y + direction * step) <= direction * last &&
+           std::abs(at(y + direction * step).slope) <= steepest)
+      y += direction * step;
+    return y;
+  };
+  return {end(-1.0, first()), end(1.0, last())};
 }
 
 }  // namespace rollfem::contact

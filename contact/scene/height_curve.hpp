@@ -3,6 +3,7 @@
 // stay sharp, because every piece is its own cubic.
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace rollfem::contact {
@@ -25,6 +26,8 @@ class HeightCurve {
   double first() const { return y_.front(); }  ///< mm, lower end of what is known
   double last() const { return y_.back(); }    ///< mm, upper end
   bool contains(double y) const { return !y_.empty() && y >= first() && y <= last(); }
+  /// From 0 to both sides, how far it is known and no steeper than that: lower and upper end, mm.
+  std::array<double, 2> gentle_part(double steepest) const;
   const std::vector<double>& knots() const { return y_; }
 
  private:

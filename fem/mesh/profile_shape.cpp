@@ -6,21 +6,6 @@
 
 namespace rollfem::fem {
 
-namespace {
-
-/// How far from t = 0 towards `end` the section is not too steep.
-double chart_end(const contact::HeightCurve& section, double end) {
-  constexpr double step = 0.05;  // mm
-  const double direction = end > 0.0 ? 1.0 : -1.0;
-  double t = 0.0;
-  while (direction * (t + direction * step) <= direction * end &&
-         std::abs(section.at(t + direction * step).slope) <= ProfileShape::steepest)
-    t += direction * step;
-  return t;
-}
-
-}  // namespace
-
 contact::ContactSurface profile_contact(const ProfileShape& shape) {
   return contact::ContactSurface::of(shape.geometry());
 }
@@ -28,8 +13,9 @@ contact::ContactSurface profile_contact(const ProfileShape& shape) {
 ProfileShape::ProfileShape(std::shared_ptr<const contact::PatchGeometry> geometry, bool is_wheel)
     : geometry_(std::move(geometry)), is_wheel_(is_wheel) {
   const contact::HeightCurve& section = is_wheel ? geometry_->wheel() : geometry_->rail();
-  lower_ = chart_end(section, section.first());
-  upper_ = chart_end(section, section.last());
+  const auto [lower, upper] = section.gentle_part(steepest);
+  lower_ = lower;
+  upper_ = upper;
   if (!is_wheel) return;
   const contact::Axle& axle = geometry_->axle();
   const double across = std::hypot(axle.direction[1], axle.direction[2]);

@@ -6,6 +6,7 @@
 
 #include "contact/scene/contact_surface.hpp"
 #include "fem/mesh/surface_shape.hpp"
+#include "halfspace/patch/true_sections.hpp"
 
 #include <deal.II/base/derivative_form.h>
 #include <deal.II/base/point.h>
@@ -25,7 +26,7 @@ class ProfileShape {
   /// more).
   double lower() const { return lower_; }
   double upper() const { return upper_; }
-  static constexpr double steepest = 1.5;
+  static constexpr double steepest = halfspace::steepest_of_box;
 
   /// Height z of the surface at s = 0, mm, and its slope dz/dt.
   struct Height {

@@ -19,10 +19,6 @@ using contact::Scene;
 /// Finest cells reach this many semi-axes: on case a 1.5 gained nothing.
 constexpr double default_reach = 1.1;
 
-/// A box on the surface reaches this many larger half sizes of the patch to each side at least;
-/// where the profiles are too steep or short for that the bodies are true sections.
-constexpr double least_box_reach = 2.5;
-
 constexpr const char* of_grid = "contact elements across the patch (fem.cell_size)";
 
 /// Elements of the potential contact area beyond the expected patch, each side.
@@ -92,16 +88,6 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
 double default_cell_size(const Scene& scene) {
   return scene.options.fem.cell_size ? *scene.options.fem.cell_size
                                      : PatchSearch(scene).box().smaller() / 8.0;
-}
-
-bool has_true_sections(const Scene& scene) {
-  if (!scene.has_profiles()) return false;
-  if (scene.options.fem.mesh) return *scene.options.fem.mesh == MeshFamily::gmsh;
-  const PatchBox patch = PatchSearch(scene).box();
-  double reach = contact::infinity;
-  for (const SurfaceShape& shape : meshed_surfaces(scene))
-    reach = std::min({reach, patch.middle - shape.lower_t(), shape.upper_t() - patch.middle});
-  return reach < least_box_reach * patch.larger();
 }
 
 RunLayout run_layout(const Scene& scene, double cell) {

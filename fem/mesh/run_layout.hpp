@@ -6,18 +6,16 @@
 #include "contact/scene/scene.hpp"
 #include "fem/mesh/body_options.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "halfspace/patch/true_sections.hpp"
 
 namespace rollfem::fem {
 
+using halfspace::has_true_sections;
 using halfspace::PatchBox;
 using halfspace::PatchSearch;
 
 /// FE cell size of the case: [fem] cell_size, or an eighth of the smaller semi-axis.
 double default_cell_size(const contact::Scene& scene);
-
-/// The case has a patch of true profiles and the bodies are the true sections of wheel and rail,
-/// not boxes laid on the surface: as [fem] mesh says, else where a box would not reach far enough.
-bool has_true_sections(const contact::Scene& scene);
 
 struct RunLayout {
   PatchBox patch;

@@ -88,6 +88,7 @@ CoarseBody make_true_section_mesh(const meshes::TrueSection& outline, const Surf
           meshes::outward_steps(block.cell_size, options.fine_half_length, options.reach_s());
       CoarseBody body = swept_section(meshes::mesh_true_section(outline, block), block, shape,
                                       meshes::points_both_ways(along));
+      meshes::check_mesh(body.mesh, "its section");  // free meshing may fold cells over each other
       const double quality = smallest_scaled_jacobian(body.mesh);
       if (quality > best_quality) {
         best = std::move(body);

@@ -49,8 +49,12 @@ void learn(Forecast& forecast, std::size_t at, double discretisation, double sec
   level.discretisation = discretisation;
   level.seconds = seconds;
   level.solved = true;
-  for (Level& other : forecast.levels)
-    if (!other.solved) other.discretisation = expected_of(other, level.across, discretisation);
+  for (Level& other : forecast.levels) {
+    if (other.solved) continue;
+    other.discretisation = expected_of(other, level.across, discretisation);
+    other.seconds -= forecast.once;
+  }
+  forecast.once = 0.0;
 }
 
 void learn_from(Forecast& forecast, const Forecast& solved, std::size_t at) {

@@ -29,6 +29,7 @@ struct Forecast {
   /// left. Empty: none.
   std::string corrects = {};
   double uncertain_part = 0.0;
+  double once = 0.0;  ///< s of the first grid that the others need not spend again
 
   /// Of both errors.
   double error(const Level& level) const { return level.discretisation + model_error; }
@@ -52,7 +53,8 @@ std::optional<Plan> cheapest(const std::vector<Forecast>& forecasts, double accu
 /// The least error that any grid is expected to have; infinity where no model is in question.
 double least_error(const std::vector<Forecast>& forecasts, bool unsolved = false);
 
-/// Level `at` was solved: the errors of those that were not follow from it.
+/// Level `at` was solved: the errors of those that were not follow from it, and they need not spend
+/// what is spent once.
 void learn(Forecast& forecast, std::size_t at, double discretisation, double seconds);
 
 /// Level `at` of another model was solved: the one that `forecast` corrects has its grids and a

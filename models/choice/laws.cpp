@@ -31,12 +31,14 @@ constexpr double of_model_error = 0.1;  ///< a load point, on `usual_elements`
 constexpr double hybrid_times = 9.0;    ///< what the hybrid takes where the half-space takes 1
 /// The hybrid's correction where it is not kept from an earlier run, of halved and of whole bodies,
 /// and by how much the patch is longer one way.
-constexpr double halved_correction = 6.5, halved_correction_of_length = 1.5;
-constexpr double whole_correction = 17.0, whole_correction_of_length = 6.0;
+constexpr double halved_correction = 4.5, halved_correction_of_length = 1.1;
+constexpr double whole_correction = 12.0, whole_correction_of_length = 4.2;
 constexpr double kept_correction = 0.01;
 /// Of finite elements, on 16 cells across, per 100 000 unknowns of halved bodies.
 constexpr double fem_start = 2.5, fem_point = 0.75, fem_whole_times = 1.5;
 constexpr double fem_power = 1.5;  ///< of cells across
+/// Free meshes of whole sections have 80 000 unknowns on their coarsest level.
+constexpr double fem_sections_times = 15.0;
 /// 100 000 unknowns on 16 cells across: a patch of the same length and width, and by how much the
 /// longer exceeds the shorter.
 constexpr double fem_unknowns = 1.7, fem_unknowns_of_length = 0.61;
@@ -139,7 +141,9 @@ Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
 }
 
 Forecast hybrid_forecast(const ContactSize& size) {
-  Forecast forecast = on_grids(size, correction_seconds(size), hybrid_times);
+  const double correction = correction_seconds(size);
+  Forecast forecast = on_grids(size, correction, hybrid_times);
+  forecast.once = correction;
   forecast.label = "hybrid";
   forecast.uncertain_part = 0.1;
   forecast.model_error = forecast.uncertain_part * expected_model_error(size);
@@ -151,7 +155,8 @@ Forecast fem_forecast(const ContactSize& size) {
   forecast.label = "finite elements";
   const double error = size.friction > 0.0 ? fem_error_with_friction : fem_error_without_friction;
   const double unknowns = fem_unknowns + fem_unknowns_of_length * (elongation(size) - 1.0);
-  const double seconds = (size.symmetric ? 1.0 : fem_whole_times) * unknowns *
+  const double seconds = (size.symmetric ? 1.0 : fem_whole_times) *
+                         (size.true_sections ? fem_sections_times : 1.0) * unknowns *
                          (fem_start + fem_point * static_cast<double>(size.load_points));
   for (const int across : cells_across())
     forecast.levels.push_back(

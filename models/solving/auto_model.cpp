@@ -4,6 +4,7 @@
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
+#include "halfspace/patch/true_sections.hpp"
 #include "models/caches/machine_speed.hpp"
 #include "models/choice/laws.hpp"
 #include "models/fem/hybrid_model.hpp"
@@ -89,6 +90,7 @@ ContactSize size_of(const Scene& scene) {
   size.coupled =
       scene.friction() != nullptr && (scene.material.couples() || scene.follows_surface > 0.0);
   size.meshed_bodies = meshed_bodies(scene);
+  size.true_sections = halfspace::has_true_sections(scene);
   // Nor is it looked for where a half-space does anyway. Processes that looked might disagree.
   if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
     size.correction_kept = correction_is_kept(scene);
@@ -109,8 +111,9 @@ std::string out_of_question(const contact::ModelInfo& model, const Scene& scene)
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
   const bool boxes =
       !scene.options.fem.mesh || *scene.options.fem.mesh == contact::MeshFamily::structured;
-  if (model.choosable == Choosable::corrected_half_spaces && (meshes || !boxes))
-    return "it meshes bodies only as boxes below their surface";
+  if (model.choosable == Choosable::corrected_half_spaces &&
+      (meshes || !boxes || halfspace::has_true_sections(scene)))
+    return "it meshes bodies only as boxes below their surface, which reach too little here";
   return "";
 }
 

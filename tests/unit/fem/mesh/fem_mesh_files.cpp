@@ -212,6 +212,20 @@ TEST(MeshCheck, RefusesWhatIsNoMeshOfOneBody) {
   expect_message(check(doubled), "cells share the face");
 }
 
+TEST(MeshCheck, RefusesCellsFoldedOverEachOther) {
+  HexMesh folded = block({0, 1}, {0, 1}, {-1, 0}, true);
+  auto second = folded.cells.front();  // under the same top face, but deeper
+  for (int& corner : second) {
+    auto p = folded.points[corner];
+    if (p[2] == 0.0) continue;
+    p[2] = -1.5;
+    corner = static_cast<int>(folded.points.size());
+    folded.points.push_back(p);
+  }
+  folded.cells.push_back(second);
+  expect_message(check(folded), "two cells lie on the same side of the face they share");
+}
+
 TEST(MeshCheck, RefusesCellsThatDangle) {
   const auto joined = [](const HexMesh& a, const HexMesh& b) {
     HexMesh both = a;
