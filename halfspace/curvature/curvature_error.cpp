@@ -20,6 +20,10 @@ namespace {
 /// What is given, as the normal force, comes back so closely: no model error.
 constexpr double rounding = 1e-8;
 
+/// Errors of a hundredth, to a hundredth of themselves: as with 1e-6 to three digits where both
+/// converge, which with this more do, and without minutes spent on what goes round.
+constexpr contact::OuterOptions of_estimate{1e-4, 100, 5};
+
 /// Before the stage names of progress events.
 constexpr const char* of_model_error = "model error: ";
 
@@ -57,6 +61,7 @@ std::optional<contact::LevelResult> solve_curved_level(const contact::Scene& sce
   contact::RunOptions options;
   options.model = "halfspace";
   options.stage_prefix = of_model_error;
+  options.accuracy.outer = of_estimate;
   options.force_accuracy = accuracy_of_force_search;
   contact::ContactRun run(scene, geometry, options, progress, nullptr);
   const bool inside = run.solve(grid, [&] {
