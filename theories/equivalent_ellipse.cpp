@@ -368,11 +368,16 @@ void add_errors(const PointResult& half, bool with_friction, PointResult& theory
 
 }  // namespace
 
-void estimate_model_error(const Scene& scene, bool with_friction, ModelResult& theory) {
+void estimate_model_error(const Scene& scene, bool with_friction, const contact::Progress& progress,
+                          ModelResult& theory) {
   const contact::Stopwatch watch;
+  const contact::Progress told = [&](contact::ProgressEvent event) {
+    event.stage = "model error: " + event.stage;
+    contact::report(progress, event);
+  };
   try {
     const Scene rough = rough_scene(scene, with_friction, theory.points.size());
-    ModelResult half = halfspace::run_halfspace(rough, {}, nullptr);
+    ModelResult half = halfspace::run_halfspace(rough, told, nullptr);
     contact::explain_bars(rough, {}, half);
     for (std::size_t k = 0; k < theory.points.size() && k < half.points.size(); ++k)
       add_errors(half.points[k], with_friction, theory.points[k]);

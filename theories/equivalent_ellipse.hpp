@@ -43,6 +43,6 @@ contact::ModelResult run_each_load(const contact::Model& model, const contact::S
 /// with 32 elements across: the difference, and half of that solution's own bar. `with_friction`:
 /// the theory has forces, too. Where the half-space has no result model_error_source says why.
 void estimate_model_error(const contact::Scene& scene, bool with_friction,
-                          contact::ModelResult& theory);
+                          const contact::Progress& progress, contact::ModelResult& theory);
 
 }  // namespace rollfem::theories

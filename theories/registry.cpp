@@ -128,7 +128,7 @@ contact::ModelRun theory(contact::Model model, bool with_friction = true) {
   return [model = std::move(model), with_friction](const Scene& c, const Progress& p,
                                                    contact::Checkpoint*) {
     ModelResult result = model(c, p);
-    estimate_model_error(c, with_friction, result);
+    estimate_model_error(c, with_friction, p, result);
     return result;
   };
 }

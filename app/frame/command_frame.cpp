@@ -115,8 +115,9 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   if (found > 0 && !request_.resume)
     std::cerr << fmt::format(
         "warning: {} holds {} solutions of an earlier, unfinished run; --resume would continue "
-        "from them, but this run starts over and will replace them\n",
-        folder, found);
+        "from them, but this run starts over; until it is done they are kept in {}\n",
+        folder, found,
+        fs::path(kept_->set_aside()).lexically_proximate(fs::current_path()).string());
   else if (found > 0)
     say(fmt::format("resume: {} solutions of an earlier run in {}", found, folder));
   else if (request_.resume)

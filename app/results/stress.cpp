@@ -124,16 +124,15 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   report.source = file.path();
   report.title = file.input().title;
   report.point_named = !request.points.empty() || !request.creepages.empty();
-  std::string left_out;
+  std::vector<std::string> left_out;
   for (const StoredModel& stored : chosen_models(file, request, models)) {
     const ModelResult whole = file.read(stored);
     for (const std::size_t point : chosen_points(whole, request)) {
       try {
         check_stored(stored, whole.points[point], point, request, models);
       } catch (const InputError& error) {
-        // Only what the user names must be there.
-        if (!request.models.empty()) throw;
-        left_out = error.what();
+        if (left_out.empty() || left_out.back() != error.what())
+          left_out.emplace_back(error.what());
         continue;
       }
       ModelResult model = whole;
@@ -142,7 +141,7 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
           stress_of(file.input(), std::move(model), point, asked, request, models));
     }
   }
-  if (report.models.empty()) throw InputError(left_out);
+  if (report.models.empty()) throw InputError(left_out.front());
 
   const fs::path folder = output_folder(file, request).lexically_normal();
   postprocess::FilesTogether files(folder);
@@ -154,7 +153,7 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   if (request.figures)
     problem = postprocess::make_report((folder / "stress.json").string(),
                                        modelling::script_directory().string());
-  if (!left_out.empty()) std::cerr << "warning: left out: " << left_out << '\n';
+  for (const std::string& why : left_out) std::cerr << "warning: left out: " << why << '\n';
   if (!problem.empty())
     std::cerr << "warning: stresses are written, but figures were not drawn: " << problem << '\n';
   if (!request.quiet)

@@ -7,6 +7,7 @@
 #include "contact/case/case_reader.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
+#include "models/solving/case_scenes.hpp"
 #include "models/solving/solving.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/output.hpp"
@@ -34,10 +35,8 @@ fs::path output_directory(const RunRequest& request) {
 void check_before(const RunRequest& request, const contact::Case& input,
                   const contact::ModelRegistry& models) {
   postprocess::check_directory(output_directory(request).string());
-  if (!input.has_profiles()) {
-    const contact::Scene scene(input);
+  for (const contact::Scene& scene : modelling::unbalanced_scenes(input))
     for (const std::string& name : input.models) models.check(scene, name);
-  }
   const bool any_stress =
       std::any_of(input.models.begin(), input.models.end(), [&](const std::string& name) {
         return models.at(name).has_stress || models.at(name).chooses;
@@ -66,6 +65,20 @@ std::string model_to_tell(const postprocess::RunRecord& record,
   return most;
 }
 
+/// Else it comes out when `rollfem stress` is called.
+void tell_what_is_not_stored(const postprocess::RunRecord& record,
+                             const contact::ModelRegistry& models) {
+  const auto keeps = [&](const contact::ModelResult& model) {
+    return models.at(model.name).keeps_bodies && model.points_with_bodies().empty();
+  };
+  const auto found = std::find_if(record.models.begin(), record.models.end(), keeps);
+  if (found == record.models.end()) return;
+  std::cout << fmt::format(
+      "not stored: the bodies of {}, from which rollfem stress reads; [output] body_fields = "
+      "\"last\" or \"all\" stores them\n",
+      found->label);
+}
+
 void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record,
                     const contact::ModelRegistry& models) {
   const fs::path directory = output_directory(request);
@@ -78,6 +91,7 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   std::cout << notes_text(record.models);
   std::cout << "\n\nresults: " << directory.string() << '\n';
   if (drawn) std::cout << "report:  " << (directory / "report.html").string() << '\n';
+  tell_what_is_not_stored(record, models);
 }
 
 /// Results that are sound but less than what was asked for are written and are a failure still.

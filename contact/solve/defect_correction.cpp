@@ -231,7 +231,8 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     // cut off there it has the pressure of a punch, and no state may be found.
     if (steps.goes_round(solution.residual) && touches_border(halfspace.whole.grid(), traction.n))
       throw UnfitGrid("the contact patch reaches the border of the grid");
-    if (steps.given_up() && may_restart) {
+    if (steps.given_up() && !may_restart) break;
+    if (steps.given_up()) {
       may_restart = false;
       // There may be several states, and none near where it goes round: once more from nothing.
       defect = zero_response(n);
@@ -243,7 +244,7 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   }
   throw SolveError("the outer contact iteration did not converge: relative residual " +
                    std::to_string(solution.residual) + " after " +
-                   std::to_string(options.max_iterations) + " iterations, required " +
+                   std::to_string(solution.outer_iterations) + " iterations, required " +
                    std::to_string(options.tolerance));
 }
 

@@ -16,6 +16,10 @@ constexpr double gross = 3.0, least_gross = 2.0;
 Budget::Budget(std::vector<double> needs, double times, double seconds)
     : needs_(std::move(needs)), times_(times), left_(seconds) {}
 
+double Budget::needed() const {
+  return times_ * std::accumulate(needs_.begin(), needs_.end(), 0.0);
+}
+
 double Budget::allowed() const {
   if (current_ + 1 >= needs_.size()) return std::max(0.0, left_) / times_;
   const auto later = needs_.begin() + static_cast<std::ptrdiff_t>(current_ + 1);

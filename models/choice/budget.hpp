@@ -18,6 +18,9 @@ class Budget {
   explicit Budget(std::vector<double> needs, double times = 1.0,
                   double seconds = seconds_by_default);
 
+  /// What all scenes need together where that can be predicted, s on this machine.
+  double needed() const;
+
   /// What a level of the current scene may be predicted to take, s of a prediction: what is left
   /// when later scenes get what they need, but no less than an equal share of what is left.
   double allowed() const;

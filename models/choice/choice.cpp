@@ -28,10 +28,16 @@ constexpr double near_enough = 1.25;
 /// part, so that a cheap model is not ruled out, nor its first grid made too fine, by a guess.
 constexpr double believed_of_expected = 1.0 / 3.0;
 
-std::string duration(double seconds) {
-  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.0f} h", seconds / 3600.0);
+/// What is believed of expectations.
+std::vector<Forecast> hopes(std::vector<Forecast> forecasts, double accuracy) {
+  for (Forecast& forecast : forecasts) {
+    if (forecast.model_error_found) continue;
+    forecast.model_error *= believed_of_expected;
+    // Nor is a fine grid laid before it is known.
+    if (forecast.model_error <= accuracy)
+      forecast.model_error = std::min(forecast.model_error, 0.5 * accuracy);
+  }
+  return forecasts;
 }
 
 /// What a model that is not taken would cost, or why it is none.
@@ -87,15 +93,8 @@ class Choice {
 
   /// What is to be solved; none where what is there is the best that can be had.
   std::optional<Plan> next() const {
-    std::vector<Forecast> hoped = forecasts_;
-    for (Forecast& forecast : hoped) {
-      leave_out_slow(forecast.levels);
-      if (forecast.model_error_found) continue;
-      forecast.model_error *= believed_of_expected;
-      // Nor is a fine grid laid before it is known.
-      if (forecast.model_error <= accuracy_)
-        forecast.model_error = std::min(forecast.model_error, 0.5 * accuracy_);
-    }
+    std::vector<Forecast> hoped = hopes(forecasts_, accuracy_);
+    for (Forecast& forecast : hoped) leave_out_slow(forecast.levels);
     if (const auto plan = cheapest(hoped, accuracy_, true)) return plan;
     const double least = near_enough * least_error(hoped, true);
     if (best_ && reached_best() <= least) return {};
@@ -304,6 +303,18 @@ class Choice {
 };
 
 }  // namespace
+
+double seconds_of_first(const std::vector<Forecast>& forecasts, double accuracy) {
+  const std::vector<Forecast> hoped = hopes(forecasts, accuracy);
+  const auto plan = cheapest(hoped, accuracy);
+  return plan ? hoped[plan->model].levels[plan->level].seconds : 0.0;
+}
+
+std::string duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.0f} h", seconds / 3600.0);
+}
 
 ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted) {
   return Choice(std::move(candidates), wanted).run();

@@ -50,6 +50,12 @@ struct Wanted {
 /// contact::InputError where no candidate is in question, or what the last of them threw.
 contact::ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted);
 
+/// Predicted seconds of what is tried first; 0 where nothing is expected to do.
+double seconds_of_first(const std::vector<Forecast>& forecasts, double accuracy);
+
+/// "0.3 s", "4 min", "2 h".
+std::string duration(double seconds);
+
 /// "half-space with 24 across, about 0.3 s: discretisation 0.6 %, model 0.2 %", or that nothing is
 /// expected to do. `others`: with what is not taken, and why.
 std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, bool others);

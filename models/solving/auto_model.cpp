@@ -286,9 +286,7 @@ Budget budget_of(const std::vector<Scene>& scenes, const ModelRegistry& models) 
   for (const Scene& scene : scenes) {
     needs.push_back(0.0);
     try {
-      const std::vector<Forecast> forecasts = forecasts_of(scene, models);
-      if (const auto plan = cheapest(forecasts, accuracy_of(scene.accuracy)))
-        needs.back() = forecasts[plan->model].levels[plan->level].seconds;
+      needs.back() = seconds_of_first(forecasts_of(scene, models), accuracy_of(scene.accuracy));
     } catch (const std::runtime_error&) {
       // No patch to expect anything of: what solves it will say so.
     }

@@ -115,4 +115,12 @@ std::string contacts_text(const Case& input, const track::SearchScene& search) {
   return text;
 }
 
+std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input) {
+  if (!input.has_profiles()) return {contact::Scene(input)};
+  std::vector<contact::Scene> scenes;
+  for (track::PlacedScene& placed : track::make_scenes(input))
+    scenes.push_back(std::move(placed.scene));
+  return scenes;
+}
+
 }  // namespace rollfem::modelling

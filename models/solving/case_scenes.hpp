@@ -26,6 +26,9 @@ struct Scenes {
 Scenes scenes_of(const contact::Case& input, const contact::Progress& progress,
                  contact::Checkpoint* kept = nullptr, contact::Share share = {});
 
+/// The same before any balance, which takes time. Throws as scenes_of.
+std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input);
+
 /// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
 /// of the table without ending, and its text. One for each wheel that the case asks for.
 std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input,

@@ -6,7 +6,7 @@
 #include "models/caches/machine_speed.hpp"
 #include "models/choice/laws.hpp"
 #include "models/solving/auto_model.hpp"
-#include "track/motion/placed_scenes.hpp"
+#include "models/solving/case_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -20,14 +20,6 @@ namespace rollfem::modelling {
 namespace {
 
 using contact::Scene;
-
-std::vector<Scene> first_scenes(const contact::Case& input) {
-  if (!input.has_profiles()) return {Scene(input)};
-  std::vector<Scene> scenes;
-  for (track::PlacedScene& placed : track::make_scenes(input))
-    if (placed.scene.place->position == 1) scenes.push_back(std::move(placed.scene));
-  return scenes;
-}
 
 /// The worst bar of a level among what accuracy is asked of, as part of value or mu.
 double worst_bar(const postprocess::StudyLevel& level, const contact::AccuracyRequest& asked,
@@ -94,18 +86,33 @@ std::vector<Forecast> here(std::vector<Forecast> forecasts,
   return forecasts;
 }
 
+/// Of a row of positions or several contacts.
+std::string total_line(const std::vector<Scene>& scenes, const contact::ModelRegistry& models) {
+  if (scenes.size() < 2) return "";
+  const double needed = budget_of(scenes, models).needed();
+  const bool asked = scenes.front().accuracy.relative.has_value();
+  return fmt::format("  all {} contacts together: about {} if what is tried first does{}\n",
+                     scenes.size(), duration(needed),
+                     asked || needed <= seconds_by_default
+                         ? ""
+                         : "; without `accuracy` auto takes 60 s and says what is missing then");
+}
+
 }  // namespace
 
 std::string expected_choice(const contact::Case& input, const contact::ModelRegistry& models) {
   std::string text;
   const std::optional<MachineSpeed> speed = machine_speed();
   try {
-    for (const Scene& scene : first_scenes(input)) {
+    const std::vector<Scene> scenes = unbalanced_scenes(input);
+    for (const Scene& scene : scenes) {
+      if (scene.place && scene.place->position > 1) break;
       const double accuracy = accuracy_of(scene.accuracy);
       text +=
           fmt::format("  {}for {}: {}\n", scene.patch_prefix(), modelling::percent(accuracy),
                       modelling::verdict(here(forecasts_of(scene, models), speed), accuracy, true));
     }
+    text += total_line(scenes, models);
   } catch (const contact::SolveError&) {
     return "";  // what solves the case will say it
   } catch (const contact::InputError&) {

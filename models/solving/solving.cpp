@@ -130,6 +130,17 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
   }
 }
 
+/// How long the choices of all scenes should take, before the first begins.
+void tell_of(const Budget& budget, std::size_t scenes, const contact::Progress& progress) {
+  contact::ProgressEvent event;
+  event.model = "auto";
+  event.stage = "expected";
+  event.finished = true;
+  event.note = fmt::format("about {} for {} contact{} if what is tried first does",
+                           duration(budget.needed()), scenes, scenes == 1 ? "" : "s");
+  contact::report(progress, event);
+}
+
 /// The models that can take every scene; of the others a sentence, or what the registry throws.
 std::vector<std::string> able_models(const contact::Case& input, const Scenes& scenes,
                                      const Solving& how, std::vector<Missing>& missing) {
@@ -159,7 +170,9 @@ Solved solve(const contact::Case& input, const Solving& how) {
   Scenes scenes = scenes_of(input, how.progress, how.checkpoint, how.share);
   std::vector<std::string> able = able_models(input, scenes, how, solved.missing);
   Solving counted = how;
-  Budget budget = any_choice(*how.models, able) ? budget_of(scenes.list, *how.models) : Budget({});
+  const bool choice = any_choice(*how.models, able);
+  Budget budget = choice ? budget_of(scenes.list, *how.models) : Budget({});
+  if (choice && budget.needed() > 0.0) tell_of(budget, scenes.list.size(), how.progress);
   counted.budget = &budget;
   for (const contact::Scene& scene : scenes.list) {
     for (const std::string& name : std::vector<std::string>(able)) {

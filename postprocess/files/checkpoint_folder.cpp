@@ -191,8 +191,16 @@ std::optional<std::string> CheckpointFolder::find(const std::string& name) {
   return record;
 }
 
-/// Makes the folder, or empties that of an earlier run.
+fs::path CheckpointFolder::set_aside() const {
+  return folder_.string() + ".earlier";
+}
+
+/// Makes the folder; that of an earlier run is set aside until this one is done.
 void CheckpointFolder::begin() {
+  if (found_ > 0) {
+    remove_folder(set_aside());
+    fs::rename(folder_, set_aside());
+  }
   fs::create_directories(folder_);
   std::error_code error;
   empty(folder_, error);
@@ -260,6 +268,7 @@ void CheckpointFolder::remove() {
   held_back_.clear();
   failed_ = true;
   remove_folder(folder_);
+  remove_folder(set_aside());
 }
 
 void remove_records(const std::string& result_directory) {

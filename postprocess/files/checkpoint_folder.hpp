@@ -17,10 +17,10 @@ namespace rollfem::postprocess {
 
 class CheckpointFolder : public contact::Checkpoint {
  public:
-  /// Records found are given out only with `resume`; otherwise an earlier folder stays until the
-  /// first new record is kept. `program`: version and commit, which records are bound to, as they
-  /// are to the case. `warn` gets at most one line when records cannot be written (the run goes
-  /// on without). Nobody else may be at work on the result (FolderOwner). Throws
+  /// Records found are given out only with `resume`; otherwise an earlier folder is set aside when
+  /// the first new record is kept. `program`: version and commit, which records are bound to, as
+  /// they are to the case. `warn` gets at most one line when records cannot be written (the run
+  /// goes on without). Nobody else may be at work on the result (FolderOwner). Throws
   /// contact::InputError when the folder holds other things, and with `resume` when it is of
   /// another case or program.
   CheckpointFolder(const std::string& result_directory, const contact::Case& input,
@@ -30,6 +30,8 @@ class CheckpointFolder : public contact::Checkpoint {
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
 
   const std::filesystem::path& folder() const { return folder_; }
+  /// Where the records of an earlier run are that this one does not take up, until it is done.
+  std::filesystem::path set_aside() const;
   /// Records of an earlier run that are there, taken up or not.
   int found() const { return found_; }
   /// Calls `told` whenever one more record is on the disk; how many those are.

@@ -358,6 +358,8 @@ def read_result(path):
     file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
     if not os.path.exists(file):
         raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
+    if not os.path.isfile(file):  # of a device no end would be found
+        raise ResultError(f"{file} is no file")
     try:
         sound = results_are_sound(file)
     except OSError as error:

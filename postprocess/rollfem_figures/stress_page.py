@@ -49,23 +49,31 @@ def _by_name(result, prefix):
 
 
 def depth_profile(result, by_body):
-    """Stresses down from the surface, one panel for each body: {body: sets (_by_name)}."""
-    figure = Figure(2)
-    for _, label, ink in MEASURES:
-        figure.entry(label, ink)
+    """Stresses down from the surface, {body: sets (_by_name)}: the measures of a body in one panel, or in a panel each
+    where there are several models or load points."""
+    several = len(result.models) > 1
+    looks = _looks(result)
+    figure = Figure(len(MEASURES) if several else 2, in_rows=several)
     for body, parts in by_body.items():
         under = [f"{v:.2f}".replace("-", "−") if abs(v) >= 5e-3 else "0" for v in (parts[0][2][c][0] for c in "xy")]
-        panel = figure.add(270, 300, f"{body}, under x = {under[0]}, y = {under[1]} mm", "stress [MPa]",
-                           "depth below the surface [mm]")
-        panel.y.flipped, panel.y.limits, panel.y.margin = True, (0.0, None), 0.0
-        panel.level(0, dash=(), upright=True)
-        for place, _, part in parts:
-            for column, _, ink in MEASURES:
-                panel.line(part[column], part["distance"], ink, 1.6, DASHES[place % len(DASHES)])
-    for place, model in enumerate(result.models if len(result.models) > 1 else ()):
-        figure.entry(entry_name(result, model), "ink", DASHES[place % len(DASHES)])
+        place = f"{body}, under x = {under[0]}, y = {under[1]} mm"
+        if not several:
+            panel = _depth_panel(figure, 270, place, "stress [MPa]")
+        for column, label, ink in MEASURES:
+            if several:
+                panel = _depth_panel(figure, 210, place, f"{label} [MPa]")
+            for number, model, part in parts:
+                look = {**looks[number], "name": entry_name(result, model)} if several else {"colour": ink, "name": label}
+                panel.line(part[column], part["distance"], **look)
     figure.entry(_shared(result))
     return figure
+
+
+def _depth_panel(figure, width, title, label):
+    panel = figure.add(width, 300, title, label, "depth below the surface [mm]")
+    panel.y.flipped, panel.y.limits, panel.y.margin = True, (0.0, None), 0.0
+    panel.level(0, dash=(), upright=True)
+    return panel
 
 
 def _looks(result):

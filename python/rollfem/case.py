@@ -81,6 +81,8 @@ def nested(changes):
     looked for in all of them."""
     found = {}
     for name, value in changes.items():
+        if not isinstance(name, str):
+            raise InputError(f"{name!r} is not a key; allowed: strings")
         parts = name.replace("__", ".").split(".")
         if len(parts) == 1 and not isinstance(value, dict):
             parts = path_of(name)
@@ -114,21 +116,23 @@ class Case:
     """
 
     def __init__(self, source=None, /, **sections):
-        self._file, data = "", {}
+        self._file, data, core = "", {}, None
         if isinstance(source, Case):
             self._file, data = source._file, source.data
-        elif isinstance(source, dict):
-            data = _plain(source)
-        elif source is not None:
+        elif isinstance(source, (str, os.PathLike)):
             self._file = os.fspath(source)
             core = _core.read_case(self._file)
             data = tomllib.loads(core.text)
-        _merge(data, nested(sections))
-        self._data = data
-        if isinstance(source, (str, os.PathLike)) and not sections:
-            self.core = core
-        else:
-            self.core = self._parsed()
+        elif source is not None and not isinstance(source, dict):
+            raise InputError(f"{source!r} is not a case; allowed: a case file, a dict of sections, a rollfem.Case")
+        try:
+            if isinstance(source, dict):
+                data = _plain(source)
+            _merge(data, nested(sections))
+            self._data = data
+            self.core = core if core is not None and not sections else self._parsed()
+        except RecursionError:
+            raise InputError("the case contains itself, or its sections nest too deeply") from None
 
     @classmethod
     def of(cls, file, data):
@@ -150,6 +154,8 @@ class Case:
     def with_(self, changes=None, /, **keys):
         """Another case with these keys: with_(friction__coefficient=0.3), with_(spin=1e-4), with_({"load.normal_force":
         60e3}), with_(rolling={"spin": 0.0}). A key set to None is removed."""
+        if changes is not None and not isinstance(changes, dict):
+            raise InputError(f"with_({changes!r}): allowed: a dict of keys, or keywords")
         asked = nested({**(changes or {}), **keys})
         data = self.data
         _drop(data, asked)
@@ -223,5 +229,5 @@ def _drop(data, asked):
         if asked[name] is None:
             del asked[name]
             data.pop(name, None)
-        elif isinstance(asked[name], dict):
+        elif isinstance(asked[name], dict) and isinstance(data.get(name, {}), dict):
             _drop(data.get(name, {}), asked[name])

@@ -19,7 +19,13 @@ def names_of(model, models):
     if model is not None and models is not None:
         raise _core.InputError("model and models are both given; do: give one of them")
     given = model if models is None else models
-    return [] if given is None else [given] if isinstance(given, str) else list(given)
+    if given is None:
+        return []
+    names = [given] if isinstance(given, str) else list(given) if isinstance(given, (list, tuple, set)) else [given]
+    if not names or not all(isinstance(name, str) for name in names):
+        raise _core.InputError(f"models = {given!r}; allowed: a name of a model, or a list of at least one; do: leave it "
+                               "out for those of the case")
+    return names
 
 
 def solve(case=None, /, *, model=None, models=None, progress=None, **sections):

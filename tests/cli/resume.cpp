@@ -76,9 +76,20 @@ TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
   const Outcome outcome = done(folder, run(file, "out"));
-  EXPECT_TRUE(says(outcome.err, "--resume would continue from them"));
+  EXPECT_TRUE(says(outcome.err, "--resume would continue from them",
+                   "until it is done they are kept in out.unfinished.earlier"));
   EXPECT_FALSE(folder.holds("out.unfinished"));
+  EXPECT_FALSE(folder.holds("out.unfinished.earlier"));
   EXPECT_TRUE(folder.holds("out/summary.json"));
+}
+
+TEST(Resume, WithoutItNothingIsLostBeforeTheNewRunIsDone) {
+  const Folder folder;
+  const std::string file = folder.file("slow.toml", slow_creepages());
+  const int kept = leave_unfinished(folder, file, "out");
+  kill_when(folder, command_of(run(file, "out")),
+            [&] { return folder.holds("out.unfinished.earlier"); });
+  EXPECT_EQ(records(folder.work() / "out.unfinished.earlier"), kept);
 }
 
 TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {

@@ -76,6 +76,15 @@ class Cases(unittest.TestCase):
                      lambda: rollfem.read(ROOT), lambda: rollfem.sweep(SMALL)):
             self.assertRaises(rollfem.InputError, call)
 
+    def test_calls_that_make_no_sense_are_refused_at_once(self):
+        endless = {}
+        endless["load"] = endless
+        for call in (lambda: rollfem.solve(SMALL, models=[]), lambda: rollfem.solve(SMALL, models=5),
+                     lambda: rollfem.Case(5), lambda: rollfem.Case(endless), lambda: rollfem.Case(SMALL).with_(5),
+                     lambda: rollfem.Case(SMALL).with_({5: 1}), lambda: rollfem.Case(SMALL).with_(models={"x": None}),
+                     lambda: rollfem.read("/dev/zero")):
+            self.assertRaises(rollfem.InputError, call)
+
     def test_a_slip_of_units_warns(self):
         with self.assertWarns(rollfem.DoubtWarning):
             rollfem.solve({**SMALL, "wheel": {"rolling_radius": 0.4, "transverse_radius": math.inf}}, model="hertz")

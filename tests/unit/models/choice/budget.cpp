@@ -36,6 +36,7 @@ TEST(Budget, CountsByTheClockWhatWasGrosslyMispredicted) {
 
 TEST(Budget, AllowsASlowMachineLess) {
   Budget budget({0.0, 5.0}, 2.0);
+  EXPECT_DOUBLE_EQ(budget.needed(), 10.0);
   EXPECT_DOUBLE_EQ(budget.allowed(), 25.0);
   EXPECT_DOUBLE_EQ(budget.spend(5.0, 10.0), 1.0);
   budget.next();

@@ -246,6 +246,18 @@ TEST(Choice, AgreesWithTheFirstProcess) {
   EXPECT_EQ(asked, 2);
 }
 
+TEST(Choice, PredictsTheSecondsOfWhatIsTriedFirst) {
+  Toys toys;
+  std::vector<Forecast> all;
+  for (const Candidate& candidate : candidates(toys)) all.push_back(candidate.forecast);
+  EXPECT_DOUBLE_EQ(seconds_of_first(all, 0.05), 1.0);
+  all[0].model_error = 0.029;  // a third is believed, and leaves half of 1 % to the grid
+  EXPECT_DOUBLE_EQ(seconds_of_first(all, 0.01), 16.0);
+  all[0].model_error = 0.031;
+  EXPECT_DOUBLE_EQ(seconds_of_first(all, 0.01), 40.0);
+  EXPECT_DOUBLE_EQ(seconds_of_first(all, 1e-6), 0.0);
+}
+
 TEST(Verdict, NamesWhatDoesAndWhatTheOthersCost) {
   Toys toys;
   std::vector<Forecast> all;
