@@ -38,6 +38,20 @@ ProjectedTractions project(const SurfaceField& traction, const PatchShape& shape
   return projected;
 }
 
+/// Across, along the surface: a grid may lie in the projection.
+double width_along_surface(const ContactGrid& grid, const PatchShape& shape,
+                           const PatchSize& patch) {
+  double width = patch.width;
+  if (shape.climb.size() == 0 || shape.y.size() != 0) return width;
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = grid.y(j), half = 0.5 * grid.dy;
+    const double within = std::min(patch.y_upper, y + half) - std::max(patch.y_lower, y - half);
+    const double climb = shape.climb[grid.index(grid.nx / 2, j)];
+    width += std::max(0.0, within) * (std::hypot(1.0, climb) - 1.0);
+  }
+  return width;
+}
+
 /// True area over projected area of the elements in contact.
 double mean_stretch(const PatchShape& shape, const Field& pressure) {
   if (shape.stretch.size() == 0) return 1.0;
@@ -103,9 +117,9 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point, const Patc
 
   const PatchSize patch = patch_size(grid, pressure);
   point.contact_length = patch.length;
-  point.contact_width = patch.width;
+  point.contact_width = width_along_surface(grid, shape, patch);
   point.semi_axis_x = 0.5 * patch.length;
-  point.semi_axis_y = 0.5 * patch.width;
+  point.semi_axis_y = 0.5 * point.contact_width;
   point.contact_area = patch.area * mean_stretch(shape, pressure);
   point.patch_count = count_parts(grid, pressure);
   const auto count = [&](ElementState state) {

@@ -71,7 +71,7 @@ struct PointResult {
   double semi_axis_x = 0.0;     ///< mm, found below the element size
   double semi_axis_y = 0.0;
   double contact_length = 0.0;  ///< mm, extent of the patch in x
-  double contact_width = 0.0;   ///< mm, extent of the patch in y
+  double contact_width = 0.0;   ///< mm, extent across, along the surface
   double contact_area = 0.0;    ///< mm^2
   double adhesion_area = 0.0;   ///< mm^2
   int patch_count = 1;          ///< regions that do not touch each other (patch_parts.hpp)

@@ -122,4 +122,23 @@ TEST(UpwindDifference, OfFirstOrderHasTheSpinASixthOfItsStepUpstream) {
 }
 
 }  // namespace
+TEST(PatchSize, WidthOfACurvedPatchIsItsArcLength) {
+  // The projection of a cylinder of 50 mm: 16 mm wide, of which the arc is 100 asin(8/50).
+  const ContactGrid grid = ContactGrid::centred(40, 80, 0.4, 0.25);
+  PointResult point;
+  point.fields.traction.n = grid.sample([](double x, double y) {
+    return 500.0 * std::sqrt(std::max(0.0, 1.0 - x * x / 36.0 - y * y / 64.0));
+  });
+  PatchShape shape;
+  shape.climb = grid.sample([](double, double y) { return y / std::sqrt(2500.0 - y * y); });
+  shape.stretch = (1.0 + shape.climb.array().square()).sqrt();
+  integrate_tractions(grid, point, shape);
+  const double arc = 100.0 * std::asin(8.0 / 50.0);
+  EXPECT_NEAR(point.contact_width - 16.0, arc - 16.0, 0.05 * (arc - 16.0));
+  EXPECT_DOUBLE_EQ(point.semi_axis_y, 0.5 * point.contact_width);
+  shape.y = grid.sample([](double, double y) { return y; });  // the grid's own y is the arc length
+  integrate_tractions(grid, point, shape);
+  EXPECT_NEAR(point.contact_width, 16.0, 0.02);
+}
+
 }  // namespace rollfem::contact
