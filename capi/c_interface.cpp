@@ -115,6 +115,7 @@ rollfem_patch patch_of(const SolvedPatch& patch, const Units& units) {
   found.normal_force = of.normal_force / force;
   found.longitudinal_force = of.longitudinal_force / force;
   found.lateral_force = of.lateral_force / force;
+  found.lateral_pressure = of.lateral_pressure / force;
   found.spin_moment = of.spin_moment / (force * length);
   found.length = of.length / length;
   found.width = of.width / length;

@@ -192,12 +192,14 @@ void QuickPatch::fill_fields(const QuickProblem& problem) {
 }
 
 void QuickPatch::fill_sums(const QuickProblem& problem) {
-  double longitudinal = 0.0, lateral = 0.0, normal = 0.0, spin_moment = 0.0;
+  double longitudinal = 0.0, lateral = 0.0, normal = 0.0, spin_moment = 0.0, pressed = 0.0;
   for (int j = 0; j < grid_.ny; ++j) {
     const auto row = static_cast<std::size_t>(j);
     for (int i = 0; i < grid_.nx; ++i) {
       const int k = grid_.index(i, j);
-      const double across = (traction_.y[k] - climb_[row] * pressure_[k]) * cosine_[row];
+      const double of_pressure = -climb_[row] * pressure_[k] * cosine_[row];
+      const double across = traction_.y[k] * cosine_[row] + of_pressure;
+      pressed += of_pressure;
       longitudinal += traction_.x[k];
       lateral += across;
       normal += (pressure_[k] + climb_[row] * traction_.y[k]) * cosine_[row];
@@ -208,6 +210,7 @@ void QuickPatch::fill_sums(const QuickProblem& problem) {
   point_.creepage = problem.creepage;
   point_.longitudinal_force = area * longitudinal;
   point_.lateral_force = area * lateral;
+  point_.lateral_pressure = area * pressed;
   point_.normal_force = area * normal;
   point_.spin_moment = area * spin_moment;
   point_.max_pressure = pressure_.maxCoeff();

@@ -88,6 +88,7 @@ PatchForces forces_of(const contact::PointResult& point) {
   found.normal_force = point.normal_force;
   found.longitudinal_force = point.longitudinal_force;
   found.lateral_force = point.lateral_force;
+  found.lateral_pressure = point.lateral_pressure;
   found.spin_moment = point.spin_moment;
   found.length = point.contact_length;
   found.width = point.contact_width;

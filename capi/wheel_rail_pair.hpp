@@ -30,6 +30,7 @@ struct WheelState {
 struct PatchForces {
   contact::Creepage creepage;
   double normal_force = 0.0, longitudinal_force = 0.0, lateral_force = 0.0;  ///< N
+  double lateral_pressure = 0.0;                                             ///< N
   double spin_moment = 0.0;                                                  ///< N mm
   double length = 0.0, width = 0.0;                                          ///< mm
   double area = 0.0, adhesion_area = 0.0;                                    ///< mm^2

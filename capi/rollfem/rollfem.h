@@ -69,6 +69,7 @@ typedef struct {
   double longitudinal_creepage, lateral_creepage; /* of the patch frame */
   double spin;                                    /* 1/length */
   double normal_force, longitudinal_force, lateral_force, spin_moment; /* patch frame */
+  double lateral_pressure; /* part of lateral_force that the pressure of a curved patch has; friction bounds the rest */
   double force[3];                                                     /* track frame */
   double length, width, area; /* of the patch */
   double max_pressure;

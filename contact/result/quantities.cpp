@@ -92,6 +92,11 @@ std::vector<Quantity> of_the_forces() {
       {"lateral_force", "lateral force", "F_y", "N",
        "force along y on the wheel; negative for positive eta", Scale::force, Use::stored,
        at<&P::lateral_force>()},
+      {"lateral_pressure", "lateral force of the pressure", "", "N",
+       "what the pressure of a curved patch has of the lateral force, along y on the wheel; "
+       "friction "
+       "bounds the rest",
+       Scale::none, Use::stored, at<&P::lateral_pressure>(), no_bar::not_estimated},
       {"spin_moment", "spin moment", "M_z", "N mm", "moment on the wheel about the origin",
        Scale::moment, Use::stored, at<&P::spin_moment>()},
       {"traction_coefficient", "traction coefficient", "-F_x/F_z", "-",

@@ -107,6 +107,8 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point, const Patc
   point.normal_force = area * projected.upwards.sum();
   point.longitudinal_force = area * projected.along.sum();
   point.lateral_force = area * projected.across.sum();
+  if (shape.climb.size() != 0)
+    point.lateral_pressure = area * project({{}, {}, pressure}, shape).across.sum();
   point.spin_moment = area * (x.dot(projected.across) - y.dot(projected.along));
   // 0.0 - keeps a force of zero from giving a coefficient of minus zero.
   point.traction_coefficient =

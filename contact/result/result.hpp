@@ -62,6 +62,7 @@ struct PointResult {
   double normal_force = 0.0;        ///< N
   double longitudinal_force = 0.0;  ///< F_x, N, on the wheel
   double lateral_force = 0.0;       ///< F_y, N, on the wheel
+  double lateral_pressure = 0.0;    ///< N, part of it that the pressure of a curved patch has
   double spin_moment = 0.0;         ///< M_z, N mm, about the origin
   double traction_coefficient = 0.0;
   double max_pressure = 0.0;    ///< MPa

@@ -132,6 +132,23 @@ TEST(CInterface, ForcesAreWithinOnePercentOfTheModelHalfspace) {
   EXPECT_LT(largest_difference(6.0, 0.0), 0.01);
 }
 
+TEST(CInterface, FrictionBoundsWhatThePressureDoesNotHaveOfTheLateralForce) {
+  rollfem_definition definition = defaults(ROLLFEM_RIGHT);
+  definition.friction_coefficient = 1e-9;
+  rollfem_state state = state_at(2.03, -0.0215);
+  state.roll = -0.0075;
+  const rollfem_result result = solve(make(definition), state);
+  ASSERT_GT(result.patches, 0);
+  double pressed = 0.0;
+  for (int k = 0; k < result.patches; ++k) {
+    const rollfem_patch& patch = result.patch[k];
+    pressed = std::max(pressed, std::abs(patch.lateral_pressure));
+    EXPECT_LT(std::hypot(patch.longitudinal_force, patch.lateral_force - patch.lateral_pressure),
+              1.01e-9 * patch.normal_force + 1e-9);
+  }
+  EXPECT_GT(pressed, 10.0) << "the patch climbs";
+}
+
 TEST(CInterface, APatchOfTwoRegionsIsAsCloseOnItsFinerGrid) {
   const rollfem_result quick = solve(make(defaults(ROLLFEM_RIGHT)), state_at(5.0, 0.004));
   // The peak of the pressure is narrower than the elements of both.
