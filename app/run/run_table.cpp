@@ -181,6 +181,39 @@ std::string row_table(const std::vector<ModelResult>& models) {
   return text;
 }
 
+/// What a model leaves out by its own estimate, the largest of all load points; or that an estimate
+/// found no result. Empty where there is none to tell of.
+std::string model_error_text(const ModelResult& model) {
+  constexpr const char* without_result = "not estimated: no result";
+  if (model.model_error_source.rfind(without_result, 0) == 0)
+    return "warning: model error " + model.model_error_source;
+  std::string text;
+  for (const auto& [name, told] : {std::pair{"max_pressure", "p0 {:.2g} MPa"},
+                                   {"semi_axis_x", "a {:.2g} mm"},
+                                   {"semi_axis_y", "b {:.2g} mm"},
+                                   {"traction_coefficient", "-F_x/F_z {:.2g}"}}) {
+    double largest = 0.0;
+    for (const PointResult& point : model.points)
+      if (const auto found = point.model_error.find(name); found != point.model_error.end())
+        largest = std::max(largest, found->second);
+    if (largest > 0.0)
+      text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(told), largest);
+  }
+  return text.empty() ? text
+                      : fmt::format(
+                            "model error beside the bars, the largest of all load points: "
+                            "{} ({})",
+                            text, model.model_error_source);
+}
+
+/// The notes of a model and its model error.
+std::vector<std::string> told_of(const ModelResult& model) {
+  std::vector<std::string> all = model.notes;
+  const std::string error = model_error_text(model);
+  if (!error.empty()) all.push_back(error);
+  return all;
+}
+
 }  // namespace
 
 std::string run_table(const std::vector<ModelResult>& models) {
@@ -216,7 +249,7 @@ std::string notes_text(const std::vector<ModelResult>& models) {
   };
   std::vector<Note> notes;
   for (const ModelResult& model : models)
-    for (const std::string& text : model.notes) {
+    for (const std::string& text : told_of(model)) {
       const std::string words = model.name + without_numbers(text);
       const auto same = [&](const Note& note) { return note.words == words; };
       const auto found = std::find_if(notes.begin(), notes.end(), same);

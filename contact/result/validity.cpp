@@ -258,7 +258,7 @@ std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult
     warnings.push_back(
         fmt::format("warning: the patch is not small against the bodies, as half-spaces require: "
                     "{} (load point {}), a ratio of {:.2g} where at most {:g} is usual; check load "
-                    "and radii, or use the model fem",
+                    "and radii, or use the models hybrid or fem, or auto, which chooses",
                     patch.what, patch.point, patch.part, largest_patch_part));
   if (approach.part > largest_approach_part)
     warnings.push_back(
