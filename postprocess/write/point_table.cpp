@@ -22,6 +22,8 @@ const std::vector<PlaceScalar>& place_scalars() {
        [](P p) { return p.roll; }},
       {"height", "mm", "z of the middle of the axle (down) plus the nominal rolling radius",
        [](P p) { return p.height; }},
+      {"x_track", "mm", "contact point in the track frame, ahead of the middle of the axle",
+       [](P p) { return p.x_track; }},
       {"y_track", "mm", "contact point in the track frame, y to the right",
        [](P p) { return p.y_track; }},
       {"z_track", "mm", "contact point in the track frame, z down from the top of the rails",
