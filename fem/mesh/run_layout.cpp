@@ -31,6 +31,16 @@ ContactGrid lattice_grid(const PatchBox& patch, double cell) {
   return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell, 0.0, patch.middle);
 }
 
+/// How far segments reach where the case does not say: eight larger half sizes of the patch, but no
+/// more than half the radius of a small wheel while that leaves four.
+double default_extent(const Scene& scene, const PatchBox& patch) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  double most = contact::infinity;
+  if (!scene.wheel.material.rigid() && scene.geometry.has_surfaces())
+    most = std::max(0.5 * surface.rolling_radius, 4.0 * patch.larger());
+  return std::min(8.0 * patch.larger(), most);
+}
+
 /// Surfaces of a patch of true profiles on which there is a mesh.
 std::vector<SurfaceShape> meshed_surfaces(const Scene& scene) {
   std::vector<SurfaceShape> shapes;
@@ -74,7 +84,7 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
   options.fine_half_length = std::max(reach * patch.half_length, 0.5 * grid.nx * grid.dx);
   options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
   options.middle = patch.middle;
-  options.extent = scene.options.fem.extent.value_or(8.0 * patch.larger());
+  options.extent = scene.options.fem.extent.value_or(default_extent(scene, patch));
   options.half = scene.is_symmetric();
   options.degree = scene.options.fem.degree;
   if (scene.feels_inertia()) options.speed = scene.speed;
