@@ -32,13 +32,22 @@ ContactGrid lattice_grid(const PatchBox& patch, double cell) {
 }
 
 /// How far segments reach where the case does not say: eight larger half sizes of the patch, but no
-/// more than half the radius of a small wheel while that leaves four.
+/// further into a small wheel than is allowed (check in body_mesh.cpp) while that leaves four.
 double default_extent(const Scene& scene, const PatchBox& patch) {
+  constexpr double most = 0.7, in_steps_of = 0.95;  // of the radius
   const contact::ContactSurface& surface = scene.geometry.surface;
-  double most = contact::infinity;
-  if (!scene.wheel.material.rigid() && scene.geometry.has_surfaces())
-    most = std::max(0.5 * surface.rolling_radius, 4.0 * patch.larger());
-  return std::min(8.0 * patch.larger(), most);
+  const double least = 4.0 * patch.larger();
+  double extent = 2.0 * least;
+  if (scene.wheel.material.rigid() || !scene.geometry.has_surfaces()) return extent;
+  const auto reaches_in = [&](double reach) {
+    const double drop = surface.profiles ? 0.0
+                                         : contact::profile_drop(surface.wheel_transverse_radius,
+                                                                 reach, surface.wheel_round_to)
+                                               .value;
+    return std::max(reach + drop, reach) / surface.rolling_radius;
+  };
+  while (reaches_in(extent) > most && extent * in_steps_of > least) extent *= in_steps_of;
+  return extent;
 }
 
 /// Surfaces of a patch of true profiles on which there is a mesh.

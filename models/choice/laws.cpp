@@ -26,7 +26,7 @@ constexpr double fewest_across = 5.0;
 constexpr double start = 5e-3;        ///< whatever the grid
 constexpr double per_element = 9e-6;  ///< of the patch, and load point
 /// Where pressure and friction change each other they are solved for together, by Newton's method.
-constexpr double coupled_times = 10.0;
+constexpr double coupled_times = 15.0;
 constexpr double of_model_error = 0.1;  ///< a load point, on `usual_elements`
 constexpr double hybrid_times = 9.0;    ///< what the hybrid takes where the half-space takes 1
 /// The hybrid's correction where it is not kept from an earlier run, of halved and of whole bodies,
@@ -79,9 +79,10 @@ constexpr double accuracy_of_few = 0.025;
 /// Of 50 scenes none had more than 1.2 times what is expected (docs/choice.md).
 constexpr double at_most = 2.0;
 
-double elements(int across) {
+/// Of the patch; a line contact has one row of them.
+double elements(const ContactSize& size, int across) {
   constexpr double pi = 3.14159265358979323846;
-  return 0.25 * pi * across * across;
+  return size.line ? across : 0.25 * pi * across * across * elongation(size);
 }
 
 double law(double error, int at, double across) {
@@ -93,7 +94,7 @@ Forecast on_grids(const ContactSize& size, double fixed, double times) {
   const double error = size.friction > 0.0 ? error_with_friction : error_without_friction;
   for (const int across : grids_across())
     forecast.levels.push_back({across, law(error, measured_across, across * size.smallest_part),
-                               fixed + times * per_element * elements(across) * elongation(size) *
+                               fixed + times * per_element * elements(size, across) *
                                            static_cast<double>(size.load_points)});
   leave_out_too_coarse(size, forecast);
   return forecast;

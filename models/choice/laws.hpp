@@ -20,6 +20,7 @@ struct ContactSize {
   /// The patch of the smallest load over that of the largest: elements are of one size.
   double smallest_part = 1.0;
   bool symmetric = true;         ///< about the plane along rolling: half of each body is meshed
+  bool line = false;             ///< endless rollers
   bool true_sections = false;    ///< bodies are meshed as whole sections, not as boxes
   bool coupled = false;          ///< pressure and friction of a half-space change each other
   int meshed_bodies = 2;         ///< neither rigid nor flat (hybrid)

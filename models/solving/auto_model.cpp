@@ -90,6 +90,7 @@ ContactSize size_of(const Scene& scene) {
   size.coupled =
       scene.friction() != nullptr && (scene.material.couples() || scene.follows_surface > 0.0);
   size.meshed_bodies = meshed_bodies(scene);
+  size.line = scene.geometry.line.has_value();
   size.true_sections = halfspace::has_true_sections(scene);
   // Nor is it looked for where a half-space does anyway. Processes that looked might disagree.
   if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
