@@ -22,7 +22,7 @@ constexpr double rounding = 1e-8;
 
 /// Errors of a hundredth, to a hundredth of themselves: as with 1e-6 to three digits where both
 /// converge, which with this more do, and without minutes spent on what goes round.
-constexpr contact::OuterOptions of_estimate{1e-4, 100, 5};
+constexpr contact::OuterOptions of_estimate{1e-4, 60, 5};
 
 /// Before the stage names of progress events.
 constexpr const char* of_model_error = "model error: ";

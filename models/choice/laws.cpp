@@ -27,6 +27,11 @@ constexpr double start = 5e-3;        ///< whatever the grid
 constexpr double per_element = 9e-6;  ///< of the patch, and load point
 /// Where pressure and friction change each other they are solved for together, by Newton's method.
 constexpr double coupled_times = 15.0;
+/// Where friction carries a part of the load both are solved for in turn, some six times.
+constexpr double sharing_times = 6.0;
+/// The estimate of the model error takes more turns of coupled problems, and on steep profiles it
+/// may go round until it gives up.
+constexpr double coupled_estimate_times = 3.0, steep_estimate_times = 10.0;
 constexpr double of_model_error = 0.1;  ///< a load point, on `usual_elements`
 constexpr double hybrid_times = 9.0;    ///< what the hybrid takes where the half-space takes 1
 /// The hybrid's correction where it is not kept from an earlier run, of halved and of whole bodies,
@@ -134,8 +139,14 @@ int elements_of_model_error(const ContactSize& size, double accuracy) {
 
 Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
   const double part = static_cast<double>(elements_of_model_error(size, accuracy)) / usual_elements;
-  const double estimate = of_model_error * part * part * static_cast<double>(size.load_points);
-  Forecast forecast = on_grids(size, start + estimate, size.coupled ? coupled_times : 1.0);
+  const double turns = size.true_sections ? steep_estimate_times
+                       : size.coupled     ? coupled_estimate_times
+                                          : 1.0;
+  const double estimate =
+      turns * of_model_error * part * part * static_cast<double>(size.load_points);
+  const double times = size.coupled ? coupled_times : size.shares_load ? sharing_times : 1.0;
+  Forecast forecast = on_grids(size, start + estimate, times);
+  forecast.once = estimate;
   forecast.label = "half-space";
   forecast.model_error = expected_model_error(size);
   return forecast;
