@@ -96,7 +96,7 @@ std::vector<Quantity> of_the_forces() {
        "what the pressure of a curved patch has of the lateral force, along y on the wheel; "
        "friction "
        "bounds the rest",
-       Scale::none, Use::stored, at<&P::lateral_pressure>(), no_bar::not_estimated},
+       Scale::none, Use::stored, at<&P::lateral_pressure>(), no_bar::one_grid},
       {"spin_moment", "spin moment", "M_z", "N mm", "moment on the wheel about the origin",
        Scale::moment, Use::stored, at<&P::spin_moment>()},
       {"traction_coefficient", "traction coefficient", "-F_x/F_z", "-",
