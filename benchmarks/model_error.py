@@ -4,7 +4,7 @@ leaves out against its difference to the hybrid, and a theory's against its diff
 
     benchmarks/model_error.py --program build/app/rollfem -o /tmp/model_error
 
-A difference counts where it is above the bars of both and 1e-6 of what docs/bars.md has percent of: the value, mu F_z,
+A difference counts where it is above the bars of both and 1e-6 of what docs/results.md has percent of: the value, mu F_z,
 mu, mu F_z sqrt(ab). Runs that are there already are read again.
 """
 
@@ -36,7 +36,7 @@ def runs(options, scene):
 
 
 def whole_of(point, quantity):
-    """What percentages of the quantity are of (docs/bars.md)."""
+    """What percentages of the quantity are of (docs/results.md)."""
     bound = point["friction"] * point["normal_force"]
     if quantity in ("lateral_force", "longitudinal_force"):
         return bound

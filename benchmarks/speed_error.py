@@ -17,7 +17,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-# Converged values, bracketed by two schemes at 320 elements across (docs/leading_edge.md): the fitted
+# Converged values, bracketed by two schemes at 320 elements across (docs/theory.md): the fitted
 # edge comes down on them (10 251.0 N, 1173.2 N mm), the same difference everywhere goes up to them
 # (10 245.0 N, 1161.5 N mm).
 FX, MZ = 10250.0, -1168.0

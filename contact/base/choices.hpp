@@ -19,7 +19,7 @@ enum class UpwindOrder {
 };
 
 /// Where the second-order difference takes the leading edge of a patch to be
-/// (docs/leading_edge.md).
+/// (docs/theory.md).
 enum class LeadingEdge {
   fitted,  ///< where the pressure says, below the element size
   plain,   ///< wherever the elements put it

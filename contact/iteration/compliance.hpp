@@ -67,7 +67,7 @@ TangentialField upwind_difference(const ContactGrid& grid, const TangentialField
 
 /// How far upstream of an element's middle the spin turns it, mm, where the difference reaches over
 /// `step` mm. First order: a sixth of the step, which CONTACT takes unless told otherwise and which
-/// is there to have its numbers (docs/leading_edge.md); second: 0.
+/// is there to have its numbers (docs/theory.md); second: 0.
 double upstream_of_spin(UpwindOrder order, double step);
 
 }  // namespace rollfem::contact

@@ -3,7 +3,7 @@
 // plus c d^(3/2). The usual difference across the edge therefore acts as if the patch began at the
 // border of its first element less 0.18 elements, wherever the edge lies in the element: a shift of
 // O(dx) that differs from row to row. In adhesion it is carried along the whole row, so that
-// tractions zigzag from row to row by O(sqrt(dx)) (docs/leading_edge.md). One weight for each
+// tractions zigzag from row to row by O(sqrt(dx)) (docs/theory.md). One weight for each
 // leading element, calibrated on that local problem once and for all, puts the edge where it is.
 #pragma once
 

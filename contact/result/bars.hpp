@@ -1,5 +1,5 @@
 // The error statement of every value that leaves the program: its bar, that it is exact, or
-// why it has none. Error bars are explained in docs/bars.md.
+// why it has none. Error bars are explained in docs/results.md.
 #pragma once
 
 #include "contact/result/quantities.hpp"

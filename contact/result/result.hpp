@@ -81,7 +81,7 @@ struct PointResult {
   double seconds = 0.0;
   bool converged = false;
   /// Bars: quantity -> the estimated error of its value, absolute and in its unit: what grid and
-  /// solver leave uncertain (docs/bars.md).
+  /// solver leave uncertain (docs/results.md).
   std::map<std::string, double> error_estimate;
   std::map<std::string, std::string> no_bar;  ///< quantity -> why it has none (bars.hpp)
   /// Quantity -> how far the model is from what it stands for, however fine its grid: absolute.

@@ -2,7 +2,7 @@
 // element means that finite elements give. The difference is confined to an element or two of where
 // tractions bend, such as the leading edge of a patch: without this correction the mean moves the
 // edge of the discrete solution by a tenth of an element, and with it forces by 0.2 to 0.4 % of mu
-// at eight elements a semi-axis (docs/leading_edge.md). So short a wave sees no curvature and no
+// at eight elements a semi-axis (docs/theory.md). So short a wave sees no curvature and no
 // far boundary: the difference is that of the half-space, on which both displacements are known.
 #pragma once
 

@@ -105,7 +105,7 @@ std::string comparison_table(const CaseStandings& one);
 /// the others are beyond them. Empty when nothing was compared.
 std::string comparison_verdict(const std::vector<CaseStandings>& cases);
 
-/// compare.json: cases, models and how they stand; docs/compare.md has the layout.
+/// compare.json: cases, models and how they stand; docs/commands.md has the layout.
 std::string comparison_json(const ComparisonRecord& record);
 
 /// compare.csv: the numbers, one row for each.

@@ -1,5 +1,5 @@
 // A refinement study as a record and as files: values level by level, their errors against a
-// reference, observed orders and limits. Layout of the files: docs/compare.md.
+// reference, observed orders and limits. Layout of the files: docs/commands.md.
 #pragma once
 
 #include "postprocess/study/convergence.hpp"

@@ -223,7 +223,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
   write_by_quantity(group, "error_estimate", "Attributes: estimated error by quantity, in its unit",
                     point.error_estimate);
   const Handle words = create_group(
-      group, "no_bar", "Attributes: why a quantity has no error estimate, docs/bars.md");
+      group, "no_bar", "Attributes: why a quantity has no error estimate, docs/results.md");
   for (const auto& [quantity, word] : point.no_bar) write_attribute(words, quantity, word);
   if (!point.model_error.empty())
     write_by_quantity(group, "model_error",

@@ -2,7 +2,7 @@
 """Mutates case files, profiles, lattices and input files of CONTACT and looks for what must not happen: a signal, a
 hang, an 'internal error', an exit status other than 0, 1 and 2, a result that cannot be.
 
-    tests/fuzz/mutate.py --build build-halfspace                     the figures of docs/robustness.md
+    tests/fuzz/mutate.py --build build-halfspace                     the figures of docs/developing.md
     tests/fuzz/mutate.py --build build-halfspace --cases 1000 --profiles 0 --lattices 0 --inputs 0 --runs 0 --checks 0
 
 Inputs are made from the cases and profiles of the source by a seeded generator. Most go through the fuzz
