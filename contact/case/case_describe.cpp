@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace rollfem::contact {
 
 namespace {
@@ -97,25 +99,32 @@ std::string case_reference_markdown(const ModelWords& models) {
   const Case by_default = defaults(models);
   std::string text =
       "# Case file reference\n\n"
-      "<!-- Made by `rollfem docs case-file` from the declarations in contact/case/keys_*.cpp; "
+      "<!-- Made by `rollfem docs case-file` from the declarations in contact/case/keys/; "
       "do not edit. -->\n\n"
       "A case file is TOML. Units: mm, N, MPa, rad; x is the rolling direction, y lateral, z "
       "normal into the wheel.\nUnknown keys, wrong types, values out of bounds and contradictions "
       "are errors that name file, line and key.\n`rollfem new-case` prints a commented template, "
-      "`rollfem check FILE` what was understood.\n`rollfem docs schema > case.schema.json` is the "
+      "`rollfem check FILE` how a case is read.\n`rollfem docs schema > case.schema.json` is the "
       "JSON schema: with `#:schema case.schema.json` as the first\nline of a case, editors that "
       "know schemas of TOML complete keys and check values.\n";
+  std::string last_rows;
+  std::size_t end_of_heading = 0;
   for (const Section& section : case_sections()) {
-    text += section.name.empty()
-                ? "\n## Before the first section\n\n"
-                : fmt::format(section.repeated ? "\n## [[{}]]\n\n{}.\n\n" : "\n## [{}]\n\n{}.\n\n",
-                              section.name, section.sentence);
-    text += "| key | symbol | unit | allowed | default | meaning |\n";
-    text += "|---|---|---|---|---|---|\n";
+    std::string rows;
     for (const Key& key : section)
-      text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
+      rows += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
                           allowed_values(key, models.known), default_text(key, by_default),
                           key.sentence);
+    const bool same = rows == std::exchange(last_rows, rows);
+    if (same) text.insert(end_of_heading, fmt::format(", [{}]", section.name));
+    if (same) continue;
+    text += section.name.empty()
+                ? "\n## Before the first section"
+                : fmt::format(section.repeated ? "\n## [[{}]]" : "\n## [{}]", section.name);
+    end_of_heading = text.size();
+    text += section.name.empty() ? "\n\n" : fmt::format("\n\n{}.\n\n", section.sentence);
+    text += "| key | symbol | unit | allowed | default | meaning |\n";
+    text += "|---|---|---|---|---|---|\n" + rows;
   }
   return text;
 }

@@ -116,11 +116,12 @@ void add_mending(ProfileKeys& keys) {
 
 template <class Body>
 SectionWithKeys profile_section(const std::string& name, Body Case::*body) {
-  ProfileKeys keys(
-      name + "_profile",
-      "Details of the profile that [" + name + "] names; files are repaired only as these keys say",
-      {[body](const Case& c) { return &(c.*body).profile; },
-       [body](Case& c) -> Profile& { return (c.*body).profile; }});
+  ProfileKeys keys(name + "_profile",
+                   "Details of the profile that the section of the body names; files are repaired "
+                   "only as these keys "
+                   "say",
+                   {[body](const Case& c) { return &(c.*body).profile; },
+                    [body](Case& c) -> Profile& { return (c.*body).profile; }});
   keys.section().of_profiles = true;
   add_formulas(keys);
   add_places(keys);
