@@ -50,13 +50,17 @@ def with_pressure(result):
     return [m for m in result.models if m.points and "pressure" in m.points[0].fields]
 
 
+# Models that others are compared with where none is requested: those that leave out least first.
+BEST = ("hybrid", "fem", "halfspace")
+
+
 def reference_for_patch(result):
-    """The requested one, otherwise Hertz if present: it is exact for what it describes."""
-    return _first_of(result.models, (result.reference, "hertz", "halfspace"))
+    """The requested one, otherwise the best in the run."""
+    return _first_of(result.models, (result.reference, *BEST, "hertz"))
 
 
 def reference_for_forces(result):
-    return _first_of(friction_models(result), (result.reference, "halfspace", "fem"))
+    return _first_of(friction_models(result), (result.reference, *BEST))
 
 
 def _first_of(models, names):

@@ -8,7 +8,7 @@ import os
 
 import numpy as np
 
-from . import styles, tables
+from . import load_points, styles, tables
 from .figure import Figure
 from .profiles import draw_pair
 from .reader import read_columns, read_rows
@@ -92,7 +92,7 @@ def reference_of_row(result):
     """Name of the model that rows are drawn of: one that has most places (Hertz cannot take every patch), of
     those the reference."""
     names = list(dict.fromkeys(m.name for m in result.models if m.points and m.place))
-    wished = [name for name in (result.reference, "halfspace", "hybrid", "fem") if name in names] + names
+    wished = [name for name in (result.reference, *load_points.BEST) if name in names] + names
     return max(wished, key=lambda name: sum(m.name == name for m in result.models))
 
 

@@ -131,8 +131,10 @@ def _tells(result, quantity):
     return quantity != "normal_force" or not values or max(values) - min(values) > 1e-6 * abs(values[0])
 
 
-def _compared(head, models, rows):
-    """A table of models beside each other; `rows`: the first cells and the cell of a model (a function)."""
+def _compared(head, models, reference, rows):
+    """A table of models beside each other, the reference first, so that no width of window hides it; `rows`: the
+    first cells and the cell of a model (a function)."""
+    models = sorted(models, key=lambda model: model is not reference)
     return table([head] + [escape(styles.label(m)) for m in models],
                  [[first] + [cell(m) for m in models] for first, cell in rows])
 
@@ -147,7 +149,7 @@ def patch_table(result):
             return html
         return html + against(model.points[0], reference.points[0], quantity, reference.points[0][quantity])
 
-    return _compared("first load point", [m for m in result.models if m.points], [
+    return _compared("first load point", [m for m in result.models if m.points], reference, [
         (heading(result.quantities[name]), lambda model, name=name: cell(model, name)) for name in PATCH
         if _tells(result, name)])
 
@@ -213,7 +215,7 @@ def creepage_table(result, quantity):
         sliding = full_sliding(base, result.quantities[quantity].percent_of, result.case["friction_coefficient"])
         return with_bar(point, quantity) + against(point, base, quantity, sliding or base[quantity])
 
-    return _compared(head, models, [(words(key), lambda model, key=key: cell(model, key))
+    return _compared(head, models, reference, [(words(key), lambda model, key=key: cell(model, key))
                                     for key in load_points.shown_keys(models)])
 
 
