@@ -153,7 +153,8 @@ def book_text(chapters, left_out, made):
                f"{made['date']}; the computations took {number(made['seconds'], 3)} s.")
     chapters_text = [chapter_text(c, place) for place, c in enumerate(chapters, 1)]
     return "\n\n".join([INTRO.strip(), summary, _contents(chapters, left_out),
-                        f"## Close to their tolerance\n\n{_close(chapters)}", *chapters_text]) + "\n"
+                        "## Close to their tolerance\n\nThe rows of this run of `./rollfem book` that use more than "
+                        f"{100 * CLOSE:.0f} % of theirs, and what they spend it on.\n\n{_close(chapters)}", *chapters_text]) + "\n"
 
 
 def book_json(chapters, left_out, made):

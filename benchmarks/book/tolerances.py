@@ -16,7 +16,8 @@ BASIS = {
                     "grows with mu; in full adhesion the patch narrows by an element, 1.5 % of the creepage.",
     "kalker": "the series is known to five digits and the table keeps six digits; between its entries 1e-4. Of the half-space at 40 "
               "across the edge of the ellipse is a staircase, which leaves the size of the patch open by a fifth of an element, "
-              "0.5 %: forces go with its square, those of spin with its cube, the moment of spin with its fourth power.",
+              "0.5 %: forces go with its square, those of spin with its cube, the moment of spin with its fourth power (as "
+              "fractions of C33 at nu = 0, of which Poisson's effect leaves a part).",
     "benchmark-9": "CONTACT's extrapolation of a first-order scheme is good to 0.1 % in the forces and a few percent in the "
                    "moment.",
     "fastsim": "the same algorithm on the same elements with the same flexibilities; constants agree to 1e-5.",
@@ -51,7 +52,7 @@ BASIS = {
 # (chapter, words of the quantity, whose number): what a row spends more than 80 % of its tolerance on.
 SPENT = (
     ("curvature-slip", "sphere: mean slip", "cells of a/5, which add some 3 %, less what lies beyond the segment; at 8 a both cancel"),
-    ("curvature-slip", "sphere: slip over the patch", "the same"),
+    ("curvature-slip", "sphere: slip over the patch", "cells of a/5, which add some 3 %"),
     ("curvature-slip", "case a: mean slip, first order", "the other hand's figure has three digits, 0.3 %; the rest is not explained"),
     ("curvature-slip", "sphere, a/R = 0.0126", "the next term in a/R, which the first order leaves out"),
     ("thesis-cases", "p0", "cells of a/8: discretisation, all three on the same side"),
@@ -62,9 +63,9 @@ SPENT = (
     ("conformal-contact", "creepage of free rolling", "normals that turn, measured in two ways; 0.4 % was allowed for it"),
     ("conformal-contact", "corner, given approach: F_z", "cells of the correction: 0.02 % with finer ones"),
     ("manchester", "F_y/(mu F_n)", "CONTACT's difference is of first order, here of second"),
-    ("manchester", "on the track", "the reference point lies where the estimated approach puts it: with CONTACT's approach 7 um "
-     "are left"),
-    ("manchester", "y on the wheel", "the same"),
+    ("manchester", "on the track", "the reference point lies where the estimated approach puts it; with CONTACT's approach y of "
+     "the left wheel is within 7 µm"),
+    ("manchester", "y on the wheel", "the reference point lies where the estimated approach puts it"),
     ("manchester", "contact angle", "CONTACT prints the mean angle of the patch, here it is the tangent at its mean place"),
     ("manchester", "elements in contact", "the rim of the patch: 9 elements of 332 on grids that lie otherwise"),
     ("manchester", "eta", "creepage is over the mean of two speeds in CONTACT: up to 1.3 %"),
