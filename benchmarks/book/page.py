@@ -149,8 +149,9 @@ def book_text(chapters, left_out, made):
     close = sum(row.holds and row.allowed > 0 and abs(row.difference) > CLOSE * row.allowed for row in judged)
     summary = (f"{len(judged)} numbers are judged; {beyond or 'none'} of them {'is' if beyond < 2 else 'are'} beyond its "
                f"tolerance and {close} use more than {100 * CLOSE:.0f} % of it ([below](#close-to-their-tolerance)). "
-               f"Each chapter states the errors expected of both sides, of which its tolerances are made. Made by `{made['command']}` with {made['version']} on {made['host']}, "
-               f"{made['date']}; the computations took {number(made['seconds'], 3)} s.")
+               f"Each chapter states the errors expected of both sides, of which its tolerances are made. Made by "
+               f"`{made['command']}` with {made['version']} on {made['host']}, {made['date']}; the computations took "
+               f"{number(made['seconds'], 3)} s.")
     chapters_text = [chapter_text(c, place) for place, c in enumerate(chapters, 1)]
     return "\n\n".join([INTRO.strip(), summary, _contents(chapters, left_out),
                         "## Close to their tolerance\n\nThe rows of this run of `./rollfem book` that use more than "
