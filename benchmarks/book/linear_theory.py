@@ -1,16 +1,16 @@
-"""Kalker's creepage coefficients by a series of the program's own making: no grid, no table of others.
+"""Kalker's creepage coefficients by a series: no grid, no table of others.
 
 Without slip, a pair of half-spaces that rolls with the creepages xi, eta and the spin phi has in its patch
-du_x/dx = xi - phi y, du_y/dx = eta + phi x, and no traction along the leading edge (Kalker 1967; 1990, chapter 3). Along
-a chord traction rises from the leading edge as sqrt(a(y) - x) and ends at the trailing edge as 1/sqrt(a(y) + x), with
-a(y) = a sqrt(1 - y^2/b^2). So
+du_x/dx = xi - phi y, du_y/dx = eta + phi x, and no traction along the leading edge (Kalker 1967; 1990,
+chapter 3). Along a chord traction rises from the leading edge as sqrt(a(y) - x) and ends at the trailing edge as
+1/sqrt(a(y) + x), with a(y) = a sqrt(1 - y^2/b^2). So
 
     p = (a(y) - x) [P(x, y) + a(y) Q(x, y)] / sqrt(1 - x^2/a^2 - y^2/b^2)
 
-with polynomials P and Q meets the edge condition exactly; their coefficients follow from least squares over chords.
-Displacements are integrated in polar coordinates about each point: along a line through it the integrand is smooth over
-sqrt(1 - t^2) (Gauss-Chebyshev), around the point it is periodic (equal weights). For nu = 0 on a circle the series gives
-C11 = C22 = 32/(3 pi) and C23 = 4/3 to ten digits.
+with polynomials P and Q meets the edge condition exactly; their coefficients follow from least squares over
+chords. Displacements are integrated in polar coordinates about each point: along a line through it the integrand is
+smooth over sqrt(1 - t^2) (Gauss-Chebyshev), around the point it is periodic (equal weights). For nu = 0 on a circle
+the series gives C11 = C22 = 32/(3 pi) to six digits and C23 = 4/3 to nine.
 """
 import numpy as np
 
@@ -29,21 +29,23 @@ def _chebyshev(degree, x):
 
 
 class Ellipse:
-    """Integrals of every term of the series over the ellipse a b = 1 with a/b = ratio, for every Poisson's ratio."""
+    """Integrals of every term of the series over the ellipse a b = 1 with a/b = ratio, for any Poisson's ratio."""
 
     def __init__(self, ratio, degree, nodes, turns):
         self.a, self.b, self.degree = ratio**0.5, ratio**-0.5, degree
         chords = int(1.4 * degree) + 4
         self.y = np.cos((np.arange(chords) + 0.5) * np.pi / (2 * chords))
         self.x = np.cos((np.arange(int(1.6 * degree) + 5) + 0.5) * np.pi / (int(1.6 * degree) + 5))
-        self.influence = np.array([self._influence(s * np.sqrt(1 - y * y), y, turns, nodes) for y in self.y for s in self.x])
+        self.influence = np.array([self._influence(s * np.sqrt(1 - y * y), y, turns, nodes)
+                                   for y in self.y for s in self.x])
         self.force = self._force(8 * degree + 40)
 
     def _influence(self, x, y, turns, nodes):
         """Displacement at a point by every term: kernels 1/R times 1, cos^2, sin^2, sin cos; P, Q; degrees in x, y."""
-        angle = np.arctan(np.tan(np.pi * ((np.arange(turns) + 0.5) / turns - 0.5)) * (self.a / self.b)**0.5)
-        stretch = np.pi / turns * (self.a / self.b)**0.5 * np.cos(angle)**2 \
-            * (1 + (np.tan(angle) / (self.a / self.b)**0.5)**2)
+        # In the plane where the ellipse is a circle; directions are denser where the kernel is steep.
+        even, slender = np.pi * ((np.arange(turns) + 0.5) / turns - 0.5), (self.a / self.b)**0.5
+        angle = np.arctan(slender * np.tan(even))
+        weight = np.pi / turns * slender / (np.cos(even)**2 + (slender * np.sin(even))**2)
         c, s = np.cos(angle), np.sin(angle)
         reach = np.hypot(self.a * c, self.b * s)
         t = np.cos((np.arange(nodes) + 0.5) * np.pi / nodes)
@@ -51,7 +53,7 @@ class Ellipse:
         px, py = x + along * c[:, None], y + along * s[:, None]
         half = np.sqrt(np.maximum(1 - py * py, 0))
         tx, ty = _chebyshev(self.degree, px), _chebyshev(self.degree, py)
-        base = (stretch / nodes * self.a * self.b / reach)[:, None] * (half - px)
+        base = (weight / nodes * self.a * self.b / reach)[:, None] * (half - px)
         cos, sin = self.a * c / reach, self.b * s / reach
         return [(tx * (base * kernel[:, None] * factor).ravel()) @ ty.T
                 for kernel in (np.ones(turns), cos * cos, sin * sin, cos * sin) for factor in (1.0, half)]

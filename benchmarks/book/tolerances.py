@@ -14,9 +14,10 @@ BASIS = {
                        "friction.",
     "nowell-hills": "quadrature to 1e-4; elements of a/100 whose edges of slip are of first order in mu, so the tolerance "
                     "grows with mu; in full adhesion the patch narrows by an element, 1.5 % of the creepage.",
-    "kalker": "the series is known to five digits and the table keeps six digits; between its entries 1e-4. Of the half-space at 40 "
-              "across the edge of the ellipse is a staircase, which leaves the size of the patch open by a fifth of an element, "
-              "0.5 %: forces go with its square, those of spin with its cube, the moment of spin with its fourth power (as "
+    "kalker": "the series is known to five digits and the table keeps six digits; between its entries 1e-4 "
+              "(3e-4 where a/b is below 0.2 or above 20). Of the half-space at 40 across the edge of the ellipse is a "
+              "staircase, which leaves the size of the patch open by a fifth of an element, 0.5 %: "
+              "forces go with its square, those of spin with its cube, the moment of spin with its fourth power (as "
               "fractions of C33 at nu = 0, of which Poisson's effect leaves a part).",
     "benchmark-9": "CONTACT's extrapolation of a first-order scheme is good to 0.1 % in the forces and a few percent in the "
                    "moment.",

@@ -18,7 +18,7 @@ struct KalkerCoefficients {
 };
 
 /// Coefficients of an ellipse with semi-axis a along rolling and b across, any a/b > 0,
-/// 0 <= nu <= 0.5: within 1e-4 from a/b = 0.05 to 20 and within 3e-4 from 0.01 to 100, by
+/// 0 <= nu <= 0.5: within 1e-4 from a/b = 0.2 to 20 and within 3e-4 from 0.01 to 100, by
 /// polynomials through kalker_table. Beyond, the asymptotes (Kalker 1990, table E.3; C33 of long
 /// patches is corrected), multiplied by a factor that makes them continuous there and tends to 1
 /// with the square of the ratio: within 1e-3. Throws contact::InputError when an argument is out of

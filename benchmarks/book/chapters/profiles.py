@@ -218,7 +218,8 @@ def manchester(bench):
         "circumferential speed. The height of the wheelset differs (its roll is prescribed there, here both wheels "
         "touch) and is compared at 0 mm only (last test).",
         rows, tables=[finer], figures=[(name, "Angle, pressure, creepage and force of both wheels over the shift")],
-        cost=[Cost("both wheels at eleven positions, half-space", sum(m.seconds["total"] for m in result.models)), finer_cost],
+        cost=[Cost("both wheels at eleven positions, half-space", sum(m.seconds["total"] for m in result.models)),
+              finer_cost],
         tests=["verification.ManchesterBenchmark.LeftWheelAgreesWithContact",
                "verification.ManchesterBenchmark.RightWheelOfOnePatchAgreesWithContact",
                "verification.ManchesterBenchmark.RightWheelOfTwoPatchesCarriesAsContactFinds",
