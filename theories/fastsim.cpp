@@ -62,12 +62,16 @@ StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int cou
 
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const FastsimOptions& options) {
+  return fastsim(patch, creepage, flexibilities_of(patch, creepage, options.flexibilities),
+                 options);
+}
+
+BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
+                    const BrushFlexibilities& flexibilities, const FastsimOptions& options) {
   if (options.strips < 1 || options.strip_elements < 1)
     throw contact::InputError("FASTSIM needs at least one strip and one element in each");
   const StripAt strip_at = strips_of(patch, options.bound);
-  const BrushProblem problem{patch.geometry, creepage,
-                             flexibilities_of(patch, creepage, options.flexibilities),
-                             options.strip_elements};
+  const BrushProblem problem{patch.geometry, creepage, flexibilities, options.strip_elements};
   if (options.elements == FastsimElements::grid)
     return sum_grid_strips(problem, patch.hertz, strip_at, options.strips);
   return sum_strips(problem, strip_at, patch.hertz.semi_axis_y, options.strips);

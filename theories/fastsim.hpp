@@ -19,6 +19,10 @@ StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int cou
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const FastsimOptions& options = {});
 
+/// The same with brushes of other flexibilities than the linear theory's.
+BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
+                    const BrushFlexibilities& flexibilities, const FastsimOptions& options);
+
 /// The model "fastsim": forces by `options`, fields on the case's contact grid. The recorded
 /// traction bound is that of the theory, whose parabola exceeds mu p_n by a third in the middle.
 /// error_estimate is that of the resolution alone, not of the theory (10 to 15 % in the forces).

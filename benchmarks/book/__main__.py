@@ -115,7 +115,7 @@ def main():
     for text in failures + beyond:
         print(f"error: {text}", file=sys.stderr)
     judged = sum(row.allowed is not None for c in done for row in c.rows)
-    print(f"{judged - len(beyond)} of {judged} numbers are within what is allowed; "
+    print(f"{judged} numbers are judged, {len(beyond) or 'none'} beyond what is allowed; "
           f"{time.time() - begin:.0f} s\nbook: {os.path.join(directory, 'README.md')}")
     return 1 if failures or beyond else 0
 

@@ -5,6 +5,8 @@ import os
 
 from rollfem_figures.files import write_whole
 
+from .tolerances import BASIS, spent_on
+
 INTRO = """# Verification book
 
 How accurate rollfem is: every benchmark is recomputed and compared with a closed form, a published value or an
@@ -82,6 +84,8 @@ def chapter_text(chapter, place):
     parts = [f"## {place}. {chapter.title}", chapter.setup.strip(), f"**Against** {chapter.source.strip()}"]
     if chapter.rows:
         parts.append(_rows(chapter))
+    if chapter.name in BASIS:
+        parts.append(f"*Tolerances:* {BASIS[chapter.name]}")
     for file, caption in chapter.figures:
         parts.append(f"![{caption}]({file})\n\n*{caption}*")
     for table in chapter.tables:
@@ -106,6 +110,22 @@ def worst(chapter):
                else math.inf, default=None)
 
 
+CLOSE = 0.8
+
+
+def _close(chapters):
+    """Rows that use most of their tolerance, and on what."""
+    rows = []
+    for place, chapter in enumerate(chapters, 1):
+        for row in chapter.rows:
+            if row.allowed and CLOSE < abs(row.difference) / row.allowed:
+                rows.append((abs(row.difference) / row.allowed,
+                             [str(place), f"{row.quantity}{f' ({row.by})' if row.by else ''}", percent(row.difference),
+                              _allowed(row), spent_on(chapter.name, row)]))
+    rows.sort(key=lambda entry: -entry[0])
+    return _table(["chapter", "quantity", "difference", "allowed", "spent on"], [cells for _, cells in rows])
+
+
 def _contents(chapters, left_out):
     rows = []
     for place, chapter in enumerate(chapters, 1):
@@ -125,12 +145,17 @@ def _contents(chapters, left_out):
 def book_text(chapters, left_out, made):
     """The whole book; `made` says by what, where and when."""
     judged = [row for chapter in chapters for row in chapter.rows if row.allowed is not None]
-    held = sum(row.holds for row in judged)
-    summary = (f"**{held} of {len(judged)} numbers are within what is allowed.** Made by `{made['command']}` with "
-               f"{made['version']} on {made['host']}, {made['date']}; the computations took "
+    beyond = sum(not row.holds for row in judged)
+    close = sum(row.holds and row.allowed > 0 and abs(row.difference) > CLOSE * row.allowed for row in judged)
+    summary = (f"{len(judged)} numbers are judged; {beyond or 'none'} of them {'is' if beyond < 2 else 'are'} beyond its "
+               f"tolerance and {close} use more than {100 * CLOSE:.0f} % of it ([below](#close-to-their-tolerance)). "
+               f"Each chapter states the errors expected of both sides, of which its tolerances are made. Made by "
+               f"`{made['command']}` with {made['version']} on {made['host']}, {made['date']}; the computations took "
                f"{number(made['seconds'], 3)} s.")
     chapters_text = [chapter_text(c, place) for place, c in enumerate(chapters, 1)]
-    return "\n\n".join([INTRO.strip(), summary, _contents(chapters, left_out), *chapters_text]) + "\n"
+    return "\n\n".join([INTRO.strip(), summary, _contents(chapters, left_out),
+                        "## Close to their tolerance\n\nThe rows of this run of `./rollfem book` that use more than "
+                        f"{100 * CLOSE:.0f} % of theirs, and what they spend it on.\n\n{_close(chapters)}", *chapters_text]) + "\n"
 
 
 def book_json(chapters, left_out, made):

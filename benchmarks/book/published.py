@@ -23,8 +23,8 @@ CONTACT_FASTSIM_A = {0.0005: (0.11435703, 104.12065), 0.001: (0.21098024, 194.06
 CONTACT_BENCHMARK_9 = {20: (10510, -7275, -1896), 40: (10400, -7201, -1592), 80: (10320, -7126, -1364),
                        120: (10290, -7103, -1289)}
 EXTRAPOLATED_BENCHMARK_9 = (10240, -7057, -1150)
-# Kalker's table of the linear theory (Kalker 1967; 1990 table E.3) by nu: a/b: C11, C22, C23, C33. C33 is
-# from memory, checked by CONTACT to 2 or 3 % at some of them.
+# Kalker's printed table of the linear theory (Kalker 1967; 1990 table E.3) by nu: a/b: C11, C22, C23, C33. Two public codes
+# agree on C11, C22 and C23; for C33 no second source was found.
 KALKER = {
     0: {0.1: (2.51, 2.51, 0.334, 6.42), 0.2: (2.59, 2.59, 0.483, 3.46), 0.3: (2.68, 2.68, 0.607, 2.49),
         0.4: (2.78, 2.78, 0.72, 2.02), 0.5: (2.88, 2.88, 0.827, 1.74), 0.6: (2.98, 2.98, 0.93, 1.56),

@@ -8,7 +8,8 @@
 
 namespace rollfem::halfspace {
 
-/// Creepage coefficients (Kalker 1967; Kalker 1990, table E.3); C32 = -C23.
+/// Creepage coefficients (Kalker 1967; 1990, table E.3) over G and the powers of c = sqrt(a b) that
+/// linear_creep_forces has; C32 = -C23.
 struct KalkerCoefficients {
   double c11 = 0.0;  ///< longitudinal
   double c22 = 0.0;  ///< lateral
@@ -17,10 +18,11 @@ struct KalkerCoefficients {
 };
 
 /// Coefficients of an ellipse with semi-axis a along rolling and b across, any a/b > 0,
-/// 0 <= nu <= 0.5. Between the tabulated values 1/C is quadratic in nu and C linear in the smaller
-/// of a/b and b/a, as in CONTACT. Beyond 0.1 the asymptotes of Kalker (1990, table E.3), multiplied
-/// by a factor that makes them continuous there and tends to 1 in proportion to the ratio.
-/// Throws contact::InputError when an argument is out of range.
+/// 0 <= nu <= 0.5: within 1e-4 from a/b = 0.2 to 20 and within 3e-4 from 0.01 to 100, by
+/// polynomials through kalker_table. Beyond, the asymptotes (Kalker 1990, table E.3; C33 of long
+/// patches is corrected), multiplied by a factor that makes them continuous there and tends to 1
+/// with the square of the ratio: within 1e-3. Throws contact::InputError when an argument is out of
+/// range.
 KalkerCoefficients kalker_coefficients(double semi_axis_x, double semi_axis_y,
                                        double poisson_ratio);
 
@@ -36,16 +38,20 @@ struct CreepForces {
 CreepForces linear_creep_forces(double semi_axis_x, double semi_axis_y, double shear_modulus,
                                 double poisson_ratio, const contact::Creepage& creepage);
 
-// Kalker's table of creepage coefficients at the ratios 0.1, 0.2, ... 1 and nu = 0, 1/4, 1/2.
+// The coefficients at 25 ratios and five Poisson's ratios, computed: benchmarks/kalker_table.py.
 
-/// Coefficients at nu = 0, 1/4, 1/2.
-using KalkerRow = std::array<KalkerCoefficients, 3>;
-/// Rows for the ratios 0.1, 0.2, ..., 1.
-using KalkerTable = std::array<KalkerRow, 10>;
+/// Poisson's ratios of a row.
+inline constexpr std::array<double, 5> kalker_table_poisson{0.0, 0.125, 0.25, 0.375, 0.5};
 
-/// Ratio a/b: patches wider than long.
-const KalkerTable& kalker_table_short();
-/// Ratio b/a: patches longer than wide. The last row is that of the other table.
-const KalkerTable& kalker_table_long();
+struct KalkerEntry {
+  double ratio;  ///< a/b
+  std::array<KalkerCoefficients, 5> row;
+};
+
+using KalkerTable = std::array<KalkerEntry, 25>;
+
+/// By rising a/b: 0.01, 0.02, 0.05, 0.1, 0.2, ... 1 and the reciprocals to 100; six digits are
+/// kept, of which five are certain (four beyond 0.02 and 20).
+const KalkerTable& kalker_table();
 
 }  // namespace rollfem::halfspace

@@ -99,9 +99,12 @@ TEST(KalkersCoefficients, FromTheSolverAt40ElementsForEveryAspectAndPoissonsRati
       const double a = std::sqrt(ratio);
       const Coefficients c = from_solver(a, 1.0 / a, nu, 40);
       const halfspace::KalkerCoefficients table = halfspace::kalker_coefficients(a, 1.0 / a, nu);
-      EXPECT_NEAR(c.c11 / table.c11, 1.0, 0.02) << ratio << ", " << nu;
-      EXPECT_NEAR(c.c22 / table.c22, 1.0, 0.02) << ratio << ", " << nu;
-      EXPECT_NEAR(c.c23 / table.c23, 1.0, 0.02) << ratio << ", " << nu;
+      // The edge is a staircase, which leaves the size of the patch open by a fifth of an element,
+      // 0.5 %: forces go with its square, those of spin with its cube, the moment of spin with its
+      // fourth power.
+      EXPECT_NEAR(c.c11 / table.c11, 1.0, 0.01) << ratio << ", " << nu;
+      EXPECT_NEAR(c.c22 / table.c22, 1.0, 0.01) << ratio << ", " << nu;
+      EXPECT_NEAR(c.c23 / table.c23, 1.0, 0.015) << ratio << ", " << nu;
       EXPECT_NEAR(-c.c32 / c.c23, 1.0, 0.005) << ratio << ", " << nu;
       const std::string at = fmt::format("_{}_{}", ratio, nu);
       testing::record("c11" + at, c.c11);
@@ -109,9 +112,9 @@ TEST(KalkersCoefficients, FromTheSolverAt40ElementsForEveryAspectAndPoissonsRati
       testing::record("c23" + at, c.c23);
       testing::record("c32" + at, c.c32);
       testing::record("c33" + at, c.c33);
-      // The table's C33 is checked to 2 to 3 % only, and small beside the rest at a/b = 10.
+      // Small beside the rest at a/b = 10.
       if (ratio < 10.0) {
-        EXPECT_NEAR(c.c33 / table.c33, 1.0, 0.03) << ratio << ", " << nu;
+        EXPECT_NEAR(c.c33 / table.c33, 1.0, 0.02) << ratio << ", " << nu;
       }
     }
 }

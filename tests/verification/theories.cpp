@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/printed_coefficients.hpp"
+#include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
 #include <cmath>
 #include <vector>
@@ -32,7 +34,8 @@ struct FastsimRow {
   double max_traction;  ///< MPa
 };
 
-/// CONTACT's FASTSIM on n by n elements, against ours with its elements.
+/// CONTACT's FASTSIM on n by n elements, against ours with its elements and its flexibilities,
+/// which are those of Kalker's printed table.
 void compare(const contact::Case& input, BoundShape bound, int n,
              const std::vector<FastsimRow>& rows) {
   const EllipticPatch patch = elliptic_patch(input);
@@ -40,11 +43,17 @@ void compare(const contact::Case& input, BoundShape bound, int n,
   options.bound = bound;
   options.elements = FastsimElements::grid;
   options.strips = options.strip_elements = n;
+  const auto flexibilities = rollfem::testing::printed_flexibilities(
+      patch.hertz.semi_axis_x, patch.hertz.semi_axis_y, patch.material.shear_modulus,
+      patch.material.poisson_ratio);
   for (const FastsimRow& row : rows) {
-    const BrushTotals totals = fastsim(patch, {row.creepage, 0, 0}, options);
+    const BrushTotals totals = fastsim(patch, {row.creepage, 0, 0}, flexibilities, options);
     // 2e-5 where the target is 0.5 %: the algorithm is the same, the constants agree to 1e-5.
     EXPECT_NEAR(-totals.forces.longitudinal / 50e3 / row.force, 1.0, 2e-5) << row.creepage;
     EXPECT_NEAR(totals.max_traction / row.max_traction, 1.0, 2e-5) << row.creepage;
+    const std::string at = fmt::format("_{}_{}", n, row.creepage);
+    rollfem::testing::record("force" + at, -totals.forces.longitudinal / 50e3);
+    rollfem::testing::record("traction" + at, totals.max_traction);
   }
 }
 

@@ -1,0 +1,276 @@
+#!/usr/bin/python3
+"""Cases a and f of the 2012 study by CalculiX, without friction: what the curvature of the patch changes.
+
+usage: benchmarks/calculix/curved_patch.py [--cell 0.95] [--program build/app/rollfem] [-o FOLDER] [--store FILE]
+
+Both cases have the same Hertzian ellipse; in f it lies on a rail of 50 mm under a concave wheel. Their meshes are one
+mesh, mapped onto two shapes, so that errors of discretisation cancel in the difference: quarter bodies of 60 mm, bricks
+with incompatible modes (C3D8I), the far faces clamped and brought together, small displacements, and between opposite
+nodes one gap element each, whose clearance is the undeformed distance by formula along the mean normal. Pressure is the
+force of a gap element over its node's share of the surface. rollfem's pressures are fitted in the same way. The book
+quotes what --store writes (benchmarks/book/calculix.json).
+"""
+import argparse
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+
+RADIUS, FORCE, YOUNG, POISSON = 405.0, 50e3, 210e3, 0.3  # mm, N, MPa
+RAIL, WHEEL = {"a": 2000.0, "f": 50.0}, {"a": math.inf, "f": 51.282}  # across, mm; the wheel of f is concave
+HERTZ = (3.79236, 10.87295, 578.967)  # a, b in mm, p0 in MPa: of both cases
+REACH = 60.0  # of the quarter bodies, along, across and down, mm
+ROUND_TO = 0.7  # circles end there, as parts of their radius, and go on straight
+PENALTY = 3e6  # of the contact, N/mm^3: some 0.2 um of overlap under p0
+OVERLAP_FORCE = 1e-3  # N, of a gap element that is wide open (CalculiX's default)
+# Approach of the far faces, mm: it gives 50 kN within 1 % in both cases; the rest is taken by p0 ~ F^(1/3).
+APPROACH = 0.0445
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+
+
+def graded(fine, count, end):
+    """Places 0, fine, ..., count*fine and on to `end` with a constant ratio near 1.35."""
+    start = fine * count
+    cells = max(2, round(math.log(1 + (end - start) * 0.35 / (1.35 * fine)) / math.log(1.35)))
+    low, high = 1.0, 3.0
+    for _ in range(80):
+        ratio = 0.5 * (low + high)
+        total = fine * sum(ratio**(k + 1) for k in range(cells))
+        low, high = (ratio, high) if start + total < end else (low, ratio)
+    steps = [fine] * count + [fine * ratio**(k + 1) for k in range(cells)]
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def across(arc, radius):
+    """(y, drop, slope) of a circle at arc length `arc` from its top, straight beyond ROUND_TO."""
+    if math.isinf(radius):
+        return arc, 0 * arc, 0 * arc
+    last = math.asin(ROUND_TO)
+    angle = np.minimum(arc / radius, last)
+    rest = np.maximum(arc - radius * last, 0.0)
+    return (radius * np.sin(angle) + rest * math.cos(last), radius * (1 - np.cos(angle)) + rest * math.sin(last),
+            np.tan(angle))
+
+
+def drop_at(y, radius):
+    """(drop, slope) of the same curve at a place y."""
+    if math.isinf(radius):
+        return 0 * y, 0 * y
+    inner = np.minimum(y, ROUND_TO * radius)
+    slope = inner / np.sqrt(radius**2 - inner**2)
+    return radius - np.sqrt(radius**2 - inner**2) + slope * (y - inner), slope
+
+
+class Bodies:
+    """Quarter (x > 0, y > 0) of rail and wheel on one grid of (along, arc length across, depth)."""
+
+    def __init__(self, case, cell):
+        self.case = case
+        self.x = graded(cell, math.ceil(1.7 * HERTZ[0] / cell), REACH)
+        self.arc = graded(cell, math.ceil(1.25 * HERTZ[1] / cell), REACH)
+        self.depth = graded(cell, math.ceil(1.0 * HERTZ[0] / cell), REACH)
+        self.shape = (len(self.x), len(self.arc), len(self.depth))
+        y, rail, _ = across(self.arc, RAIL[case])
+        rail_slope = drop_at(y, RAIL[case])[1]
+        wheel, wheel_slope = drop_at(y, WHEEL[case])
+        rim = RADIUS + wheel  # rolling radius at y
+        height = np.sqrt(rim**2 - self.x[:, None]**2)
+        self.y, self.rail, self.wheel = y, -rail[None, :] + 0 * height, RADIUS - height
+        slope_x = 0.5 * self.x[:, None] / height
+        slope_y = -0.5 * (rail_slope + wheel_slope * rim / height)
+        length = np.sqrt(1 + slope_x**2 + slope_y**2)
+        self.normal = np.stack([-slope_x / length, -slope_y / length, 1 / length], axis=-1)
+        self.gap = (self.wheel - self.rail) * self.normal[..., 2]
+        half = [np.gradient(p) for p in (self.x, self.arc)]
+        for p, h in zip((self.x, self.arc), half):
+            h[0], h[-1] = 0.5 * (p[1] - p[0]), 0.5 * (p[-1] - p[-2])
+        self.area = half[0][:, None] * half[1][None, :]
+
+    def number(self, body, i, j, k):
+        """Of a node; body 0 is the rail, 1 the wheel."""
+        nx, ny, nz = self.shape
+        return 1 + i + nx * (j + ny * (k + nz * body))
+
+    def nodes(self):
+        for body, (top, sign) in enumerate(((self.rail, -1.0), (self.wheel, 1.0))):
+            for k, depth in enumerate(self.depth):
+                for j, y in enumerate(self.y):
+                    for i, x in enumerate(self.x):
+                        yield f"{self.number(body, i, j, k)}, {x:.9g}, {y:.9g}, {top[i, j] + sign * depth:.9g}"
+
+    def cells(self):
+        nx, ny, nz = self.shape
+        for body in (0, 1):
+            for k in range(nz - 1):
+                low, high = (k + 1, k) if body == 0 else (k, k + 1)
+                for j in range(ny - 1):
+                    for i in range(nx - 1):
+                        yield [self.number(body, i + di, j + dj, level) for level in (low, high)
+                               for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))]
+
+    def contacts(self):
+        """(i, j) of the pairs that may touch."""
+        a, b, _ = HERTZ
+        return [(i, j) for j, s in enumerate(self.arc) for i, x in enumerate(self.x)
+                if (x / a)**2 + (s / b)**2 < 1.6]
+
+
+def _set(name, numbers, kind="NSET"):
+    numbers = list(numbers)
+    lines = [", ".join(map(str, numbers[k:k + 12])) for k in range(0, len(numbers), 12)]
+    return [f"*{kind}, {kind}={name}"] + [line + "," for line in lines]
+
+
+def deck(bodies, approach):
+    """CalculiX's input: bricks with incompatible modes, one gap element per pair of opposite nodes."""
+    nx, ny, nz = bodies.shape
+    number = bodies.number
+    lines = ["*NODE, NSET=ALL", *bodies.nodes(), "*ELEMENT, TYPE=C3D8I, ELSET=SOLID"]
+    count = 0
+    for count, cell in enumerate(bodies.cells(), 1):
+        lines.append(", ".join(map(str, [count, *cell])))
+    # A yield stress out of reach makes the step one of iterations, without which gap elements stay open or closed.
+    lines += ["*MATERIAL, NAME=STEEL", "*ELASTIC", f"{YOUNG}, {POISSON}", "*PLASTIC", "1e9, 0.",
+              "*SOLID SECTION, ELSET=SOLID, MATERIAL=STEEL"]
+    pairs = bodies.contacts()
+    for place, (i, j) in enumerate(pairs, 1):
+        n = bodies.normal[i, j]
+        lines += [f"*ELEMENT, TYPE=GAPUNI, ELSET=G{place}",
+                  f"{count + place}, {number(0, i, j, 0)}, {number(1, i, j, 0)}", f"*GAP, ELSET=G{place}",
+                  f"{bodies.gap[i, j]:.9g}, {n[0]:.9g}, {n[1]:.9g}, {n[2]:.9g}, , "
+                  f"{PENALTY * bodies.area[i, j]:.9g}, {OVERLAP_FORCE}"]
+    layer = lambda i, j, k: (number(body, p, q, r) for body in (0, 1) for p in i for q in j for r in k)
+    lines += _set("MIDDLEX", layer([0], range(ny), range(nz))) + _set("MIDDLEY", layer(range(nx), [0], range(nz)))
+    for name, body in (("BOTTOM", 0), ("TOP", 1)):
+        lines += _set(name, (number(body, i, j, nz - 1) for i in range(nx) for j in range(ny)))
+    lines += _set("FACES", (number(body, i, j, 0) for body in (0, 1) for i, j in pairs))
+    lines += ["*BOUNDARY", "MIDDLEX, 1, 1", "MIDDLEY, 2, 2", "BOTTOM, 1, 3", "TOP, 1, 2", "*STEP, INC=100", "*STATIC",
+              "0.5, 1.", "*BOUNDARY", f"TOP, 3, 3, {-approach}", "*NODE PRINT, NSET=FACES", "U",
+              "*NODE PRINT, NSET=BOTTOM, TOTALS=ONLY", "RF", "*END STEP"]
+    return "\n".join(lines) + "\n"
+
+
+def printed(path):
+    """({node: displacement}, reaction) of the last increment in a .dat file."""
+    moved, reaction, kind = {}, None, ""
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            words = line.split()
+            if words and words[0] in ("displacements", "total"):
+                kind = words[0]
+            elif kind == "displacements" and len(words) == 4:
+                moved[int(words[0])] = np.array([float(w) for w in words[1:]])
+            elif kind == "total" and len(words) == 3:
+                reaction = np.array([float(w) for w in words])
+    return moved, reaction
+
+
+def contact_forces(bodies, moved):
+    """(x, arc length, force along the normal, area) of the pairs: CalculiX's law of a gap element."""
+    rows = []
+    for i, j in bodies.contacts():
+        step = moved[bodies.number(1, i, j, 0)] - moved[bodies.number(0, i, j, 0)]
+        overlap = -(bodies.gap[i, j] + step @ bodies.normal[i, j])
+        stiffness = PENALTY * bodies.area[i, j]
+        soft = math.pi * OVERLAP_FORCE / stiffness
+        rows.append((bodies.x[i], bodies.arc[j], stiffness * overlap * (0.5 + math.atan(overlap / soft) / math.pi),
+                     bodies.area[i, j]))
+    return np.array(rows)
+
+
+def fitted(x, arc, pressure):
+    """(p0, a, b) of p^2 = p0^2 (1 - x^2/a^2 - s^2/b^2), by least squares inside half the patch."""
+    inside = (x / HERTZ[0])**2 + (arc / HERTZ[1])**2 < 0.25
+    columns = np.stack([np.ones(inside.sum()), -x[inside]**2, -arc[inside]**2], axis=1)
+    c = np.linalg.lstsq(columns, pressure[inside]**2, rcond=None)[0]
+    return math.sqrt(c[0]), math.sqrt(c[0] / c[1]), math.sqrt(c[0] / c[2])
+
+
+def by_calculix(case, cell, folder):
+    """What CalculiX has for a case: p0, a, b of the fit, sum of p dA over the force, cost."""
+    bodies = Bodies(case, cell)
+    stem = os.path.join(folder, f"calculix_{case}")
+    with open(stem + ".inp", "w", encoding="utf-8") as file:
+        file.write(deck(bodies, APPROACH))
+    before = os.times().children_user
+    done = subprocess.run(["ccx", "-i", os.path.basename(stem)], cwd=folder, stdout=subprocess.PIPE, check=False,
+                          stderr=subprocess.STDOUT, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    if "Job finished" not in done.stdout:
+        sys.exit(f"error: ccx did not finish case {case}:\n{done.stdout[-1500:]}")
+    moved, reaction = printed(stem + ".dat")
+    x, arc, force, area = contact_forces(bodies, moved).T
+    vertical = 4 * abs(reaction[2])
+    p0, a, b = fitted(x, arc, force / area)
+    scale = (FORCE / vertical)**(1 / 3)
+    return {"p0": p0 * scale, "a": a * scale, "b": b * scale, "sum_over_force": 4 * force.sum() / vertical,
+            "unknowns": 6 * math.prod(bodies.shape), "cpu_seconds": round(os.times().children_user - before)}
+
+
+def by_rollfem(case, friction, program, folder):
+    """{model: the same} at xi = 0 with this coefficient of friction."""
+    sys.path.insert(0, os.path.join(ROOT, "postprocess"))
+    from rollfem_figures.reader import read_result
+    with open(os.path.join(ROOT, "cases", f"thesis_{case}.toml"), encoding="utf-8") as file:
+        text = file.read()
+    text = re.sub(r"longitudinal_creepage = \[.*\]", "longitudinal_creepage = 0.0", text)
+    text = text.replace("coefficient = 0.55", f"coefficient = {friction}")
+    target = os.path.join(folder, f"rollfem_{case}_{friction:g}")
+    with open(target + ".toml", "w", encoding="utf-8") as file:
+        file.write(text)
+    subprocess.run([program, "run", target + ".toml", "--model", "halfspace,hybrid", "--quiet", "--no-report", "-o",
+                    target], check=True)
+    found = {}
+    for model in read_result(target).models:
+        point = model.points[0]
+        pressure = point.fields["pressure"]
+        x, arc = np.meshgrid(model.x, model.y)
+        _, a, b = fitted(x.ravel(), arc.ravel(), pressure.ravel())
+        area = (model.x[1] - model.x[0]) * (model.y[1] - model.y[0])
+        found[model.name] = {"p0": point["max_pressure"], "a": a, "b": b,
+                             "sum_over_force": float(pressure.sum()) * area / FORCE}
+    return found
+
+
+def compared(cell, program, folder):
+    """[{"by", "friction", "a": ..., "f": ...}]: a line each for CalculiX, half-space and hybrid, with and without friction."""
+    lines = [{"by": f"CalculiX, {cell:g} mm", "friction": 0.0, **{c: by_calculix(c, cell, folder) for c in "af"}}]
+    for friction in (0.0, 0.55) if program else ():
+        found = {case: by_rollfem(case, friction, program, folder) for case in "af"}
+        lines += [{"by": model, "friction": friction, **{c: found[c][model] for c in "af"}} for model in found["a"]]
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--cell", type=float, default=0.95, help="in the patch, mm; 0.95: 25 CPU s a case, 0.63: 130")
+    parser.add_argument("--program", default=os.path.join(ROOT, "build", "app", "rollfem"), help="rollfem; '' for none")
+    parser.add_argument("-o", "--output", default="results/calculix", help="folder of the decks and results")
+    parser.add_argument("--store", metavar="FILE", help="json to which the lines are added")
+    options = parser.parse_args()
+    if not shutil.which("ccx"):
+        sys.exit("error: there is no ccx; do: apt install calculix-ccx")
+    os.makedirs(options.output, exist_ok=True)
+    lines = compared(options.cell, options.program, options.output)
+    print(f"{'':22}{'mu':>5}{'p0(a)':>9}{'p0(f)':>9}{'f - a':>8}{'b(a)':>9}{'b(f)':>9}{'f - a':>8}{'sum p dA/F (f)':>16}")
+    for line in lines:
+        a, f = line["a"], line["f"]
+        print(f"{line['by']:22}{line['friction']:5g}{a['p0']:9.2f}{f['p0']:9.2f}{f['p0'] - a['p0']:+8.2f}{a['b']:9.3f}"
+              f"{f['b']:9.3f}{f['b'] - a['b']:+8.3f}{f['sum_over_force']:16.5f}")
+    if options.store:
+        known = []
+        if os.path.exists(options.store):
+            with open(options.store, encoding="utf-8") as file:
+                known = json.load(file)
+        new = {(line["by"], line["friction"]) for line in lines}
+        with open(options.store, "w", encoding="utf-8") as file:
+            json.dump([k for k in known if (k["by"], k["friction"]) not in new] + lines, file, indent=1)
+            file.write("\n")
+
+
+if __name__ == "__main__":
+    main()
