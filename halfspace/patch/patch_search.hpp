@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
+#include "halfspace/patch/ridge.hpp"
 
 #include <array>
 #include <memory>
@@ -64,6 +65,8 @@ class PatchSearch {
   /// Throws contact::InputError when the patch reaches the end of a profile or the radii make no
   /// elliptic contact, contact::SolveError when nothing touches; so do all others.
   const ExpectedPatch& patch() const;
+  /// Of true profiles: what the patch was found on.
+  const Ridge& ridge() const;
   /// Of radii Hertz's ellipse about the origin.
   PatchBox box() const;
   PatchExtent extent() const;
@@ -85,6 +88,7 @@ class PatchSearch {
 
   const contact::Scene& scene_;
   mutable std::shared_ptr<const ExpectedPatch> patch_;
+  mutable std::shared_ptr<const Ridge> ridge_;
 };
 
 /// Throws contact::InputError "profile too short for the contact" when one of the profiles of the
