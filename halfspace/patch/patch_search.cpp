@@ -215,7 +215,7 @@ ExpectedPatch patch_of_points(const Scene& scene) {
   return summary(found);
 }
 
-ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge) {
+ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDetail detail) {
   const contact::NormalLoad load = contact::largest_load(scene);
   const double A = 0.5 / scene.geometry.surface.profiles->local_rolling_radius(0.0);
   const double modulus = scene.material.contact_modulus;
@@ -243,7 +243,7 @@ ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge) {
     found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  return summary(solve_on(scene, lattice_over(found), load));
+  return summary(detail == SearchDetail::box ? found : solve_on(scene, lattice_over(found), load));
 }
 
 ExpectedPatch patch_of_ellipse(const Scene& scene) {
@@ -272,10 +272,14 @@ class FoundPatches {
     std::shared_ptr<const Ridge> ridge;
   };
 
-  Entry of(const Scene& scene) {
+  Entry of(const Scene& scene, SearchDetail detail) {
     const contact::NormalLoad load = contact::largest_load(scene);
-    const Key key{scene.material.shear_modulus, scene.material.poisson_ratio,
-                  scene.material.contact_modulus, load.force, load.approach};
+    const Key key{scene.material.shear_modulus,
+                  scene.material.poisson_ratio,
+                  scene.material.contact_modulus,
+                  load.force,
+                  load.approach,
+                  detail};
     const std::weak_ptr<const contact::PatchGeometry> profiles = scene.geometry.surface.profiles;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -286,7 +290,8 @@ class FoundPatches {
     }
     Entry entry;
     entry.ridge = std::make_shared<const Ridge>(*scene.geometry.surface.profiles);
-    entry.patch = std::make_shared<const ExpectedPatch>(patch_of_profiles(scene, *entry.ridge));
+    entry.patch =
+        std::make_shared<const ExpectedPatch>(patch_of_profiles(scene, *entry.ridge, detail));
     const std::lock_guard<std::mutex> lock(mutex_);
     if (found_.size() == most_kept) found_.pop_front();
     found_.push_back({profiles, key, entry});
@@ -294,7 +299,8 @@ class FoundPatches {
   }
 
  private:
-  using Key = std::tuple<double, double, double, std::optional<double>, std::optional<double>>;
+  using Key = std::tuple<double, double, double, std::optional<double>, std::optional<double>,
+                         SearchDetail>;
   struct Known {
     std::weak_ptr<const contact::PatchGeometry> profiles;
     Key key;
@@ -312,7 +318,7 @@ const ExpectedPatch& PatchSearch::patch() const {
   static FoundPatches found;
   if (patch_) return *patch_;
   if (scene_.has_profiles()) {
-    FoundPatches::Entry entry = found.of(scene_);
+    FoundPatches::Entry entry = found.of(scene_, detail_);
     patch_ = std::move(entry.patch);
     ridge_ = std::move(entry.ridge);
   } else {
