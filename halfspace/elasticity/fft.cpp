@@ -91,6 +91,20 @@ bool pays_for_a_thread(int px, int py) {
 /// Rows are transformed together, two in one complex line.
 constexpr int rows_at_once = 8;
 
+/// The line a + i b of rows of n values, either of which may be missing, zeros up to its `length`.
+void pair_up(const double* a, const double* b, int n, int length, double* line) {
+  if (a == nullptr) n = 0;
+  for (int i = 0; b != nullptr && i < n; ++i) {
+    line[2 * i] = a[i];
+    line[2 * i + 1] = b[i];
+  }
+  for (int i = 0; b == nullptr && i < n; ++i) {
+    line[2 * i] = a[i];
+    line[2 * i + 1] = 0.0;
+  }
+  std::fill(line + 2 * n, line + 2 * length, 0.0);
+}
+
 /// Where the second of two threads begins in n lines; it is the same for one, so that it rounds
 /// alike.
 int middle_of(int n, bool two) {
@@ -189,12 +203,11 @@ void PaddedFft::rows_forward(const contact::Field& field, int first, int last, W
                              Spectrum& columns) const {
   for (int j = first; j < last; j += rows_at_once) {
     const int rows = std::min(rows_at_once, last - j);
-    for (int row = 0; row < rows_at_once; ++row) {
-      double* to = reinterpret_cast<double*>(work.from.data() + row / 2 * px_) + row % 2;
-      const double* from = field.data() + static_cast<std::ptrdiff_t>(j + row) * nx_;
-      const int known = row < rows ? nx_ : 0;
-      for (int i = 0; i < known; ++i) to[2 * i] = from[i];
-      for (int i = known; i < px_; ++i) to[2 * i] = 0.0;
+    for (int row = 0; row < rows_at_once; row += 2) {
+      const double* a =
+          field.data() + static_cast<std::ptrdiff_t>(j + std::min(row, rows - 1)) * nx_;
+      pair_up(row < rows ? a : nullptr, row + 1 < rows ? a + nx_ : nullptr, nx_, px_,
+              reinterpret_cast<double*>(work.from.data() + row / 2 * px_));
     }
     execute(plans_->forward.rows, work.from.data(), work.to.data());
     for (int k = 0; k < frequencies_x(); ++k) {
@@ -228,10 +241,12 @@ void PaddedFft::rows_backward(const Spectrum& columns, int first, int last, Work
       }
     }
     execute(plans_->backward.rows, work.from.data(), work.to.data());
-    for (int row = 0; row < rows; ++row) {
-      const double* from = reinterpret_cast<double*>(work.to.data() + row / 2 * px_) + row % 2;
-      double* to = field.data() + static_cast<std::ptrdiff_t>(j + row) * nx_;
-      for (int i = 0; i < nx_; ++i) to[i] = scale * from[2 * i];
+    for (int row = 0; row < rows; row += 2) {
+      const double* from = reinterpret_cast<double*>(work.to.data() + row / 2 * px_);
+      double* a = field.data() + static_cast<std::ptrdiff_t>(j + row) * nx_;
+      double* b = row + 1 < rows ? a + nx_ : nullptr;
+      for (int i = 0; i < nx_; ++i) a[i] = scale * from[2 * i];
+      for (int i = 0; b != nullptr && i < nx_; ++i) b[i] = scale * from[2 * i + 1];
     }
   }
 }

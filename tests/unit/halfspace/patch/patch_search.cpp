@@ -170,8 +170,8 @@ TEST(ExpectedPatch, SaysWhichRowsOfSeveralPatchesAreLoaded) {
 
 TEST(ExpectedPatch, ABoxForGivenElementsIsThatOfThePatch) {
   for (const char name : {'a', 'c', 'f'}) {
-    const rollfem::testing::PatchCase input = with_circles(name);
-    const PatchSearch coarse(input, halfspace::SearchDetail::box), fine(input);
+    const contact::Scene scene = with_circles(name);
+    const PatchSearch coarse(scene, halfspace::SearchDetail::box), fine(scene);
     const ExpectedPatch &box = coarse.patch(), &patch = fine.patch();
     EXPECT_NE(&box, &patch) << name;
     EXPECT_NEAR(box.x_lower, patch.x_lower, of_extents * patch.length()) << name;
