@@ -92,10 +92,13 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
   };
   const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, y);
   const auto k = static_cast<std::size_t>(above - knots.begin()) - 1;
-  return contact::HeightCurve({knots[k], knots[k + 1]}, {values[k], values[k + 1]},
-                              {slope(k), slope(k + 1)})
-      .at(y)
-      .value;
+  const double h = knots[k + 1] - knots[k];
+  // Beyond the ends the tangent goes on.
+  const double t = std::clamp((y - knots[k]) / h, 0.0, 1.0);
+  const double chord = (values[k + 1] - values[k]) / h;
+  const double left = slope(k) - chord, right = slope(k + 1) - chord;
+  const double inside = values[k] + h * t * (chord + (1.0 - t) * (left - t * (left + right)));
+  return inside + (y - (knots[k] + h * t)) * slope(t > 0.5 ? k + 1 : k);
 }
 
 }  // namespace
