@@ -153,8 +153,7 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
 StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
   const halfspace::PatchSearch search(scene);
   const halfspace::ExpectedPatch& expected = search.patch();
-  const halfspace::Box overlap =
-      halfspace::Ridge(*scene.geometry.surface.profiles).overlap(expected.approach).box;
+  const halfspace::Box overlap = search.ridge().overlap(expected.approach).box;
   const double lower = overlap.y_lower;
   const double upper = overlap.y_upper;
   const int count =

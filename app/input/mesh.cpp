@@ -79,7 +79,8 @@ std::string table(const std::vector<MeshedBody>& bodies) {
 void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
   const contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);
-  const std::vector<contact::Scene> scenes = modelling::scenes_of(input, {}).list;
+  const std::vector<contact::Scene> scenes =
+      modelling::scenes_of(input, modelling::placed_wheels(input)).list;
   for (const contact::Scene& scene : scenes) models.check(scene, modelling::fem_model().name);
   const fs::path folder =
       !request.directory.empty()

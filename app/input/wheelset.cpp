@@ -83,16 +83,15 @@ void check(const WheelsetRequest& request, const contact::Case& input) {
 
 }  // namespace
 
-void add_rigid_wheelset(postprocess::RunRecord& record) {
+void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord& record) {
   const contact::Case& input = record.input;
   const std::vector<double>& shifts = input.wheelset.lateral_shift;
-  if (!input.has_profiles() || input.wheelset.positions() < 2) return;
+  if (input.wheelset.positions() < 2) return;
   const auto [least, most] = std::minmax_element(shifts.begin(), shifts.end());
   if (*least == *most) return;  // a row of yaw angles
   const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double reach = std::abs(*std::max_element(shifts.begin(), shifts.end(), nearer));
   if (reach < 2.0 * shift_step) return;
-  const track::SearchScene search = track::search_scene_of(input);
   std::vector<WheelsetRow> rows;
   try {
     rows =

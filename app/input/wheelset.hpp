@@ -4,6 +4,7 @@
 
 #include "contact/solve/model.hpp"
 #include "postprocess/write/output.hpp"
+#include "track/placement/wheelset_pose.hpp"
 
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ struct WheelsetRequest {
 
 /// Of a case with several lateral shifts: how the rigid wheelset stands at each, and the row of
 /// small steps up to the largest.
-void add_rigid_wheelset(postprocess::RunRecord& record);
+void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord& record);
 
 /// Prints the table, writes wheelset.csv and draws wheelset.svg. Throws contact::InputError where
 /// the case has no profiles, contact::SolveError where the wheelset does not stand on the track.

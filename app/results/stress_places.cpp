@@ -136,7 +136,8 @@ bool is_rigid(const ModelResult& model, const std::string& body) {
 /// Of the patch that the result is of.
 contact::Scene scene_of(const contact::Case& input, const ModelResult& model) {
   if (!model.place) return input;
-  for (const contact::Scene& scene : modelling::scenes_of(input, {}).list)
+  for (const contact::Scene& scene :
+       modelling::scenes_of(input, modelling::placed_wheels(input)).list)
     if (scene.place && scene.place->left == model.place->left &&
         scene.place->position == model.place->position && scene.place->patch == model.place->patch)
       return scene;

@@ -33,9 +33,9 @@ fs::path output_directory(const RunRequest& request) {
 /// What would only come out after the hours of computing: a folder that cannot be made, a model
 /// that cannot take the case.
 void check_before(const RunRequest& request, const contact::Case& input,
-                  const contact::ModelRegistry& models) {
+                  const modelling::Placed& placed, const contact::ModelRegistry& models) {
   postprocess::check_directory(output_directory(request).string());
-  for (const contact::Scene& scene : modelling::unbalanced_scenes(input))
+  for (const contact::Scene& scene : modelling::unbalanced_scenes(input, placed))
     for (const std::string& name : input.models) models.check(scene, name);
   const bool any_stress =
       std::any_of(input.models.begin(), input.models.end(), [&](const std::string& name) {
@@ -121,17 +121,19 @@ void run_at_once(const RunRequest& request, const contact::ModelRegistry& models
   CommandFrame frame(request, models, record.input.models);
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(record.input);
-  if (frame.first()) check_before(request, record.input, models);
+  const modelling::Placed placed = modelling::placed_wheels(record.input);
+  if (frame.first()) check_before(request, record.input, placed, models);
   frame.own(output_directory(request));
   record.provenance = frame.provenance();
   frame.compute(asked_by, "load points", [&](modelling::Solving how) {
     how.checkpoint = frame.keep_in(output_directory(request), record.input);
     how.share = request.share;
+    how.placed = placed;
     modelling::Solved solved = modelling::solve(record.input, how);
     if (!how.first || frame.ends_part()) return;
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);
-    add_rigid_wheelset(record);
+    if (placed) add_rigid_wheelset(placed->search, record);
     frame.clear_line();
     write_and_tell(request, record, models);
     frame.forget_kept();

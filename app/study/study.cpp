@@ -257,7 +257,8 @@ void study_at_once(const StudyRequest& request, const contact::ModelRegistry& kn
   if (frame.first()) warn_of_doubts(input);
   check_call(request, input, known);
   frame.own(directory_of(request));
-  const modelling::Scenes scenes = modelling::scenes_of(input, frame.progress());
+  const modelling::Scenes scenes =
+      modelling::scenes_of(input, modelling::placed_wheels(input), frame.progress());
   const std::vector<std::string> models = models_of(request, scenes, known);
   postprocess::StudyRecord record = record_of(request, input, scenes, frame);
   frame.compute("--model", "levels", [&](const modelling::Solving& how) {

@@ -2,37 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace rollfem::contact {
-
-namespace {
-
-/// The interval from knot k to k + 1 that holds a place between the first and the last: looked for
-/// about where it is if knots are evenly spaced, as those of profiles nearly are.
-std::size_t interval_of(const std::vector<double>& knots, double y) {
-  const std::size_t last = knots.size() - 2;
-  const double place =
-      (y - knots.front()) / (knots.back() - knots.front()) * static_cast<double>(last + 1);
-  // Of a place that is not a number, 0.
-  const std::size_t guess = place > 0.0 ? std::min(last, static_cast<std::size_t>(place)) : 0;
-  std::size_t lower = guess, upper = guess + 1;
-  for (std::size_t step = 1; lower > 0 && knots[lower] > y; step *= 2) {
-    upper = lower;
-    lower -= std::min(lower, step);
-  }
-  for (std::size_t step = 1; upper <= last && knots[upper] <= y; step *= 2) {
-    lower = upper;
-    upper = std::min(last + 1, upper + step);
-  }
-  const auto begin = knots.begin();
-  const auto above = std::upper_bound(begin + static_cast<std::ptrdiff_t>(lower) + 1,
-                                      begin + static_cast<std::ptrdiff_t>(upper), y);
-  return static_cast<std::size_t>(above - begin) - 1;
-}
-
-}  // namespace
 
 HeightCurve::HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope)
     : y_(std::move(y)), z_(std::move(z)), slope_(std::move(slope)) {
@@ -40,6 +14,31 @@ HeightCurve::HeightCurve(std::vector<double> y, std::vector<double> z, std::vect
     throw std::invalid_argument("a height curve needs two knots at least, each with a slope");
   for (std::size_t k = 1; k < y_.size(); ++k)
     if (!(y_[k] > y_[k - 1])) throw std::invalid_argument("the knots of a height curve must rise");
+  knots_before_.assign(y_.size() + 1, 0);
+  stretches_per_length_ = static_cast<double>(y_.size()) / (y_.back() - y_.front());
+  for (const double knot : y_) ++knots_before_[stretch_of(knot) + 1];
+  std::partial_sum(knots_before_.begin(), knots_before_.end(), knots_before_.begin());
+}
+
+/// Never falls as y rises, however it is rounded. Of a place that is not a number, 0.
+std::size_t HeightCurve::stretch_of(double y) const {
+  const double place = (y - y_.front()) * stretches_per_length_;
+  return place > 0.0 ? std::min(y_.size() - 1, static_cast<std::size_t>(place)) : 0;
+}
+
+std::size_t HeightCurve::piece_of(double y) const {
+  const std::size_t stretch = stretch_of(y);
+  std::size_t above = knots_before_[stretch];
+  const std::size_t end = knots_before_[stretch + 1];
+  constexpr std::size_t few = 8;
+  if (end - above > few)
+    above = static_cast<std::size_t>(
+        std::upper_bound(y_.begin() + static_cast<std::ptrdiff_t>(above),
+                         y_.begin() + static_cast<std::ptrdiff_t>(end), y) -
+        y_.begin());
+  else
+    while (above < end && y_[above] <= y) ++above;
+  return std::clamp<std::size_t>(above, 1, y_.size() - 1) - 1;
 }
 
 CurveValue HeightCurve::at(double y) const {
@@ -48,7 +47,7 @@ CurveValue HeightCurve::at(double y) const {
   } else if (y > y_.back()) {
     return {z_.back() + slope_.back() * (y - y_.back()), slope_.back(), 0};
   }
-  const std::size_t k = interval_of(y_, y);
+  const std::size_t k = piece_of(y);
   const double h = y_[k + 1] - y_[k];
   const double t = (y - y_[k]) / h;
   // Newton's form of the cubic: chord, then what the slopes at both ends say beyond it.

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace rollfem::contact {
@@ -34,6 +36,15 @@ class HeightCurve {
   std::vector<double> y_;
   std::vector<double> z_;
   std::vector<double> slope_;
+
+  /// The piece between knots k and k + 1 that holds a place between the first and the last knot.
+  std::size_t piece_of(double y) const;
+  std::size_t stretch_of(double y) const;
+
+  /// From the first knot to the last there are as many stretches of one length as knots: how many
+  /// knots are in those before each. A place is looked for among the few knots of its own.
+  std::vector<std::uint32_t> knots_before_;
+  double stretches_per_length_ = 0.0;  ///< 1/mm
 };
 
 }  // namespace rollfem::contact

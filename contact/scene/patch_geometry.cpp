@@ -115,8 +115,8 @@ AxlePlace PatchGeometry::axle_place(const Vector3& place) const {
 }
 
 double PatchGeometry::wheel_height(double x, double y) const {
-  const double radius = local_rolling_radius(y);
-  const double start = wheel_.at(y).value + 0.5 * x * x / radius;
+  const double section = wheel_.at(y).value;
+  const double start = section + 0.5 * x * x / axle_place({0.0, y, section}).radius;
   const Height height = height_of(wheel_radius_, axle_, x, y, start);
   return height.found ? height.value : std::numeric_limits<double>::infinity();
 }

@@ -1,7 +1,6 @@
 #include "halfspace/elasticity/circulant.hpp"
 
 #include "contact/base/threads.hpp"
-#include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,43 +35,34 @@ Eigen::Index periodic_index(int offset, int p) {
   return offset < 0 ? offset + p : offset;
 }
 
-struct Kernels {
-  Field xx, yy, xy, nn, xn, yn;
+/// Which way a kernel changes its sign with the offset.
+struct Odd {
+  bool x = false;
+  bool y = false;
 };
 
-/// All coefficients on the periodic plane, from one quadrant by symmetry. Odd kernels vanish on the
-/// middle line of an even period, where the sign is ambiguous (no product uses those offsets).
-Kernels periodic_kernels(const ContactGrid& grid, const CombinedMaterial& material, int px,
-                         int py) {
-  const Eigen::Index size = static_cast<Eigen::Index>(px) * py;
-  Kernels kernels;
-  for (Field* field :
-       {&kernels.xx, &kernels.yy, &kernels.xy, &kernels.nn, &kernels.xn, &kernels.yn})
-    field->setZero(size);
+/// One coefficient on the periodic plane. An odd one vanishes on the middle line of an even period,
+/// where the sign is ambiguous (no product uses those offsets).
+Field periodic_kernel(const InfluenceQuadrant& quadrant, double Influence::*part, Odd odd, int px,
+                      int py) {
+  Field kernel(static_cast<Eigen::Index>(px) * py);
   for (int j = 0; 2 * j <= py; ++j)
     for (int i = 0; 2 * i <= px; ++i) {
-      const Influence a = element_influence(grid, i, j, material);
-      const bool middle_x = 2 * i == px;
-      const bool middle_y = 2 * j == py;
+      const bool ambiguous = (odd.x && 2 * i == px) || (odd.y && 2 * j == py);
+      const double value = ambiguous ? 0.0 : quadrant.at(i, j).*part;
       for (const int sy : {1, -1})
-        for (const int sx : {1, -1}) {
-          const Eigen::Index k = periodic_index(sy * j, py) * px + periodic_index(sx * i, px);
-          kernels.xx[k] = a.xx;
-          kernels.yy[k] = a.yy;
-          kernels.nn[k] = a.nn;
-          kernels.xy[k] = middle_x || middle_y ? 0.0 : sx * sy * a.xy;
-          kernels.xn[k] = middle_x ? 0.0 : sx * a.xn;
-          kernels.yn[k] = middle_y ? 0.0 : sy * a.yn;
-        }
+        for (const int sx : {1, -1})
+          kernel[periodic_index(sy * j, py) * px + periodic_index(sx * i, px)] =
+              (odd.x ? sx : 1) * (odd.y ? sy : 1) * value;
     }
-  return kernels;
+  return kernel;
 }
 
 enum class Part { real, imaginary };
 
-Symbol transform(const PaddedFft& fft, const Field& kernel, Part part) {
+Symbol transform(const Field& kernel, int px, int py, Part part) {
   PaddedFft::Spectrum spectrum;
-  fft.forward(kernel, spectrum);
+  PaddedFft(px, py, px, py).forward(kernel, spectrum);
   Symbol symbol(spectrum.size());
   std::transform(spectrum.begin(), spectrum.end(), symbol.begin(), [part](const Complex& value) {
     return part == Part::real ? value.real() : value.imag();
@@ -82,19 +72,37 @@ Symbol transform(const PaddedFft& fft, const Field& kernel, Part part) {
 
 }  // namespace
 
-Symbols kernel_symbols(const ContactGrid& grid, const CombinedMaterial& material, int px, int py) {
-  const Kernels kernels = periodic_kernels(grid, material, px, py);
-  const PaddedFft fft(px, py, px, py);
-  Symbols symbols;
-  symbols.xx = transform(fft, kernels.xx, Part::real);
-  symbols.yy = transform(fft, kernels.yy, Part::real);
-  symbols.xy = transform(fft, kernels.xy, Part::real);
-  symbols.nn = transform(fft, kernels.nn, Part::real);
-  if (material.difference != 0.0) {
-    symbols.xn = transform(fft, kernels.xn, Part::imaginary);
-    symbols.yn = transform(fft, kernels.yn, Part::imaginary);
-  }
-  return symbols;
+std::array<int, 2> circulant_size(const ContactGrid& grid) {
+  return {good_fft_size(preconditioner_size(grid.nx)), good_fft_size(preconditioner_size(grid.ny))};
+}
+
+InfluenceQuadrant::InfluenceQuadrant(const ContactGrid& grid, const CombinedMaterial& material,
+                                     int nx, int ny)
+    : columns_(static_cast<std::size_t>(nx) + 1) {
+  coefficients_.reserve(columns_ * (static_cast<std::size_t>(ny) + 1));
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) coefficients_.push_back(element_influence(grid, i, j, material));
+}
+
+Symbol normal_symbol(const InfluenceQuadrant& quadrant, int px, int py) {
+  return transform(periodic_kernel(quadrant, &Influence::nn, {}, px, py), px, py, Part::real);
+}
+
+void set_tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols) {
+  const auto symbol = [&](double Influence::*part, Odd odd) {
+    return transform(periodic_kernel(quadrant, part, odd, px, py), px, py, Part::real);
+  };
+  symbols.xx = symbol(&Influence::xx, {});
+  symbols.yy = symbol(&Influence::yy, {});
+  symbols.xy = symbol(&Influence::xy, {true, true});
+}
+
+void set_coupling_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols) {
+  const auto symbol = [&](double Influence::*part, Odd odd) {
+    return transform(periodic_kernel(quadrant, part, odd, px, py), px, py, Part::imaginary);
+  };
+  symbols.xn = symbol(&Influence::xn, {true, false});
+  symbols.yn = symbol(&Influence::yn, {false, true});
 }
 
 std::vector<Complex> difference_symbol(Difference difference, int px, double dx, double decay) {
@@ -108,9 +116,9 @@ std::vector<Complex> difference_symbol(Difference difference, int px, double dx,
   return factors;
 }
 
-NormalCirculant::NormalCirculant(const ContactGrid& grid, const CombinedMaterial& material)
-    : fft_(grid.nx, grid.ny, preconditioner_size(grid.nx), preconditioner_size(grid.ny)),
-      inverse_(kernel_symbols(grid, material, fft_.px(), fft_.py()).nn) {
+NormalCirculant::NormalCirculant(const ContactGrid& grid, const InfluenceQuadrant& quadrant)
+    : fft_(grid.nx, grid.ny, circulant_size(grid)[0], circulant_size(grid)[1]),
+      inverse_(normal_symbol(quadrant, fft_.px(), fft_.py())) {
   // The true symbol, ~1/|k|, is positive; cutting the kernel off at the period may spoil that for
   // the smallest ones.
   const double floor =
@@ -126,12 +134,12 @@ Field NormalCirculant::apply(const Field& residual) const {
   return result;
 }
 
-TangentialCirculant::TangentialCirculant(const ContactGrid& grid, const CombinedMaterial& material,
+TangentialCirculant::TangentialCirculant(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
                                          Difference difference)
     : nx_(grid.nx),
       ny_(grid.ny),
-      fft_(grid.nx, grid.ny, preconditioner_size(grid.nx), preconditioner_size(grid.ny)),
-      symbols_(kernel_symbols(grid, material, fft_.px(), fft_.py())) {
+      fft_(grid.nx, grid.ny, circulant_size(grid)[0], circulant_size(grid)[1]) {
+  set_tangential_symbols(quadrant, fft_.px(), fft_.py(), symbols_);
   const double decay = difference == Difference::none ? 0.0 : decay_over_period;
   factors_ = difference_symbol(difference, fft_.px(), grid.dx, decay);
   growth_.resize(nx_);

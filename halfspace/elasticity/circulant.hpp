@@ -5,7 +5,9 @@
 #include "contact/iteration/compliance.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/elasticity/fft.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -23,10 +25,30 @@ struct Symbols {
 /// Which difference along x stands in front of A_tt.
 enum class Difference { none = 0, first = 1, second = 2 };
 
+/// Sizes of the plane on which the circulants of a grid are periodic.
+std::array<int, 2> circulant_size(const contact::ContactGrid& grid);
+
+/// Influence coefficients of a grid at offsets from none to nx columns and ny rows, from which the
+/// others follow by symmetry.
+class InfluenceQuadrant {
+ public:
+  InfluenceQuadrant(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,
+                    int nx, int ny);
+  const Influence& at(int i, int j) const {
+    return coefficients_[static_cast<std::size_t>(j) * columns_ + static_cast<std::size_t>(i)];
+  }
+
+ private:
+  std::size_t columns_;
+  std::vector<Influence> coefficients_;
+};
+
 /// Transforms of the influence coefficients laid out periodically on px by py elements: a product
-/// of spectra is exact for offsets below px/2 and py/2.
-Symbols kernel_symbols(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,
-                       int px, int py);
+/// of spectra is exact for offsets below px/2 and py/2, as far as the quadrant must reach. Of the
+/// pressure alone; of the tangential tractions; of what couples both.
+Symbol normal_symbol(const InfluenceQuadrant& quadrant, int px, int py);
+void set_tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols);
+void set_coupling_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols);
 
 /// Factor of D for kx = 0 .. px/2: (1 - e)/dx or (3 - 4 e + e^2)/(2 dx) with
 /// e = exp((2 pi i kx - decay)/px); `decay`: D of exp(-decay x/(px dx)) u, over that exponential.
@@ -41,7 +63,7 @@ inline std::complex<double> multiply(const std::complex<double>& a, const std::c
 /// Symmetric positive definite approximation of A_nn^-1.
 class NormalCirculant {
  public:
-  NormalCirculant(const contact::ContactGrid& grid, const contact::CombinedMaterial& material);
+  NormalCirculant(const contact::ContactGrid& grid, const InfluenceQuadrant& quadrant);
   contact::Field apply(const contact::Field& residual) const;
 
  private:
@@ -55,7 +77,7 @@ class NormalCirculant {
 /// scaling of rows and columns of T.
 class TangentialCirculant {
  public:
-  TangentialCirculant(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,
+  TangentialCirculant(const contact::ContactGrid& grid, const InfluenceQuadrant& quadrant,
                       Difference difference);
   contact::TangentialField apply(const contact::TangentialField& residual, double r,
                                  double shift) const;

@@ -3,7 +3,6 @@
 #include "contact/base/threads.hpp"
 #include "halfspace/elasticity/circulant.hpp"
 #include "halfspace/elasticity/fft.hpp"
-#include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +41,8 @@ void add_odd_product(const Symbol& symbol, double sign, const Spectrum& spectrum
 class HalfspaceNormal : public contact::NormalOperator {
  public:
   HalfspaceNormal(const ContactGrid& grid, const PaddedFft& fft, const Symbol& nn,
-                  const CombinedMaterial& material)
-      : grid_(grid), fft_(fft), nn_(nn), inverse_(grid, material) {}
+                  const InfluenceQuadrant& quadrant)
+      : grid_(grid), fft_(fft), nn_(nn), inverse_(grid, quadrant) {}
 
   const ContactGrid& grid() const override { return grid_; }
 
@@ -69,13 +68,13 @@ class HalfspaceNormal : public contact::NormalOperator {
 class HalfspaceTangential : public contact::TangentialOperator {
  public:
   HalfspaceTangential(const ContactGrid& grid, const PaddedFft& fft, const Symbols& symbols,
-                      Difference difference, double diagonal, const CombinedMaterial& material)
+                      Difference difference, double diagonal, const InfluenceQuadrant& quadrant)
       : grid_(grid),
         fft_(fft),
         symbols_(symbols),
         factors_(difference_symbol(difference, fft.px(), grid.dx)),
         diagonal_(diagonal),
-        material_(material),
+        quadrant_(quadrant),
         difference_(difference) {}
 
   const ContactGrid& grid() const override { return grid_; }
@@ -94,7 +93,7 @@ class HalfspaceTangential : public contact::TangentialOperator {
 
   TangentialField precondition(const TangentialField& residual, double r,
                                double shift) const override {
-    if (!inverse_) inverse_ = std::make_unique<TangentialCirculant>(grid_, material_, difference_);
+    if (!inverse_) inverse_ = std::make_unique<TangentialCirculant>(grid_, quadrant_, difference_);
     return inverse_->apply(residual, r, shift);
   }
 
@@ -117,7 +116,7 @@ class HalfspaceTangential : public contact::TangentialOperator {
   const Symbols& symbols_;
   std::vector<Complex> factors_;
   double diagonal_;
-  CombinedMaterial material_;
+  const InfluenceQuadrant& quadrant_;
   Difference difference_;
   mutable std::unique_ptr<TangentialCirculant> inverse_;  ///< made when first asked for
   mutable Spectrum x_;
@@ -125,10 +124,10 @@ class HalfspaceTangential : public contact::TangentialOperator {
 };
 
 /// Mean diagonal entry of D A_tt (or A_tt): the element's own influence coefficients.
-double mean_diagonal(const ContactGrid& grid, const CombinedMaterial& material,
+double mean_diagonal(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
                      Difference difference) {
   const auto coefficient = [&](int offset) {
-    const Influence a = element_influence(grid, offset, 0, material);
+    const Influence& a = quadrant.at(offset, 0);
     return 0.5 * (a.xx + a.yy);
   };
   // (D A) at element i takes u at i, i+1, i+2: offsets 0, 1, 2 from the loaded element i.
@@ -145,29 +144,50 @@ double mean_diagonal(const ContactGrid& grid, const CombinedMaterial& material,
 
 }  // namespace
 
+/// Symbols are made when first asked for: a search for the patch wants those of the pressure alone.
 struct HalfspaceCompliance::Implementation {
   ContactGrid grid;
-  CombinedMaterial material;
+  bool couples;
   // Displacements are wanted up to two columns upstream of the grid, for D: 2 nx + 3 keeps the
   // images apart and the kernels even.
   PaddedFft fft;
-  Symbols symbols;
+  InfluenceQuadrant quadrant;
+  mutable Symbols symbols;
   mutable std::unique_ptr<HalfspaceNormal> normal;
   mutable std::unique_ptr<HalfspaceTangential> tangential[3];
   mutable Spectrum spectra[3];
   mutable Spectrum result;
 
-  Implementation(const ContactGrid& g, const CombinedMaterial& m)
+  Implementation(const ContactGrid& g, const CombinedMaterial& material)
       : grid(g),
-        material(m),
+        couples(material.difference != 0.0),
         fft(g.nx, g.ny, 2 * g.nx + 3, g.is_line() ? 1 : 2 * g.ny),
-        symbols(kernel_symbols(g, m, fft.px(), fft.py())) {}
+        quadrant(g, material, std::max(fft.px(), circulant_size(g)[0]) / 2,
+                 std::max(fft.py(), circulant_size(g)[1]) / 2) {}
+
+  const Symbol& normal_symbol() const {
+    if (symbols.nn.empty()) symbols.nn = halfspace::normal_symbol(quadrant, fft.px(), fft.py());
+    return symbols.nn;
+  }
+
+  const Symbols& tangential_symbols() const {
+    if (symbols.xx.empty()) set_tangential_symbols(quadrant, fft.px(), fft.py(), symbols);
+    return symbols;
+  }
+
+  const Symbols& all_symbols() const {
+    normal_symbol();
+    tangential_symbols();
+    if (couples && symbols.xn.empty()) set_coupling_symbols(quadrant, fft.px(), fft.py(), symbols);
+    return symbols;
+  }
 
   const HalfspaceTangential& tangential_operator(Difference difference) const {
     auto& kept = tangential[static_cast<int>(difference)];
     if (!kept)
-      kept = std::make_unique<HalfspaceTangential>(
-          grid, fft, symbols, difference, mean_diagonal(grid, material, difference), material);
+      kept = std::make_unique<HalfspaceTangential>(grid, fft, tangential_symbols(), difference,
+                                                   mean_diagonal(grid, quadrant, difference),
+                                                   quadrant);
     return *kept;
   }
 };
@@ -183,30 +203,29 @@ const ContactGrid& HalfspaceCompliance::grid() const {
 
 SurfaceField HalfspaceCompliance::apply(const SurfaceField& traction) const {
   const Implementation& own = *implementation_;
+  const Symbols& symbols = own.all_symbols();
   Spectrum& x = own.spectra[0];
   Spectrum& y = own.spectra[1];
   Spectrum& n = own.spectra[2];
   own.fft.forward(traction.x, x);
   own.fft.forward(traction.y, y);
   own.fft.forward(traction.n, n);
-  const bool coupled = !own.symbols.xn.empty();
   const auto component = [&](const Symbol& on_x, const Symbol& on_y, Field& field) {
     own.result.assign(x.size(), Complex());
     add_product(on_x, x, own.result);
     add_product(on_y, y, own.result);
-    if (coupled)
-      add_odd_product(&on_x == &own.symbols.xx ? own.symbols.xn : own.symbols.yn, 1.0, n,
-                      own.result);
+    if (own.couples)
+      add_odd_product(&on_x == &symbols.xx ? symbols.xn : symbols.yn, 1.0, n, own.result);
     own.fft.backward(own.result, field);
   };
   SurfaceField displacement;
-  component(own.symbols.xx, own.symbols.xy, displacement.x);
-  component(own.symbols.xy, own.symbols.yy, displacement.y);
+  component(symbols.xx, symbols.xy, displacement.x);
+  component(symbols.xy, symbols.yy, displacement.y);
   own.result.assign(x.size(), Complex());
-  add_product(own.symbols.nn, n, own.result);
-  if (coupled) {
-    add_odd_product(own.symbols.xn, -1.0, x, own.result);
-    add_odd_product(own.symbols.yn, -1.0, y, own.result);
+  add_product(symbols.nn, n, own.result);
+  if (own.couples) {
+    add_odd_product(symbols.xn, -1.0, x, own.result);
+    add_odd_product(symbols.yn, -1.0, y, own.result);
   }
   own.fft.backward(own.result, displacement.n);
   return displacement;
@@ -215,7 +234,8 @@ SurfaceField HalfspaceCompliance::apply(const SurfaceField& traction) const {
 const contact::NormalOperator& HalfspaceCompliance::normal() const {
   const Implementation& own = *implementation_;
   if (!own.normal)
-    own.normal = std::make_unique<HalfspaceNormal>(own.grid, own.fft, own.symbols.nn, own.material);
+    own.normal =
+        std::make_unique<HalfspaceNormal>(own.grid, own.fft, own.normal_symbol(), own.quadrant);
   return *own.normal;
 }
 

@@ -6,13 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <deque>
 #include <mutex>
 #include <new>
+#include <tuple>
+#include <utility>
 
 namespace rollfem::halfspace {
 
 namespace {
+
+using Complex = std::complex<double>;
 
 /// FFTW's planner is not thread-safe; executing plans is.
 std::mutex& planner_mutex() {
@@ -26,30 +30,99 @@ bool has_small_factors_only(int n) {
   return n == 1;
 }
 
-/// Transforms of `count` lines from the `first` on.
-struct Share {
-  int first = 0;
-  int count = 0;
-  fftw_plan forward = nullptr;
-  fftw_plan backward = nullptr;
+using Plan = std::shared_ptr<fftw_plan_s>;
+
+/// Plans that the process has made: grids of one size follow each other, and planning takes as long
+/// as some ten transforms. All are of complex lines from one place to another: those of real lines
+/// and those that overwrite take FFTW four times as long to plan. They are executed on any memory,
+/// by several threads at once where need be; all memory is aligned alike.
+class KnownPlans {
+ public:
+  /// `count` lines of n that follow each other; sign: FFTW_FORWARD or FFTW_BACKWARD.
+  Plan of(int n, int count, int sign) {
+    const Key key{n, count, sign};
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& [known, plan] : plans_)
+      if (known == key) return plan;
+    Plan plan(made(n, count, sign), [](fftw_plan old) {
+      const std::lock_guard<std::mutex> planner(planner_mutex());
+      fftw_destroy_plan(old);
+    });
+    if (plans_.size() == most_kept) plans_.pop_front();
+    plans_.emplace_back(key, plan);
+    return plan;
+  }
+
+ private:
+  using Key = std::tuple<int, int, int>;
+
+  static fftw_plan made(int n, int count, int sign) {
+    // Nothing is read or written here.
+    PaddedFft::Spectrum from(static_cast<std::size_t>(n) * count), to(from.size());
+    const std::lock_guard<std::mutex> planner(planner_mutex());
+    return fftw_plan_many_dft(1, &n, count, reinterpret_cast<fftw_complex*>(from.data()), nullptr,
+                              1, n, reinterpret_cast<fftw_complex*>(to.data()), nullptr, 1, n, sign,
+                              FFTW_ESTIMATE);
+  }
+
+  /// Some ten grids with their preconditioners.
+  static constexpr std::size_t most_kept = 128;
+
+  std::mutex mutex_;
+  std::deque<std::pair<Key, Plan>> plans_;
 };
+
+KnownPlans& known_plans() {
+  static KnownPlans plans;
+  return plans;
+}
+
+void execute(const Plan& plan, const Complex* from, Complex* to) {
+  // FFTW takes no pointer to const, but leaves what it reads from as it is.
+  fftw_execute_dft(plan.get(), reinterpret_cast<fftw_complex*>(const_cast<Complex*>(from)),
+                   reinterpret_cast<fftw_complex*>(to));
+}
 
 /// 100 elements across, padded: 0.2 ms a transform.
 bool pays_for_a_thread(int px, int py) {
   return (px / 2 + 1) * py >= 20000;
 }
 
-/// Halves of n lines, for two threads, and for one so that it rounds alike. The second begins at a
-/// multiple of eight: plans demand the alignment of the memory they were made for.
-std::array<Share, 2> halves(int n) {
-  constexpr int aligned = 8;
-  const int first = std::min(n, (n / 2 + aligned - 1) / aligned * aligned);
-  return {Share{0, first}, Share{first, n - first}};
+/// Rows are transformed together, two in one complex line.
+constexpr int rows_at_once = 8;
+
+/// The line a + i b of rows of n values, either of which may be missing, zeros up to its `length`.
+void pair_up(const double* a, const double* b, int n, int length, double* line) {
+  if (a == nullptr) n = 0;
+  for (int i = 0; b != nullptr && i < n; ++i) {
+    line[2 * i] = a[i];
+    line[2 * i + 1] = b[i];
+  }
+  for (int i = 0; b == nullptr && i < n; ++i) {
+    line[2 * i] = a[i];
+    line[2 * i + 1] = 0.0;
+  }
+  std::fill(line + 2 * n, line + 2 * length, 0.0);
 }
 
-std::array<Share, 2> shares(int n, bool two) {
-  return two ? halves(n) : std::array<Share, 2>{Share{0, n}, Share{n, 0}};
+/// Where the second of two threads begins in n lines; it is the same for one, so that it rounds
+/// alike.
+int middle_of(int n, bool two) {
+  return two ? std::min(n, (n / 2 + rows_at_once - 1) / rows_at_once * rows_at_once) : n;
 }
+
+/// Plans of one direction; null until asked for.
+struct Direction {
+  Plan rows;
+  std::array<Plan, 2> columns;  ///< of each thread
+
+  void have(int px, int py, int middle, int sign) {
+    if (rows) return;
+    rows = known_plans().of(px, rows_at_once / 2, sign);
+    columns[0] = known_plans().of(py, middle, sign);
+    if (middle < px / 2 + 1) columns[1] = known_plans().of(py, px / 2 + 1 - middle, sign);
+  }
+};
 
 }  // namespace
 
@@ -69,52 +142,16 @@ void fft_free(void* memory) {
   fftw_free(memory);
 }
 
-/// Rows of the field along x, ny of them, are transformed and written transposed; the columns of
-/// the padded field are then contiguous. Rows of zeros are never transformed.
 struct PaddedFft::Plans {
-  double* memory = nullptr;  ///< ny * px, zero-padded along x
-  double* other = nullptr;   ///< the same for the second of two fields
-  std::array<Share, 2> rows;
-  std::array<Share, 2> columns;
+  int middle = 0;  ///< the column with which a second thread begins
+  Direction forward, backward;
+};
 
-  Plans(int ny, int px, int py)
-      : rows(shares(ny, pays_for_a_thread(px, py))),
-        columns(shares(px / 2 + 1, pays_for_a_thread(px, py))) {
-    const std::lock_guard<std::mutex> lock(planner_mutex());
-    memory = fftw_alloc_real(static_cast<std::size_t>(ny) * px);
-    other = fftw_alloc_real(static_cast<std::size_t>(ny) * px);
-    // Made for one spectrum, executed on any: all are aligned alike. Nothing is overwritten here.
-    fftw_complex* spectrum = fftw_alloc_complex(static_cast<std::size_t>(px / 2 + 1) * py);
-    const unsigned effort = FFTW_ESTIMATE;
-    for (Share& share : rows) {
-      if (share.count == 0) continue;
-      double* from = memory + static_cast<std::ptrdiff_t>(share.first) * px;
-      fftw_complex* to = spectrum + share.first;
-      share.forward = fftw_plan_many_dft_r2c(1, &px, share.count, from, nullptr, 1, px, to, nullptr,
-                                             py, 1, effort | FFTW_PRESERVE_INPUT);
-      share.backward = fftw_plan_many_dft_c2r(1, &px, share.count, to, nullptr, py, 1, from,
-                                              nullptr, 1, px, effort | FFTW_DESTROY_INPUT);
-    }
-    for (Share& share : columns) {
-      if (share.count == 0) continue;
-      fftw_complex* at = spectrum + static_cast<std::ptrdiff_t>(share.first) * py;
-      share.forward = fftw_plan_many_dft(1, &py, share.count, at, nullptr, 1, py, at, nullptr, 1,
-                                         py, FFTW_FORWARD, effort);
-      share.backward = fftw_plan_many_dft(1, &py, share.count, at, nullptr, 1, py, at, nullptr, 1,
-                                          py, FFTW_BACKWARD, effort);
-    }
-    fftw_free(spectrum);
-  }
-
-  ~Plans() {
-    const std::lock_guard<std::mutex> lock(planner_mutex());
-    for (const auto& lines : {rows, columns})
-      for (const Share& share : lines)
-        for (fftw_plan plan : {share.forward, share.backward})
-          if (plan) fftw_destroy_plan(plan);
-    fftw_free(memory);
-    fftw_free(other);
-  }
+/// Lines of one thread, and the columns of the padded field before or after their transform.
+struct PaddedFft::Work {
+  explicit Work(int px)
+      : from(static_cast<std::size_t>(rows_at_once / 2) * px, Complex()), to(from.size()) {}
+  Spectrum from, to, columns;
 };
 
 PaddedFft::PaddedFft(int nx, int ny, int px, int py)
@@ -122,7 +159,11 @@ PaddedFft::PaddedFft(int nx, int ny, int px, int py)
       ny_(ny),
       px_(good_fft_size(px)),
       py_(good_fft_size(py)),
-      plans_(std::make_unique<Plans>(ny_, px_, py_)) {}
+      plans_(std::make_unique<Plans>()),
+      work_(std::make_unique<Work>(px_)),
+      other_(std::make_unique<Work>(px_)) {
+  plans_->middle = middle_of(frequencies_x(), large());
+}
 
 PaddedFft::~PaddedFft() = default;
 
@@ -131,76 +172,127 @@ bool PaddedFft::large() const {
 }
 
 void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
-  forward(field, spectrum, plans_->memory, large());
+  plans_->forward.have(px_, py_, plans_->middle, FFTW_FORWARD);
+  forward(field, spectrum, *work_, large() ? other_.get() : nullptr);
 }
 
-void PaddedFft::backward(Spectrum& spectrum, contact::Field& field) const {
-  backward(spectrum, field, plans_->memory, large());
+void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field) const {
+  plans_->backward.have(px_, py_, plans_->middle, FFTW_BACKWARD);
+  backward(spectrum, field, *work_, large() ? other_.get() : nullptr);
 }
 
 void PaddedFft::forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const {
+  plans_->forward.have(px_, py_, plans_->middle, FFTW_FORWARD);
   contact::both(
-      large(), [&] { forward(field.x, x, plans_->memory, false); },
-      [&] { forward(field.y, y, plans_->other, false); });
+      large(), [&] { forward(field.x, x, *work_, nullptr); },
+      [&] { forward(field.y, y, *other_, nullptr); });
 }
 
-void PaddedFft::backward(Spectrum& x, Spectrum& y, contact::TangentialField& field) const {
+void PaddedFft::backward(const Spectrum& x, const Spectrum& y,
+                         contact::TangentialField& field) const {
+  plans_->backward.have(px_, py_, plans_->middle, FFTW_BACKWARD);
   contact::both(
-      large(), [&] { backward(x, field.x, plans_->memory, false); },
-      [&] { backward(y, field.y, plans_->other, false); });
+      large(), [&] { backward(x, field.x, *work_, nullptr); },
+      [&] { backward(y, field.y, *other_, nullptr); });
 }
 
-void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum, double* rows,
-                        bool at_once) const {
-  spectrum.resize(static_cast<std::size_t>(spectrum_size()));
-  auto* columns = reinterpret_cast<fftw_complex*>(spectrum.data());
-  const auto rows_of = [&](const Share& share) {
-    if (share.count == 0) return;
-    for (int j = share.first; j < share.first + share.count; ++j) {
-      double* row = rows + static_cast<std::ptrdiff_t>(j) * px_;
-      std::memcpy(row, field.data() + static_cast<std::ptrdiff_t>(j) * nx_, nx_ * sizeof(double));
-      std::fill(row + nx_, row + px_, 0.0);
+/// Two real rows a and b are the complex line z = a + i b; of the transforms A and B of both
+/// Z(k) = A(k) + i B(k), and Z(-k)* = A(k) - i B(k). They are written transposed: the columns of
+/// the padded field are then contiguous. Rows of zeros are never transformed.
+void PaddedFft::rows_forward(const contact::Field& field, int first, int last, Work& work,
+                             Spectrum& columns) const {
+  for (int j = first; j < last; j += rows_at_once) {
+    const int rows = std::min(rows_at_once, last - j);
+    for (int row = 0; row < rows_at_once; row += 2) {
+      const double* a =
+          field.data() + static_cast<std::ptrdiff_t>(j + std::min(row, rows - 1)) * nx_;
+      pair_up(row < rows ? a : nullptr, row + 1 < rows ? a + nx_ : nullptr, nx_, px_,
+              reinterpret_cast<double*>(work.from.data() + row / 2 * px_));
     }
-    fftw_execute_dft_r2c(share.forward, rows + static_cast<std::ptrdiff_t>(share.first) * px_,
-                         columns + share.first);
-  };
-  const auto columns_of = [&](const Share& share) {
-    if (share.count == 0) return;
-    for (int k = share.first; k < share.first + share.count; ++k)
-      std::fill(spectrum.begin() + static_cast<std::ptrdiff_t>(k) * py_ + ny_,
-                spectrum.begin() + static_cast<std::ptrdiff_t>(k + 1) * py_, 0.0);
-    fftw_complex* at = columns + static_cast<std::ptrdiff_t>(share.first) * py_;
-    fftw_execute_dft(share.forward, at, at);
-  };
-  contact::both(
-      at_once, [&] { rows_of(plans_->rows[0]); }, [&] { rows_of(plans_->rows[1]); });
-  contact::both(
-      at_once, [&] { columns_of(plans_->columns[0]); }, [&] { columns_of(plans_->columns[1]); });
+    execute(plans_->forward.rows, work.from.data(), work.to.data());
+    for (int k = 0; k < frequencies_x(); ++k) {
+      Complex* to = columns.data() + static_cast<std::ptrdiff_t>(k) * py_ + j;
+      const Complex* plus = work.to.data() + k;
+      const Complex* minus = work.to.data() + (k == 0 ? 0 : px_ - k);
+      for (int row = 0; row < rows; row += 2, plus += px_, minus += px_) {
+        to[row] = 0.5 * Complex(plus->real() + minus->real(), plus->imag() - minus->imag());
+        to[row + 1] = 0.5 * Complex(plus->imag() + minus->imag(), minus->real() - plus->real());
+      }
+    }
+  }
 }
 
-void PaddedFft::backward(Spectrum& spectrum, contact::Field& field, double* rows,
-                         bool at_once) const {
-  auto* columns = reinterpret_cast<fftw_complex*>(spectrum.data());
-  field.resize(static_cast<Eigen::Index>(nx_) * ny_);
+/// Real rows know nothing of the imaginary parts of the first and the last frequency.
+void PaddedFft::rows_backward(const Spectrum& columns, int first, int last, Work& work,
+                              contact::Field& field) const {
   const double scale = 1.0 / (static_cast<double>(px_) * py_);
-  const auto columns_of = [&](const Share& share) {
-    if (share.count == 0) return;
-    fftw_complex* at = columns + static_cast<std::ptrdiff_t>(share.first) * py_;
-    fftw_execute_dft(share.backward, at, at);
-  };
-  const auto rows_of = [&](const Share& share) {
-    if (share.count == 0) return;
-    fftw_execute_dft_c2r(share.backward, columns + share.first,
-                         rows + static_cast<std::ptrdiff_t>(share.first) * px_);
-    for (int j = share.first; j < share.first + share.count; ++j) {
-      const double* row = rows + static_cast<std::ptrdiff_t>(j) * px_;
-      for (int i = 0; i < nx_; ++i) field[static_cast<Eigen::Index>(j) * nx_ + i] = scale * row[i];
+  for (int j = first; j < last; j += rows_at_once) {
+    const int rows = std::min(rows_at_once, last - j);
+    for (int k = 0; k < frequencies_x(); ++k) {
+      const Complex* from = columns.data() + static_cast<std::ptrdiff_t>(k) * py_ + j;
+      Complex* plus = work.from.data() + k;
+      Complex* minus = work.from.data() + px_ - k;
+      const bool real = k == 0 || 2 * k == px_;
+      for (int row = 0; row < rows; row += 2, plus += px_, minus += px_) {
+        const Complex a = from[row], b = from[row + 1];
+        *plus =
+            real ? Complex(a.real(), b.real()) : Complex(a.real() - b.imag(), a.imag() + b.real());
+        if (!real) *minus = Complex(a.real() + b.imag(), b.real() - a.imag());
+      }
     }
+    execute(plans_->backward.rows, work.from.data(), work.to.data());
+    for (int row = 0; row < rows; row += 2) {
+      const double* from = reinterpret_cast<double*>(work.to.data() + row / 2 * px_);
+      double* a = field.data() + static_cast<std::ptrdiff_t>(j + row) * nx_;
+      double* b = row + 1 < rows ? a + nx_ : nullptr;
+      for (int i = 0; i < nx_; ++i) a[i] = scale * from[2 * i];
+      for (int i = 0; b != nullptr && i < nx_; ++i) b[i] = scale * from[2 * i + 1];
+    }
+  }
+}
+
+void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum, Work& work,
+                        Work* second) const {
+  spectrum.resize(static_cast<std::size_t>(spectrum_size()));
+  work.columns.resize(spectrum.size());
+  const int middle = middle_of(ny_, second != nullptr);
+  contact::both(
+      second != nullptr, [&] { rows_forward(field, 0, middle, work, work.columns); },
+      [&] {
+        if (middle < ny_) rows_forward(field, middle, ny_, *second, work.columns);
+      });
+  const auto columns = [&](int first, int last, const Plan& plan) {
+    if (first == last) return;
+    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(first) * py_;
+    for (std::ptrdiff_t k = first; k < last; ++k)
+      std::fill(work.columns.data() + k * py_ + ny_, work.columns.data() + (k + 1) * py_, 0.0);
+    execute(plan, work.columns.data() + begin, spectrum.data() + begin);
   };
+  const std::array<Plan, 2>& plans = plans_->forward.columns;
   contact::both(
-      at_once, [&] { columns_of(plans_->columns[0]); }, [&] { columns_of(plans_->columns[1]); });
+      second != nullptr, [&] { columns(0, plans_->middle, plans[0]); },
+      [&] { columns(plans_->middle, frequencies_x(), plans[1]); });
+}
+
+void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field, Work& work,
+                         Work* second) const {
+  work.columns.resize(static_cast<std::size_t>(spectrum_size()));
+  field.resize(static_cast<Eigen::Index>(nx_) * ny_);
+  const auto columns = [&](int first, int last, const Plan& plan) {
+    if (first == last) return;
+    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(first) * py_;
+    execute(plan, spectrum.data() + begin, work.columns.data() + begin);
+  };
+  const std::array<Plan, 2>& plans = plans_->backward.columns;
   contact::both(
-      at_once, [&] { rows_of(plans_->rows[0]); }, [&] { rows_of(plans_->rows[1]); });
+      second != nullptr, [&] { columns(0, plans_->middle, plans[0]); },
+      [&] { columns(plans_->middle, frequencies_x(), plans[1]); });
+  const int middle = middle_of(ny_, second != nullptr);
+  contact::both(
+      second != nullptr, [&] { rows_backward(work.columns, 0, middle, work, field); },
+      [&] {
+        if (middle < ny_) rows_backward(work.columns, middle, ny_, *second, field);
+      });
 }
 
 }  // namespace rollfem::halfspace

@@ -1,11 +1,14 @@
 // Two-dimensional real Fourier transforms of fields on a contact grid, zero-padded so that products
-// of spectra are convolutions on the infinite plane. FFTW plans are made once and kept.
+// of spectra are convolutions on the infinite plane. FFTW plans are made once for each size and
+// kept in the process.
 #pragma once
 
 #include "contact/base/grid.hpp"
 
 #include <complex>
 #include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -26,6 +29,13 @@ struct FftAllocator {
   explicit FftAllocator(const FftAllocator<U>& /*other*/) {}
   T* allocate(std::size_t count) { return static_cast<T*>(fft_allocate(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t /*count*/) { fft_free(memory); }
+  /// What is transformed is written first: not set to zero.
+  template <typename U>
+  void construct(U* /*place*/) const noexcept {}
+  template <typename U, typename... Values>
+  void construct(U* place, Values&&... values) const {
+    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
+  }
   friend bool operator==(const FftAllocator&, const FftAllocator&) { return true; }
   friend bool operator!=(const FftAllocator&, const FftAllocator&) { return false; }
 };
@@ -50,26 +60,32 @@ class PaddedFft {
   int spectrum_size() const { return frequencies_x() * py_; }
 
   void forward(const contact::Field& field, Spectrum& spectrum) const;
-  /// The nx by ny window of the inverse transform, normalised; destroys the spectrum.
-  void backward(Spectrum& spectrum, contact::Field& field) const;
+  /// The nx by ny window of the inverse transform, normalised.
+  void backward(const Spectrum& spectrum, contact::Field& field) const;
 
   /// Both components, at once where they are large.
   void forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const;
-  void backward(Spectrum& x, Spectrum& y, contact::TangentialField& field) const;
+  void backward(const Spectrum& x, const Spectrum& y, contact::TangentialField& field) const;
 
   /// Whether a transform takes long enough for a second thread to pay.
   bool large() const;
 
  private:
   struct Plans;
-  void forward(const contact::Field& field, Spectrum& spectrum, double* rows, bool at_once) const;
-  void backward(Spectrum& spectrum, contact::Field& field, double* rows, bool at_once) const;
+  struct Work;
+  void forward(const contact::Field& field, Spectrum& spectrum, Work& work, Work* second) const;
+  void backward(const Spectrum& spectrum, contact::Field& field, Work& work, Work* second) const;
+  void rows_forward(const contact::Field& field, int first, int last, Work& work,
+                    Spectrum& columns) const;
+  void rows_backward(const Spectrum& columns, int first, int last, Work& work,
+                     contact::Field& field) const;
 
   int nx_;
   int ny_;
   int px_;
   int py_;
   std::unique_ptr<Plans> plans_;
+  std::unique_ptr<Work> work_, other_;
 };
 
 }  // namespace rollfem::halfspace

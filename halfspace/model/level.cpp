@@ -157,7 +157,7 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
     const bool inside = run.solve(grid, [&] { return elasticity.make(scene, geometry, grid); });
     if (inside) {
       contact::LevelResult result = run.take_result();
-      const ContactGrid larger = grid_of_all_patches(scene, geometry, grid, result.points);
+      const ContactGrid larger = grid_of_all_patches(scene, geometry, area, grid, result.points);
       if (larger.ny == grid.ny) return result;
       grid = larger;
       if (attempt < most_enlargements && !scene.contact_grid.extent) continue;

@@ -89,6 +89,10 @@ Scene with_room(Scene scene, const Cell& cell) {
   return scene;
 }
 
+SearchDetail detail_for(const Scene& scene) {
+  return scene.contact_grid.cell_size ? SearchDetail::box : SearchDetail::extents;
+}
+
 /// Friction on a tilted plane carries a part of the load.
 bool shares_load(const Scene& scene) {
   return std::any_of(scene.points.begin(), scene.points.end(), [](const contact::LoadPoint& point) {
@@ -108,9 +112,9 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Patc
                                                   const GridElasticity& elasticity) {
   try {
     const Scene roomy = with_room(scene, cell);
-    return solve_level(roomy, scene.contact_grid.extent ? PatchSearch(roomy) : area, cell.dx,
-                       cell.dy, start, fmt::format("{} across: ", cell.across), progress, nullptr,
-                       elasticity);
+    return solve_level(
+        roomy, scene.contact_grid.extent ? PatchSearch(roomy, detail_for(scene)) : area, cell.dx,
+        cell.dy, start, fmt::format("{} across: ", cell.across), progress, nullptr, elasticity);
   } catch (const contact::UnfitGrid&) {
     return {};
   } catch (const contact::SolveError&) {
@@ -263,7 +267,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
                           contact::Checkpoint* checkpoint, const GridElasticity& elasticity) {
   const auto begin = std::chrono::steady_clock::now();
   Levels levels;
-  const PatchSearch area(scene);
+  const PatchSearch area(scene, detail_for(scene));
   std::vector<Cell> cells = cells_of_levels(scene, area);
   area.check_shape_of_cells(cells.back().dx, cells.back().dy);
   // A grid too large to have is refused before the coarser ones are computed.

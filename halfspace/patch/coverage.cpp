@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "halfspace/elasticity/influence.hpp"
-#include "halfspace/patch/ridge.hpp"
 
 #include <fmt/format.h>
 
@@ -38,14 +37,12 @@ double displacement_at(double x, double y, const ContactGrid& grid, const contac
 /// bodies would overlap under this load point, each element of the patch taken as a point load on
 /// the half-space. Nothing for bodies without profiles. Where the undeformed bodies are farther
 /// apart than the approach nothing touches, for displacement only ever opens the gap.
-std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
-                                                    const contact::ChartedGeometry& geometry,
-                                                    const ContactGrid& grid,
-                                                    const contact::PointResult& point,
-                                                    const contact::NormalLoad& load) {
+std::optional<std::array<double, 2>> touched_beyond(
+    const contact::Scene& scene, const contact::ChartedGeometry& geometry, const PatchSearch& area,
+    const ContactGrid& grid, const contact::PointResult& point, const contact::NormalLoad& load) {
   if (!scene.has_profiles() || !scene.geometry.has_surfaces() || scene.given_pressure) return {};
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
-  const Overlap overlap = Ridge(profiles).overlap(point.approach);
+  const Overlap overlap = area.ridge().overlap(point.approach);
   std::optional<std::array<double, 2>> touched;
   const auto look_at = [&](double y) {
     const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
@@ -96,12 +93,14 @@ void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& g
 }  // namespace
 
 ContactGrid grid_of_all_patches(const contact::Scene& scene,
-                                const contact::ChartedGeometry& geometry, const ContactGrid& grid,
+                                const contact::ChartedGeometry& geometry, const PatchSearch& area,
+                                const ContactGrid& grid,
                                 const std::vector<contact::PointResult>& points) {
   int below = 0, above = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     check_limits(scene, geometry, grid, points[k].fields.traction.n);
-    const auto beyond = touched_beyond(scene, geometry, grid, points[k], scene.points[k].load);
+    const auto beyond =
+        touched_beyond(scene, geometry, area, grid, points[k], scene.points[k].load);
     if (!beyond) continue;
     const auto rows = [&](double way) {
       return contact::count_of(std::ceil(way / grid.dy),

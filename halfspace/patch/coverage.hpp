@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/result/result.hpp"
+#include "halfspace/patch/patch_search.hpp"
 
 #include <vector>
 
@@ -12,11 +13,11 @@ namespace rollfem::halfspace {
 inline constexpr int free_elements = 3;
 
 /// The grid, with more rows where the bodies would overlap beyond it under one of the load points
-/// of the scene, solved as `points`. Throws contact::SolveError where the patch is not this
-/// contact's alone.
+/// of the scene, solved as `points`; `area`: the search that has found the patch. Throws
+/// contact::SolveError where the patch is not this contact's alone.
 contact::ContactGrid grid_of_all_patches(const contact::Scene& scene,
                                          const contact::ChartedGeometry& geometry,
-                                         const contact::ContactGrid& grid,
+                                         const PatchSearch& area, const contact::ContactGrid& grid,
                                          const std::vector<contact::PointResult>& points);
 
 }  // namespace rollfem::halfspace

@@ -8,7 +8,6 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/patch/ridge.hpp"
 
 #include <fmt/format.h>
 
@@ -216,8 +215,7 @@ ExpectedPatch patch_of_points(const Scene& scene) {
   return summary(found);
 }
 
-ExpectedPatch patch_of_profiles(const Scene& scene) {
-  const Ridge ridge(*scene.geometry.surface.profiles);
+ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDetail detail) {
   const contact::NormalLoad load = contact::largest_load(scene);
   const double A = 0.5 / scene.geometry.surface.profiles->local_rolling_radius(0.0);
   const double modulus = scene.material.contact_modulus;
@@ -245,7 +243,7 @@ ExpectedPatch patch_of_profiles(const Scene& scene) {
     found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  return summary(solve_on(scene, lattice_over(found), load));
+  return summary(detail == SearchDetail::box ? found : solve_on(scene, lattice_over(found), load));
 }
 
 ExpectedPatch patch_of_ellipse(const Scene& scene) {
@@ -264,54 +262,76 @@ ExpectedPatch patch_of_ellipse(const Scene& scene) {
   return patch;
 }
 
-/// The patches of true profiles found last. A run asks for the same one wherever a model begins: to
-/// choose a model, to lay out grids, bodies and ellipses, to look for smooth parts that are kept.
+/// The patches of true profiles found last, each with the ridge it was found on. A run asks for the
+/// same one wherever a model begins: to choose a model, to lay out grids, bodies and ellipses, to
+/// look for smooth parts that are kept.
 class FoundPatches {
  public:
-  std::shared_ptr<const ExpectedPatch> of(const Scene& scene) {
+  struct Entry {
+    std::shared_ptr<const ExpectedPatch> patch;
+    std::shared_ptr<const Ridge> ridge;
+  };
+
+  Entry of(const Scene& scene, SearchDetail detail) {
     const contact::NormalLoad load = contact::largest_load(scene);
-    const Key key{scene.material.shear_modulus, scene.material.poisson_ratio,
-                  scene.material.contact_modulus, load.force, load.approach};
+    const Key key{scene.material.shear_modulus,
+                  scene.material.poisson_ratio,
+                  scene.material.contact_modulus,
+                  load.force,
+                  load.approach,
+                  detail};
     const std::weak_ptr<const contact::PatchGeometry> profiles = scene.geometry.surface.profiles;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      for (const Entry& entry : found_)
-        if (entry.key == key && !entry.profiles.owner_before(profiles) &&
-            !profiles.owner_before(entry.profiles))
-          return entry.patch;
+      for (const Known& known : found_)
+        if (known.key == key && !known.profiles.owner_before(profiles) &&
+            !profiles.owner_before(known.profiles))
+          return known.entry;
     }
-    auto patch = std::make_shared<const ExpectedPatch>(patch_of_profiles(scene));
+    Entry entry;
+    entry.ridge = std::make_shared<const Ridge>(*scene.geometry.surface.profiles);
+    entry.patch =
+        std::make_shared<const ExpectedPatch>(patch_of_profiles(scene, *entry.ridge, detail));
     const std::lock_guard<std::mutex> lock(mutex_);
     if (found_.size() == most_kept) found_.pop_front();
-    found_.push_back({profiles, key, patch});
-    return patch;
+    found_.push_back({profiles, key, entry});
+    return entry;
   }
 
  private:
-  using Key = std::tuple<double, double, double, std::optional<double>, std::optional<double>>;
-  struct Entry {
+  using Key = std::tuple<double, double, double, std::optional<double>, std::optional<double>,
+                         SearchDetail>;
+  struct Known {
     std::weak_ptr<const contact::PatchGeometry> profiles;
     Key key;
-    std::shared_ptr<const ExpectedPatch> patch;
+    Entry entry;
   };
   static constexpr std::size_t most_kept = 16;
 
   std::mutex mutex_;
-  std::deque<Entry> found_;
+  std::deque<Known> found_;
 };
 
 }  // namespace
 
 const ExpectedPatch& PatchSearch::patch() const {
   static FoundPatches found;
-  if (!patch_) {
+  if (patch_) return *patch_;
+  if (scene_.has_profiles()) {
+    FoundPatches::Entry entry = found.of(scene_, detail_);
+    patch_ = std::move(entry.patch);
+    ridge_ = std::move(entry.ridge);
+  } else {
     const bool by_points = scene_.geometry.distance_values && !scene_.given_pressure;
-    patch_ = scene_.has_profiles()
-                 ? found.of(scene_)
-                 : std::make_shared<const ExpectedPatch>(by_points ? patch_of_points(scene_)
-                                                                   : patch_of_ellipse(scene_));
+    patch_ = std::make_shared<const ExpectedPatch>(by_points ? patch_of_points(scene_)
+                                                             : patch_of_ellipse(scene_));
   }
   return *patch_;
+}
+
+const Ridge& PatchSearch::ridge() const {
+  patch();
+  return *ridge_;
 }
 
 PatchBox PatchSearch::box() const {

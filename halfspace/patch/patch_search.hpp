@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
+#include "halfspace/patch/ridge.hpp"
 
 #include <array>
 #include <memory>
@@ -53,17 +54,25 @@ struct PatchExtent {
   double width = 0.0;   ///< mm, along y
 };
 
+/// How far the search of true profiles goes. What elements or bodies are measured by must change
+/// steadily with the bodies: the last solution is on a fine lattice that moves with them. A grid of
+/// given elements needs but a box, which it checks itself: that takes half the time.
+enum class SearchDetail { box, extents };
+
 /// The search for the patch of one scene under its largest load (normal force or approach), which
 /// every model asks for the patch, for what bodies are laid out about and for grids. It searches
 /// when it is first asked, and not at all where the same contact has been searched before.
 class PatchSearch {
  public:
   /// The scene must outlive this.
-  explicit PatchSearch(const contact::Scene& scene) : scene_(scene) {}
+  explicit PatchSearch(const contact::Scene& scene, SearchDetail detail = SearchDetail::extents)
+      : scene_(scene), detail_(detail) {}
 
   /// Throws contact::InputError when the patch reaches the end of a profile or the radii make no
   /// elliptic contact, contact::SolveError when nothing touches; so do all others.
   const ExpectedPatch& patch() const;
+  /// Of true profiles: what the patch was found on.
+  const Ridge& ridge() const;
   /// Of radii Hertz's ellipse about the origin.
   PatchBox box() const;
   PatchExtent extent() const;
@@ -84,7 +93,9 @@ class PatchSearch {
   void check_extent_of_profiles() const;
 
   const contact::Scene& scene_;
+  SearchDetail detail_;
   mutable std::shared_ptr<const ExpectedPatch> patch_;
+  mutable std::shared_ptr<const Ridge> ridge_;
 };
 
 /// Throws contact::InputError "profile too short for the contact" when one of the profiles of the

@@ -1,6 +1,5 @@
 #include "models/solving/case_scenes.hpp"
 
-#include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
 #include "track/placement/placement.hpp"
 
@@ -64,11 +63,16 @@ std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
 
 }  // namespace
 
-Scenes scenes_of(const Case& input, const contact::Progress& progress, contact::Checkpoint* kept,
-                 contact::Share share) {
-  if (!input.has_profiles()) return {{contact::Scene(input)}, {}, {}};
-  track::BalancedCase balanced = track::balance(input, progress, kept, share);
-  return {std::move(balanced.scenes), drawn_pairs(input, balanced.search, balanced.placed),
+Placed placed_wheels(const Case& input) {
+  if (!input.has_profiles()) return {};
+  return std::make_shared<const track::PlacedWheels>(track::place_for_balance(input));
+}
+
+Scenes scenes_of(const Case& input, const Placed& placed, const contact::Progress& progress,
+                 contact::Checkpoint* kept, contact::Share share) {
+  if (!placed) return {{contact::Scene(input)}, {}, {}};
+  track::BalancedCase balanced = track::balance(input, *placed, progress, kept, share);
+  return {std::move(balanced.scenes), drawn_pairs(input, placed->search, balanced.placed),
           std::move(balanced.notes)};
 }
 
@@ -115,11 +119,11 @@ std::string contacts_text(const Case& input, const track::SearchScene& search) {
   return text;
 }
 
-std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input) {
-  if (!input.has_profiles()) return {contact::Scene(input)};
+std::vector<contact::Scene> unbalanced_scenes(const Case& input, const Placed& placed) {
+  if (!placed) return {contact::Scene(input)};
   std::vector<contact::Scene> scenes;
-  for (track::PlacedScene& placed : track::make_scenes(input))
-    scenes.push_back(std::move(placed.scene));
+  for (const track::PlacedScene& scene : placed->scenes)
+    if (track::asked_for(input, scene)) scenes.push_back(scene.scene);
   return scenes;
 }
 

@@ -7,8 +7,9 @@
 #include "contact/base/share.hpp"
 #include "contact/case/case.hpp"
 #include "postprocess/write/output.hpp"
-#include "track/motion/placed_scenes.hpp"
+#include "track/balance/balance.hpp"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,13 +22,19 @@ struct Scenes {
   std::vector<std::string> notes;
 };
 
+/// The wheels of a case as they stand on their rails, to be passed on to all that asks for them;
+/// null for bodies with radii. Throws contact::InputError and contact::SolveError.
+using Placed = std::shared_ptr<const track::PlacedWheels>;
+Placed placed_wheels(const contact::Case& input);
+
 /// With profiles those at positions that `share` holds, balances kept and taken up in `kept`, which
 /// may be null. Throws contact::InputError and contact::SolveError.
-Scenes scenes_of(const contact::Case& input, const contact::Progress& progress,
-                 contact::Checkpoint* kept = nullptr, contact::Share share = {});
+Scenes scenes_of(const contact::Case& input, const Placed& placed,
+                 const contact::Progress& progress = {}, contact::Checkpoint* kept = nullptr,
+                 contact::Share share = {});
 
-/// The same before any balance, which takes time. Throws as scenes_of.
-std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input);
+/// The same before any balance, which takes time.
+std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input, const Placed& placed);
 
 /// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
 /// of the table without ending, and its text. One for each wheel that the case asks for.

@@ -104,7 +104,7 @@ std::string expected_choice(const contact::Case& input, const contact::ModelRegi
   std::string text;
   const std::optional<MachineSpeed> speed = machine_speed();
   try {
-    const std::vector<Scene> scenes = unbalanced_scenes(input);
+    const std::vector<Scene> scenes = unbalanced_scenes(input, placed_wheels(input));
     for (const Scene& scene : scenes) {
       if (scene.place && scene.place->position > 1) break;
       const double accuracy = accuracy_of(scene.accuracy);

@@ -4,7 +4,6 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
 #include "models/solving/auto_model.hpp"
-#include "models/solving/case_scenes.hpp"
 #include "models/solving/scene_checkpoint.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
@@ -167,7 +166,8 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
 
 Solved solve(const contact::Case& input, const Solving& how) {
   Solved solved;
-  Scenes scenes = scenes_of(input, how.progress, how.checkpoint, how.share);
+  Scenes scenes = scenes_of(input, how.placed ? how.placed : placed_wheels(input), how.progress,
+                            how.checkpoint, how.share);
   std::vector<std::string> able = able_models(input, scenes, how, solved.missing);
   Solving counted = how;
   const bool choice = any_choice(*how.models, able);

@@ -8,6 +8,7 @@
 #include "contact/solve/model.hpp"
 #include "models/choice/budget.hpp"
 #include "models/fem/fem_library.hpp"
+#include "models/solving/case_scenes.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <functional>
@@ -34,6 +35,7 @@ struct Solving {
   const ParallelSession* session = nullptr;  ///< where a model is parallel
   /// Starts the session before a parallel model is run that may not have been needed. May be empty.
   std::function<void()> need_session = {};
+  Placed placed;  ///< wheels that stand on their rails already; null: `solve` places them
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
   Budget* budget = nullptr;  ///< what a choice may spend where no accuracy is named; null: its own

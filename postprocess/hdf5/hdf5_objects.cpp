@@ -28,6 +28,14 @@ void write_scalar_attribute(hid_t object, const std::string& name, hid_t type, c
   check(H5Awrite(attribute, type, value), "H5Awrite");
 }
 
+/// HDF5 would fill two buffers of a megabyte with zeros for every line of text.
+Handle transfer_of_text() {
+  constexpr std::size_t bytes = 1U << 14U;
+  Handle transfer(H5Pcreate(H5P_DATASET_XFER), "H5Pcreate");
+  check(H5Pset_buffer(transfer, bytes, nullptr, nullptr), "H5Pset_buffer");
+  return transfer;
+}
+
 /// Datasets without a time of their own: the same result gives the same bytes.
 Handle dataset_options() {
   Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
@@ -36,7 +44,7 @@ Handle dataset_options() {
 }
 
 Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     hid_t type, const void* values) {
+                     hid_t type, const void* values, hid_t transfer = H5P_DEFAULT) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      "H5Screate_simple");
   const Handle options = dataset_options();
@@ -49,7 +57,7 @@ Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hs
   }
   Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, options, H5P_DEFAULT),
                  "H5Dcreate2");
-  if (count > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "H5Dwrite");
+  if (count > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer, values), "H5Dwrite");
   return dataset;
 }
 
@@ -136,7 +144,7 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::vector<st
   texts.reserve(lines.size());
   for (const std::string& line : lines) texts.push_back(line.c_str());
   const Handle type = string_type();
-  return write_numbers(parent, name, {texts.size()}, type, texts.data());
+  return write_numbers(parent, name, {texts.size()}, type, texts.data(), transfer_of_text());
 }
 
 Handle write_dataset(hid_t parent, const std::string& name, const std::string& text) {
@@ -146,7 +154,7 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::string& t
   Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, options, H5P_DEFAULT),
                  "H5Dcreate2");
   const char* const start = text.c_str();
-  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &start), "H5Dwrite");
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer_of_text(), &start), "H5Dwrite");
   return dataset;
 }
 

@@ -89,17 +89,32 @@ std::vector<WheelRailContact> place_wheels(const Case& input, const SearchScene&
   return all;
 }
 
-BalancedCase balance(const Case& input, const contact::Progress& progress,
-                     contact::Checkpoint* kept, contact::Share share) {
+PlacedWheels place_for_balance(const Case& input) {
+  Case all_sides = input;
+  if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
+  SearchOptions options;
+  options.with_reserve = input.load.vertical_force.has_value();
+  PlacedWheels placed;
+  placed.search = search_scene_of(input);
+  placed.scenes = make_scenes(all_sides, placed.search, options);
+  return placed;
+}
+
+bool asked_for(const Case& input, const PlacedScene& scene) {
+  const contact::ContactPlace& place = scene.contact.place;
+  return place.patch > 0 && asked_for(input, place.left);
+}
+
+BalancedCase balance(const Case& input) {
+  return balance(input, place_for_balance(input));
+}
+
+BalancedCase balance(const Case& input, const PlacedWheels& placed,
+                     const contact::Progress& progress, contact::Checkpoint* kept,
+                     contact::Share share) {
   BalancedCase result;
   result.notes = notes_of(input);
   const int count = static_cast<int>(input.wheelset.positions());
-  Case all_sides = input;
-  if (input.wheelset.free_rolling == FreeRolling::torque) all_sides.wheelset.side = WheelSide::both;
-  result.search = search_scene_of(input);
-  SearchOptions options;
-  options.with_reserve = input.load.vertical_force.has_value();
-  const std::vector<PlacedScene> placed = make_scenes(all_sides, result.search, options);
   contact::ProgressEvent event;
   event.model = "wheelset";
   event.stage = "balance";
@@ -108,12 +123,12 @@ BalancedCase balance(const Case& input, const contact::Progress& progress,
     event.note = fmt::format("position {} of {}", position, count);
     contact::report(progress, event);
     std::vector<PlacedScene> here;
-    for (const PlacedScene& scene : placed)
+    for (const PlacedScene& scene : placed.scenes)
       if (scene.contact.place.position == position) here.push_back(scene);
     for (contact::Scene& patch : kept_or_balanced(input, position, here, kept))
       if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));
     for (const PlacedScene& scene : here)
-      if (asked_for(input, scene.contact.place.left)) result.placed.push_back(scene);
+      if (asked_for(input, scene)) result.placed.push_back(scene);
   }
   event.finished = true;
   contact::report(progress, event);

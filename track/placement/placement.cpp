@@ -32,18 +32,17 @@ std::vector<double> samples(const profiles::ProfileCurve& curve) {
   return result;
 }
 
-/// Smallest value, of those at the places `at` and beside the least of them.
+/// Smallest value, of those `known` at the places `at` and beside the least of them.
 template <class Value>
-double smallest(const std::vector<double>& at, const Value& value) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < at.size(); ++k)
-    if (value(at[k]) < least) least = value(at[k]), best = k;
+double smallest(const std::vector<double>& at, const std::vector<double>& known,
+                const Value& value) {
+  const std::size_t best =
+      static_cast<std::size_t>(std::min_element(known.begin(), known.end()) - known.begin());
   // Half the digits of the place are all of a smooth minimum's value.
   constexpr int bits = std::numeric_limits<double>::digits / 2;
   const auto beside = boost::math::tools::brent_find_minima(
       value, at[best > 0 ? best - 1 : 0], at[std::min(best + 1, at.size() - 1)], bits);
-  return std::min(least, beside.second);
+  return std::min(known[best], beside.second);
 }
 
 }  // namespace
@@ -57,14 +56,18 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
   place.angle = -std::atan(track.inclination);
   const profiles::ProfileCurve turned = rail.moved(place.angle, 0.0, 0.0);
   const std::vector<double> at = samples(turned);
-  const double top = smallest(at, [&](double t) { return turned.at(t).z; });
+  std::vector<double> y, z;
+  for (const double t : at) {
+    const profiles::ProfilePoint point = turned.at(t);
+    y.push_back(point.y);
+    z.push_back(point.z);
+  }
+  const double top = smallest(at, z, [&](double t) { return turned.at(t).z; });
   const double limit = top + track.gauge_height;
   // Above the gauge height only; just below it the face may come nearer to the middle still.
-  double deepest = -std::numeric_limits<double>::infinity();
-  std::size_t crown = 0;
-  for (std::size_t k = 0; k < at.size(); ++k)
-    if (turned.at(at[k]).z < turned.at(at[crown]).z) crown = k;
-  for (std::size_t k = 0; k <= crown; ++k) deepest = std::max(deepest, turned.at(at[k]).z);
+  const auto crown = static_cast<std::size_t>(std::min_element(z.begin(), z.end()) - z.begin());
+  const double deepest =
+      *std::max_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(crown) + 1);
   if (deepest < limit - 1e-9)
     throw contact::InputError(
         fmt::format("rail.profile: ends {:.4g} mm below its top on the gauge side, but the gauge "
@@ -73,16 +76,19 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
                     "profile if its gauge face is at the larger y",
                     deepest - top, track.gauge_height));
   std::size_t first = crown;
-  while (first > 0 && turned.at(at[first]).z <= limit) --first;
+  while (first > 0 && z[first] <= limit) --first;
   // Between `first` and the next the face crosses the gauge height.
   const auto depth = [&](double t) { return turned.at(t).z - limit; };
   double above = at[first];
   if (depth(above) > 0.0)
     above = contact::bracketed_root(depth, above, at[first + 1], 1e-13, "gauge of the track");
-  std::vector<double> face{above};
+  std::vector<double> face{above}, face_y{turned.at(above).y};
   for (std::size_t k = first + 1; k <= crown; ++k)
-    if (at[k] > above) face.push_back(at[k]);
-  const double gauge_y = smallest(face, [&](double t) { return turned.at(t).y; });
+    if (at[k] > above) {
+      face.push_back(at[k]);
+      face_y.push_back(y[k]);
+    }
+  const double gauge_y = smallest(face, face_y, [&](double t) { return turned.at(t).y; });
   place.shift_y = 0.5 * track.gauge - gauge_y;
   place.shift_z = -top;
   return place;

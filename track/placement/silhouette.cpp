@@ -83,6 +83,24 @@ std::vector<double> parameters(const profiles::ProfileCurve& wheel) {
   return result;
 }
 
+/// What is known at knots, between them. Chords give slopes good enough for x and the profile
+/// coordinate, which place a contact only.
+double value_over_y(const std::vector<double>& knots, const std::vector<double>& values, double y) {
+  const auto slope = [&](std::size_t k) {
+    const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, knots.size() - 1);
+    return (values[b] - values[a]) / (knots[b] - knots[a]);
+  };
+  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, y);
+  const auto k = static_cast<std::size_t>(above - knots.begin()) - 1;
+  const double h = knots[k + 1] - knots[k];
+  // Beyond the ends the tangent goes on.
+  const double t = std::clamp((y - knots[k]) / h, 0.0, 1.0);
+  const double chord = (values[k + 1] - values[k]) / h;
+  const double left = slope(k) - chord, right = slope(k + 1) - chord;
+  const double inside = values[k] + h * t * (chord + (1.0 - t) * (left - t * (left + right)));
+  return inside + (y - (knots[k] + h * t)) * slope(t > 0.5 ? k + 1 : k);
+}
+
 }  // namespace
 
 WheelPoints wheel_points(const profiles::ProfileCurve& wheel) {
@@ -124,37 +142,24 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
         "wheel.profile: no part of it near y = 0 is visible along x; allowed: a tread at y = 0 "
         "that faces away from the axle; do: check rotation, shift and mirror under "
         "[wheel_profile]");
-  std::vector<double> y, z, slope, x, profile_y;
-  for (auto* list : {&y, &z, &slope, &x, &profile_y}) list->reserve(all.size());
+  std::vector<double> y, z, slope;
+  for (auto* list : {&y, &z, &slope, &x_, &profile_y_}) list->reserve(all.size());
   for (const Seen& point : all) {
     y.push_back(point.place[1]);
     z.push_back(point.place[2]);
     slope.push_back(point.slope);
-    x.push_back(point.place[0]);
-    profile_y.push_back(point.profile_y);
+    x_.push_back(point.place[0]);
+    profile_y_.push_back(point.profile_y);
   }
-  // Chords give slopes good enough for x and the profile coordinate, which place a contact only.
-  const auto chords = [&](const std::vector<double>& value) {
-    std::vector<double> result(value.size());
-    for (std::size_t k = 0; k < value.size(); ++k) {
-      const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, value.size() - 1);
-      result[k] = (value[b] - value[a]) / (y[b] - y[a]);
-    }
-    return result;
-  };
-  std::vector<double> along = chords(x);
-  x_ = contact::HeightCurve(y, std::move(x), std::move(along));
-  std::vector<double> across = chords(profile_y);
-  profile_y_ = contact::HeightCurve(y, std::move(profile_y), std::move(across));
   curve_ = contact::HeightCurve(std::move(y), std::move(z), std::move(slope));
 }
 
 OutlinePoint Silhouette::at(double y) const {
   OutlinePoint point;
-  point.x = x_.at(y).value;
+  point.x = value_over_y(curve_.knots(), x_, y);
   point.y = y;
   point.z = curve_.at(y).value;
-  point.profile_y = profile_y_.at(y).value;
+  point.profile_y = value_over_y(curve_.knots(), profile_y_, y);
   double square = 0.0, along = 0.0;
   const Vector3 place{point.x, point.y, point.z};
   for (int d = 0; d < 3; ++d) along += (place[d] - axle_.point[d]) * axle_.direction[d];

@@ -40,8 +40,8 @@ class Silhouette {
 
  private:
   contact::HeightCurve curve_;
-  contact::HeightCurve x_;          ///< x over y
-  contact::HeightCurve profile_y_;  ///< wheel profile y over y
+  std::vector<double> x_;          ///< mm, at the knots of the curve
+  std::vector<double> profile_y_;  ///< mm, of the wheel's profile
   contact::Axle axle_;
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -63,10 +64,14 @@ WheelsetPose asked_pose(const Case& input, int position) {
 /// Roll at which both wheels touch at one height: what the left one can sink less what the right
 /// one can rises with roll, by twice the distance of the rails per radian.
 double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
+  std::map<double, double> known;  // the ends of the bracket are asked for again
   const auto difference = [&](double roll) {
+    const auto [found, is_new] = known.try_emplace(roll, 0.0);
     pose.roll = roll;
-    return make_gap(input, scene, pose, position, true).smallest() -
-           make_gap(input, scene, pose, position, false).smallest();
+    if (is_new)
+      found->second = make_gap(input, scene, pose, position, true).smallest() -
+                      make_gap(input, scene, pose, position, false).smallest();
+    return found->second;
   };
   // Steps of the slope expected until the sign changes.
   const double slope = input.track.gauge + 65.0;

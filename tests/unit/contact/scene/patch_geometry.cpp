@@ -50,6 +50,33 @@ TEST(HeightCurve, GivesCubicsAndTheirDerivativesExactly) {
   }
 }
 
+TEST(HeightCurve, TakesThePieceOfAPlaceHoweverUnevenlyItsKnotsLie) {
+  // Three knots in a thousandth, a long piece, forty that crowd towards the end.
+  std::vector<double> y{-40.0, -39.9995, -39.999}, z, slope;
+  for (int k = 0; k < 40; ++k) y.push_back(10.0 - 45.0 * std::pow(0.7, k));
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    z.push_back(std::sin(7.0 * static_cast<double>(k)));
+    slope.push_back(std::cos(5.0 * static_cast<double>(k)));
+  }
+  const HeightCurve curve(y, z, slope);
+  const auto hermite = [&](std::size_t k, double t) {
+    const double h = y[k + 1] - y[k];
+    return (1.0 + 2.0 * t) * (1.0 - t) * (1.0 - t) * z[k] +
+           t * (1.0 - t) * (1.0 - t) * h * slope[k] + t * t * (3.0 - 2.0 * t) * z[k + 1] -
+           t * t * (1.0 - t) * h * slope[k + 1];
+  };
+  for (std::size_t k = 0; k + 1 < y.size(); ++k) {
+    EXPECT_EQ(curve.at(y[k]).value, z[k]) << k;
+    for (const double t : {0.001, 0.3, 0.999}) {
+      const double at = y[k] + t * (y[k + 1] - y[k]);
+      const double part = (at - y[k]) / (y[k + 1] - y[k]);
+      EXPECT_NEAR(curve.at(at).value, hermite(k, part), 1e-12 * (1.0 + y[k + 1] - y[k])) << k;
+    }
+    const double before = std::nextafter(y[k + 1], y[k]);
+    EXPECT_NEAR(curve.at(before).value, z[k + 1], 1e-12) << k;
+  }
+}
+
 TEST(HeightCurve, GoesOnAlongItsTangents) {
   const HeightCurve curve = cubic(0.3, 0.4);
   const CurveValue end = curve.at(curve.last());

@@ -1,6 +1,7 @@
 // FFT products of the half-space compliance against direct summation, symmetry, definiteness.
 #include "halfspace/elasticity/fft.hpp"
 
+#include "contact/base/pi.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
@@ -8,6 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "support/random_field.hpp"
+#include <array>
+#include <complex>
+#include <future>
+#include <vector>
 
 namespace rollfem::halfspace {
 namespace {
@@ -54,6 +59,55 @@ TEST(Fft, RoundTripGivesTheFieldBack) {
   Field back;
   fft.backward(spectrum, back);
   EXPECT_LT((back - field).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(Fft, SpectrumIsTheSumOverAllElements) {
+  // Rows go in pairs and eight at a time: one, an odd number, more than eight, and all of a plane.
+  for (const auto& [nx, ny, px, py] : {std::array{5, 1, 8, 2}, std::array{6, 7, 12, 14},
+                                       std::array{4, 19, 10, 20}, std::array{6, 10, 6, 10}}) {
+    const PaddedFft fft(nx, ny, px, py);
+    const Field field = testing::random_field(ContactGrid::centred(nx, ny, 1.0, 1.0), 7).n;
+    PaddedFft::Spectrum spectrum;
+    fft.forward(field, spectrum);
+    for (int kx = 0; kx <= px / 2; ++kx)
+      for (int ky = 0; ky < py; ++ky) {
+        std::complex<double> sum;
+        for (int j = 0; j < ny; ++j)
+          for (int i = 0; i < nx; ++i)
+            sum += field[j * nx + i] * std::polar(1.0, -2.0 * contact::pi *
+                                                           (static_cast<double>(kx) * i / px +
+                                                            static_cast<double>(ky) * j / py));
+        EXPECT_LT(std::abs(spectrum[static_cast<std::size_t>(kx) * py + ky] - sum), 1e-12)
+            << nx << ' ' << ny;
+      }
+  }
+}
+
+TEST(Fft, ThreadsThatPlanAndTransformAtOnceGetWhatOneGets) {
+  const auto round_trip = [](int n) {
+    const PaddedFft fft(n, n + 3, 2 * n, 2 * n + 6);
+    const Field field = testing::random_field(ContactGrid::centred(n, n + 3, 1.0, 1.0), 9).n;
+    PaddedFft::Spectrum spectrum;
+    Field back;
+    fft.forward(field, spectrum);
+    fft.backward(spectrum, back);
+    return back;
+  };
+  constexpr int sizes = 12;
+  std::vector<std::future<std::vector<Field>>> threads;
+  for (int thread = 0; thread < 4; ++thread)
+    threads.push_back(std::async(std::launch::async, [&] {
+      std::vector<Field> found;
+      for (int n = 0; n < sizes; ++n) found.push_back(round_trip(40 + 5 * n));
+      return found;
+    }));
+  std::vector<std::vector<Field>> found;
+  for (auto& thread : threads) found.push_back(thread.get());
+  for (int n = 0; n < sizes; ++n) {
+    const Field alone = round_trip(40 + 5 * n);
+    for (const auto& of_thread : found)
+      EXPECT_EQ((of_thread[static_cast<std::size_t>(n)] - alone).cwiseAbs().maxCoeff(), 0.0) << n;
+  }
 }
 
 class ComplianceOfGrid : public ::testing::TestWithParam<std::pair<int, int>> {

@@ -168,6 +168,21 @@ TEST(ExpectedPatch, SaysWhichRowsOfSeveralPatchesAreLoaded) {
   EXPECT_NEAR(patch.carrying_width, 4.0 * half.semi_axis_y, 0.005 * 4.0 * half.semi_axis_y);
 }
 
+TEST(ExpectedPatch, ABoxForGivenElementsIsThatOfThePatch) {
+  for (const char name : {'a', 'c', 'f'}) {
+    const contact::Scene scene = with_circles(name);
+    const PatchSearch coarse(scene, halfspace::SearchDetail::box), fine(scene);
+    const ExpectedPatch &box = coarse.patch(), &patch = fine.patch();
+    EXPECT_NE(&box, &patch) << name;
+    EXPECT_NEAR(box.x_lower, patch.x_lower, of_extents * patch.length()) << name;
+    EXPECT_NEAR(box.x_upper, patch.x_upper, of_extents * patch.length()) << name;
+    EXPECT_NEAR(box.y_lower, patch.y_lower, of_extents * patch.width()) << name;
+    EXPECT_NEAR(box.y_upper, patch.y_upper, of_extents * patch.width()) << name;
+    EXPECT_NEAR(box.carrying_length, patch.carrying_length, of_extents * patch.length()) << name;
+    EXPECT_NEAR(box.carrying_width, patch.carrying_width, of_extents * patch.width()) << name;
+  }
+}
+
 TEST(ExpectedPatch, WhatCarriesTheLoadChangesSteadily) {
   // A second patch comes, and the search goes through boxes that jump: elements are counted in
   // these lengths, and every jump of them would be one of the forces.
