@@ -93,6 +93,7 @@ class Bars {
         across_(elements_across(grid, fine)) {}
 
   void set_normal() const;
+  void set_normal_force() const;
   void set_extents() const;
   void set_forces() const;
   void set_tractions() const;
@@ -185,11 +186,19 @@ void Bars::set_normal() const {
         beside_narrower);
     extrapolate(of.name);
   }
-  const bool given = load_.load.force.has_value() && load_.load.direction[0] == 0.0;
+}
+
+/// Under a given force F_z is off by what friction along the force's direction is.
+void Bars::set_normal_force() const {
+  const bool given = load_.load.force.has_value();
   set(normal_force.name, normal_force.rule,
       given ? 0.0 : over_grid(normal_force.size * fine_.normal_force),
       of_waves(normal_force.of_waves));
   extrapolate(normal_force.name);
+  const auto& [across, along] = load_.load.direction;
+  if (given)
+    fine_.error_estimate[normal_force.name] =
+        std::hypot(bar_of(normal_force.name), across / along * bar_of("lateral_force"));
 }
 
 void Bars::set_extents() const {
@@ -260,15 +269,16 @@ void Bars::set_forces() const {
                         false};
   for (std::size_t i = 0; i < rough.size(); ++i)
     set(forces[i], of_force, given[i] ? 0.0 : rest_of_force(i, rough, false));
+  set_normal_force();
   if (!(fine_.normal_force > 0.0) || !(coarse_.normal_force > 0.0)) return;
-  // Under a given force F_z alone is uncertain.
+  // Under a given F_x F_z alone is uncertain.
   const double rest = given[0] ? fine_.traction_coefficient * bar_of("normal_force")
                                : rest_of_force(0, rough, true);
   set("traction_coefficient", of_force, rest / fine_.normal_force);
 }
 
 void Bars::set_tractions() const {
-  constexpr double along = 0.4, across = 0.2, of_fall = 3.0;
+  constexpr double along = 0.4, across = 0.2, of_fall = 3.0, of_pressure = 1.5;
   const contact::SurfaceField& traction = fine_.fields.traction;
   if (traction.x.size() != grid_.size() || traction.y.size() != grid_.size()) return;
   // Where slip is all but everywhere the largest traction is as smooth as the pressure; else it is
@@ -280,7 +290,7 @@ void Bars::set_tractions() const {
     set(name, rule,
         root_of_squares(
             {along * peak.sag_x, across * peak.sag_y, of_fall * (1.0 - part) * peak.fall}),
-        of_waves(&WaveErrors::max_pressure, part * friction_));
+        of_waves(&WaveErrors::max_pressure, of_pressure * part * friction_));
   };
   largest("max_traction", of_largest_traction,
           (traction.x.array().square() + traction.y.array().square()).sqrt().matrix());
