@@ -1,13 +1,25 @@
-// How often the error bars of the model halfspace hold: random scenes (tests/support/
-// random_scenes.hpp) on 12 to 32 elements across the patch, each against a grid four times finer.
-// Prints the table of docs/accuracy.md, and to stderr every scene that has no result. Call:
-// benchmark_bar_coverage [rows] SEED FIRST NUMBER [ACROSS ...], e.g. 8 0 1000 12 16 20
+// How often the error bars of the model halfspace hold, each number against a grid four times
+// finer. Prints the tables of docs/accuracy.md, and to stderr every scene that has no result.
+//
+// benchmark_bar_coverage [rows] SEED FIRST NUMBER [ACROSS ...]        e.g. 8 0 1000 12 16 20
+//   random scenes (tests/support/random_scenes.hpp) on 12 to 32 elements across the patch
+// benchmark_bar_coverage [rows] worn SEED FIRST NUMBER [CELL ...]     e.g. worn 31 0 60 0.1 0.2
+//   worn wheels on worn rails (tests/support/worn_pairs.hpp) on cells of these sizes, mm
+// benchmark_bar_coverage [rows] case FILE CELL ...                    e.g. case pair.toml 0.2
+//   all patches of a case with profiles
+//
 // With `rows` every number is printed (error, bar, bar on the fine grid) in place of the table.
 #include "tests/support/bar_coverage.hpp"
 
+#include "contact/case/case_reader.hpp"
+
 #include <fmt/format.h>
 
+#include "tests/support/worn_pairs.hpp"
 #include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
 
 using namespace rollfem;
 
@@ -24,51 +36,109 @@ void print_table(const testing::BarSamples& samples) {
   }
 }
 
-void print_rows(const testing::BarSamples& samples, unsigned number, int across) {
+void print_rows(const testing::BarSamples& samples, const std::string& scene) {
   for (const auto& [name, of_name] : samples)
     for (const testing::BarSample& sample : of_name)
-      fmt::print("{} {} {} {:.6g} {:.6g} {:.6g}\n", number, across, name, sample.error, sample.bar,
+      fmt::print("{} {} {:.6g} {:.6g} {:.6g}\n", scene, name, sample.error, sample.bar,
                  sample.fine_bar);
   std::fflush(stdout);
 }
 
+/// A scene on one grid: its name, and what adds its numbers.
+struct Scene {
+  std::string name;
+  std::function<void(testing::BarSamples&)> add;
+};
+
+unsigned whole(const std::string& word) {
+  return static_cast<unsigned>(std::atoi(word.c_str()));
+}
+
+template <class Value>
+std::vector<Value> numbers_from(const std::vector<std::string>& words, std::size_t first) {
+  std::vector<Value> values;
+  for (std::size_t k = first; k < words.size(); ++k)
+    values.push_back(static_cast<Value>(std::atof(words[k].c_str())));
+  return values;
+}
+
+std::vector<Scene> random_scenes(const std::vector<std::string>& words) {
+  std::vector<int> sizes = numbers_from<int>(words, 3);
+  if (sizes.empty()) sizes = {12, 12, 16, 16, 20, 20, 24, 24, 32};
+  std::vector<Scene> scenes;
+  for (unsigned number = whole(words[1]); number < whole(words[1]) + whole(words[2]); ++number)
+    scenes.push_back({std::to_string(number), [=](testing::BarSamples& samples) {
+                        testing::RandomScenes all(whole(words[0]));
+                        const testing::RandomScene random = all.scene(number);
+                        const int across = all.choose(sizes);
+                        // Stresses on the finest grids take far longer than the contact.
+                        testing::add_scene(random, across, number % 6 == 0 && across <= 20,
+                                           samples);
+                      }});
+  return scenes;
+}
+
+std::vector<Scene> worn_pairs(const std::vector<std::string>& words) {
+  std::vector<double> cells = numbers_from<double>(words, 4);
+  if (cells.empty()) cells = {0.2};
+  std::vector<Scene> scenes;
+  for (unsigned number = whole(words[2]); number < whole(words[2]) + whole(words[3]); ++number)
+    for (const double cell : cells)
+      scenes.push_back({fmt::format("{} {}", number, cell), [=](testing::BarSamples& samples) {
+                          testing::WornPairs pairs(whole(words[1]));
+                          testing::add_on_cells(pairs.scene(number), cell, samples);
+                        }});
+  return scenes;
+}
+
+std::vector<Scene> patches_of_case(const std::vector<std::string>& words) {
+  std::vector<Scene> scenes;
+  for (const track::PlacedScene& placed : track::make_scenes(contact::read_case(words[1])))
+    for (const double cell : numbers_from<double>(words, 2))
+      scenes.push_back({fmt::format("{} {}", placed.scene.place->label(), cell),
+                        [scene = placed.scene, cell](testing::BarSamples& samples) {
+                          testing::add_on_cells(scene, cell, samples);
+                        }});
+  return scenes;
+}
+
+std::vector<Scene> scenes_of(const std::vector<std::string>& words) {
+  if (words.size() >= 3 && words[0] == "case") return patches_of_case(words);
+  if (words.size() >= 4 && words[0] == "worn") return worn_pairs(words);
+  if (words.size() >= 3 && words[0] != "worn") return random_scenes(words);
+  return {};
+}
+
 }  // namespace
 
-int main(int count, char** words) {
-  const bool rows = count > 1 && std::string(words[1]) == "rows";
-  if (rows) {
-    --count;
-    ++words;
-  }
-  if (count < 4) {
-    fmt::print(stderr, "call: benchmark_bar_coverage [rows] SEED FIRST NUMBER [ACROSS ...]\n");
+int main(int count, char** arguments) {
+  std::vector<std::string> words(arguments + 1, arguments + count);
+  const bool rows = !words.empty() && words[0] == "rows";
+  if (rows) words.erase(words.begin());
+  const std::vector<Scene> scenes = scenes_of(words);
+  if (scenes.empty()) {
+    fmt::print(stderr,
+               "call: benchmark_bar_coverage [rows] SEED FIRST NUMBER [ACROSS ...], "
+               "worn SEED FIRST NUMBER [CELL ...] or case FILE CELL ...\n");
     return 2;
   }
-  const auto whole = [&](int word) { return static_cast<unsigned>(std::atoi(words[word])); };
-  std::vector<int> sizes;
-  for (int word = 4; word < count; ++word) sizes.push_back(std::atoi(words[word]));
-  if (sizes.empty()) sizes = {12, 12, 16, 16, 20, 20, 24, 24, 32};
-  testing::RandomScenes scenes(whole(1));
   testing::BarSamples samples;
   int solved = 0;
-  for (unsigned number = whole(2); number < whole(2) + whole(3); ++number) {
+  for (const Scene& scene : scenes) {
     try {
-      const testing::RandomScene random = scenes.scene(number);
-      const int across = scenes.choose(sizes);
-      // Stresses on the finest grids take far longer than the contact.
       testing::BarSamples of_scene;
-      testing::add_scene(random, across, number % 6 == 0 && across <= 20, of_scene);
-      if (rows) print_rows(of_scene, number, across);
+      scene.add(of_scene);
+      if (rows) print_rows(of_scene, scene.name);
       for (const auto& [name, of_name] : of_scene)
         samples[name].insert(samples[name].end(), of_name.begin(), of_name.end());
       ++solved;
     } catch (const std::exception& error) {
-      fmt::print(stderr, "scene {}: {}\n", number, error.what());
+      fmt::print(stderr, "scene {}: {}\n", scene.name, error.what());
     }
   }
   if (rows) return 0;
-  fmt::print("seed {}, scenes {} to {}, {} solved\n\n", whole(1), whole(2), whole(2) + whole(3) - 1,
-             solved);
+  for (const std::string& word : words) fmt::print("{} ", word);
+  fmt::print(": {} of {} scenes solved\n\n", solved, scenes.size());
   print_table(samples);
   return 0;
 }

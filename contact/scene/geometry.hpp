@@ -71,8 +71,9 @@ class ChartedGeometry {
   PatchShape shape(const ContactGrid& grid) const;
 
   /// Distance from rail to wheel, mm, at touching: along z in the plane, else along the normal of
-  /// the common surface; as given where the case gives it. Throws InputError when the grid reaches
-  /// beyond the points of a file.
+  /// the common surface; as given where the case gives it. Profiles count with their means over the
+  /// elements across (HeightCurve::averaging). Throws InputError when the grid reaches beyond the
+  /// points of a file.
   Field undeformed_distance(const ContactGrid& grid) const;
 
   /// Rigid slip of the wheel over the rail, V = 1, along x and the lateral tangent, from the
@@ -90,6 +91,8 @@ class ChartedGeometry {
 
  private:
   bool is_this_contact(double y) const;
+  /// What the means of profiles over the elements change their distance by, mm.
+  Field averaging(const ContactGrid& grid) const;
 
   Geometry geometry_;
   Chart chart_;

@@ -62,6 +62,31 @@ CurveValue HeightCurve::at(double y) const {
   return result;
 }
 
+double HeightCurve::mean(double from, double to) const {
+  // Of a cubic between two places: the trapezium and what the slopes at both ends say beyond it.
+  const auto area = [](double h, const CurveValue& a, const CurveValue& b) {
+    return h * (0.5 * (a.value + b.value) + h * (a.slope - b.slope) / 12.0);
+  };
+  double sum = 0.0, last = from;
+  CurveValue before = at(from);
+  auto knot = std::upper_bound(y_.begin(), y_.end(), from);
+  for (; knot != y_.end() && *knot < to; ++knot) {
+    const auto k = static_cast<std::size_t>(knot - y_.begin());
+    const CurveValue here{z_[k], slope_[k], 0.0};
+    sum += area(*knot - last, before, here);
+    before = here;
+    last = *knot;
+  }
+  return (sum + area(to - last, before, at(to))) / (to - from);
+}
+
+double HeightCurve::averaging(double y, double width) const {
+  const double lower = y - 0.5 * width, upper = y + 0.5 * width;
+  const double here = mean(lower, upper);
+  const double second = mean(lower - width, lower) - 2.0 * here + mean(upper, upper + width);
+  return here - second / 24.0 - at(y).value;
+}
+
 std::array<double, 2> HeightCurve::gentle_part(double steepest) const {
   constexpr double step = 0.05;  // mm
   const auto end = [&](double direction, double last) {

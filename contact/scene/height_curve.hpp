@@ -25,6 +25,13 @@ class HeightCurve {
   HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope);
 
   CurveValue at(double y) const;
+  /// Mean height between two places, from < to, mm; exact for the pieces.
+  double mean(double from, double to) const;
+  /// What means over a width change the height at y by, mm. The height is taken from the means of
+  /// three neighbouring elements as those of a parabola, so that a smooth curve changes by a part
+  /// of width^4 z'''' only, while waves shorter than the width leave nothing that depends on where
+  /// in the wave y lies.
+  double averaging(double y, double width) const;
   double first() const { return y_.front(); }  ///< mm, lower end of what is known
   double last() const { return y_.back(); }    ///< mm, upper end
   bool contains(double y) const { return !y_.empty() && y >= first() && y <= last(); }

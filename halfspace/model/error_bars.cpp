@@ -2,6 +2,7 @@
 
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
+#include "halfspace/model/grid_signs.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 
 namespace rollfem::halfspace {
 
@@ -36,14 +38,16 @@ struct SmoothQuantity {
   const char* name;
   double size;
   Rule rule;
+  double WaveErrors::*of_waves;
 };
 constexpr SmoothQuantity smooth_quantities[] = {
-    {"max_pressure", 0.30, {0.2, 0.40, 0.62}},
-    {"approach", 0.15, {0.2, 0.30, 0.48}},
-    {"elastic_energy", 0.30, {0.2, 0.33, 0.55}},
-    {"contact_area", 0.60, {0.0, 1.06, 1.25}},
+    {"max_pressure", 0.30, {0.2, 0.40, 0.62}, &WaveErrors::max_pressure},
+    {"approach", 0.15, {0.2, 0.30, 0.48}, &WaveErrors::approach},
+    {"elastic_energy", 0.30, {0.2, 0.33, 0.55}, &WaveErrors::elastic_energy},
+    {"contact_area", 0.60, {0.0, 1.06, 1.25}, &WaveErrors::contact_area},
 };
-constexpr SmoothQuantity normal_force{"normal_force", 0.30, {0.0, 0.30, 0.45}};
+constexpr SmoothQuantity normal_force{
+    "normal_force", 0.30, {0.0, 0.30, 0.45}, &WaveErrors::normal_force};
 
 /// A force or moment has an error of every row of elements, whose leading edge lies anywhere in an
 /// element: the rows' forces are rough by it. Of the other two forces it has a part that is larger
@@ -70,81 +74,26 @@ double combined(const Rule& rule, bool three, std::initializer_list<double> term
   return (three ? rule.with_three : rule.with_two) * root_of_squares(terms);
 }
 
-/// The largest value of a field beside its neighbours.
-struct Peak {
-  double fall = 0.0;                ///< to the nearer of the neighbours along rolling
-  double sag_x = 0.0, sag_y = 0.0;  ///< above the mean of both, along and across
-};
-Peak peak_of(const ContactGrid& grid, const Field& field) {
-  Eigen::Index at = 0;
-  const double largest = field.maxCoeff(&at);
-  const int i = static_cast<int>(at) % grid.nx, j = static_cast<int>(at) / grid.nx;
-  const auto value = [&](int column, int row) {
-    const bool inside = column >= 0 && row >= 0 && column < grid.nx && row < grid.ny;
-    return inside ? field[grid.index(column, row)] : 0.0;
-  };
-  return {largest - std::max(value(i - 1, j), value(i + 1, j)),
-          largest - 0.5 * (value(i - 1, j) + value(i + 1, j)),
-          grid.is_line() ? 0.0 : largest - 0.5 * (value(i, j - 1) + value(i, j + 1))};
-}
-
-/// What is rough in the sums of a field over the rows of the grid: the root of the sum of squares
-/// of their fourth differences, as parts of those of uncorrelated errors.
-double roughness_of_rows(const ContactGrid& grid, const Field& field) {
-  if (grid.is_line()) return 0.0;           // one row
-  constexpr double of_uncorrelated = 70.0;  // 1 + 16 + 36 + 16 + 1
-  const auto row = [&](int j) {
-    return j < 0 || j >= grid.ny ? 0.0 : field.segment(grid.index(0, j), grid.nx).sum();
-  };
-  double squares = 0.0;
-  for (int j = 0; j < grid.ny; ++j) {
-    const double rough =
-        row(j - 2) - 4.0 * row(j - 1) + 6.0 * row(j) - 4.0 * row(j + 1) + row(j + 2);
-    squares += rough * rough;
-  }
-  return std::sqrt(squares / of_uncorrelated) * grid.element_area();
-}
-
-/// Area of the elements along the border between adhesion and slip, mm^2.
-double area_of_front(const ContactGrid& grid, const std::vector<contact::ElementState>& state) {
-  if (state.size() != static_cast<std::size_t>(grid.size())) return 0.0;
-  const auto parted = [&](int one, int other) {
-    const contact::ElementState a = state[static_cast<std::size_t>(one)];
-    const contact::ElementState b = state[static_cast<std::size_t>(other)];
-    return a != b && a != contact::ElementState::exterior && b != contact::ElementState::exterior;
-  };
-  int count = 0;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      if (i + 1 < grid.nx && parted(grid.index(i, j), grid.index(i + 1, j))) ++count;
-      if (j + 1 < grid.ny && parted(grid.index(i, j), grid.index(i, j + 1))) ++count;
-    }
-  return count * grid.element_area();
-}
-
-double elements_across(const ContactGrid& grid, const PointResult& point) {
-  const double along = 2.0 * point.semi_axis_x / grid.dx;
-  return std::max(1.0, grid.is_line() ? along : std::min(along, 2.0 * point.semi_axis_y / grid.dy));
-}
-
 /// Of the forces in the order of `forces`, N and N mm.
 using Roughness = std::array<double, 3>;
 
 class Bars {
  public:
   Bars(const Scene& scene, std::size_t k, const ContactGrid& grid, const PointResult& coarse,
-       const PointResult* coarsest, PointResult& fine)
+       const PointResult* coarsest, const WaveErrors* waves, PointResult& fine)
       : load_(scene.points[k]),
         friction_(scene.friction_coefficient()),
         couples_(scene.material.couples()),
         grid_(grid),
         coarse_(coarse),
         coarsest_(coarsest),
+        waves_(waves),
         fine_(fine),
         size_(contact::patch_size(grid, fine.fields.traction.n)),
         across_(elements_across(grid, fine)) {}
 
   void set_normal() const;
+  void set_normal_force() const;
   void set_extents() const;
   void set_forces() const;
   void set_tractions() const;
@@ -166,7 +115,13 @@ class Bars {
   double combine(const Rule& rule, double change, double before, double rest) const {
     return combined(rule, coarsest_ != nullptr, {change, rule.before * before, rest});
   }
-  void set(const char* name, const Rule& rule, double rest) const {
+  std::optional<double> of_waves(double WaveErrors::*member, double times = 1.0) const {
+    return waves_ ? std::optional(times * (waves_->*member)) : std::nullopt;
+  }
+  /// `of_waves`: what narrower elements change, where waves are too short for these. What coarser
+  /// ones say then counts `of_changes` times.
+  void set(const char* name, const Rule& rule, double rest, std::optional<double> of_waves = {},
+           double of_changes = 1.0) const {
     if (!known(name)) return;
     const contact::Quantity& quantity = contact::quantity_named(name);
     const double full = contact::full_sliding(quantity, fine_, friction_);
@@ -174,8 +129,11 @@ class Bars {
     // What vanishes by symmetry is rounding on every grid.
     constexpr double rounding = 1e-7;
     const bool vanishes = quantity.of_friction() && largest <= rounding * full;
+    constexpr double of_narrower = 1.3;
+    const double times = of_waves ? of_changes : 1.0;
+    const double of_grids = combine(rule, times * change(name), times * before(name), rest);
     fine_.error_estimate[name] =
-        vanishes ? largest : combine(rule, change(name), before(name), rest);
+        vanishes ? largest : std::hypot(of_grids, of_narrower * of_waves.value_or(0.0));
   }
   /// Of order 2. What has less, or none, is farther off when it is extrapolated.
   void extrapolate(const char* name) const {
@@ -215,37 +173,53 @@ class Bars {
   const ContactGrid& grid_;
   const PointResult& coarse_;
   const PointResult* coarsest_;
+  const WaveErrors* waves_;  ///< null: the elements follow the profiles
   PointResult& fine_;
   contact::PatchSize size_;
   double across_;  ///< elements across the patch
 };
 
 void Bars::set_normal() const {
+  constexpr double beside_narrower = 0.2;
   for (const SmoothQuantity& of : smooth_quantities) {
-    set(of.name, of.rule, over_grid(of.size * value(fine_, of.name)));
+    set(of.name, of.rule, over_grid(of.size * value(fine_, of.name)), of_waves(of.of_waves),
+        beside_narrower);
     extrapolate(of.name);
   }
-  const bool given = load_.load.force.has_value() && load_.load.direction[0] == 0.0;
+}
+
+/// Under a given force F_z is off by what friction along the force's direction is.
+void Bars::set_normal_force() const {
+  const bool given = load_.load.force.has_value();
   set(normal_force.name, normal_force.rule,
-      given ? 0.0 : over_grid(normal_force.size * fine_.normal_force));
+      given ? 0.0 : over_grid(normal_force.size * fine_.normal_force),
+      of_waves(normal_force.of_waves));
   extrapolate(normal_force.name);
+  const auto& [across, along] = load_.load.direction;
+  if (given)
+    fine_.error_estimate[normal_force.name] =
+        std::hypot(bar_of(normal_force.name), across / along * bar_of("lateral_force"));
 }
 
 void Bars::set_extents() const {
   constexpr double of_edges = 6.0, size = 0.05;
-  const auto extent = [&](const char* axis, const char* whole, const char* middle, double unsure) {
+  const auto extent = [&](const char* axis, const char* whole, const char* middle, double unsure,
+                          double WaveErrors::*of_narrower) {
     const double rest = std::hypot(of_edges * unsure, over_grid(size * value(fine_, whole)));
-    set(whole, of_extent, rest);
-    set(axis, of_extent, 0.5 * rest);
-    set(middle, of_extent, 0.5 * rest);
+    set(whole, of_extent, rest, of_waves(of_narrower));
+    set(axis, of_extent, 0.5 * rest, of_waves(of_narrower, 0.5));
+    set(middle, of_extent, 0.5 * rest, of_waves(of_narrower, 0.5));
   };
-  extent("semi_axis_x", "contact_length", "patch_x_middle", size_.length_unsure);
+  extent("semi_axis_x", "contact_length", "patch_x_middle", size_.length_unsure,
+         &WaveErrors::length);
   if (!grid_.is_line())
-    extent("semi_axis_y", "contact_width", "patch_y_middle", size_.width_unsure);
+    extent("semi_axis_y", "contact_width", "patch_y_middle", size_.width_unsure,
+           &WaveErrors::width);
   // Of many rows the elements cut by the front cancel; a line has one row.
   const double front = area_of_front(grid_, fine_.fields.state);
   const double unsure = grid_.is_line() ? 1.3 * std::max(front, grid_.element_area()) : 0.3 * front;
-  set("adhesion_area", of_adhesion, std::hypot(over_grid(1.2 * fine_.contact_area), unsure));
+  set("adhesion_area", of_adhesion, std::hypot(over_grid(1.2 * fine_.contact_area), unsure),
+      of_waves(&WaveErrors::contact_area, part_in_adhesion()));
 }
 
 Roughness Bars::roughness() const {
@@ -295,15 +269,16 @@ void Bars::set_forces() const {
                         false};
   for (std::size_t i = 0; i < rough.size(); ++i)
     set(forces[i], of_force, given[i] ? 0.0 : rest_of_force(i, rough, false));
+  set_normal_force();
   if (!(fine_.normal_force > 0.0) || !(coarse_.normal_force > 0.0)) return;
-  // Under a given force F_z alone is uncertain.
+  // Under a given F_x F_z alone is uncertain.
   const double rest = given[0] ? fine_.traction_coefficient * bar_of("normal_force")
                                : rest_of_force(0, rough, true);
   set("traction_coefficient", of_force, rest / fine_.normal_force);
 }
 
 void Bars::set_tractions() const {
-  constexpr double along = 0.4, across = 0.2, of_fall = 3.0;
+  constexpr double along = 0.4, across = 0.2, of_fall = 3.0, of_pressure = 1.5;
   const contact::SurfaceField& traction = fine_.fields.traction;
   if (traction.x.size() != grid_.size() || traction.y.size() != grid_.size()) return;
   // Where slip is all but everywhere the largest traction is as smooth as the pressure; else it is
@@ -311,10 +286,11 @@ void Bars::set_tractions() const {
   const double bound = friction_ * fine_.max_pressure;
   const auto largest = [&](const char* name, const Rule& rule, const Field& field) {
     const Peak peak = peak_of(grid_, field);
-    const double below =
-        bound > 0.0 ? std::max(0.0, 1.0 - std::abs(value(fine_, name)) / bound) : 0.0;
+    const double part = bound > 0.0 ? std::min(1.0, std::abs(value(fine_, name)) / bound) : 1.0;
     set(name, rule,
-        root_of_squares({along * peak.sag_x, across * peak.sag_y, of_fall * below * peak.fall}));
+        root_of_squares(
+            {along * peak.sag_x, across * peak.sag_y, of_fall * (1.0 - part) * peak.fall}),
+        of_waves(&WaveErrors::max_pressure, of_pressure * part * friction_));
   };
   largest("max_traction", of_largest_traction,
           (traction.x.array().square() + traction.y.array().square()).sqrt().matrix());
@@ -349,8 +325,9 @@ void Bars::set_creepages() const {
 }  // namespace
 
 void set_error_bars(const Scene& scene, std::size_t k, const ContactGrid& grid,
-                    const PointResult& coarse, const PointResult* coarsest, PointResult& fine) {
-  const Bars bars(scene, k, grid, coarse, coarsest, fine);
+                    const PointResult& coarse, const PointResult* coarsest, PointResult& fine,
+                    const WaveErrors* waves) {
+  const Bars bars(scene, k, grid, coarse, coarsest, waves, fine);
   bars.set_normal();
   bars.set_extents();
   bars.set_forces();

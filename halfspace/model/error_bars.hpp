@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/result/result.hpp"
+#include "halfspace/model/wave_errors.hpp"
 
 #include <cstddef>
 
@@ -11,10 +12,11 @@ namespace rollfem::halfspace {
 
 /// Fills `error_estimate` and `richardson` of load point k of the scene, solved on `grid`, from the
 /// same on cells of twice and four times the size (null: there is none): of every quantity that is
-/// no given one. A creepage has a bar where it is found for a force.
+/// no given one. A creepage has a bar where it is found for a force. `waves`: of the same load
+/// point; null where elements follow the profiles.
 void set_error_bars(const contact::Scene& scene, std::size_t k, const contact::ContactGrid& grid,
                     const contact::PointResult& coarse, const contact::PointResult* coarsest,
-                    contact::PointResult& fine);
+                    contact::PointResult& fine, const WaveErrors* waves = nullptr);
 
 /// The same of the stresses at the points that are asked for ("subsurface_stress", of the worst
 /// component of all), and of the largest stresses ("max_von_mises_wheel") where they lie below the

@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace rollfem::halfspace {
 
@@ -195,10 +196,20 @@ struct Levels {
   }
 };
 
-void set_bars(const Scene& scene, Levels& levels) {
-  for (std::size_t k = 0; k < levels.fine->points.size(); ++k)
-    set_error_bars(scene, k, levels.fine->grid, levels.coarse->points[k], levels.coarsest_point(k),
-                   levels.fine->points[k]);
+/// Returns a warning where waves of rough profiles are too short for the elements.
+std::string set_bars(const Scene& scene, Levels& levels) {
+  const contact::ContactGrid& grid = levels.fine->grid;
+  std::optional<WaveErrors> waves;
+  std::string warning;
+  for (std::size_t k = 0; k < levels.fine->points.size(); ++k) {
+    PointResult& point = levels.fine->points[k];
+    if (k == 0 || scene.is_history() || !(scene.points[k].load == scene.points[k - 1].load))
+      waves = wave_errors(scene, k, grid, point);
+    set_error_bars(scene, k, grid, levels.coarse->points[k], levels.coarsest_point(k), point,
+                   waves ? &*waves : nullptr);
+    if (waves && warning.empty()) warning = wave_warning(grid, point, *waves);
+  }
+  return warning;
 }
 
 /// Stresses below the surface as far as the case asks for them, with their bars.
@@ -273,6 +284,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   // A grid too large to have is refused before the coarser ones are computed.
   refuse_beyond_memory(scene, area.grid(cells.back().dx, cells.back().dy, 0));
   ModelResult result;
+  std::string warning;
   result.name = elasticity.model;
   for (std::size_t level = 0; level < cells.size(); ++level) {
     const Cell cell = cells[level];
@@ -299,7 +311,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
           "size, or has no solution with them");
       break;
     }
-    if (levels.coarse) set_bars(scene, levels);
+    if (levels.coarse) warning = set_bars(scene, levels);
     if (!levels.coarse ||
         contact::refine_further(scene.accuracy, scene.friction_coefficient(),
                                 rung_of(scene, area, cell), levels.fine->points, result))
@@ -312,6 +324,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   result.unknowns = 3L * fine.contact_elements;
   result.points = std::move(fine.points);
   add_notes(scene, result);
+  if (!warning.empty()) result.notes.push_back(std::move(warning));
   result.seconds["total"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -75,6 +75,10 @@ MUTATIONS = [
              "return wheel_height(0.0, y) + 0.495 * x * x / local_rolling_radius(y) - rail_.at(y).value;",
              "the wheel's circle is 1 % too large along rolling",
              ("unit_patch_geometry", "unit_contact_surface_profiles")),
+    Mutation("mean_of_profiles", "contact/scene/height_curve.cpp",
+             "return here - second / 24.0 - at(y).value;", "return here - at(y).value;",
+             "smooth profiles are a parabola's mean over the element too far apart",
+             ("unit_patch_geometry",)),
     # contact/: material, result
     Mutation("combined_poisson_ratio", "contact/base/material.cpp",
              "combined.shear_modulus * (nu1 / g1 + nu2 / g2) / 2.0", "(nu1 + nu2) / 2.0",

@@ -107,6 +107,18 @@ inline void add_samples(const contact::PointResult& point, const contact::PointR
                                             bar(fine, "subsurface_stress")});
 }
 
+/// A scene on square cells of that size, mm, and of a quarter of it; throws what the model throws.
+inline void add_on_cells(contact::Scene scene, double cell, BarSamples& samples) {
+  const auto run = [&](double size) {
+    scene.contact_grid.cell_size = {{size, size}};
+    return theories::models().run("halfspace", scene, {});
+  };
+  const contact::ModelResult coarse = run(cell);
+  const contact::ModelResult fine = run(0.25 * cell);
+  for (std::size_t k = 0; k < coarse.points.size(); ++k)
+    add_samples(coarse.points[k], fine.points[k], scene.friction_coefficient(), samples);
+}
+
 /// A random scene on `across` elements and on four times as many; throws what the models throw.
 inline void add_scene(const RandomScene& random, int across, bool stresses, BarSamples& samples) {
   const auto run = [&](int elements) {

@@ -2,9 +2,13 @@
 // about an axle that is tilted and turned against the patch.
 #include "contact/scene/patch_geometry.hpp"
 
+#include "contact/scene/geometry.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 using rollfem::contact::Axle;
@@ -84,6 +88,37 @@ TEST(HeightCurve, GoesOnAlongItsTangents) {
   EXPECT_FALSE(curve.contains(curve.last() + 1e-9));
 }
 
+TEST(HeightCurve, MeanOfACubicIsItsIntegral) {
+  const HeightCurve curve = cubic(0.3, 0.4);
+  const auto integral = [](double y) { return 0.075 * std::pow(y - 0.4, 4) + 0.5 * y * y; };
+  for (const auto& [from, to] : {std::pair{-2.9, 2.7}, {0.1, 0.2}, {-0.75, 0.75}, {-3.0, 3.0}})
+    EXPECT_NEAR(curve.mean(from, to), (integral(to) - integral(from)) / (to - from), 1e-13);
+  // Beyond the last knot the tangent goes on.
+  const CurveValue end = curve.at(curve.last());
+  EXPECT_NEAR(curve.mean(curve.last(), curve.last() + 2.0), end.value + end.slope, 1e-13);
+}
+
+TEST(HeightCurve, AveragingLeavesCubicsAlone) {
+  const HeightCurve curve = cubic(0.3, 0.4);
+  for (const double y : {-1.5, 0.0, 0.4, 1.2})
+    EXPECT_NEAR(curve.averaging(y, 0.9), 0.0, 1e-13) << y;
+}
+
+/// Heights taken at one place of each element would be those of another, longer wave.
+TEST(HeightCurve, AveragingOverAWaveLeavesItsMeanWhereverItIsTaken) {
+  constexpr double length = 0.4, amplitude = 0.01;
+  std::vector<double> y, z, slope;
+  for (int k = 0; k <= 1600; ++k) {
+    y.push_back(-4.0 + 0.005 * k);
+    const double phase = 2.0 * M_PI * y.back() / length;
+    z.push_back(amplitude * std::cos(phase));
+    slope.push_back(-amplitude * 2.0 * M_PI / length * std::sin(phase));
+  }
+  const HeightCurve curve(y, z, slope);
+  for (const double at : {-1.0, -0.93, 0.0, 0.1, 0.17, 2.05})
+    EXPECT_NEAR(curve.at(at).value + curve.averaging(at, length), 0.0, 1e-6 * amplitude) << at;
+}
+
 TEST(HeightCurve, RefusesKnotsThatDoNotRise) {
   EXPECT_THROW(HeightCurve({0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(HeightCurve({0.0}, {0.0}, {0.0}), std::invalid_argument);
@@ -121,5 +156,36 @@ TEST(PatchGeometry, ConeUnderATiltedAxleIsFlatAcross) {
     // Normal curvature of a cone across its generator: cos(a) / radius there.
     const double local = patch.local_rolling_radius(y) / std::cos(angle);
     EXPECT_NEAR(patch.distance(0.1, y), 0.005 / local, 1e-9);
+  }
+}
+
+/// Of both bodies, under a yaw of 5 mrad that moves the wheel's waves by a twentieth of their
+/// length.
+TEST(UndeformedDistance, OfWavesAsShortAsTheElementsIsThatOfTheirMean) {
+  constexpr double length = 0.6, amplitude = 0.002, radius = 460.0;
+  const auto curve = [&](double height, double of_wave) {
+    std::vector<double> y, z, slope;
+    for (int k = 0; k <= 8000; ++k) {
+      y.push_back(-10.0 + 0.0025 * k);
+      const double number = 2.0 * M_PI / length;
+      z.push_back(height + of_wave * std::cos(number * y.back()));
+      slope.push_back(-of_wave * number * std::sin(number * y.back()));
+    }
+    return HeightCurve(y, z, slope);
+  };
+  const Axle axle{{0.0, 0.0, radius}, {std::sin(0.005), std::cos(0.005), 0.0}};
+  const auto distance = [&](double of_rail, double of_wheel,
+                            const rollfem::contact::ContactGrid& grid) {
+    rollfem::contact::Geometry geometry;
+    geometry.surface = rollfem::contact::ContactSurface::of(std::make_shared<PatchGeometry>(
+        curve(0.0, of_rail), curve(radius, of_wheel), axle, -8.0, 8.0));
+    return rollfem::contact::ChartedGeometry(geometry, rollfem::contact::Chart::plane)
+        .undeformed_distance(grid);
+  };
+  for (const double middle : {0.0, 0.07, 0.1}) {
+    const auto grid = rollfem::contact::ContactGrid::centred(5, 9, 3.0, length, 0.0, middle);
+    const rollfem::contact::Field waves = distance(amplitude, -0.7 * amplitude, grid);
+    const rollfem::contact::Field smooth = distance(0.0, 0.0, grid);
+    EXPECT_LT((waves - smooth).cwiseAbs().maxCoeff(), 2e-3 * amplitude) << middle;
   }
 }

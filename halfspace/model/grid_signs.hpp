@@ -1,0 +1,29 @@
+// What a solution shows of the errors of its grid: its largest value beside the neighbours, how
+// rough its rows of elements are, the elements along its front, and how many there are across.
+#pragma once
+
+#include "contact/result/result.hpp"
+
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// The largest value of a field beside its neighbours.
+struct Peak {
+  double fall = 0.0;                ///< to the nearer of the neighbours along rolling
+  double sag_x = 0.0, sag_y = 0.0;  ///< above the mean of both, along and across
+};
+Peak peak_of(const contact::ContactGrid& grid, const contact::Field& field);
+
+/// What is rough in the sums of a field over the rows of the grid: the root of the sum of squares
+/// of their fourth differences, as parts of those of uncorrelated errors.
+double roughness_of_rows(const contact::ContactGrid& grid, const contact::Field& field);
+
+/// Area of the elements along the border between adhesion and slip, mm^2.
+double area_of_front(const contact::ContactGrid& grid,
+                     const std::vector<contact::ElementState>& state);
+
+/// Across the smaller side of the patch; at least 1.
+double elements_across(const contact::ContactGrid& grid, const contact::PointResult& point);
+
+}  // namespace rollfem::halfspace

@@ -1,0 +1,165 @@
+#include "halfspace/model/wave_errors.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/iteration/interpolation.hpp"
+#include "contact/iteration/normal.hpp"
+#include "contact/result/patch_size.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/patch/correction_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rollfem::halfspace {
+
+using contact::ContactGrid;
+using contact::Field;
+using contact::PointResult;
+using contact::Scene;
+
+namespace {
+
+constexpr int times_narrower = 4;
+
+/// The pressure of what the profiles do within the elements beyond a parabola through the middles
+/// of three, MPa: rms over the rows that carry load. Waves under pressure all along press with
+/// E*/2 times their slope.
+double pressure_within_elements(const Scene& scene, const contact::ChartedGeometry& geometry,
+                                const ContactGrid& grid, const Field& pressure) {
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  const auto height = [&](double y) {
+    const double at = geometry.lateral_place(y);
+    return profiles.wheel().at(at).value - profiles.rail().at(at).value;
+  };
+  constexpr std::array<double, 5> places{-0.5, -0.25, 0.0, 0.25, 0.5};
+  double squares = 0.0;
+  int rows = 0;
+  for (int j = 0; j < grid.ny; ++j) {
+    if (!(pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0)) continue;
+    ++rows;
+    const double y = grid.y(j), here = height(y);
+    const double after = height(y + grid.dy) - here, before = height(y - grid.dy) - here;
+    std::array<double, 5> rest{};
+    for (std::size_t k = 0; k < places.size(); ++k)
+      rest[k] = height(y + places[k] * grid.dy) - here -
+                0.5 * places[k] * (after - before + places[k] * (after + before));
+    for (std::size_t k = 1; k < places.size(); ++k)
+      squares += std::pow((rest[k] - rest[k - 1]) / (0.25 * grid.dy), 2) / 4.0;
+  }
+  return rows > 0 ? 0.5 * scene.material.contact_modulus * std::sqrt(squares / rows) : 0.0;
+}
+
+/// The part of a grid that carries load, with some elements around it: on narrower elements crests
+/// touch that no wider one raises.
+ContactGrid around_patch(const ContactGrid& grid, const Field& pressure) {
+  constexpr int room = 4;
+  int left = grid.nx, right = 0, lower = grid.ny, upper = 0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      if (!(pressure[grid.index(i, j)] > 0.0)) continue;
+      left = std::min(left, i);
+      right = std::max(right, i);
+      lower = std::min(lower, j);
+      upper = j;
+    }
+  left = std::max(0, left - room);
+  right = std::min(grid.nx - 1, right + room);
+  lower = std::max(0, lower - room);
+  upper = std::min(grid.ny - 1, upper + room);
+  return {right - left + 1, upper - lower + 1, grid.dx, grid.dy, grid.x(left), grid.y(lower)};
+}
+
+ContactGrid with_narrow_elements(const ContactGrid& grid) {
+  const double dy = grid.dy / times_narrower;
+  return {grid.nx,      grid.ny * times_narrower,           grid.dx, dy,
+          grid.x_first, grid.y_first - 0.5 * (grid.dy - dy)};
+}
+
+struct Pressed {
+  contact::NormalSolution normal;
+  contact::PatchSize size;
+  double elastic_energy = 0.0;
+};
+
+Pressed press(const Scene& scene, const contact::ChartedGeometry& geometry, const ContactGrid& grid,
+              const contact::NormalLoad& load, const Field& start) {
+  const HalfspaceCompliance compliance(grid, scene.material.uncoupled());
+  contact::NormalProblem problem{geometry.undeformed_distance(grid), load.force, load.approach};
+  const Field beside = neighbour_displacement(scene.neighbour_loads, scene.material, grid);
+  if (beside.size() != 0) problem.undeformed_distance += beside;
+  contact::NormalOptions options;
+  options.tolerance = 1e-5;
+  Pressed pressed;
+  pressed.normal = contact::solve_normal(compliance.normal(), problem, options, start);
+  const Field& pressure = pressed.normal.pressure;
+  pressed.size = contact::patch_size(grid, pressure);
+  pressed.elastic_energy =
+      0.5 * grid.element_area() *
+      (pressed.normal.approach * pressure.sum() - pressure.dot(problem.undeformed_distance));
+  return pressed;
+}
+
+WaveErrors errors_between(const Pressed& here, const Pressed& there) {
+  const auto change = [](double a, double b) { return std::abs(a - b); };
+  WaveErrors errors;
+  errors.max_pressure = change(there.normal.pressure.maxCoeff(), here.normal.pressure.maxCoeff());
+  errors.approach = change(there.normal.approach, here.normal.approach);
+  errors.normal_force = change(there.normal.normal_force, here.normal.normal_force);
+  errors.contact_area = change(there.size.area, here.size.area);
+  errors.length = change(there.size.length, here.size.length);
+  errors.width = change(there.size.width, here.size.width);
+  errors.elastic_energy = change(there.elastic_energy, here.elastic_energy);
+  return errors;
+}
+
+}  // namespace
+
+std::optional<WaveErrors> wave_errors(const Scene& scene, std::size_t k, const ContactGrid& grid,
+                                      const PointResult& point) {
+  constexpr double negligible = 0.005;      // of the largest pressure
+  constexpr int most_elements = 2'000'000;  // of the narrow ones, some 1 GB
+  if (!scene.has_profiles() || scene.given_pressure) return {};
+  const Field& pressure = point.fields.traction.n;
+  const contact::ChartedGeometry geometry = halfspace_geometry(scene);
+  const ContactGrid wide = around_patch(grid, pressure);
+  if (wide.size() > most_elements / times_narrower ||
+      pressure_within_elements(scene, geometry, grid, pressure) <= negligible * point.max_pressure)
+    return {};
+  const ContactGrid narrow = with_narrow_elements(wide);
+  contact::NormalLoad load;
+  if (scene.points[k].load.force)
+    load.force = pressure.sum() * grid.element_area();
+  else
+    load.approach = point.approach;
+  try {
+    const Pressed here =
+        press(scene, geometry, wide, load, contact::interpolated(grid, pressure, wide));
+    const Pressed there = press(scene, geometry, narrow, load,
+                                contact::interpolated(wide, here.normal.pressure, narrow));
+    return errors_between(here, there);
+  } catch (const contact::SolveError&) {
+    return {};  // then bars are from the grids alone
+  }
+}
+
+std::string wave_warning(const ContactGrid& grid, const PointResult& point,
+                         const WaveErrors& errors) {
+  constexpr double worth_a_warning = 0.05, aim = 0.02;
+  const double pressure = errors.max_pressure / point.max_pressure;
+  const double area = errors.contact_area / point.contact_area;
+  const double larger = std::max(pressure, area);
+  if (!(larger > worth_a_warning)) return {};
+  return fmt::format(
+      "cells of {:.3g} mm across do not resolve the waves of the profiles: without friction, cells "
+      "of {:.3g} mm change the largest pressure by {:.2g} % and the contact area by {:.2g} %; do: "
+      "use about {:.1g} mm (contact_grid.cell_size), or smooth the scatter of the measured points "
+      "(smoothing under [wheel_profile] and [rail_profile])",
+      grid.dy, grid.dy / times_narrower, 100.0 * pressure, 100.0 * area,
+      grid.dy * std::sqrt(aim / larger));
+}
+
+}  // namespace rollfem::halfspace
