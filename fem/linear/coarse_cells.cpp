@@ -15,8 +15,9 @@ namespace {
 
 using Mesh = dealii::parallel::distributed::Triangulation<3>;
 
-/// Cells along the curve on which p4est deals them out to processes: its tree, then the children on
-/// the way down, three bits each from the highest on. A cell has the place of its first child.
+/// Cells along the curve on which p4est deals them out to processes: its tree, by which deal.II
+/// calls the coarsest cell, then the children on the way down, three bits each from the highest on.
+/// A cell has the place of its first child.
 using Place = std::array<std::uint64_t, 2>;
 constexpr unsigned int first_shift = 60;
 
@@ -24,8 +25,8 @@ unsigned int shift_below(const dealii::CellId& cell) {
   return first_shift - 3 * static_cast<unsigned int>(cell.get_child_indices().size());
 }
 
-Place place_of(const Mesh& mesh, const dealii::CellId& cell) {
-  Place place{mesh.get_coarse_cell_to_p4est_tree_permutation()[cell.get_coarse_cell_id()], 0};
+Place place_of(const dealii::CellId& cell) {
+  Place place{cell.get_coarse_cell_id(), 0};
   unsigned int shift = first_shift;
   for (const std::uint64_t child : cell.get_child_indices()) {
     place[1] |= child << shift;
@@ -40,7 +41,7 @@ class Owners {
   explicit Owners(const Mesh& mesh) {
     Place first = nowhere;
     for (const auto& cell : mesh.active_cell_iterators())
-      if (cell->is_locally_owned()) first = std::min(first, place_of(mesh, cell->id()));
+      if (cell->is_locally_owned()) first = std::min(first, place_of(cell->id()));
     first_ = dealii::Utilities::MPI::all_gather(mesh.get_communicator(), first);
     // A process without cells is skipped: it begins where the next one does.
     for (std::size_t k = first_.size(); k-- > 1;)
@@ -82,7 +83,6 @@ void add_constraints(const dealii::AffineConstraints<double>& constraints, Coars
 std::map<unsigned int, CoarseCells> coarse_cells(const ElasticProblem& fine,
                                                  const ElasticProblem& coarse) {
   // Owners of coarse cells tell: the other way round they would have to be searched for.
-  const auto& mesh = dynamic_cast<const Mesh&>(coarse.dofs.get_triangulation());
   const Owners owners(dynamic_cast<const Mesh&>(fine.dofs.get_triangulation()));
   std::map<unsigned int, CoarseCells> told;
   std::vector<unsigned int> of_cell(coarse.dofs.get_fe().dofs_per_cell);
@@ -92,7 +92,7 @@ std::map<unsigned int, CoarseCells> coarse_cells(const ElasticProblem& fine,
     const dealii::CellId id = cell->id();
     std::set<unsigned int> processes;
     for (std::uint64_t child = 0; child < 8; ++child) {
-      Place place = place_of(mesh, id);
+      Place place = place_of(id);
       place[1] |= child << shift_below(id);
       processes.insert(owners.of(place));
     }
