@@ -1,10 +1,13 @@
 // Linear solvers on half a rail of case a as cells shrink: unknowns, set-up, one solve to 1e-8 (the
 // best of five) and, by a factor, one of sixteen at once, iterations, memory per process. "CPU s"
 // is of the process that needs most. Runs under mpirun; the first process prints a table row a
-// size.
+// size. "Products" (of a cell with a vector, on all levels) and "sent" (bytes that a process hands
+// to MPI) are of one solve by the process with most: they say how work is shared on a machine that
+// has fewer cores than processes.
 //   benchmark_fem_solvers multigrid|algebraic|factorisation CELL_MM ...
 #include "contact/base/progress.hpp"
 #include "fem/discretisation/body.hpp"
+#include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/multigrid.hpp"
@@ -15,15 +18,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <mpi.h>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
 
 using namespace rollfem;
+
+namespace {
+
+std::uint64_t bytes_sent = 0;
+
+/// As if every collective call sent its data once.
+void count(int items, MPI_Datatype type) {
+  int size = 0;
+  PMPI_Type_size(type, &size);
+  bytes_sent += static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(items);
+}
+
+}  // namespace
+
+// MPI's own interface for measurements: its calls by the program come here first.
+extern "C" {
+int MPI_Isend(const void* data, int items, MPI_Datatype type, int to, int tag, MPI_Comm comm,
+              MPI_Request* request) {
+  count(items, type);
+  return PMPI_Isend(data, items, type, to, tag, comm, request);
+}
+int MPI_Allreduce(const void* data, void* sum, int items, MPI_Datatype type, MPI_Op op,
+                  MPI_Comm comm) {
+  count(items, type);
+  return PMPI_Allreduce(data, sum, items, type, op, comm);
+}
+int MPI_Gatherv(const void* data, int items, MPI_Datatype type, void* all, const int* counts,
+                const int* offsets, MPI_Datatype each, int root, MPI_Comm comm) {
+  count(items, type);
+  return PMPI_Gatherv(data, items, type, all, counts, offsets, each, root, comm);
+}
+int MPI_Scatterv(const void* all, const int* counts, const int* offsets, MPI_Datatype each,
+                 void* data, int items, MPI_Datatype type, int root, MPI_Comm comm) {
+  int rank = 0, processes = 1;
+  PMPI_Comm_rank(comm, &rank);
+  PMPI_Comm_size(comm, &processes);
+  for (int k = 0; rank == root && k < processes; ++k)
+    if (k != root) count(counts[k], each);
+  return PMPI_Scatterv(all, counts, offsets, each, data, items, type, root, comm);
+}
+}
 
 namespace {
 
@@ -65,12 +111,20 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+double most(std::uint64_t count) {
+  return dealii::Utilities::MPI::max(static_cast<double>(count), MPI_COMM_WORLD);
+}
+
 /// Least time of five solves; the first of all touches memory for the first time.
 struct SolveTime {
   double seconds = contact::infinity, cpu = contact::infinity;
+  double products = 0.0, sent = 0.0;  ///< of the process with most
 
   SolveTime(const fem::LinearSolver& solver, const fem::Vector& load, fem::Vector& u) {
+    const auto products_before = fem::cell_products(), sent_before = bytes_sent;
     solver.solve(u, load);
+    products = most(fem::cell_products() - products_before);
+    sent = most(bytes_sent - sent_before);
     for (int k = 0; k < 5; ++k) {
       const contact::Stopwatch watch;
       const double begin = cpu_seconds();
@@ -124,10 +178,10 @@ void measure(const std::string& solver_name, double cell) {
   if (dealii::Utilities::MPI::this_mpi_process(world) == 0)
     fmt::print(
         "| {} | {} | {:.4g} | {} | {:.1f} | {:.1f} | {:.1f} | {:.3f} | {:.3f} | {} | {} | {:.3f} | "
-        "{:.3f} | {:.9g} |\n",
+        "{:.3f} | {:.4g} | {:.4g} | {:.9g} |\n",
         solver_name, dealii::Utilities::MPI::n_mpi_processes(world), cell, body.unknowns(), mesh,
         setup, setup_cpu, solve.seconds, solve.cpu, sixteen, solver->last_iterations(), memory,
-        stays, approach);
+        stays, solve.products, solve.sent, approach);
   std::fflush(stdout);
 }
 
@@ -140,8 +194,9 @@ int main(int argc, char** argv) {
       fmt::print(
           "| solver | processes | cell mm | unknowns | mesh s | set-up s | CPU s | solve s | CPU s "
           "| "
-          "each of 16 | iterations | peak GB a process | GB that stay | largest displacement mm "
-          "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+          "each of 16 | iterations | peak GB a process | GB that stay | products | bytes sent | "
+          "largest displacement mm |\n"
+          "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int k = 2; k < argc; ++k) measure(argv[1], std::stod(argv[k]));
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -8,12 +8,14 @@
 #include <fstream>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace rollfem::contact {
 
 namespace {
 
 thread_local int single_threads = 0;
+thread_local int lent_threads = 0;
 
 int allowed_threads() {
   const char* wanted = std::getenv("OMP_NUM_THREADS");
@@ -44,7 +46,7 @@ int allowed_cores(const std::string& proc, const std::string& cgroup) {
 
 int threads() {
   static const int allowed = allowed_threads();
-  return single_threads > 0 ? 1 : allowed;
+  return single_threads > 0 ? 1 : std::max(allowed, lent_threads);
 }
 
 SingleThread::SingleThread() {
@@ -53,6 +55,12 @@ SingleThread::SingleThread() {
 
 SingleThread::~SingleThread() {
   --single_threads;
+}
+
+LentThreads::LentThreads(int count) : before_(std::exchange(lent_threads, count)) {}
+
+LentThreads::~LentThreads() {
+  lent_threads = before_;
 }
 
 }  // namespace rollfem::contact

@@ -26,6 +26,19 @@ class SingleThread {
   SingleThread& operator=(const SingleThread&) = delete;
 };
 
+/// As long as one exists the thread that made it may use so many threads, those of others that
+/// wait.
+class LentThreads {
+ public:
+  explicit LentThreads(int count);
+  ~LentThreads();
+  LentThreads(const LentThreads&) = delete;
+  LentThreads& operator=(const LentThreads&) = delete;
+
+ private:
+  int before_;
+};
+
 /// Both, at once where `at_once` and there are threads. Starting a thread takes some 0.03 ms.
 template <class First, class Second>
 void both(bool at_once, First&& first, Second&& second) {

@@ -6,6 +6,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <type_traits>
@@ -107,7 +108,13 @@ struct StraightCells {
 
 void nothing(unsigned int, unsigned int) {}
 
+std::atomic<std::uint64_t> products_so_far{0};
+
 }  // namespace
+
+std::uint64_t cell_products() {
+  return products_so_far;
+}
 
 /// All but the groups of cells.
 template <typename Number>
@@ -219,8 +226,10 @@ void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x,
                                        const Work& after) const {
   load(x, before);
   result_.fill(Number(0));
-  for (const Group& group : groups_)
+  for (const Group& group : groups_) {
     kernel_.add_product(group.batches, material_, source_.data(), result_.data());
+    products_so_far += group.cells;
+  }
   contract(*dofs_, dofs_->hanging.size(), dofs_->fixed.size(), result_.data());
   for (std::size_t i = 0; i < dofs_->owned_hanging; ++i) {
     const auto node = dofs_->hanging[i].node;

@@ -13,6 +13,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -44,6 +45,10 @@ struct MatrixEntry {
   unsigned int row, column;
   double value;
 };
+
+/// Products of a cell with a vector that this process has computed so far, on all levels: what it
+/// has done of the work, on however busy a machine.
+std::uint64_t cell_products();
 
 /// Vectors hold the owned unknowns only (owned_only); constrained entries are mapped by the
 /// identity. One product at a time: the operator owns its working vectors.

@@ -11,6 +11,7 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 
+#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include <optional>
@@ -144,6 +145,8 @@ void FemElasticity::make_compliance() {
   event.note = start_.solver;
   tell(event, "linear solvers", true);
   if (scene_.feels_inertia() && bodies_.wheel) spin_wheel();
+  // Who does not solve the contact problem needs no stand-in.
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return;
   // The coupling of unlike materials is left to the defect: the stand-in need not know it.
   half_ =
       std::make_unique<halfspace::HalfspaceCompliance>(layout_.grid, scene_.material.uncoupled());

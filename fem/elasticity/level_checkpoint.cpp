@@ -2,7 +2,6 @@
 
 #include "contact/solve/state_record.hpp"
 
-#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 namespace rollfem::fem {
@@ -18,35 +17,27 @@ void exchange(Record& record, LevelStart& start) {
 
 }  // namespace
 
-LevelCheckpoint::LevelCheckpoint(contact::Checkpoint* store, double cell_size,
-                                 MPI_Comm communicator)
-    : store_(store),
-      cell_size_(cell_size),
-      communicator_(communicator),
-      first_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {}
+LevelCheckpoint::LevelCheckpoint(contact::Checkpoint* store, double cell_size)
+    : store_(store), cell_size_(cell_size) {}
 
 std::string LevelCheckpoint::name_of(const std::string& part) const {
   return fmt::format("fem-{:.9g}mm-{}", cell_size_, part);
 }
 
-std::string LevelCheckpoint::everywhere(const std::string& name) const {
-  std::string record;
-  if (first_ && store_ != nullptr) record = store_->find(name_of(name)).value_or("");
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1) return record;
-  return dealii::Utilities::MPI::broadcast(communicator_, record);
+std::string LevelCheckpoint::kept(const std::string& part) const {
+  return store_ == nullptr ? "" : store_->find(name_of(part)).value_or("");
 }
 
 bool LevelCheckpoint::find(LevelStart& start) const {
-  const std::string bytes = everywhere("normal");
+  const std::string bytes = kept("normal");
   if (bytes.empty()) return false;
   Record record(bytes);
   exchange(record, start);
-  if (!first_) start.bodies.clear();
   return true;
 }
 
 void LevelCheckpoint::keep(const LevelStart& start) const {
-  if (!first_ || store_ == nullptr) return;
+  if (store_ == nullptr) return;
   Record record;
   LevelStart copy = start;
   exchange(record, copy);
@@ -55,16 +46,15 @@ void LevelCheckpoint::keep(const LevelStart& start) const {
 
 bool LevelCheckpoint::find(std::size_t k, contact::PointResult& point,
                            contact::ContactState& state) const {
-  const std::string bytes = everywhere(fmt::format("{:04}", k + 1));
+  const std::string bytes = kept(fmt::format("{:04}", k + 1));
   if (bytes.empty()) return false;
   contact::read_point(bytes, point, state);
-  if (!first_) point.bodies.clear();
   return true;
 }
 
 void LevelCheckpoint::keep(std::size_t k, const contact::PointResult& point,
                            const contact::ContactState& state) const {
-  if (!first_ || store_ == nullptr) return;
+  if (store_ == nullptr) return;
   store_->keep(name_of(fmt::format("{:04}", k + 1)), contact::point_record(point, state));
 }
 

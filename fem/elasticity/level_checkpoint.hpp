@@ -7,7 +7,6 @@
 #include "contact/result/result.hpp"
 #include "contact/solve/contact_problem.hpp"
 
-#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -22,34 +21,31 @@ struct LevelStart {
   double reach = 0.0;  ///< mm, from the patch to where the nearer body is held
   bool half = false;   ///< half of each body is modelled
   std::string notes;   ///< on the meshes
-  /// For ModelResult::bodies; read back whole on process 0 alone.
+  /// For ModelResult::bodies.
   std::vector<contact::BodyField> bodies;
 };
 
-/// Collective: process 0 reads and tells the others, and writes alone.
+/// Of the first process, which solves the contact problem.
 class LevelCheckpoint {
  public:
-  /// `store` may be null (no checkpoint); that of process 0 counts.
-  LevelCheckpoint(contact::Checkpoint* store, double cell_size, MPI_Comm communicator);
+  /// `store` may be null: no checkpoint.
+  LevelCheckpoint(contact::Checkpoint* store, double cell_size);
 
   /// False when nothing is kept; then the argument is as it was.
   bool find(LevelStart& start) const;
   void keep(const LevelStart& start) const;
-  /// Load point k, counted from 0, and the state from which the next one begins; its `bodies` on
-  /// process 0 alone.
+  /// Load point k, counted from 0, and the state from which the next one begins.
   bool find(std::size_t k, contact::PointResult& point, contact::ContactState& state) const;
   void keep(std::size_t k, const contact::PointResult& point,
             const contact::ContactState& state) const;
 
  private:
-  /// Record of that name on every process, empty when there is none.
-  std::string everywhere(const std::string& name) const;
+  /// Empty when there is none.
+  std::string kept(const std::string& part) const;
   std::string name_of(const std::string& part) const;
 
   contact::Checkpoint* store_;
   double cell_size_;
-  MPI_Comm communicator_;
-  bool first_;
 };
 
 }  // namespace rollfem::fem

@@ -2,12 +2,15 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/result/record.hpp"
 #include "contact/result/refinement.hpp"
 #include "fem/elasticity/error_bars.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/linear/first_process.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/mesh/run_layout.hpp"
 
+#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -38,6 +41,29 @@ std::string note_on_bars(double coarse_cell, double cell, bool beside_half_space
       coarse_cell, cell);
 }
 
+void exchange(contact::Record& record, ModelResult& result) {
+  std::size_t notes = result.notes.size(), points = result.points.size();
+  record.values(result.unknowns, result.contact_elements, result.shortfall, notes, points);
+  result.notes.resize(notes);
+  result.points.resize(points);
+  for (std::string& note : result.notes) record.value(note);
+  for (contact::PointResult& point : result.points) record.value(point);
+}
+
+/// Gives every process what the first one has, but for the bodies: studies and choices of models go
+/// by it. Collective.
+void tell_all(ModelResult& result) {
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) return;
+  std::vector<std::vector<contact::BodyValues>> bodies;
+  for (contact::PointResult& point : result.points)
+    bodies.push_back(std::exchange(point.bodies, {}));
+  contact::Record record;
+  exchange(record, result);
+  contact::Record told(dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, record.bytes()));
+  exchange(told, result);
+  for (std::size_t k = 0; k < bodies.size(); ++k) result.points[k].bodies = std::move(bodies[k]);
+}
+
 /// Two levels alone can agree by chance, and cannot show an order.
 constexpr std::size_t fewest_levels = 3;
 
@@ -61,7 +87,7 @@ class Levels {
     levels_.push_back(solve(cell, "", scene_.output.fields));
     cell_ = cell;
     const contact::Stopwatch watch;
-    beside_half_spaces_ = set_error_bars(scene_, levels_);
+    first_.run([&] { beside_half_spaces_ = set_error_bars(scene_, levels_); });
     bar_seconds_ += watch.seconds();
   }
   /// The finest level must be there. `first`: cells of the start.
@@ -79,13 +105,18 @@ class Levels {
     } catch (const contact::SolveError& error) {
       rung.no_finer = error.what();
     }
-    return contact::refine_further(scene_.accuracy, scene_.friction_coefficient(), rung,
-                                   levels_.back().points, levels_.back());
+    bool further = false;
+    first_.run([&] {
+      further = contact::refine_further(scene_.accuracy, scene_.friction_coefficient(), rung,
+                                        levels_.back().points, levels_.back());
+    });
+    return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, further);
   }
   double bar_seconds() const { return bar_seconds_; }
   ModelResult take_finest() {
     ModelResult result = std::move(levels_.back());
     result.notes.push_back(note_on_bars(2.0 * cell_, cell_, beside_half_spaces_));
+    tell_all(result);
     return result;
   }
 
@@ -98,6 +129,7 @@ class Levels {
   const Scene& scene_;
   const contact::Progress& progress_;
   contact::Checkpoint* checkpoint_;
+  FirstProcess first_{MPI_COMM_WORLD};
   std::vector<ModelResult> levels_;
   double cell_ = 0.0, bar_seconds_ = 0.0;
   bool beside_half_spaces_ = false;

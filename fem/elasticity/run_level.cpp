@@ -6,12 +6,15 @@
 #include "contact/solve/contact_run.hpp"
 #include "fem/elasticity/fem_elasticity.hpp"
 #include "fem/elasticity/level_checkpoint.hpp"
+#include "fem/elasticity/shared_elasticity.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/far_error.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -68,19 +71,24 @@ void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
                                      layout.bodies.cell_size, layout.bodies.degree, start.solver));
 }
 
-}  // namespace
+[[noreturn]] void refuse_border(const Scene& scene, const contact::ChartedGeometry& geometry,
+                                const contact::ContactGrid& grid) {
+  const double border = geometry.lateral_place(grid.y(grid.ny - 1));
+  const std::string why = contact::why_flanks_touch(scene.geometry, border);
+  if (!why.empty()) throw contact::SolveError(why);
+  throw contact::SolveError(fmt::format(
+      "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): "
+      "the segments are too compliant for their size; give a larger [fem] extent",
+      grid.nx * grid.dx, grid.ny * grid.dy));
+}
 
-contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
-                               const contact::Progress& progress) {
-  const RunLayout layout = run_layout(scene, options.cell_size);
-  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::projected);
-  const LevelCheckpoint checkpoint(options.checkpoint, options.cell_size, MPI_COMM_WORLD);
-  LevelStart start;
+/// The part of the first process: all but what SharedElasticity does together with others.
+void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
+                   const RunLayout& layout, const LevelOptions& options,
+                   const contact::Progress& progress, const contact::MakeElasticity& make,
+                   LevelStart& start, contact::ModelResult& result) {
+  const LevelCheckpoint checkpoint(options.checkpoint, options.cell_size);
   const bool start_known = checkpoint.find(start);
-
-  contact::ModelResult result;
-  result.name = "fem";
-  result.grid = layout.grid;
   contact::RunOptions run_options;
   run_options.model = "fem";
   run_options.stage_prefix = options.stage_prefix;
@@ -95,18 +103,7 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
     start.contact_elements = contact_elements;
     checkpoint.keep(start);
   };
-  const bool inside = run.solve(layout.grid, [&] {
-    return make_fem_elasticity(scene, geometry, layout, options, progress, start, result);
-  });
-  if (!inside) {
-    const double border = geometry.lateral_place(layout.grid.y(layout.grid.ny - 1));
-    const std::string why = contact::why_flanks_touch(scene.geometry, border);
-    if (!why.empty()) throw contact::SolveError(why);
-    throw contact::SolveError(fmt::format(
-        "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): "
-        "the segments are too compliant for their size; give a larger [fem] extent",
-        layout.grid.nx * layout.grid.dx, layout.grid.ny * layout.grid.dy));
-  }
+  if (!run.solve(layout.grid, make)) refuse_border(scene, geometry, layout.grid);
   contact::LevelResult level = run.take_result();
   result.unknowns = start.unknowns;
   result.contact_elements = start.contact_elements;
@@ -115,6 +112,28 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   result.seconds["normal"] = level.normal_seconds;
   result.seconds["tangential"] = level.tangential_seconds;
   add_notes(scene, geometry, layout, start, result);
+}
+
+}  // namespace
+
+contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
+                               const contact::Progress& progress) {
+  const RunLayout layout = run_layout(scene, options.cell_size);
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::projected);
+  LevelStart start;
+  contact::ModelResult result;
+  result.name = "fem";
+  result.grid = layout.grid;
+  FirstProcess first(MPI_COMM_WORLD);
+  auto elasticity = std::make_unique<SharedElasticity>(
+      make_fem_elasticity(scene, geometry, layout, options, progress, start, result), first);
+  first.run(
+      [&] {
+        solve_contact(
+            scene, geometry, layout, options, progress, [&] { return std::move(elasticity); },
+            start, result);
+      },
+      [&](const FirstProcess::Order& order) { elasticity->obey(order); });
   return result;
 }
 

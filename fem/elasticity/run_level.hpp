@@ -15,7 +15,8 @@ struct LevelOptions {
   contact::Checkpoint* checkpoint = nullptr;  ///< of process 0; null: none
 };
 
-/// Collective over all MPI processes. Throws contact::SolveError, contact::InputError.
+/// Collective over all MPI processes, of which the first one solves the contact problem and has the
+/// load points. Throws contact::SolveError, contact::InputError.
 contact::ModelResult run_level(const contact::Scene& scene, const LevelOptions& options,
                                const contact::Progress& progress);
 

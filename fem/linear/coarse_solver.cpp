@@ -1,6 +1,6 @@
 #include "fem/linear/coarse_solver.hpp"
 
-#include "fem/linear/cholmod.hpp"
+#include "fem/linear/first_process.hpp"
 
 #include <deal.II/base/mpi.h>
 
@@ -11,47 +11,74 @@ namespace rollfem::fem {
 
 namespace {
 
-/// The contributions of all processes, on all processes.
+/// How many of something the processes have, one after the other.
+struct Shares {
+  std::vector<int> counts, offsets;
+
+  Shares(std::size_t mine, MPI_Comm communicator)
+      : counts(dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(mine))),
+        offsets(counts.size(), 0) {
+    std::partial_sum(counts.begin(), counts.end() - 1, offsets.begin() + 1);
+  }
+  std::size_t sum() const { return static_cast<std::size_t>(offsets.back() + counts.back()); }
+};
+
+/// The contributions of all processes, on the first one.
 std::vector<MatrixEntry> gather(const std::vector<MatrixEntry>& mine, MPI_Comm communicator) {
-  const auto processes = dealii::Utilities::MPI::n_mpi_processes(communicator);
-  if (processes == 1) return mine;
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(processes), offsets(processes, 0);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
-  std::partial_sum(counts.begin(), counts.end() - 1, offsets.begin() + 1);
+  const Shares shares(mine.size(), communicator);
+  if (shares.counts.size() == 1) return mine;
   MPI_Datatype entry;
   MPI_Type_contiguous(sizeof(MatrixEntry), MPI_BYTE, &entry);
   MPI_Type_commit(&entry);
-  std::vector<MatrixEntry> all(static_cast<std::size_t>(offsets.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), count, entry, all.data(), counts.data(), offsets.data(), entry,
-                 communicator);
+  std::vector<MatrixEntry> all(
+      dealii::Utilities::MPI::this_mpi_process(communicator) == 0 ? shares.sum() : 0);
+  MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), entry, all.data(), shares.counts.data(),
+              shares.offsets.data(), entry, 0, communicator);
   MPI_Type_free(&entry);
   return all;
 }
 
 }  // namespace
 
-CoarseSolver::CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t size,
-                           std::size_t first, MPI_Comm communicator)
-    : factor_(gather(entries, communicator), size,
-              {"coarse solve of the multigrid", "use a coarser fem.cell_size"}),
-      right_(size),
-      first_(first),
-      communicator_(communicator) {}
+CoarseSolver::CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t owned,
+                           MPI_Comm communicator)
+    : communicator_(communicator) {
+  const std::vector<MatrixEntry> all = gather(entries, communicator);
+  Shares shares(owned, communicator);
+  FirstProcess(communicator).run([&] {
+    right_.resize(shares.sum());
+    factor_ = std::make_unique<CholeskyFactor>(
+        all, right_.size(),
+        FactorMessages{"coarse solve of the multigrid", "use a coarser fem.cell_size"});
+  });
+  if (shares.counts.size() == 1) return;
+  gathered_.resize(right_.size());
+  counts_ = std::move(shares.counts);
+  offsets_ = std::move(shares.offsets);
+}
 
+/// A process that is alone does not call MPI (Multigrid::runs_beside_others).
 void CoarseSolver::solve(VectorType& x, const VectorType& b) const {
-  std::fill(right_.begin(), right_.end(), 0.0);
-  std::copy(b.begin(), b.end(), right_.begin() + static_cast<std::ptrdiff_t>(first_));
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
-    MPI_Allreduce(MPI_IN_PLACE, right_.data(), static_cast<int>(right_.size()), MPI_DOUBLE, MPI_SUM,
-                  communicator_);
-  const double* const solution = factor_.solve(right_) + first_;
-  std::transform(solution, solution + x.locally_owned_size(), x.begin(),
-                 [](double value) { return static_cast<float>(value); });
+  const auto size = static_cast<int>(b.locally_owned_size());
+  if (!counts_.empty())
+    MPI_Gatherv(b.begin(), size, MPI_FLOAT, gathered_.data(), counts_.data(), offsets_.data(),
+                MPI_FLOAT, 0, communicator_);
+  if (factor_) {
+    const float* const right = counts_.empty() ? b.begin() : gathered_.data();
+    std::copy_n(right, right_.size(), right_.begin());
+    const double* const solution = factor_->solve(right_);
+    std::transform(solution, solution + right_.size(),
+                   counts_.empty() ? x.begin() : gathered_.data(),
+                   [](double value) { return static_cast<float>(value); });
+  }
+  if (!counts_.empty())
+    MPI_Scatterv(gathered_.data(), counts_.data(), offsets_.data(), MPI_FLOAT, x.begin(), size,
+                 MPI_FLOAT, 0, communicator_);
 }
 
 double CoarseSolver::memory_bytes() const {
-  return factor_.memory_bytes() + static_cast<double>(right_.size() * sizeof(double));
+  return (factor_ ? factor_->memory_bytes() : 0.0) +
+         static_cast<double>(right_.size() * sizeof(double) + gathered_.size() * sizeof(float));
 }
 
 }  // namespace rollfem::fem

@@ -1,12 +1,15 @@
 #include "fem/linear/level_transfer.hpp"
 
 #include "fem/discretisation/elasticity_operator.hpp"
-
-#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+#include "fem/linear/coarse_cells.hpp"
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <stdexcept>
 #include <vector>
 
 namespace rollfem::fem {
@@ -14,29 +17,6 @@ namespace rollfem::fem {
 namespace {
 
 using FloatVector = LevelTransfer::VectorType;
-
-/// Of several processes, whose coarse and fine cells may lie on different ones.
-class SharedTransfer : public LevelTransfer {
- public:
-  SharedTransfer(const ElasticProblem& fine, const ElasticProblem& coarse) {
-    dealii::AffineConstraints<float> own, others;
-    own.copy_from(fine.constraints);
-    others.copy_from(coarse.constraints);
-    transfer_.reinit_geometric_transfer(fine.dofs, coarse.dofs, own, others);
-  }
-  void prolongate_and_add(FloatVector& fine, const FloatVector& coarse) const override {
-    transfer_.prolongate_and_add(fine, coarse);
-  }
-  void restrict_and_add(FloatVector& coarse, const FloatVector& fine) const override {
-    transfer_.restrict_and_add(coarse, fine);
-  }
-  double memory_bytes() const override {
-    return static_cast<double>(transfer_.memory_consumption());
-  }
-
- private:
-  dealii::MGTwoLevelTransfer<3, FloatVector> transfer_;
-};
 
 /// Values at lines of nodes from values at lines of others: `before` and `after` count the nodes in
 /// the directions that run quicker and slower. Four lanes, three of which are the components.
@@ -101,7 +81,8 @@ struct ConstraintTerm {
   double weight;
 };
 
-/// Of one process, coarse cell by coarse cell.
+/// Coarse cell by coarse cell, each on the processes that own fine cells in it. Unknowns of the
+/// fine level are set by their owners, so that only those of the coarse level are exchanged.
 template <int degree>
 class CellTransfer : public LevelTransfer {
  public:
@@ -112,111 +93,162 @@ class CellTransfer : public LevelTransfer {
     return static_cast<double>(sizeof(unsigned int) * (coarse_.size() + fine_.size()) +
                                sizeof(Same) * same_.size() + sizeof(ConstrainedRow) * rows_.size() +
                                sizeof(ConstraintTerm) * terms_.size() +
-                               sizeof(float) * whole_.size());
+                               whole_.memory_consumption());
   }
 
  private:
   using Cell = dealii::DoFHandler<3>::cell_iterator;
-  using Indices = std::vector<dealii::types::global_dof_index>;
+  using Indices = std::vector<unsigned int>;
   static constexpr int coarse_nodes =
       Children<degree>::n * Children<degree>::n * Children<degree>::n;
   static constexpr int fine_nodes = Children<degree>::m * Children<degree>::m * Children<degree>::m;
-  /// Of what another coarse cell has already or constraints give.
+  /// Of what another coarse cell has already, another process owns or constraints give.
   static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
   struct Same {
     unsigned int fine, coarse;
   };
 
-  void add_children(const Cell& cell, const Indices& of_cell,
-                    const std::vector<unsigned int>& positions, std::vector<bool>& taken);
-  void add_constraints(const ElasticProblem& coarse);
+  /// Numbers of the unknowns of this process on the fine level, each given out once.
+  class Untaken {
+   public:
+    explicit Untaken(const ElasticProblem& problem)
+        : owned_(problem.dofs.locally_owned_dofs()), taken_(owned_.n_elements()) {
+      for (std::size_t i = 0; i < taken_.size(); ++i)
+        taken_[i] = problem.constraints.is_constrained(owned_.nth_index_in_set(i));
+    }
+    /// The local number of `unknown`, or `none`.
+    unsigned int take(unsigned int unknown) {
+      if (!owned_.is_element(unknown)) return none;
+      const auto local = static_cast<unsigned int>(owned_.index_within_set(unknown));
+      if (taken_[local]) return none;
+      taken_[local] = true;
+      return local;
+    }
+    bool empty() const { return std::find(taken_.begin(), taken_.end(), false) == taken_.end(); }
+
+   private:
+    const dealii::IndexSet& owned_;
+    std::vector<bool> taken_;
+  };
+
+  void make_room(const dealii::DoFHandler<3>& dofs,
+                 const std::map<unsigned int, CoarseCells>& received);
+  void add_cells(const CoarseCells& received, const dealii::DoFHandler<3>& dofs, Untaken& untaken);
+  void add_children(const Cell& cell, const unsigned int* of_cell, const Indices& positions,
+                    Untaken& untaken);
+  void add_constraints(const CoarseCells& received);
+  unsigned int local(unsigned int coarse_unknown) const {
+    return whole_.get_partitioner()->global_to_local(coarse_unknown);
+  }
 
   Children<degree> children_;
-  std::vector<unsigned int> coarse_;  ///< [refined cell][node][component]
-  std::vector<unsigned int> fine_;    ///< the same of its children's nodes; none: not ours
+  Indices coarse_;                    ///< [refined cell][node][component]
+  Indices fine_;                      ///< the same of its children's nodes; none: not ours
   std::vector<Same> same_;            ///< unknowns of cells that both levels have
   std::vector<ConstrainedRow> rows_;  ///< of the coarse level
   std::vector<ConstraintTerm> terms_;
-  mutable std::vector<float> whole_;  ///< coarse vector with its constrained unknowns
+  mutable FloatVector whole_;  ///< coarse vector with its constrained unknowns and others' unknowns
 };
 
 template <int degree>
-CellTransfer<degree>::CellTransfer(const ElasticProblem& fine, const ElasticProblem& coarse)
-    : whole_(coarse.dofs.n_dofs()) {
-  const auto positions = lexicographic_positions(fine.dofs.get_fe());
-  Indices of_cell(positions.size()), of_same(positions.size());
-  std::vector<bool> taken(fine.dofs.n_dofs());
-  for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = fine.constraints.is_constrained(i);
-  const auto& mesh = fine.dofs.get_triangulation();
-  for (const auto& cell : coarse.dofs.active_cell_iterators()) {
-    cell->get_dof_indices(of_cell);
-    const auto there = mesh.create_cell_iterator(cell->id());
-    const Cell on_fine(&mesh, there->level(), there->index(), &fine.dofs);
-    if (!on_fine->is_active()) {
-      add_children(on_fine, of_cell, positions, taken);
-      continue;
-    }
-    on_fine->get_dof_indices(of_same);
-    for (std::size_t i = 0; i < of_same.size(); ++i)
-      if (!taken[of_same[i]]) {
-        same_.push_back(
-            {static_cast<unsigned int>(of_same[i]), static_cast<unsigned int>(of_cell[i])});
-        taken[of_same[i]] = true;
-      }
+CellTransfer<degree>::CellTransfer(const ElasticProblem& fine, const ElasticProblem& coarse) {
+  const auto received = coarse_cells(fine, coarse);
+  make_room(coarse.dofs, received);
+  Untaken untaken(fine);
+  for (const auto& [process, cells] : received) {
+    add_cells(cells, fine.dofs, untaken);
+    add_constraints(cells);
   }
-  add_constraints(coarse);
+  if (!untaken.empty()) throw std::logic_error("a fine cell is in no coarse one");
   coarse_.shrink_to_fit();
   fine_.shrink_to_fit();
   same_.shrink_to_fit();
 }
 
 template <int degree>
-void CellTransfer<degree>::add_children(const Cell& cell, const Indices& of_cell,
-                                        const std::vector<unsigned int>& positions,
-                                        std::vector<bool>& taken) {
+void CellTransfer<degree>::make_room(const dealii::DoFHandler<3>& dofs,
+                                     const std::map<unsigned int, CoarseCells>& received) {
+  Indices others;
+  for (const auto& [process, cells] : received)
+    for (const auto* unknowns : {&cells.unknowns, &cells.masters})
+      std::copy_if(unknowns->begin(), unknowns->end(), std::back_inserter(others),
+                   [&](unsigned int k) { return !dofs.locally_owned_dofs().is_element(k); });
+  std::sort(others.begin(), others.end());
+  dealii::IndexSet ghosts(dofs.n_dofs());
+  ghosts.add_indices(others.begin(), std::unique(others.begin(), others.end()));
+  whole_.reinit(dofs.locally_owned_dofs(), ghosts, dofs.get_communicator());
+}
+
+template <int degree>
+void CellTransfer<degree>::add_cells(const CoarseCells& received, const dealii::DoFHandler<3>& dofs,
+                                     Untaken& untaken) {
+  const auto positions = lexicographic_positions(dofs.get_fe());
+  const auto& mesh = dofs.get_triangulation();
+  Indices of_same(positions.size());
+  const unsigned int* of_cell = received.unknowns.data();
+  for (auto id = received.cells.begin(); id != received.cells.end();
+       id += 4, of_cell += positions.size()) {
+    const auto there = mesh.create_cell_iterator(
+        dealii::CellId(dealii::CellId::binary_type{id[0], id[1], id[2], id[3]}));
+    const Cell on_fine(&mesh, there->level(), there->index(), &dofs);
+    if (!on_fine->is_active()) {
+      add_children(on_fine, of_cell, positions, untaken);
+      continue;
+    }
+    on_fine->get_dof_indices(of_same);
+    for (std::size_t i = 0; i < of_same.size(); ++i)
+      if (const auto number = untaken.take(of_same[i]); number != none)
+        same_.push_back({number, local(of_cell[i])});
+  }
+}
+
+template <int degree>
+void CellTransfer<degree>::add_children(const Cell& cell, const unsigned int* of_cell,
+                                        const Indices& positions, Untaken& untaken) {
   constexpr int n = Children<degree>::n, m = Children<degree>::m;
   for (int node = 0; node < coarse_nodes; ++node)
     for (int c = 0; c < 3; ++c)
-      coarse_.push_back(static_cast<unsigned int>(of_cell[positions[c * coarse_nodes + node]]));
+      coarse_.push_back(local(of_cell[positions[c * coarse_nodes + node]]));
   const std::size_t first = fine_.size();
   fine_.resize(first + 3 * fine_nodes, none);
-  Indices of_child(of_cell.size());
+  Indices of_child(positions.size());
   for (unsigned int child = 0; child < 8; ++child) {
+    if (!cell->child(child)->is_locally_owned()) continue;
     cell->child(child)->get_dof_indices(of_child);
     const int x = degree * (child & 1U), y = degree * ((child >> 1U) & 1U),
               z = degree * (child >> 2U);
     for (int node = 0; node < coarse_nodes; ++node) {
       const int i = x + node % n, j = y + node / n % n, k = z + node / (n * n);
-      for (int c = 0; c < 3; ++c) {
-        const auto unknown = of_child[positions[c * coarse_nodes + node]];
-        if (taken[unknown]) continue;
-        taken[unknown] = true;
-        fine_[first + 3 * ((k * m + j) * m + i) + c] = static_cast<unsigned int>(unknown);
-      }
+      for (int c = 0; c < 3; ++c)
+        if (const auto number = untaken.take(of_child[positions[c * coarse_nodes + node]]);
+            number != none)
+          fine_[first + 3 * ((k * m + j) * m + i) + c] = number;
     }
   }
 }
 
 template <int degree>
-void CellTransfer<degree>::add_constraints(const ElasticProblem& coarse) {
-  for (unsigned int i = 0; i < whole_.size(); ++i) {
-    const auto* terms = coarse.constraints.get_constraint_entries(i);
-    if (!coarse.constraints.is_constrained(i)) continue;
+void CellTransfer<degree>::add_constraints(const CoarseCells& received) {
+  for (std::size_t k = 0, term = 0; k < received.constrained.size(); ++k) {
     const auto first = static_cast<unsigned int>(terms_.size());
-    for (const auto& [master, weight] : *terms)
-      terms_.push_back({static_cast<unsigned int>(master), weight});
-    rows_.push_back({i, first, static_cast<unsigned int>(terms_.size())});
+    for (; term < received.end_of_terms[k]; ++term)
+      terms_.push_back({local(received.masters[term]), received.weights[term]});
+    rows_.push_back(
+        {local(received.constrained[k]), first, static_cast<unsigned int>(terms_.size())});
   }
 }
 
 template <int degree>
 void CellTransfer<degree>::prolongate_and_add(FloatVector& fine, const FloatVector& coarse) const {
-  std::copy_n(coarse.begin(), whole_.size(), whole_.begin());
+  whole_.zero_out_ghost_values();
+  std::copy(coarse.begin(), coarse.end(), whole_.begin());
+  whole_.update_ghost_values();
+  float* const whole = whole_.begin();
   for (const ConstrainedRow& row : rows_) {
     double value = 0.0;
     for (auto k = row.first_term; k < row.end_of_terms; ++k)
-      value += terms_[k].weight * whole_[terms_[k].master];
-    whole_[row.row] = static_cast<float>(value);
+      value += terms_[k].weight * whole[terms_[k].master];
+    whole[row.row] = static_cast<float>(value);
   }
   float* const to = fine.begin();
   std::array<float, coarse_nodes * lanes> cell{};
@@ -225,18 +257,19 @@ void CellTransfer<degree>::prolongate_and_add(FloatVector& fine, const FloatVect
   for (const unsigned int* unknown = fine_.data(); unknown != fine_.data() + fine_.size();
        unknown += 3 * fine_nodes, from += 3 * coarse_nodes) {
     for (int node = 0; node < coarse_nodes; ++node)
-      for (int c = 0; c < 3; ++c) cell[node * lanes + c] = whole_[from[3 * node + c]];
+      for (int c = 0; c < 3; ++c) cell[node * lanes + c] = whole[from[3 * node + c]];
     children_.prolongate(cell.data(), inside.data());
     for (int node = 0; node < fine_nodes; ++node)
       for (int c = 0; c < 3; ++c)
         if (unknown[3 * node + c] != none) to[unknown[3 * node + c]] += inside[node * lanes + c];
   }
-  for (const Same& same : same_) to[same.fine] += whole_[same.coarse];
+  for (const Same& same : same_) to[same.fine] += whole[same.coarse];
 }
 
 template <int degree>
 void CellTransfer<degree>::restrict_and_add(FloatVector& coarse, const FloatVector& fine) const {
-  std::fill(whole_.begin(), whole_.end(), 0.0F);
+  whole_ = 0.0F;
+  float* const whole = whole_.begin();
   const float* const of = fine.begin();
   std::array<float, coarse_nodes * lanes> cell;
   std::array<float, fine_nodes * lanes> inside{};
@@ -248,25 +281,23 @@ void CellTransfer<degree>::restrict_and_add(FloatVector& coarse, const FloatVect
         inside[node * lanes + c] = unknown[3 * node + c] == none ? 0.0F : of[unknown[3 * node + c]];
     children_.restrict(inside.data(), cell.data());
     for (int node = 0; node < coarse_nodes; ++node)
-      for (int c = 0; c < 3; ++c) whole_[to[3 * node + c]] += cell[node * lanes + c];
+      for (int c = 0; c < 3; ++c) whole[to[3 * node + c]] += cell[node * lanes + c];
   }
-  for (const Same& same : same_) whole_[same.coarse] += of[same.fine];
+  for (const Same& same : same_) whole[same.coarse] += of[same.fine];
   for (const ConstrainedRow& row : rows_) {
-    const double value = whole_[row.row];
+    const double value = whole[row.row];
     for (auto k = row.first_term; k < row.end_of_terms; ++k)
-      whole_[terms_[k].master] += static_cast<float>(terms_[k].weight * value);
-    whole_[row.row] = 0.0F;
+      whole[terms_[k].master] += static_cast<float>(terms_[k].weight * value);
+    whole[row.row] = 0.0F;
   }
-  float* const sum = coarse.begin();
-  for (std::size_t i = 0; i < whole_.size(); ++i) sum[i] += whole_[i];
+  whole_.compress(dealii::VectorOperation::add);
+  std::transform(coarse.begin(), coarse.end(), whole, coarse.begin(), std::plus<float>());
 }
 
 }  // namespace
 
 std::unique_ptr<LevelTransfer> make_level_transfer(const ElasticProblem& fine,
                                                    const ElasticProblem& coarse) {
-  if (dealii::Utilities::MPI::n_mpi_processes(fine.dofs.get_communicator()) > 1)
-    return std::make_unique<SharedTransfer>(fine, coarse);
   if (fine.dofs.get_fe().degree == 1) return std::make_unique<CellTransfer<1>>(fine, coarse);
   return std::make_unique<CellTransfer<2>>(fine, coarse);
 }

@@ -20,9 +20,8 @@ class LevelTransfer {
   virtual double memory_bytes() const = 0;
 };
 
-/// The cells of `fine` are those of `coarse`, refined once or not at all. One process takes some
-/// ten bytes an unknown; several take deal.II's transfer, whose set-up has memory for all cells
-/// that an octree of that depth could have. Collective.
+/// The cells of `fine` are those of `coarse`, refined once or not at all, on whichever processes
+/// either lie. Takes some ten bytes an unknown. Collective.
 std::unique_ptr<LevelTransfer> make_level_transfer(const ElasticProblem& fine,
                                                    const ElasticProblem& coarse);
 

@@ -175,7 +175,6 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
   for (std::size_t i = 0; i + 1 < meshes.size(); ++i)
     discretised.push_back(std::make_unique<Discretisation>(*meshes[i], problem));
   discretised.push_back(std::make_unique<Discretisation>(problem));
-  // Those of several processes take much memory for a moment, so they are made before what stays.
   std::vector<std::unique_ptr<LevelTransfer>> transfers(1);
   for (std::size_t i = 1; i < discretised.size(); ++i)
     transfers.push_back(discretised[i]->transfer_to(*discretised[i - 1]));
@@ -199,9 +198,8 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
 void Multigrid::factorise_coarsest(const LocalCells& cells) {
   const ElasticityOperator<double> stiffness(cells);
   const auto& owned = cells.dofs->owned_only;
-  coarse_ =
-      std::make_unique<CoarseSolver>(stiffness.assemble(), owned->size(),
-                                     owned->local_range().first, owned->get_mpi_communicator());
+  coarse_ = std::make_unique<CoarseSolver>(stiffness.assemble(), owned->locally_owned_size(),
+                                           owned->get_mpi_communicator());
   coarse_solution_.reinit(owned);
   coarse_right_.reinit(owned);
 }

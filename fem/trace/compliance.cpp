@@ -4,6 +4,8 @@
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/middle_displacement.hpp"
 
+#include <deal.II/base/mpi.h>
+
 #include <array>
 #include <cmath>
 #include <future>
@@ -34,7 +36,10 @@ struct FemCompliance::Implementation {
       coupling[k].emplace(*body, grid, surface);
       loads[k] = make_vector(body->dofs());
       displacements[k] = make_vector(body->dofs());
-      middle[k].emplace(grid, body->material(), shape.stretch, coupling[k]->lattice());
+      const MPI_Comm communicator = body->dofs().get_communicator();
+      first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+      const auto lattice = coupling[k]->lattice();
+      if (first) middle[k].emplace(grid, body->material(), shape.stretch, lattice);
       if (far == FarBoundary::point_load) far_field[k].emplace(*body, *solver, *coupling[k]);
     }
   }
@@ -55,6 +60,7 @@ struct FemCompliance::Implementation {
     const contact::Field none = contact::Field::Zero(grid.size());
     if (!coupling[k]) return {none, none, none};
     contact::SurfaceField result = coupling[k]->sample(displacements[k]);
+    if (!first) return result;
     middle[k]->add(on_body(k, traction), result);
     if (far_field[k]) far_field[k]->add(force_on(k, traction), result);
     return result;
@@ -98,6 +104,7 @@ struct FemCompliance::Implementation {
   Vector displacements[2];
   std::optional<contact::SurfaceField> solved_for;  ///< what `displacements` belong to
   bool concurrent = false;
+  bool first = true;  ///< process, whose surface displacement is whole
   int solves = 0;
 };
 
@@ -122,6 +129,7 @@ contact::Response FemCompliance::respond(const contact::SurfaceField& traction) 
   ++model.solves;
   const auto wheel = model.surface_displacement(0, traction);
   const auto rail = model.surface_displacement(1, traction);
+  if (!model.first) return {};
   return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n}, model.curvature_slip(wheel)};
 }
 

@@ -63,7 +63,8 @@ class FemCompliance : public contact::Compliance {
   ~FemCompliance() override;
   const contact::ContactGrid& grid() const override;
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
-  /// With the curvature slip of the wheel.
+  /// With the curvature slip of the wheel. Collective; empty on other processes than the first, for
+  /// which this is done.
   contact::Response respond(const contact::SurfaceField& traction) const override;
   /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView; of a
   /// rigid body empty.

@@ -1,7 +1,7 @@
 #include "fem/trace/far_field.hpp"
 
 #include "contact/scene/geometry.hpp"
-#include "fem/linear/prescribed.hpp"
+#include "fem/trace/prescribed.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
 
 #include <deal.II/base/index_set.h>

@@ -1,7 +1,7 @@
 #include "fem/trace/rolling_inertia.hpp"
 
 #include "contact/scene/geometry.hpp"
-#include "fem/linear/prescribed.hpp"
+#include "fem/trace/prescribed.hpp"
 #include "fem/trace/compliance.hpp"
 
 #include <deal.II/base/quadrature_lib.h>

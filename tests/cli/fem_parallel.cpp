@@ -103,3 +103,22 @@ TEST(FemProgram, AFactorisationOnTwoProcessesIsRefusedOnceWithStatusTwo) {
       << outcome.err;
   EXPECT_FALSE(folder.holds("out"));
 }
+
+TEST(FemProgram, AnErrorOfTheContactProblemEndsAllProcessesWithOneMessage) {
+  const Folder folder;
+  // How much friction can bear is known when the first process has solved the normal problem.
+  const std::string input = folder.file(
+      "force.toml", "models = [\"fem\"]\n" + with("normal_force = 50e3", "approach = 0.02") +
+                        "[rolling]\nlongitudinal_force = -1e6\n[fem]\ncell_size = 1.4\n"
+                        "extent = 20\nlinear_solver = \"multigrid\"\n");
+  for (const int processes : {1, 2, 3}) {
+    const Outcome outcome =
+        execute(folder, command_of({"run", input, "-o", "out", "--no-report"}, processes));
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    const std::string what = "prescribed force";
+    const std::size_t said = outcome.err.find(what);
+    ASSERT_NE(said, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find(what, said + 1), std::string::npos) << outcome.err;
+    EXPECT_FALSE(folder.holds("out"));
+  }
+}

@@ -1,7 +1,7 @@
 // Stress at the surface of a finite-element body from the tractions and the strain within the
 // surface: against Hertz's closed forms inside and outside of a circle, and better than the
 // recovered stress alone.
-#include "fem/linear/prescribed.hpp"
+#include "fem/trace/prescribed.hpp"
 #include "fem/stress/surface_stress.hpp"
 
 #include "support/fem_fields.hpp"

@@ -3,7 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "fem/discretisation/body_points.hpp"
-#include "fem/linear/prescribed.hpp"
+#include "fem/trace/prescribed.hpp"
 #include "fem/stress/stress_output.hpp"
 #include "fem/stress/stress_recovery.hpp"
 

@@ -2,7 +2,7 @@
 // no lattice; and the given meshes that are refused.
 #include "contact/base/errors.hpp"
 #include "fem/linear/factorisation.hpp"
-#include "fem/linear/prescribed.hpp"
+#include "fem/trace/prescribed.hpp"
 #include "fem/mesh/chart_face.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
 #include "fem/trace/compliance.hpp"

@@ -1,4 +1,4 @@
-#include "fem/linear/prescribed.hpp"
+#include "fem/trace/prescribed.hpp"
 
 #include "fem/discretisation/elasticity_assembly.hpp"
 

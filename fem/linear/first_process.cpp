@@ -1,0 +1,143 @@
+#include "fem/linear/first_process.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// The first letter of what the first process says: an order, the end of its work, or the error in
+/// which it ended.
+constexpr char order_letter = 'o', end_letter = 'e', input_letter = 'i', unfit_letter = 'u',
+               solve_letter = 's', memory_letter = 'm', other_letter = 'x';
+
+[[noreturn]] void throw_of(char letter, const std::string& text) {
+  if (letter == input_letter) throw contact::InputError(text);
+  if (letter == unfit_letter) throw contact::UnfitGrid(text);
+  if (letter == solve_letter) throw contact::SolveError(text);
+  if (letter == memory_letter) throw std::bad_alloc();
+  throw std::runtime_error(text);
+}
+
+/// As long as it exists this thread, and those that it starts, run on these cores.
+class OnCores {
+ public:
+  OnCores(const cpu_set_t& cores, const cpu_set_t& afterwards) : afterwards_(afterwards) {
+    sched_setaffinity(0, sizeof cores, &cores);
+  }
+  ~OnCores() { sched_setaffinity(0, sizeof afterwards_, &afterwards_); }
+  OnCores(const OnCores&) = delete;
+  OnCores& operator=(const OnCores&) = delete;
+
+ private:
+  cpu_set_t afterwards_;
+};
+
+}  // namespace
+
+FirstProcess::FirstProcess(MPI_Comm communicator) : communicator_(communicator) {
+  MPI_Comm_rank(communicator, &rank_);
+  MPI_Comm_size(communicator, &processes_);
+  if (processes_ == 1) return;
+  MPI_Comm machine;
+  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  CPU_ZERO(&cores_);
+  sched_getaffinity(0, sizeof cores_, &cores_);
+  MPI_Allreduce(&cores_, &cores_of_machine_, sizeof cores_, MPI_BYTE, MPI_BOR, machine);
+  const int own = contact::threads();
+  MPI_Allreduce(&own, &threads_of_machine_, 1, MPI_INT, MPI_SUM, machine);
+  threads_of_machine_ = std::min({threads_of_machine_, CPU_COUNT(&cores_of_machine_),
+                                  contact::allowed_cores("/proc", "/sys/fs/cgroup")});
+  MPI_Comm_free(&machine);
+}
+
+void FirstProcess::run(const std::function<void()>& work,
+                       const std::function<void(const Order&)>& obey) {
+  if (processes_ == 1)
+    work();
+  else if (here())
+    lead(work);
+  else
+    follow(obey);
+}
+
+/// Until all processes are here. Waiting in MPI's own calls would take a core from those who work.
+void FirstProcess::meet() const {
+  constexpr std::chrono::microseconds longest(1000);
+  std::chrono::microseconds nap(20);
+  MPI_Request request;
+  MPI_Ibarrier(communicator_, &request);
+  for (;;) {
+    int done = 0;
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done != 0) return;
+    std::this_thread::sleep_for(nap);
+    nap = std::min(2 * nap, longest);
+  }
+}
+
+std::string FirstProcess::from_first(const std::string& said) const {
+  meet();
+  return dealii::Utilities::MPI::broadcast(communicator_, said);
+}
+
+void FirstProcess::end(char letter, const std::string& text) {
+  if (together_) return;  // the others have thrown the same
+  from_first(letter + text);
+}
+
+void FirstProcess::lead(const std::function<void()>& work) {
+  together_ = false;
+  try {
+    const OnCores cores(cores_of_machine_, cores_);
+    const contact::LentThreads threads(threads_of_machine_);
+    work();
+  } catch (const contact::InputError& error) {
+    end(input_letter, error.what());
+    throw;
+  } catch (const contact::UnfitGrid& error) {
+    end(unfit_letter, error.what());
+    throw;
+  } catch (const contact::SolveError& error) {
+    end(solve_letter, error.what());
+    throw;
+  } catch (const std::bad_alloc&) {
+    end(memory_letter, "");
+    throw;
+  } catch (const std::exception& error) {
+    end(other_letter, error.what());
+    throw;
+  }
+  end(end_letter, "");
+}
+
+void FirstProcess::follow(const std::function<void(const Order&)>& obey) const {
+  for (;;) {
+    std::string said = from_first({});
+    const char letter = said.front();
+    said.erase(0, 1);
+    if (letter == end_letter) return;
+    if (letter != order_letter) throw_of(letter, said);
+    obey(said);
+  }
+}
+
+void FirstProcess::call(const Order& order, const std::function<void()>& own) {
+  if (processes_ == 1) return own();
+  from_first(order_letter + order);
+  const OnCores cores(cores_, cores_of_machine_);
+  together_ = true;
+  own();
+  together_ = false;
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,110 @@
+// One process works for all: the others obey its orders, sleep between them, and end as it ends.
+#include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
+#include "fem/linear/first_process.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+
+#include "support/mpi_environment.hpp"
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace rollfem {
+namespace {
+
+int processes() {
+  return static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+}
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// What arrives on this process when the work of the first one throws `error`.
+template <class Arriving, class Error>
+std::string arriving(const Error& error) {
+  fem::FirstProcess first(MPI_COMM_WORLD);
+  try {
+    first.run([&] { throw error; });
+  } catch (const Arriving& caught) {
+    return caught.what();
+  }
+  return "nothing";
+}
+
+TEST(FirstProcess, CallsAllInTheOrderOfItsWork) {
+  fem::FirstProcess first(MPI_COMM_WORLD);
+  std::vector<std::string> done;
+  std::vector<double> sums;
+  const auto together = [&](const std::string& order) {
+    done.push_back(order);
+    sums.push_back(dealii::Utilities::MPI::sum(1.0, MPI_COMM_WORLD));
+  };
+  int works = 0;
+  first.run(
+      [&] {
+        ++works;
+        for (const std::string order : {"", "a", "bc"}) first.call(order, [&] { together(order); });
+      },
+      together);
+  EXPECT_EQ(works, first.here() ? 1 : 0);
+  EXPECT_EQ(done, (std::vector<std::string>{"", "a", "bc"}));
+  EXPECT_EQ(sums, std::vector<double>(3, processes()));
+}
+
+TEST(FirstProcess, WhatItThrowsIsThrownOnAll) {
+  EXPECT_EQ(arriving<contact::InputError>(contact::InputError("input")), "input");
+  EXPECT_EQ(arriving<contact::SolveError>(contact::SolveError("solve")), "solve");
+  EXPECT_EQ(arriving<contact::UnfitGrid>(contact::UnfitGrid("grid")), "grid");
+  EXPECT_EQ(arriving<std::exception>(std::logic_error("defect")), "defect");
+  EXPECT_NE(arriving<std::bad_alloc>(std::bad_alloc()), "nothing");
+}
+
+TEST(FirstProcess, WhatAllThrowTogetherEndsTheWorkOnce) {
+  fem::FirstProcess first(MPI_COMM_WORLD);
+  const auto together = [](const std::string& order) { throw contact::SolveError(order); };
+  for (int round = 0; round < 2; ++round)
+    EXPECT_THROW(first.run([&] { first.call("fails", [&] { together("fails"); }); }, together),
+                 contact::SolveError);
+  EXPECT_EQ(dealii::Utilities::MPI::sum(1, MPI_COMM_WORLD), processes());
+}
+
+TEST(FirstProcess, OthersSleepWhileItWorks) {
+  fem::FirstProcess first(MPI_COMM_WORLD);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const double begin = cpu_seconds();
+  constexpr std::chrono::milliseconds work(500);
+  first.run([&] {
+    for (const auto end = std::chrono::steady_clock::now() + work;
+         std::chrono::steady_clock::now() < end;)
+      ;
+  });
+  if (!first.here()) {
+    EXPECT_LT(cpu_seconds() - begin, 0.05);
+  }
+}
+
+TEST(FirstProcess, HasTheThreadsOfAllWhileItWorksAlone) {
+  const int own = contact::threads();
+  fem::FirstProcess first(MPI_COMM_WORLD);
+  int alone = 0;
+  first.run([&] { alone = contact::threads(); });
+  const int cores = std::min(static_cast<int>(std::thread::hardware_concurrency()),
+                             contact::allowed_cores("/proc", "/sys/fs/cgroup"));
+  if (first.here()) {
+    EXPECT_GE(alone, std::max(own, std::min(processes(), cores)));
+  }
+  EXPECT_EQ(contact::threads(), own);
+}
+
+}  // namespace
+}  // namespace rollfem
