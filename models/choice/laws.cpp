@@ -139,9 +139,9 @@ int elements_of_model_error(const ContactSize& size, double accuracy) {
 
 Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
   const double part = static_cast<double>(elements_of_model_error(size, accuracy)) / usual_elements;
-  const double turns = size.true_sections ? steep_estimate_times
-                       : size.coupled     ? coupled_estimate_times
-                                          : 1.0;
+  const double turns = size.steep     ? steep_estimate_times
+                       : size.coupled ? coupled_estimate_times
+                                      : 1.0;
   const double estimate =
       turns * of_model_error * part * part * static_cast<double>(size.load_points);
   const double times = size.coupled ? coupled_times : size.shares_load ? sharing_times : 1.0;
