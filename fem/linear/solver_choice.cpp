@@ -35,10 +35,10 @@ double multigrid_solve_seconds(double n) {
   return 0.115 * n / 105e3;
 }
 
-/// The coarse mesh of a true section has some 60 000 unknowns: a solve with its factor in each of
-/// some twelve iterations of multigrid comes on top.
-constexpr double coarse_unknowns_of_section = 60e3;
-constexpr double multigrid_iterations = 12.0;
+/// The coarse mesh of a true section has some 120 000 unknowns: a solve with its factor in each of
+/// some ten iterations of multigrid comes on top.
+constexpr double coarse_unknowns_of_section = 120e3;
+constexpr double multigrid_iterations = 10.0;
 
 /// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
 constexpr double largest_factor = 5e9;
@@ -48,9 +48,11 @@ constexpr double largest_factor = 5e9;
 constexpr double solves_per_point = 4.5;
 constexpr double solves_for_normal = 4.0;
 
-/// Geometric multigrid factorises the coarse mesh of a body whole; an imported one may be too large
-/// for that, and then algebraic multigrid goes on coarsening.
-constexpr unsigned int most_coarse_cells = 4000;
+/// Geometric multigrid factorises the coarse mesh of a body whole; one that is given may be too
+/// large for that, and then algebraic multigrid goes on coarsening. A factor of so many unknowns
+/// takes 7 s and 1.7 GB and a body's solve by it 2 s more, while algebraic multigrid takes 20 s a
+/// solve on bodies of twice as many.
+constexpr double most_coarse_unknowns = 250e3;
 
 std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
   constexpr double tolerance = 1e-10;  // the contact iteration lives on small changes
@@ -62,10 +64,16 @@ std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Bo
 
 }  // namespace
 
+double coarse_unknowns(const Body& body) {
+  // Of sections of 4200 cells: degree^3 nodes a cell, and a tenth more on the outside.
+  return 1.1 * 3.0 * std::pow(body.options().degree, 3) *
+         body.dofs().get_triangulation().n_cells(0);
+}
+
 bool takes_algebraic(const Scene& scene, const Body& body) {
   return scene.options.fem.linear_solver == contact::LinearSolver::algebraic ||
          (scene.options.fem.linear_solver == contact::LinearSolver::automatic &&
-          body.dofs().get_triangulation().n_cells(0) > most_coarse_cells);
+          coarse_unknowns(body) > most_coarse_unknowns);
 }
 
 bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
