@@ -105,6 +105,21 @@ TEST(FemOnTheStudysLeftWheel, WithBoxesHasPressureAndForcesOfTheHalfSpace) {
   EXPECT_NEAR(fem.lateral_force, half.lateral_force, 0.02 * 0.55e5);
 }
 
+/// Beside the patch at the flange the profiles become steeper than 56 degrees; the box follows
+/// them.
+TEST(FemAtTheFlange, ASteepBoxHasThePressureOfTheHalfSpace) {
+  contact::Scene scene = rollfem::testing::flange_scene();
+  scene.problem = contact::Problem::frictionless;
+  const double cell = 3.0 * fem::default_cell_size(scene);
+  const contact::PointResult fem = solve(scene, cell).points.front();
+  scene.contact_grid.cell_size = {{cell, cell}};
+  const contact::PointResult half = halfspace::run_halfspace(scene, {}).points.front();
+  // Five elements across: both are some per cent off in p0, and alike.
+  EXPECT_NEAR(fem.max_pressure / half.max_pressure, 1.0, 0.03);
+  EXPECT_NEAR(fem.approach / half.approach, 1.0, 0.03);
+  EXPECT_NEAR(fem.contact_area / half.contact_area, 1.0, 0.05);
+}
+
 TEST(FemOnTheStudysLeftWheel, WithTrueSectionsHasThePressureOfTheHalfSpace) {
   contact::Scene scene = left_wheel(contact::MeshFamily::gmsh);
   scene.problem = contact::Problem::frictionless;
