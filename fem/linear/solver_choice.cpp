@@ -50,9 +50,9 @@ constexpr double solves_for_normal = 4.0;
 
 /// Geometric multigrid factorises the coarse mesh of a body whole; one that is given may be too
 /// large for that, and then algebraic multigrid goes on coarsening. A factor of so many unknowns
-/// takes 7 s and 1.7 GB and a body's solve by it 2 s more, while algebraic multigrid takes 20 s a
-/// solve on bodies of twice as many.
-constexpr double most_coarse_unknowns = 250e3;
+/// takes 14 s and 3.2 GB and the ten solves by it of an iteration 3 s, while algebraic multigrid
+/// takes 18 s a solve and 3.5 GB on the refined body of 700 000.
+constexpr double most_coarse_unknowns = 400e3;
 
 std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
   constexpr double tolerance = 1e-10;  // the contact iteration lives on small changes
