@@ -2,6 +2,7 @@
 
 #include "contact/base/progress.hpp"
 #include "fem/discretisation/case_bodies.hpp"
+#include "fem/linear/factorisation.hpp"
 #include "fem/linear/memory.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/stress/stress_output.hpp"
@@ -109,6 +110,7 @@ void FemElasticity::make_meshes() {
   start_.notes = fmt::format("{}", fmt::join(bodies_.notes, "\n"));
   std::array<long, 2> unknowns{};
   bool algebraic = false;
+  double coarse_factors = 0.0;
   start_.half = true;
   for (std::size_t k = 0; k < 2; ++k) {
     const Body* body = bodies_.both()[k];
@@ -116,12 +118,16 @@ void FemElasticity::make_meshes() {
     unknowns[k] = static_cast<long>(body->unknowns());
     start_.half = start_.half && body->options().half;
     algebraic = algebraic || takes_algebraic(scene_, *body);
+    const bool given = k == 0 ? !scene_.wheel.mesh.empty() : !scene_.rail.mesh.empty();
+    if (given || has_true_sections(scene_))
+      coarse_factors += predicted_factor_bytes(coarse_unknowns(*body));
   }
   start_.unknowns = unknowns[0] + unknowns[1];
   MemoryDemand demand =
       memory_demand(static_cast<double>(unknowns[0]), static_cast<double>(unknowns[1]),
                     layout_.bodies, options_.body_fields ? points_that_keep_bodies(scene_) : 0);
   demand.algebraic = algebraic;
+  demand.coarse_factors = coarse_factors;
   demand.factorisation = factorisation_ = takes_factorisation(scene_, demand);
   contact::ProgressEvent event;
   event.note = fmt::format("wheel {} + rail {} unknowns, {}", unknowns[0], unknowns[1],

@@ -74,6 +74,7 @@ double predicted_bytes(const MemoryDemand& demand) {
   else
     shared += per_unknown(demand) * unknowns;
   double bytes = program + shared / demand.processes;
+  if (!demand.factorisation && !demand.algebraic) bytes += demand.coarse_factors;
   // Process 0 gathers the fields of all.
   if (demand.body_fields > 0)
     bytes += (fields_per_unknown + fields_per_unknown_and_point * demand.body_fields) * unknowns *

@@ -14,9 +14,12 @@ struct MemoryDemand {
   double unknowns_of_rail = 0.0;
   bool factorisation = false;  ///< else multigrid
   bool algebraic = false;      ///< of which this kind, on an assembled matrix
-  int body_fields = 0;         ///< load points that keep displacement and stress of both bodies
-  bool half = false;           ///< half of each body is modelled; fields are mirrored
-  int processes = 1;           ///< in all
+  /// Bytes on every process of the factors of coarse meshes that are given; those of boxes are
+  /// small.
+  double coarse_factors = 0.0;
+  int body_fields = 0;  ///< load points that keep displacement and stress of both bodies
+  bool half = false;    ///< half of each body is modelled; fields are mirrored
+  int processes = 1;    ///< in all
 };
 
 /// Largest resident memory of one process, bytes. The constants are measured

@@ -36,10 +36,10 @@ double multigrid_solve_seconds(double n) {
   return 0.115 * n / 105e3;
 }
 
-/// The coarse mesh of a true section has some 60 000 unknowns: a solve with its factor in each of
-/// some twelve iterations of multigrid comes on top.
-constexpr double coarse_unknowns_of_section = 60e3;
-constexpr double multigrid_iterations = 12.0;
+/// The coarse mesh of a true section has some 120 000 unknowns: a solve with its factor in each of
+/// some ten iterations of multigrid comes on top.
+constexpr double coarse_unknowns_of_section = 120e3;
+constexpr double multigrid_iterations = 10.0;
 
 /// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
 constexpr double largest_factor = 5e9;
@@ -49,11 +49,11 @@ constexpr double largest_factor = 5e9;
 constexpr double solves_per_point = 4.5;
 constexpr double solves_for_normal = 4.0;
 
-/// Geometric multigrid factorises the coarse mesh of a body whole; an imported one may be too large
-/// for that, and then algebraic multigrid goes on coarsening. Beside many more cells it is small:
-/// of ten million unknowns, 400 000 cells, some 5000 are coarse.
-constexpr unsigned int most_coarse_cells = 4000;
-constexpr unsigned int fewest_cells_to_one = 50;
+/// Geometric multigrid factorises the coarse mesh of a body whole; one that is given may be too
+/// large for that, and then algebraic multigrid goes on coarsening. A factor of so many unknowns
+/// takes 14 s and 3.2 GB and the ten solves by it of an iteration 3 s, while algebraic multigrid
+/// takes 18 s a solve and 3.5 GB on the refined body of 700 000.
+constexpr double most_coarse_unknowns = 400e3;
 
 std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
   // Five digits beyond what the contact iteration asks for: 1e-10 took a tenth more iterations.
@@ -66,13 +66,16 @@ std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Bo
 
 }  // namespace
 
+double coarse_unknowns(const Body& body) {
+  // Of sections of 4200 cells: degree^3 nodes a cell, and a tenth more on the outside.
+  return 1.1 * 3.0 * std::pow(body.options().degree, 3) *
+         body.dofs().get_triangulation().n_cells(0);
+}
+
 bool takes_algebraic(const Scene& scene, const Body& body) {
-  const auto& mesh = body.dofs().get_triangulation();
-  const auto coarse = mesh.n_cells(0);
   return scene.options.fem.linear_solver == contact::LinearSolver::algebraic ||
          (scene.options.fem.linear_solver == contact::LinearSolver::automatic &&
-          coarse > most_coarse_cells &&
-          mesh.n_global_active_cells() < static_cast<std::uint64_t>(coarse) * fewest_cells_to_one);
+          coarse_unknowns(body) > most_coarse_unknowns);
 }
 
 bool takes_factorisation(const Scene& scene, MemoryDemand demand) {

@@ -20,6 +20,9 @@ struct Solvers {
 /// it on several processes. Collective.
 bool takes_factorisation(const contact::Scene& scene, MemoryDemand demand);
 
+/// About as many unknowns as the body has before it is refined towards the patch.
+double coarse_unknowns(const Body& body);
+
 /// Whether algebraic multigrid is taken where the body is not factorised: as the case says, or for
 /// a coarse mesh too large for geometric multigrid.
 bool takes_algebraic(const contact::Scene& scene, const Body& body);

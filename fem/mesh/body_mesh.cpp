@@ -47,13 +47,13 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
   needs(options.half_width ? "width" : "extent", options.reach_t(), options.fine_half_width);
   needs(options.depth ? "depth" : "extent", options.reach_depth(),
         options.fine_depth * options.cell_size);
-  if (options.middle - options.reach_t() < shape.lower_t() - 1e-9 ||
-      options.middle + options.reach_t() > shape.upper_t() + 1e-9)
+  if (options.middle - options.fine_half_width < shape.lower_t() - 1e-9 ||
+      options.middle + options.fine_half_width > shape.upper_t() + 1e-9)
     throw contact::InputError(fmt::format(
-        "fem: the segment reaches from y = {:.4g} to {:.4g} mm; the profile of the {} can be "
-        "meshed from {:.4g} to {:.4g} mm (beyond that it ends or is steeper than {}): give a "
-        "smaller [fem] width, or use true sections ([fem] mesh = \"gmsh\")",
-        options.middle - options.reach_t(), options.middle + options.reach_t(),
+        "fem: the finely meshed region reaches from y = {:.4g} to {:.4g} mm; the profile of the {} "
+        "can be meshed from {:.4g} to {:.4g} mm (beyond that it ends or is steeper than {}): give "
+        "a smaller [fem] fine_extent",
+        options.middle - options.fine_half_width, options.middle + options.fine_half_width,
         shape.is_wheel ? "wheel" : "rail", shape.lower_t(), shape.upper_t(),
         ProfileShape::steepest));
   const double inwards = shape.drop_at(options.reach_t()).value + options.reach_depth();

@@ -6,7 +6,6 @@
 
 #include "contact/scene/contact_surface.hpp"
 #include "fem/mesh/surface_shape.hpp"
-#include "halfspace/patch/true_sections.hpp"
 
 #include <deal.II/base/derivative_form.h>
 #include <deal.II/base/point.h>
@@ -21,12 +20,12 @@ class ProfileShape {
 
   const std::shared_ptr<const contact::PatchGeometry>& geometry() const { return geometry_; }
 
-  /// Where the surface is a height over t that is known and not steeper than `steepest`; beyond,
-  /// the chart goes on along the tangent there (it stays one to one, but is not the surface any
-  /// more).
+  /// Where the surface is a height over t that is known and not steeper than `steepest` (dz/dy, 75
+  /// degrees: cells below it, whose sides are along z, have a scaled Jacobian of 0.26); beyond, the
+  /// chart goes on along the tangent there (it stays one to one, but is not the surface any more).
   double lower() const { return lower_; }
   double upper() const { return upper_; }
-  static constexpr double steepest = halfspace::steepest_of_box;
+  static constexpr double steepest = 3.73;
 
   /// Height z of the surface at s = 0, mm, and its slope dz/dt.
   struct Height {

@@ -59,12 +59,12 @@ std::vector<SurfaceShape> meshed_surfaces(const Scene& scene) {
   return shapes;
 }
 
-/// The box of the family `structured` ends where one of the profiles does.
-void fit_to_profiles(const Scene& scene, BodyOptions& options) {
-  for (const SurfaceShape& shape : meshed_surfaces(scene)) {
-    const double reach =
-        std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle);
-    if (reach < options.fine_half_width)
+/// The box of the family `structured` ends where one of the profiles does or becomes steep, but has
+/// its least reach: up to there it follows the steep profile.
+void fit_to_profiles(const Scene& scene, const PatchBox& patch, BodyOptions& options) {
+  for (const SurfaceShape& shape : meshed_surfaces(scene))
+    if (std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle) <
+        options.fine_half_width)
       throw contact::InputError(
           fmt::format("{}: the patch and the cells around it reach from y = {:.4g} to {:.4g} mm, "
                       "the profile of the {} can be meshed from {:.4g} to {:.4g} mm, where it ends "
@@ -73,8 +73,11 @@ void fit_to_profiles(const Scene& scene, BodyOptions& options) {
                       scene.file, options.middle - options.fine_half_width,
                       options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
                       shape.lower_t(), shape.upper_t()));
-    if (!has_true_sections(scene)) options.half_width = std::min(options.reach_t(), reach);
-  }
+  if (has_true_sections(scene)) return;
+  const double reach =
+      std::max({halfspace::gentle_reach(scene, options.middle),
+                halfspace::least_box_reach * patch.larger(), options.fine_half_width});
+  options.half_width = std::min(options.reach_t(), reach);
 }
 
 /// Width, depth, length and mesh family of the case.
@@ -98,7 +101,7 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
   options.degree = scene.options.fem.degree;
   if (scene.feels_inertia()) options.speed = scene.speed;
   set_segment_sizes(scene, options);
-  if (scene.has_profiles()) fit_to_profiles(scene, options);
+  if (scene.has_profiles()) fit_to_profiles(scene, patch, options);
   return options;
 }
 

@@ -89,6 +89,22 @@ void add_surface(std::string& text, const contact::ContactSurface& surface) {
     text += fmt::format("axle {:.8f} {:.8f} {:.8f}\n", vector[0], vector[1], vector[2]);
 }
 
+/// What decides bodies that are not boxes under their surface.
+void add_given_bodies(std::string& text, const Scene& scene) {
+  const contact::FemOptions& fem = scene.options.fem;
+  if (fem.mesh == contact::MeshFamily::gmsh)
+    add(text, "sections", fem.rim_thickness.value_or(0.0), scene.rail_inclination,
+        scene.place && !scene.place->left ? 1.0 : 0.0);
+  for (const std::string& mesh : {scene.wheel.mesh, scene.rail.mesh}) {
+    if (mesh.empty()) continue;
+    const auto path = std::filesystem::path(scene.file).parent_path() / mesh;
+    std::error_code missing;  // said by the one who reads it
+    text += fmt::format("mesh {} {} {}\n", std::filesystem::absolute(path).string(),
+                        std::filesystem::file_size(path, missing),
+                        std::filesystem::last_write_time(path, missing).time_since_epoch().count());
+  }
+}
+
 }  // namespace
 
 Scene correction_scene(const Scene& scene) {
@@ -130,6 +146,7 @@ std::string correction_key(const Scene& correction) {
       fem.length.value_or(0.0), fem.fine_extent.value_or(0.0));
   text += fmt::format("degree {} far {}\n", fem.degree,
                       fem.far_boundary ? static_cast<int>(*fem.far_boundary) : -1);
+  add_given_bodies(text, correction);
   return text;
 }
 

@@ -8,25 +8,32 @@ namespace rollfem::halfspace {
 
 namespace {
 
-/// A box on the surface reaches this many larger half sizes of the patch to each side at least.
-constexpr double least_box_reach = 2.5;
+constexpr double steepest_of_box = 1.5;  // dz/dy
 
 }  // namespace
 
 bool has_true_sections(const contact::Scene& scene) {
-  if (!scene.has_profiles()) return false;
-  if (scene.options.fem.mesh) return *scene.options.fem.mesh == contact::MeshFamily::gmsh;
-  const PatchBox patch = PatchSearch(scene).box();
-  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  return scene.has_profiles() && scene.options.fem.mesh == contact::MeshFamily::gmsh;
+}
+
+double gentle_reach(const contact::Scene& scene, double middle) {
   double reach = contact::infinity;
+  if (!scene.has_profiles()) return reach;
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
   const auto see = [&](const contact::SceneBody& body, const contact::HeightCurve& section) {
     if (body.material.rigid()) return;
     const auto [lower, upper] = section.gentle_part(steepest_of_box);
-    reach = std::min({reach, patch.middle - lower, upper - patch.middle});
+    reach = std::min({reach, middle - lower, upper - middle});
   };
   see(scene.wheel, profiles.wheel());
   see(scene.rail, profiles.rail());
-  return reach < least_box_reach * patch.larger();
+  return reach;
+}
+
+bool is_steep(const contact::Scene& scene) {
+  if (!scene.has_profiles()) return false;
+  const PatchBox patch = PatchSearch(scene).box();
+  return gentle_reach(scene, patch.middle) < least_box_reach * patch.larger();
 }
 
 }  // namespace rollfem::halfspace

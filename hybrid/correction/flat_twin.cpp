@@ -71,4 +71,22 @@ SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface&
   return twin;
 }
 
+bool has_boxes(const contact::Scene& scene) {
+  constexpr auto box = contact::MeshFamily::structured;
+  return scene.wheel.mesh.empty() && scene.rail.mesh.empty() &&
+         scene.options.fem.mesh.value_or(box) == box;
+}
+
+contact::Scene with_boxes(const contact::Scene& scene) {
+  contact::Scene boxes = scene;
+  if (has_boxes(scene)) return boxes;
+  boxes.wheel.mesh.clear();
+  boxes.rail.mesh.clear();
+  contact::FemOptions& fem = boxes.options.fem;
+  fem.mesh = contact::MeshFamily::structured;
+  fem.depth.reset();
+  fem.far_boundary.reset();
+  return boxes;
+}
+
 }  // namespace rollfem::fem

@@ -5,6 +5,7 @@
 
 #include "contact/scene/contact_surface.hpp"
 #include "contact/scene/height_curve.hpp"
+#include "contact/scene/scene.hpp"
 #include "fem/mesh/surface_shape.hpp"
 
 namespace rollfem::fem {
@@ -26,5 +27,12 @@ class ArcLength {
 /// the common surface at t across, and at `depth` inwards. `reach`: how far the body goes in t, mm.
 SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface& surface,
                        double reach);
+
+/// Wheel and rail are boxes under their surface, whose twins differ from them in it alone.
+bool has_boxes(const contact::Scene& scene);
+
+/// The scene of the twins: where it has other bodies, those are boxes. Like half-spaces they are
+/// solid and move at their far boundary.
+contact::Scene with_boxes(const contact::Scene& scene);
 
 }  // namespace rollfem::fem

@@ -4,6 +4,7 @@
 #include "contact/scene/below_surface.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/factorisation.hpp"
+#include "fem/linear/multigrid.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/compliance.hpp"
 #include "fem/trace/far_error.hpp"
@@ -59,11 +60,22 @@ constexpr double room = 1.05;
 constexpr double below_beside = 1.5;
 constexpr double below_depth = 3.0;
 
+/// Bodies whose factors take more than this, bytes, are solved by multigrid: those under long
+/// patches. A residual of 1e-8 is 1e-4 of what a body has beyond its twin, a hundredth of it.
+constexpr double largest_factor = 2e9;
+
+std::unique_ptr<LinearSolver> make_solver(const Body& body) {
+  if (predicted_factor_bytes(static_cast<double>(body.unknowns())) < largest_factor ||
+      body.material().poisson_ratio > largest_multigrid_poisson_ratio)
+    return make_factorisation(body.problem());
+  return make_multigrid(body.problem(), {1e-8});
+}
+
 /// One body under tractions on the contact grid.
 class LoadedBody {
  public:
   LoadedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat)
-      : solver_(make_factorisation(body.problem())),
+      : solver_(make_solver(body)),
         coupling_(body, grid, scene.geometry.surface),
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
         grid_(grid),
@@ -188,15 +200,22 @@ struct Basis {
   Eigen::ColPivHouseholderQR<MatrixXd> moments;  ///< of the tractions, by the polynomials
 };
 
-/// A body, its twin, and both under load.
+/// A body, its twin, and both under load. `boxes`: the scene of the twin, on the cells of the
+/// body's layout under the patch.
 struct Pair {
-  Pair(const Scene& scene, const RunLayout& layout, const Body& the_body)
+  Pair(const Scene& scene, const Scene& boxes, const RunLayout& layout, const Body& the_body)
       : body(the_body),
         twin(flat_twin(body.shape(), scene.geometry.surface,
                        std::abs(layout.bodies.middle) + layout.bodies.reach_t()),
-             body.material(), body.options(), MPI_COMM_SELF),
+             body.material(), twin_options(boxes, layout, body), MPI_COMM_SELF),
         loaded(scene, body, layout.grid, false),
-        flat(scene, twin, layout.grid, true) {}
+        flat(boxes, twin, layout.grid, true) {}
+
+  static BodyOptions twin_options(const Scene& boxes, const RunLayout& layout, const Body& body) {
+    BodyOptions options = run_layout(boxes, layout.bodies.cell_size).bodies;
+    options.half = body.options().half;
+    return options;
+  }
 
   const Body& body;
   Body twin;
@@ -297,18 +316,17 @@ void add_half_space(const Scene& scene, const Basis& basis, bool wheel, SmoothMa
 }
 
 void check(const Scene& scene) {
-  const auto refuse = [&](bool asked, const char* what) {
+  const auto refuse = [&](bool asked, const char* what, const char* allowed) {
     if (!asked) return;
-    throw contact::InputError(fmt::format(
-        "{}: model hybrid: it cannot take {}; allowed: bodies that the program meshes as boxes "
-        "under their surface; do: run with --model fem",
-        scene.file, what));
+    throw contact::InputError(
+        fmt::format("{}: model hybrid: it cannot take {}; allowed: {}; do: run with --model fem",
+                    scene.file, what, allowed));
   };
-  refuse(!scene.geometry.has_surfaces(), "undeformed_distance, which knows no bodies");
-  refuse(!scene.wheel.mesh.empty() || !scene.rail.mesh.empty(), "meshes of your own");
-  refuse(has_true_sections(scene), "patches where the bodies must be true sections");
-  refuse(scene.options.fem.mesh && *scene.options.fem.mesh != MeshFamily::structured,
-         "fem.mesh = \"gmsh\": both meshes must be alike");
+  refuse(!scene.geometry.has_surfaces(), "undeformed_distance, which knows no bodies",
+         "radii or profiles");
+  refuse(scene.asks_for_stress() && !has_boxes(scene),
+         "stresses below the surface of meshes of your own or by gmsh",
+         "them in bodies that are boxes under their surface");
 }
 
 }  // namespace
@@ -336,8 +354,9 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   const CaseBodies bodies = make_bodies(scene, layout.bodies, MPI_COMM_SELF, meshed);
   // Orderings draw from one sequence of random numbers: one body after the other.
   std::optional<Pair> wheel, rail;
-  if (bodies.wheel) wheel.emplace(scene, layout, *bodies.wheel);
-  if (bodies.rail) rail.emplace(scene, layout, *bodies.rail);
+  const Scene boxes = with_boxes(scene);
+  if (bodies.wheel) wheel.emplace(scene, boxes, layout, *bodies.wheel);
+  if (bodies.rail) rail.emplace(scene, boxes, layout, *bodies.rail);
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
   const contact::BelowSurface in_wheel(geometry, true), in_rail(geometry, false);
   auto other = std::async(std::launch::async, [&] {

@@ -1,6 +1,7 @@
 // The corrections of wheel and rail to their half-spaces, found by finite elements: each body minus
 // its flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over
-// the patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice.
+// the patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice. The
+// twin of a true section or of a mesh of one's own is a box with the same cells under the patch.
 #pragma once
 
 #include "contact/base/progress.hpp"
@@ -10,8 +11,8 @@
 namespace rollfem::fem {
 
 /// Of the scene's correction scene (halfspace/patch/correction_scene.hpp), by the process that
-/// calls it alone: the bodies are small. Throws contact::InputError where a body is not known by
-/// its surface alone (given meshes, true sections, undeformed distances), contact::SolveError.
+/// calls it alone: the bodies are small. Throws contact::InputError where bodies are not known
+/// (undeformed distances) and for stresses in bodies that are no boxes, contact::SolveError.
 halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
                                          const contact::Progress& progress);
 

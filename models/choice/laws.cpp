@@ -42,8 +42,10 @@ constexpr double kept_correction = 0.01;
 /// Of finite elements, on 16 cells across, per 100 000 unknowns of halved bodies.
 constexpr double fem_start = 2.5, fem_point = 0.75, fem_whole_times = 1.5;
 constexpr double fem_power = 1.5;  ///< of cells across
-/// Free meshes of whole sections have 80 000 unknowns on their coarsest level.
-constexpr double fem_sections_times = 15.0;
+/// Free meshes of whole sections have 110 000 to 300 000 unknowns on their coarsest level, which
+/// are factorised: a measured pair took 2.2 times the CPU time of its boxes on 8 cells across; the
+/// hybrid took 2.8 times.
+constexpr double sections_times = 2.8;
 /// 100 000 unknowns on 16 cells across: a patch of the same length and width, and by how much the
 /// longer exceeds the shorter.
 constexpr double fem_unknowns = 1.7, fem_unknowns_of_length = 0.61;
@@ -55,7 +57,7 @@ double elongation(const ContactSize& size) {
 double correction_seconds(const ContactSize& size) {
   if (size.correction_kept) return kept_correction;
   const double longer = elongation(size) - 1.0;
-  return 0.5 * size.meshed_bodies *
+  return 0.5 * size.meshed_bodies * (size.true_sections ? sections_times : 1.0) *
          (size.symmetric ? halved_correction + halved_correction_of_length * longer
                          : whole_correction + whole_correction_of_length * longer);
 }
@@ -139,9 +141,9 @@ int elements_of_model_error(const ContactSize& size, double accuracy) {
 
 Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
   const double part = static_cast<double>(elements_of_model_error(size, accuracy)) / usual_elements;
-  const double turns = size.true_sections ? steep_estimate_times
-                       : size.coupled     ? coupled_estimate_times
-                                          : 1.0;
+  const double turns = size.steep     ? steep_estimate_times
+                       : size.coupled ? coupled_estimate_times
+                                      : 1.0;
   const double estimate =
       turns * of_model_error * part * part * static_cast<double>(size.load_points);
   const double times = size.coupled ? coupled_times : size.shares_load ? sharing_times : 1.0;
@@ -168,7 +170,7 @@ Forecast fem_forecast(const ContactSize& size) {
   const double error = size.friction > 0.0 ? fem_error_with_friction : fem_error_without_friction;
   const double unknowns = fem_unknowns + fem_unknowns_of_length * (elongation(size) - 1.0);
   const double seconds = (size.symmetric ? 1.0 : fem_whole_times) *
-                         (size.true_sections ? fem_sections_times : 1.0) * unknowns *
+                         (size.true_sections ? sections_times : 1.0) * unknowns *
                          (fem_start + fem_point * static_cast<double>(size.load_points));
   for (const int across : cells_across())
     forecast.levels.push_back(

@@ -22,6 +22,7 @@ struct ContactSize {
   bool symmetric = true;         ///< about the plane along rolling: half of each body is meshed
   bool line = false;             ///< endless rollers
   bool true_sections = false;    ///< bodies are meshed as whole sections, not as boxes
+  bool steep = false;            ///< profiles are beside the patch
   bool shares_load = false;      ///< friction carries a part of the load of a tilted contact
   bool coupled = false;          ///< pressure and friction of a half-space change each other
   int meshed_bodies = 2;         ///< neither rigid nor flat (hybrid)

@@ -94,6 +94,7 @@ ContactSize size_of(const Scene& scene) {
   size.meshed_bodies = meshed_bodies(scene);
   size.line = scene.geometry.line.has_value();
   size.true_sections = halfspace::has_true_sections(scene);
+  size.steep = halfspace::is_steep(scene);
   // Nor is it looked for where a half-space does anyway. Processes that looked might disagree.
   if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
     size.correction_kept = correction_is_kept(scene);
@@ -114,9 +115,9 @@ std::string out_of_question(const contact::ModelInfo& model, const Scene& scene)
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
   const bool boxes =
       !scene.options.fem.mesh || *scene.options.fem.mesh == contact::MeshFamily::structured;
-  if (model.choosable == Choosable::corrected_half_spaces &&
-      (meshes || !boxes || halfspace::has_true_sections(scene)))
-    return "it meshes bodies only as boxes below their surface, which reach too little here";
+  if (model.choosable == Choosable::corrected_half_spaces && (meshes || !boxes) &&
+      scene.asks_for_stress())
+    return "it has stress only in bodies that are boxes below their surface";
   return "";
 }
 

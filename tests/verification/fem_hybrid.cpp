@@ -1,5 +1,6 @@
 // The hybrid: nothing where bodies are half-spaces, the strain of a loaded wheel where it is one,
 // and the finite elements' pressure and forces where the surfaces are steep.
+#include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
 #include "fem/elasticity/model.hpp"
 #include "halfspace/model/model.hpp"
@@ -57,6 +58,27 @@ double farthest(const contact::SurfaceField& one, const contact::SurfaceField& o
 }
 
 }  // namespace
+
+TEST(Hybrid, OfAFreeMeshIsThatOfTheBox) {
+  // Sections by gmsh have a twin with other cells than theirs: a box. What they add must be what
+  // boxes add to within what a hybrid calls uncertain of it, a tenth.
+  contact::Case input = study_on_40('e', {0.0});
+  input.fem.extent = 30.0;
+  contact::Scene scene(input);
+  scene.follows_surface = 1.0;
+  const halfspace::SmoothParts boxes = fem::find_smooth_parts(scene, {});
+  scene.options.fem.mesh = contact::MeshFamily::gmsh;
+  const halfspace::SmoothParts free = fem::find_smooth_parts(scene, {});
+  EXPECT_NE(free.unknowns, boxes.unknowns);
+  const double wheel = farthest(beyond(free.wheel), beyond(boxes.wheel));
+  const double rail = farthest(beyond(free.rail), beyond(boxes.rail));
+  rollfem::testing::record("difference_wheel", wheel);
+  rollfem::testing::record("difference_rail", rail);
+  EXPECT_LT(wheel, 0.1);
+  EXPECT_LT(rail, 0.1);
+  scene.output.stress_maxima = true;
+  EXPECT_THROW(fem::find_smooth_parts(scene, {}), contact::InputError);
+}
 
 TEST(Hybrid, AFlatRailIsNotMeshed) {
   // On a curved common surface it still adds something; with stresses below the surface it is

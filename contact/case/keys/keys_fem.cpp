@@ -52,7 +52,7 @@ void add_elements(FemKeys& keys) {
 
 void add_meshes(FemKeys& keys) {
   keys.choice("mesh")
-      .otherwise("`structured`; `gmsh` where profiles are too steep for a box")
+      .otherwise("`structured`")
       .says(
           "How wheel and rail are meshed: `structured` lays a graded box on the surface; `gmsh` "
           "meshes the cross-section with quadrilaterals and revolves or extrudes it; with profiles "

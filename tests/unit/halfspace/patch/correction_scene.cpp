@@ -70,5 +70,7 @@ TEST(CorrectionScene, KeyIsOfTheBodies) {
   EXPECT_TRUE(differs([](contact::Case& c) { c.wheel.material.young_modulus = 209e3; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.fem.extent = 50.0; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.fem.degree = 1; }));
+  EXPECT_TRUE(differs([](contact::Case& c) { c.fem.mesh = contact::MeshFamily::gmsh; }));
+  EXPECT_TRUE(differs([](contact::Case& c) { c.rail.mesh = "rail.msh"; }));
   EXPECT_TRUE(differs([](contact::Case& c) { c.load.normal_force = 100e3; }));
 }
