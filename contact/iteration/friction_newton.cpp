@@ -61,6 +61,9 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
     // Relative to the creepage load; to the bound where that is smaller, so that a low friction
     // coefficient does not make anything look converged.
     iterate(std::min(creepage_load, bound_.norm()), options);
+    // The tolerance is of all elements together: one alone may be beyond its bound by more.
+    project(point_->traction, point_->bound);
+    evaluate_from_traction(*point_);
   }
   linearise(*point_);
   return effort_;

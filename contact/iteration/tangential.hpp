@@ -26,7 +26,7 @@ struct TangentialOptions {
 };
 
 struct TangentialSolution {
-  TangentialField traction;         ///< MPa, on the wheel; |p_t| <= g to the tolerance
+  TangentialField traction;         ///< MPa, on the wheel; |p_t| <= g
   TangentialField slip;             ///< w
   std::vector<ElementState> state;  ///< exterior where g = 0 at rest
   int newton_steps = 0;

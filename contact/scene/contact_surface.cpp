@@ -68,26 +68,30 @@ RayPlace ray_place(const Axle& axle, const Vector3& place, const Vector3& direct
   return at;
 }
 
-/// Way along the normal of the common surface at (x, y) to the wheel as a surface of revolution, by
-/// Newton's method; infinite where there is none.
+/// Way along the normal of the common surface at (x, y) to the wheel as a surface of revolution at
+/// its height under load, and back by the approach along that normal; by Newton's method, infinite
+/// where there is none.
 double way_to_profile(const ContactSurface& surface, double x, double y) {
   const PatchGeometry& profiles = *surface.profiles;
   const double climb = surface.climb(y);
   const double stretch = stretch_of(climb);
   const double start = surface.height(y);
   const Vector3 normal{0.0, -climb / stretch, 1.0 / stretch};
-  double way = (profiles.wheel().at(y).value - start) / stretch +
+  const Sinking& sunk = profiles.sinking();
+  const Vector3 from{x, y - sunk.way[0], start - sunk.way[1]};
+  const double back = sunk.approach[0] * normal[1] + sunk.approach[1] * normal[2];
+  double way = (profiles.wheel().at(y).value - start) / stretch - back +
                0.5 * x * x / (surface.rolling_radius * stretch);
   for (int step = 0; step < 40; ++step) {
-    const RayPlace at =
-        ray_place(profiles.axle(), {x, y + way * normal[1], start + way * normal[2]}, normal);
+    const RayPlace at = ray_place(
+        profiles.axle(), {x, from[1] + way * normal[1], from[2] + way * normal[2]}, normal);
     const CurveValue wheel = profiles.wheel_radius().at(at.axial);
     const double by_way = at.radius_by_way - wheel.slope * at.axial_by_way;
     if (!(by_way < -1e-3)) return infinity;
     const double change = (at.radius - wheel.value) / by_way;
     way -= change;
     // A radius of 500 mm is known to 1e-13 mm.
-    if (std::abs(change) < 1e-11 * (1.0 + std::abs(way))) return way;
+    if (std::abs(change) < 1e-11 * (1.0 + std::abs(way))) return way + back;
   }
   return infinity;
 }
@@ -100,13 +104,13 @@ double stretch_of(double climb) {
 
 double ContactSurface::climb(double y) const {
   if (profiles)
-    return 0.5 * follows * (profiles->wheel().at(y).slope + profiles->rail().at(y).slope);
+    return 0.5 * follows * (profiles->wheel_under_load(y).slope + profiles->rail().at(y).slope);
   return 0.5 * follows * (wheel_drop(y).slope - rail_drop(y).slope);
 }
 
 double ContactSurface::height(double y) const {
   if (profiles)
-    return 0.5 * follows * (profiles->wheel().at(y).value + profiles->rail().at(y).value);
+    return 0.5 * follows * (profiles->wheel_under_load(y).value + profiles->rail().at(y).value);
   return 0.5 * follows * (wheel_drop(y).value - rail_drop(y).value);
 }
 

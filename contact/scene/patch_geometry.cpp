@@ -109,6 +109,14 @@ PatchGeometry::PatchGeometry(HeightCurve rail, HeightCurve wheel_radius, const A
       wheel_(section(wheel_radius_, axle, y_lower, y_upper)),
       axle_(axle) {}
 
+PatchGeometry PatchGeometry::under_load(double approach, const std::array<double, 2>& sinks,
+                                        const std::array<double, 2>& along) const {
+  PatchGeometry loaded = *this;
+  loaded.sinking_ = {{-approach * sinks[0] / sinks[1], -approach},
+                     {approach * along[0] / along[1], approach}};
+  return loaded;
+}
+
 AxlePlace PatchGeometry::axle_place(const Vector3& place) const {
   const Along at = along_axle(axle_, place);
   return {at.axial, at.radius};
@@ -122,7 +130,7 @@ double PatchGeometry::wheel_height(double x, double y) const {
 }
 
 double PatchGeometry::distance(double x, double y) const {
-  return wheel_height(x, y) - rail_.at(y).value;
+  return wheel_height(x, y - sinking_.way[0]) - rail_.at(y).value;
 }
 
 double PatchGeometry::local_rolling_radius(double y) const {

@@ -36,6 +36,13 @@ struct AxlePlace {
   double radius = 0.0;  ///< mm from the axle
 };
 
+/// Where the wheel stands under load, y and z of the patch frame.
+struct Sinking {
+  std::array<double, 2> way{};  ///< mm, of the wheel from first touch; z is minus the approach
+  std::array<double, 2>
+      approach{};  ///< mm, of the bodies as the contact problem takes it off again
+};
+
 class PatchGeometry {
  public:
   PatchGeometry() = default;
@@ -52,10 +59,23 @@ class PatchGeometry {
   const HeightCurve& wheel_radius() const { return wheel_radius_; }
   const Axle& axle() const { return axle_; }
 
+  /// The same bodies with distances of the wheel at its height under load. They are still counted
+  /// from first touch: the approach is added to them again. In a plane with a normal that is not
+  /// vertical a wheel that sinks also moves sideways, which brings flanks closer that face that
+  /// way and parts others: by microns, but a small second patch carries microns.
+  /// `approach`: mm along z; `sinks`, `along`: y and z of the direction against which the wheel
+  /// sinks and of that along which the contact problem takes off the approach (NormalLoad).
+  PatchGeometry under_load(double approach, const std::array<double, 2>& sinks,
+                           const std::array<double, 2>& along) const;
+  const Sinking& sinking() const { return sinking_; }
+  /// wheel() where it has moved sideways; z as at first touch.
+  CurveValue wheel_under_load(double y) const { return wheel_.at(y - sinking_.way[0]); }
+
   AxlePlace axle_place(const Vector3& place) const;
   /// Height z of the wheel's surface, mm; infinite where the wheel is not.
   double wheel_height(double x, double y) const;
   /// Undeformed distance along z, mm; 0 where the bodies just touch, which need not be the origin.
+  /// Under load (`under_load`) microns more or less.
   double distance(double x, double y) const;
   /// Distance of the wheel's surface at x = 0 from the axle, mm.
   double local_rolling_radius(double y) const;
@@ -74,6 +94,7 @@ class PatchGeometry {
   HeightCurve wheel_radius_;
   HeightCurve wheel_;
   Axle axle_;
+  Sinking sinking_;
   std::array<double, 2> limits_{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
 };

@@ -16,6 +16,11 @@ using contact::SurfaceField;
 
 namespace {
 
+/// Heights up to this part of the shorter side of an element multiply tractions element by element:
+/// there u_,z of tractions that change from element to element stays below what they displace
+/// anyway. The gradients in it are means over corners, which such tractions do not have.
+constexpr double height_in_elements = 0.25;
+
 constexpr double rigid_modulus = std::numeric_limits<double>::infinity();
 
 /// The grid with half its longer side around it.
@@ -57,7 +62,8 @@ struct CurvedBody::Implementation {
   double shear;
   double nu;
   Plane corner_height;  ///< mm, at the corners of `wide`
-  Plane height;         ///< mm, at its elements
+  Plane low;            ///< mm, at its elements, limited as height_in_elements says
+  Plane corner_rest;    ///< mm, what of corner_height is beyond that
   Plane slope_x;
   Plane slope_y;
 };
@@ -77,7 +83,9 @@ CurvedBody::Implementation::Implementation(const ContactGrid& the_grid, const Bo
                             wide.x_first + 0.5 * wide.dx,
                             wide.y_first + 0.5 * wide.dy};
   corner_height = plane_of(between.sample(surface.height), between);
-  height = plane_of(wide.sample(surface.height), wide);
+  const double lowest = height_in_elements * std::min(wide.dx, wide.dy);
+  low = plane_of(wide.sample(surface.height), wide).max(-lowest).min(lowest);
+  corner_rest = corner_height - corner_height.max(-lowest).min(lowest);
   slope_x = plane_of(wide.sample([&](double x, double) { return surface.slope_x(x); }), wide);
   slope_y = plane_of(wide.sample([&](double, double y) { return surface.slope_y(y); }), wide);
 }
@@ -111,11 +119,15 @@ Planes CurvedBody::Implementation::carried_to_surface(const Planes& t, const Pla
   const auto spread = [&](const Plane& values) -> Plane {
     return Corners::from_mean(corner_height * values);
   };
+  const auto times_height = [&](const Plane& traction) -> Plane {
+    return low * traction + Corners::from_mean(corner_rest * Corners::mean(traction));
+  };
   const double across = nu / (1.0 - nu);
   const double squeeze = (1.0 - 2.0 * nu) / (2.0 * shear * (1.0 - nu));
-  return {slope_x * u.n - height * t.x / shear - spread(corners.along_x(u.n)),
-          slope_y * u.n - height * t.y / shear - spread(corners.along_y(u.n)),
-          -slope_x * u.x - slope_y * u.y - squeeze * height * t.n - across * spread(dilatation)};
+  return {
+      slope_x * u.n - times_height(t.x) / shear - spread(corners.along_x(u.n)),
+      slope_y * u.n - times_height(t.y) / shear - spread(corners.along_y(u.n)),
+      -slope_x * u.x - slope_y * u.y - squeeze * times_height(t.n) - across * spread(dilatation)};
 }
 
 SurfaceField CurvedBody::Implementation::at_contact(const Planes& planes) const {

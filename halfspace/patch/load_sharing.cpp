@@ -45,11 +45,10 @@ struct Patch {
   const Scene& scene;
   std::array<double, 2> up;  ///< y, z of the vertical
   double separation;
-  Ridge ridge;  ///< its least distance is the patch's own zero of the approach
+  Ridge ridge;
+  double touch;  ///< mm, the least distance at first touch: the patch's own zero of the approach
 
-  double approach_at(double sinking) const {
-    return ridge.least_distance() + sinking * up[1] - separation;
-  }
+  double approach_at(double sinking) const { return touch + sinking * up[1] - separation; }
   /// y of a patch frame points to the field on the left wheel, to the middle on the right.
   double outward() const { return scene.place->left ? 1.0 : -1.0; }
 };
@@ -61,10 +60,13 @@ Patch patch_of(const Scene& scene) {
         "patch; do: make scenes of a case with profiles");
   const double angle = scene.place->contact_angle;
   const double sine = scene.place->left ? std::sin(angle) : -std::sin(angle);
-  return {scene,
-          {sine, std::cos(angle)},
-          scene.place->separation,
-          Ridge(*scene.geometry.surface.profiles)};
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  Ridge ridge(profiles);
+  const bool at_touch = profiles.sinking().way[1] == 0.0;
+  const double touch =
+      at_touch ? ridge.least_distance()
+               : Ridge(profiles.under_load(0.0, {0.0, 1.0}, {0.0, 1.0})).least_distance();
+  return {scene, {sine, std::cos(angle)}, scene.place->separation, std::move(ridge), touch};
 }
 
 std::vector<Patch> patches_of(const std::vector<Scene>& scenes) {

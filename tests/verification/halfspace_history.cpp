@@ -261,6 +261,25 @@ TEST(TransientRolling, OtherStepsEndWithinTheDiscretisationError) {
   }
 }
 
+TEST(TransientRolling, NoTractionIsBeyondItsBoundAtAnyStep) {
+  // cases/cattaneo_to_carter.toml, where 1.1e-6 of the largest bound was left once.
+  Case input = rollfem::testing::thesis_case('b');
+  input.contact_grid.elements_across = 24;
+  input.rolling.problem = Problem::transient;
+  HistoryStep each;
+  each.step_length = 1.2;
+  input.history.assign(24, each);
+  input.rolling.creepages.assign(24, {0.001, 0.0, 0.0});
+  for (const PointResult& point : halfspace::run_halfspace(input, {}).points) {
+    const contact::SurfaceField& traction = point.fields.traction;
+    double beyond = 0.0;
+    for (Eigen::Index k = 0; k < traction.n.size(); ++k)
+      beyond = std::max(beyond, std::hypot(traction.x[k], traction.y[k]) -
+                                    input.friction_coefficient * traction.n[k]);
+    EXPECT_LT(beyond, 1e-12 * input.friction_coefficient * point.max_pressure);
+  }
+}
+
 TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
   // A prescribed force: the first step is nearly a shift, the creepage then falls to the steady
   // one.

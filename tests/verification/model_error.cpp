@@ -110,6 +110,26 @@ TEST(ModelError, ConformalPatchesAreNarrower) {
   }
 }
 
+// A narrow long patch of 16 by 2 mm: heights of 0.1 mm over elements 0.05 mm wide.
+TEST(ModelError, SettlesWithTheElementsWhereTheseAreLowerThanTheBodies) {
+  Case input = thesis('a');
+  input.load.normal_force = 80e3;
+  input.friction_coefficient = 0.3;
+  input.wheel.rolling_radius = 330.0;
+  input.rail.transverse_radius = 13.0;
+  input.rolling.creepages = {{1e-3, 0.0, 0.0}};
+  const auto fine = errors_of(input, 48).front();
+  for (const int across : {24, 32}) {
+    SCOPED_TRACE(across);
+    const auto errors = errors_of(input, across).front();
+    EXPECT_NEAR(errors.at("approach"), fine.at("approach"), 0.01 * fine.at("approach"));
+    EXPECT_NEAR(errors.at("max_pressure"), fine.at("max_pressure"),
+                0.12 * std::abs(fine.at("max_pressure")));
+    // Of a coefficient of 0.08.
+    EXPECT_NEAR(errors.at("traction_coefficient"), fine.at("traction_coefficient"), 8e-4);
+  }
+}
+
 TEST(ModelError, BodiesMustBeKnown) {
   Scene scene(thesis('a'));
   const LevelResult half = half_space(scene, 10);

@@ -2,11 +2,13 @@
 
 #include "contact/base/errors.hpp"
 #include "profiles/profiles.hpp"
+#include "track/motion/loaded_height.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -103,10 +105,16 @@ std::vector<double> rotation_changes(const Case& input) {
 std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene,
                                      const SearchOptions& options) {
   std::vector<PlacedScene> scenes;
-  for (std::size_t k = 0; k < input.wheelset.positions(); ++k)
+  for (std::size_t k = 0; k < input.wheelset.positions(); ++k) {
+    std::vector<PlacedScene> left, right;
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
-        scenes.push_back(make_scene(input, std::move(contact)));
+        (contact.place.left ? left : right).push_back(make_scene(input, std::move(contact)));
+    for (std::vector<PlacedScene>* wheel : {&left, &right}) {
+      stand_under_load(input, *wheel);
+      std::move(wheel->begin(), wheel->end(), std::back_inserter(scenes));
+    }
+  }
   return scenes;
 }
 

@@ -24,6 +24,9 @@ struct WheelRailContact {
   WheelsetPose pose;                ///< at first contact of the wheel
   contact::Axle axle;               ///< track frame, at first contact; direction to the right
   contact::Vector3 origin{};        ///< contact reference point on the rail, track frame
+  /// Approach along the normal at which the next hump overlaps, mm; infinite where the load reaches
+  /// no other one.
+  double next_hump = std::numeric_limits<double>::infinity();
   /// A near miss with a plane of its own that the load may reach, were the estimate too small.
   bool reserve = false;
   /// Directions of the patch frame in the track frame.

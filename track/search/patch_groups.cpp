@@ -22,6 +22,7 @@ void join(PatchGroup& group, const PatchGroup& next) {
   }
   group.stretch.limits[1] = next.stretch.limits[1];
   group.minima.insert(group.minima.end(), next.minima.begin(), next.minima.end());
+  group.humps.insert(group.humps.end(), next.humps.begin(), next.humps.end());
 }
 
 std::vector<Stretch> stretches_of(const std::vector<PatchGroup>& groups) {
@@ -99,6 +100,7 @@ std::vector<PatchGroup> separate_groups(const VerticalGap& gap) {
     }
     groups.push_back(std::move(group));
   }
+  for (PatchGroup& group : groups) group.humps = {group.stretch.deepest};
   return groups;
 }
 

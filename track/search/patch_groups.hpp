@@ -13,6 +13,7 @@ namespace rollfem::track {
 struct PatchGroup {
   Stretch stretch;
   std::vector<GapMinimum> minima;
+  std::vector<GapMinimum> humps;  ///< lowest points of what has valleys between
 };
 
 /// Sinking under the load when these stretches carry it, measured from gap 0, mm.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -188,4 +189,32 @@ TEST(UndeformedDistance, OfWavesAsShortAsTheElementsIsThatOfTheirMean) {
     const rollfem::contact::Field smooth = distance(0.0, 0.0, grid);
     EXPECT_LT((waves - smooth).cwiseAbs().maxCoeff(), 2e-3 * amplitude) << middle;
   }
+}
+
+TEST(PatchGeometry, UnderLoadIsThatOfAWheelWhoseAxleHasMoved) {
+  // A wheel with a wavy tread that sinks by 0.1 mm along z and moves as much as a vertical 0.3 rad
+  // beside z says; distances are counted from first touch.
+  std::vector<double> w, r, slope;
+  for (double at = -20.0; at < 20.05; at += 0.1) {
+    w.push_back(at);
+    r.push_back(400.0 + 0.2 * std::sin(0.4 * at));
+    slope.push_back(0.08 * std::cos(0.4 * at));
+  }
+  const HeightCurve rail({-20.0, 20.0}, {0.0, 0.0}, {0.0, 0.0}), wheel(w, r, slope);
+  constexpr double approach = 0.1, angle = 0.3;
+  const std::array<double, 2> up{std::sin(angle), std::cos(angle)};
+  const auto placed = [&](double y, double z) {
+    return PatchGeometry(rail, wheel, Axle{{0.0, y, 400.0 + z}, {0.0, 1.0, 0.0}}, -15.0, 15.0);
+  };
+  const PatchGeometry touching = placed(0.0, 0.0);
+  const PatchGeometry moved = placed(-approach * std::tan(angle), -approach);
+  const PatchGeometry loaded = touching.under_load(approach, up, {0.0, 1.0});
+  double largest = 0.0;
+  for (const double x : {-3.0, 0.0, 2.0})
+    for (double y = -10.0; y < 10.5; y += 0.7) {
+      EXPECT_NEAR(loaded.distance(x, y), moved.distance(x, y) + approach, 1e-9);
+      largest = std::max(largest, std::abs(loaded.distance(x, y) - touching.distance(x, y)));
+    }
+  EXPECT_NEAR(largest, approach * std::tan(angle) * 0.08, 1e-4);
+  EXPECT_EQ(loaded.under_load(0.0, up, up).distance(1.0, 2.0), touching.distance(1.0, 2.0));
 }
