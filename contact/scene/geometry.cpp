@@ -146,14 +146,15 @@ Field ChartedGeometry::averaging(const ContactGrid& grid) const {
     const double width = chart_ == Chart::arc ? grid.dy / stretch : grid.dy;
     const double y = lateral_place(grid.y(j));
     const double rail = profiles.rail().averaging(y, width);
+    const double y_wheel = y - profiles.sinking().way[0];
     for (int i = 0; i < grid.nx; ++i) {
       // A wheel under yaw has at x what its section at x = 0 has at another y.
       const bool as_before = i > 0 && axle[0] == 0.0;
       change[grid.index(i, j)] =
-          as_before
-              ? change[grid.index(i - 1, j)]
-              : (profiles.wheel().averaging(y + grid.x(i) * axle[0] / axle[1], width) - rail) /
-                    stretch;
+          as_before ? change[grid.index(i - 1, j)]
+                    : (profiles.wheel().averaging(y_wheel + grid.x(i) * axle[0] / axle[1], width) -
+                       rail) /
+                          stretch;
     }
   }
   return change;
