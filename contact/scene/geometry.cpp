@@ -137,22 +137,30 @@ bool ChartedGeometry::is_this_contact(double y) const {
 }
 
 Field ChartedGeometry::undeformed_distance(const ContactGrid& grid) const {
-  if (geometry_.distance_values)
-    return sample_lattice(*geometry_.distance_values, 0, grid, "undeformed_distance.file");
+  Field distance;
+  undeformed_distance(grid, distance);
+  return distance;
+}
+
+void ChartedGeometry::undeformed_distance(const ContactGrid& grid, Field& distance) const {
+  if (geometry_.distance_values) {
+    distance = sample_lattice(*geometry_.distance_values, 0, grid, "undeformed_distance.file");
+    return;
+  }
   if (curved() && geometry_.has_surfaces())
-    return grid.sample([&](double x, double y) {
+    return grid.sample_into(distance, [&](double x, double y) {
       const double at = lateral_place(y);
       if (!is_this_contact(at)) return beyond_the_wheel;
       return std::min(contact::undeformed_distance(geometry_.surface, x, at), beyond_the_wheel);
     });
   if (geometry_.has_profiles())
-    return grid.sample([&](double x, double y) {
+    return grid.sample_into(distance, [&](double x, double y) {
       if (!is_this_contact(y)) return beyond_the_wheel;
       return std::min(geometry_.surface.profiles->distance(x, y), beyond_the_wheel);
     });
   const Curvatures curvatures = relative_curvatures(geometry_);
-  return grid.sample(
-      [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
+  grid.sample_into(
+      distance, [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
 }
 
 TangentialField ChartedGeometry::rigid_slip(const Creepage& creepage,

@@ -74,6 +74,8 @@ class ChartedGeometry {
   /// the common surface; as given where the case gives it. Throws InputError when the grid reaches
   /// beyond the points of a file.
   Field undeformed_distance(const ContactGrid& grid) const;
+  /// The same into a field that is kept.
+  void undeformed_distance(const ContactGrid& grid, Field& distance) const;
 
   /// Rigid slip of the wheel over the rail, V = 1, along x and the lateral tangent, from the
   /// velocities of two rigid bodies: the wheel turns with omega = (1 - xi)/rho(0) about its axle e,
