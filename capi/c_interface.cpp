@@ -121,6 +121,7 @@ rollfem_patch patch_of(const SolvedPatch& patch, const Units& units) {
   found.width = of.width / length;
   found.area = of.area / area;
   found.max_pressure = of.max_pressure / units.stress();
+  found.max_pressure_bar = of.max_pressure_bar / units.stress();
   found.adhesion_area = of.adhesion_area / area;
   return found;
 }

@@ -1,82 +1,164 @@
 #include "capi/quick_patch.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/root.hpp"
 #include "contact/iteration/leading_edge.hpp"
-#include "contact/result/validity.hpp"
+#include "halfspace/elasticity/influence.hpp"
+#include "track/motion/placed_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace rollfem::capi {
 
-using contact::ChartedGeometry;
 using contact::ContactGrid;
 using contact::Field;
 using contact::PatchSize;
 
 namespace {
 
-/// Of the approach, for the extents of the patch and for its pressure.
-constexpr double search_tolerance = 1e-3;
-constexpr double pressure_tolerance = 1e-5;
 /// Of the creepage load: a hundredth of what so few elements are off.
 constexpr double traction_tolerance = 1e-5;
 /// Of Newton's linear systems, looser than which costs more steps than it saves.
 constexpr double krylov_tolerance = 0.05;
-/// Of the load: pressure and friction carry it together to this, then both are scaled to it.
-constexpr double shared_to = 1e-6;
-constexpr int most_turns = 12;
-/// From this turn on the weights at the leading edge stay, which jump where an element comes into
-/// contact: a share between the two sides is met by neither.
-constexpr int turns_until_kept = 5;
 /// A surface along the load carries next to nothing of it.
 constexpr double least_carried = 0.05;
+/// Point loads along and across that stand for the tractions of a patch on its neighbours.
+constexpr int loads_across = 5;
+
+}  // namespace
+
+QuickPatch::QuickPatch(const halfspace::InfluenceTables& tables,
+                       const contact::CombinedMaterial& material)
+    : tables_(tables),
+      peak_(material.contact_modulus),
+      rolling_(tables.nx(), tables.ny(),
+               (tables.nx() - 2 * margin + 3) * (tables.ny() - 2 * margin + 3)) {
+  for (auto* list : {&place_, &climb_, &cosine_, &carried_, &of_lateral_})
+    list->resize(static_cast<std::size_t>(tables.ny()));
+  for (Field* field : {&pressure_, &traction_.x, &traction_.y})
+    field->setZero(tables.nx() * tables.ny());
+  loads_.reserve(loads_across * loads_across);
+}
+
+void QuickPatch::begin(const QuickContact& contact) {
+  given_ = &contact;
+  direction_ = track::upwards(contact.contact->place);
+  const bool follows = contact.geometry.surface.follows > 0.0;
+  geometry_.emplace(contact.geometry, follows ? contact::Chart::arc : contact::Chart::plane);
+}
+
+double QuickPatch::first_sinking() const {
+  return contact().place.separation / direction_[1];
+}
+
+/// The grid's y at y of the patch frame.
+double QuickPatch::grid_place(double y) const {
+  double at = y;
+  constexpr int steps = 6;
+  for (int step = 0; geometry_->curved() && step < steps; ++step)
+    at += (y - geometry_->lateral_place(at)) * contact::stretch_of(geometry_->climb(at));
+  return at;
+}
+
+GridBox QuickPatch::overlap() const {
+  const track::WheelRailContact& of = contact();
+  return {2.0 * std::sqrt(2.0 * of.place.rolling_radius * of.approach),
+          {grid_place(of.reach[0]), grid_place(of.reach[1])},
+          0.0};
+}
+
+GridBox QuickPatch::overlap_at(double sinking) const {
+  const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
+  const double approach = (sinking - first_sinking()) * direction_[1];
+  constexpr double step = 0.1, farthest = 15.0;  // mm
+  const auto end = [&](double direction) {
+    double y = 0.0;
+    do y += direction * step;
+    while (std::abs(y) < farthest && profiles.known(y) && profiles.distance(0.0, y) < approach);
+    return grid_place(y);
+  };
+  return {
+      2.0 * std::sqrt(2.0 * contact().place.rolling_radius * approach), {end(-1.0), end(1.0)}, 0.0};
+}
+
+bool QuickPatch::lay_over(const GridBox& box) {
+  const double width = box.y[1] - box.y[0], nx = tables_.nx(), ny = tables_.ny();
+  if (!(box.length > 0.0 && width > 0.0)) return false;
+  table_ = tables_.nearest(width / ny / (box.length / nx));
+  if (table_ == nullptr) return false;
+  lay(std::max(box.length / nx, width / ny / table_->ratio), box.middle_along_x,
+      0.5 * (box.y[0] + box.y[1]));
+  return true;
+}
+
+bool QuickPatch::lay_on_patch() {
+  const PatchSize patch = size_;
+  const double dx = patch.length / (tables_.nx() - 2 * margin);
+  const double dy = patch.width / (tables_.ny() - 2 * margin);
+  if (!(dx > 0.0 && dy > 0.0)) return false;
+  table_ = tables_.nearest(dy / dx);
+  if (table_ == nullptr) return false;
+  // The ratio of the ladder shares its difference between both directions.
+  lay(std::sqrt(dx * dy / table_->ratio), 0.5 * (patch.x_lower + patch.x_upper),
+      0.5 * (patch.y_lower + patch.y_upper));
+  own_slip_ = geometry_->rigid_slip(given_->creepage, grid_);
+  slip_ = own_slip_;
+  return true;
+}
+
+void QuickPatch::lay(double dx, double x_middle, double y_middle) {
+  grid_ =
+      ContactGrid::centred(tables_.nx(), tables_.ny(), dx, table_->ratio * dx, x_middle, y_middle);
+  geometry_->undeformed_distance(grid_, distance_);
+  const auto [across, upwards] = direction_;
+  for (int j = 0; j < grid_.ny; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    place_[k] = geometry_->lateral_place(grid_.y(j));
+    climb_[k] = geometry_->climb(grid_.y(j));
+    cosine_[k] = 1.0 / contact::stretch_of(climb_[k]);
+    carried_[k] = std::max(upwards - across * climb_[k], least_carried) * cosine_[k];
+    of_lateral_[k] = (across + upwards * climb_[k]) * cosine_[k];
+    auto row = distance_.segment(grid_.index(0, j), grid_.nx);
+    row = row.array() / carried_[k] + first_sinking();
+  }
+}
+
+halfspace::NormalBlock QuickPatch::block() const {
+  // y of a patch frame points to the field on the left wheel, to the middle on the right.
+  const double outward = contact().place.left ? 1.0 : -1.0;
+  return {table_, grid_, carried_.data(), contact().place.x_track, contact().place.way_across,
+          outward};
+}
+
+void QuickPatch::press(const double* forces) {
+  const double area = grid_.element_area();
+  for (int j = 0; j < grid_.ny; ++j)
+    for (int i = 0; i < grid_.nx; ++i) {
+      const int k = grid_.index(i, j);
+      pressure_[k] = forces[k] / (area * carried_[static_cast<std::size_t>(j)]);
+    }
+}
 
 /// No row without pressure lies between others.
-bool is_one_region(const ContactGrid& grid, const Field& pressure) {
+bool QuickPatch::is_one_region() const {
   int changes = 0;
   bool inside = false;
-  for (int j = 0; j < grid.ny; ++j) {
-    const bool loaded = pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0;
+  for (int j = 0; j < grid_.ny; ++j) {
+    const bool loaded = pressure_.segment(grid_.index(0, j), grid_.nx).maxCoeff() > 0.0;
     if (loaded != inside) ++changes;
     inside = loaded;
   }
   return changes == 2;
 }
 
-}  // namespace
-
-QuickPatch::QuickPatch(const halfspace::InfluenceTables& tables, int across)
-    : tables_(tables), across_(across), rolling_(tables.n(), (across + 3) * (across + 3)) {
-  const int n = tables.n();
-  for (auto* list : {&place_, &climb_, &cosine_, &of_lateral_})
-    list->resize(static_cast<std::size_t>(n));
-  for (Field* field : {&carried_, &pressure_, &traction_.x, &traction_.y}) field->setZero(n * n);
-}
-
-/// Sets the pressure that carries `force` along the load, from what it is or, with `anew`, from
-/// none. `distance`: over the part of the pressure along the load.
-void QuickPatch::press(const Field& distance, double force, double tolerance, bool anew) {
-  static const Field none;
-  contact::NormalOptions options;
-  options.tolerance = tolerance;
-  normal_.solve_sum(halfspace::FewElementsNormal{*table_, grid_.dx, carried_}, distance,
-                    force / grid_.element_area(), options, anew ? none : normal_.pressure());
-  pressure_ = normal_.pressure().cwiseQuotient(carried_);
-}
-
-/// Sets the tractions under the pressure, from what they are or, with `anew`, from adhesion all
-/// over. False when there are too many elements.
-bool QuickPatch::rub(const QuickProblem& problem, const Field& weights,
-                     const contact::TangentialField& slip, bool anew) {
+bool QuickPatch::rub(const contact::Friction& friction, bool anew, bool keeps_weights) {
   static const contact::TangentialField none;
-  if (!rolling_.set(*table_, pressure_, weights)) return false;
-  if (!problem.friction) return true;
+  if (!keeps_weights) contact::set_upwind_weights(grid_, pressure_, weights_);
+  if (!rolling_.set(*table_, pressure_, weights_)) return false;
+  if (!friction) return true;
   contact::TangentialOptions options;
   options.tolerance = traction_tolerance;
   options.krylov_tolerance = krylov_tolerance;
-  newton_.solve(rolling_, {grid_, pressure_, slip, *problem.friction, 1.0}, rolling_.grid_indices(),
+  newton_.solve(rolling_, {grid_, pressure_, slip_, *friction, 1.0}, rolling_.grid_indices(),
                 options, anew ? none : traction_);
   traction_.x.setZero();
   traction_.y.setZero();
@@ -89,34 +171,46 @@ bool QuickPatch::rub(const QuickProblem& problem, const Field& weights,
   return true;
 }
 
-/// Extents of the patch without friction, by few elements over the overlap of the bodies.
-std::optional<PatchSize> QuickPatch::find_patch(const QuickProblem& problem) {
-  const int n = tables_.n();
-  const ChartedGeometry geometry(problem.geometry, contact::Chart::plane);
-  double half = std::sqrt(2.0 * problem.contact.place.rolling_radius * problem.contact.approach);
-  std::array<double, 2> y = problem.contact.reach;
-  carried_.setOnes();
-  constexpr int most_rounds = 4;
-  for (int round = 0; round < most_rounds; ++round) {
-    const double width = y[1] - y[0];
-    if (!(half > 0.0 && width > 0.0)) return {};
-    table_ = tables_.nearest(0.5 * width / half);
-    if (table_ == nullptr) return {};
-    const double dx = std::max(2.0 * half, width / table_->ratio) / n;
-    grid_ = ContactGrid::centred(n, n, dx, table_->ratio * dx, 0.0, 0.5 * (y[0] + y[1]));
-    const Field distance = geometry.undeformed_distance(grid_);
-    press(distance, problem.force / problem.direction[1], search_tolerance, true);
-    if (!contact::touches_border(grid_, pressure_)) {
-      if (across_ < most_across && !is_one_region(grid_, pressure_)) return {};
-      return contact::patch_size(grid_, pressure_);
-    }
-    half *= 1.3;
-    y = {y[0] - 0.15 * width, y[1] + 0.15 * width};
-  }
-  return {};
+void QuickPatch::forget_neighbours() {
+  slip_.x = own_slip_.x;
+  slip_.y = own_slip_.y;
 }
 
-/// What the lateral tractions carry of the load.
+/// The tractions of the neighbour as point loads, each that of a block of elements.
+void QuickPatch::add_slip_of(const QuickPatch& neighbour,
+                             const contact::CombinedMaterial& material) {
+  const ContactGrid& there = neighbour.grid_;
+  const halfspace::NormalBlock from = neighbour.block(), to = block();
+  const double area = there.element_area();
+  loads_.assign(loads_across * loads_across, {});
+  for (const Eigen::Index k : neighbour.rolling_.grid_indices()) {
+    const auto i = static_cast<int>(k % there.nx), j = static_cast<int>(k / there.nx);
+    contact::NeighbourLoad& load = loads_[static_cast<std::size_t>(
+        j * loads_across / there.ny * loads_across + i * loads_across / there.nx)];
+    const double normal = area * neighbour.pressure_[k];
+    load.normal += normal;
+    load.longitudinal += area * neighbour.traction_.x[k];
+    load.lateral += area * neighbour.traction_.y[k];
+    load.x += normal * (there.x(i) + from.x_place - to.x_place);
+    load.y += normal * (there.y(j) + from.y_direction * (from.y_place - to.y_place));
+  }
+  loads_.erase(std::remove_if(loads_.begin(), loads_.end(),
+                              [](const auto& load) { return !(load.normal > 0.0); }),
+               loads_.end());
+  for (contact::NeighbourLoad& load : loads_) {
+    load.x /= load.normal;
+    load.y /= load.normal;
+  }
+  for (int j = 0; j < grid_.ny; ++j)
+    for (int i = 0; i < grid_.nx; ++i) {
+      const int k = grid_.index(i, j);
+      if (!(pressure_[k] > 0.0)) continue;
+      const auto slip = halfspace::neighbour_slip(loads_, material, grid_.x(i), grid_.y(j));
+      slip_.x[k] += slip[0];
+      slip_.y[k] += slip[1];
+    }
+}
+
 double QuickPatch::load_of_friction() const {
   double sum = 0.0;
   for (int j = 0; j < grid_.ny; ++j)
@@ -125,73 +219,58 @@ double QuickPatch::load_of_friction() const {
   return sum * grid_.element_area();
 }
 
-/// Pressure and friction in turn until they carry the load together.
-bool QuickPatch::share_load(const QuickProblem& problem, const Field& distance,
-                            const contact::TangentialField& slip) {
-  double share = problem.force;
-  contact::PositiveFixedPoint sharing;
-  Field weights;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    press(distance, share, pressure_tolerance, turn == 0);
-    if (turn < turns_until_kept) weights = contact::upwind_weights(grid_, pressure_);
-    if (!rub(problem, weights, slip, turn == 0)) return false;
-    const double image = problem.force - load_of_friction();
-    if (std::abs(image - share) <= shared_to * problem.force) {
-      const double carried = share + problem.force - image;
-      for (Field* field : {&pressure_, &traction_.x, &traction_.y})
-        *field *= problem.force / carried;
-      return true;
-    }
-    share = sharing.next(share, image);
-  }
-  return false;
+void QuickPatch::scale(double factor) {
+  for (Field* field : {&pressure_, &traction_.x, &traction_.y}) *field *= factor;
 }
 
-bool QuickPatch::solve_on(const QuickProblem& problem, const ChartedGeometry& geometry) {
-  const auto [across, upwards] = problem.direction;
-  for (int j = 0; j < grid_.ny; ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    place_[k] = geometry.lateral_place(grid_.y(j));
-    climb_[k] = geometry.climb(grid_.y(j));
-    cosine_[k] = 1.0 / std::sqrt(1.0 + climb_[k] * climb_[k]);
-    carried_.segment(grid_.index(0, j), grid_.nx)
-        .setConstant(std::max(upwards - across * climb_[k], least_carried) * cosine_[k]);
-    of_lateral_[k] = (across + upwards * climb_[k]) * cosine_[k];
-  }
-  Field distance = geometry.undeformed_distance(grid_);
-  distance = distance.cwiseQuotient(carried_);
-  return share_load(problem, distance, geometry.rigid_slip(problem.creepage, grid_)) &&
-         is_held(problem);
-}
-
-/// By the profiles and the limits of the contact.
-bool QuickPatch::is_held(const QuickProblem& problem) const {
-  const contact::PatchGeometry& profiles = *problem.geometry.surface.profiles;
+bool QuickPatch::reaches_only(const std::function<bool(double)>& good, double elements) const {
   for (int j = 0; j < grid_.ny; ++j) {
     if (!(pressure_.segment(grid_.index(0, j), grid_.nx).maxCoeff() > 0.0)) continue;
-    for (const double side : {-1.0, 1.0}) {
-      const double y = place_[static_cast<std::size_t>(j)] + side * grid_.dy;
-      if (!profiles.within_limits(y) || !profiles.known(y)) return false;
-    }
+    for (const double side : {-elements, elements})
+      if (!good(place_[static_cast<std::size_t>(j)] + side * grid_.dy)) return false;
   }
   return true;
 }
 
-/// What check_point looks at and what the sums are of.
-void QuickPatch::fill_fields(const QuickProblem& problem) {
+bool QuickPatch::is_within_profiles(double elements) const {
+  const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
+  return reaches_only([&](double y) { return profiles.known(y); }, elements);
+}
+
+bool QuickPatch::is_within_limits(double elements) const {
+  const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
+  return reaches_only([&](double y) { return profiles.within_limits(y); }, elements);
+}
+
+void QuickPatch::finish(const contact::Friction& friction, const double* gap,
+                        const double* displacement, double sinking) {
   contact::ContactFields& fields = point_.fields;
   fields.traction.n = pressure_;
   fields.traction.x = traction_.x;
   fields.traction.y = traction_.y;
-  fields.gap = normal_.gap().cwiseProduct(carried_);
-  fields.displacement.n = normal_.displacement().cwiseProduct(carried_);
-  fields.traction_bound.setZero(pressure_.size());
-  if (!problem.friction) return;
-  for (const Eigen::Index k : rolling_.grid_indices())
-    fields.traction_bound[k] = problem.friction->bound(pressure_[k], 0.0).value;
+  for (Field* field : {&fields.gap, &fields.displacement.n, &fields.traction_bound})
+    field->setZero(pressure_.size());
+  for (int j = 0; j < grid_.ny; ++j)
+    for (int i = 0; i < grid_.nx; ++i) {
+      const int k = grid_.index(i, j);
+      fields.gap[k] = gap[k] * carried_[static_cast<std::size_t>(j)];
+      fields.displacement.n[k] = displacement[k] * carried_[static_cast<std::size_t>(j)];
+    }
+  if (friction)
+    for (const Eigen::Index k : rolling_.grid_indices())
+      fields.traction_bound[k] = friction->bound(pressure_[k], 0.0).value;
+  point_.approach = sinking - first_sinking();
+  fill_sums();
+  const std::vector<char>& adheres = newton_.adheres();
+  point_.adhesion_area =
+      !friction ? 0.0
+                : point_.contact_area *
+                      static_cast<double>(std::count(adheres.begin(), adheres.end(), 1)) /
+                      static_cast<double>(adheres.size());
+  point_.converged = true;
 }
 
-void QuickPatch::fill_sums(const QuickProblem& problem) {
+void QuickPatch::fill_sums() {
   double longitudinal = 0.0, lateral = 0.0, normal = 0.0, spin_moment = 0.0, pressed = 0.0;
   for (int j = 0; j < grid_.ny; ++j) {
     const auto row = static_cast<std::size_t>(j);
@@ -207,56 +286,19 @@ void QuickPatch::fill_sums(const QuickProblem& problem) {
     }
   }
   const double area = grid_.element_area();
-  point_.creepage = problem.creepage;
+  point_.creepage = given_->creepage;
   point_.longitudinal_force = area * longitudinal;
   point_.lateral_force = area * lateral;
   point_.lateral_pressure = area * pressed;
   point_.normal_force = area * normal;
   point_.spin_moment = area * spin_moment;
-  point_.max_pressure = pressure_.maxCoeff();
-  point_.approach = normal_.approach();
-  const PatchSize size = contact::patch_size(grid_, pressure_);
-  point_.contact_length = size.length;
-  point_.contact_width = size.width;
-  point_.contact_area = size.area;
-  const std::vector<char>& adheres = newton_.adheres();
-  point_.adhesion_area =
-      !problem.friction
-          ? 0.0
-          : size.area * static_cast<double>(std::count(adheres.begin(), adheres.end(), 1)) /
-                static_cast<double>(adheres.size());
-  point_.converged = true;
-}
-
-const contact::PointResult* QuickPatch::solve(const QuickProblem& problem) {
-  try {
-    if (!solve_or_throw(problem)) return nullptr;
-    contact::NormalLoad load;
-    load.force = problem.force;
-    load.direction = problem.direction;
-    contact::check_point({grid_, point_, load});
-    return &point_;
-  } catch (const contact::SolveError&) {
-    return nullptr;
-  }
-}
-
-bool QuickPatch::solve_or_throw(const QuickProblem& problem) {
-  const std::optional<PatchSize> patch = find_patch(problem);
-  if (!patch || !(patch->length > 0.0 && patch->width > 0.0)) return false;
-  table_ = tables_.nearest(patch->width / patch->length);
-  if (table_ == nullptr) return false;
-  // The ratio of the ladder shares its difference between both directions.
-  const double dx =
-      std::sqrt(patch->length * patch->width / table_->ratio) / static_cast<double>(across_);
-  grid_ = ContactGrid::centred(tables_.n(), tables_.n(), dx, table_->ratio * dx,
-                               0.5 * (patch->x_lower + patch->x_upper),
-                               0.5 * (patch->y_lower + patch->y_upper));
-  const auto chart = problem.follows > 0.0 ? contact::Chart::arc : contact::Chart::plane;
-  if (!solve_on(problem, ChartedGeometry(problem.geometry, chart))) return false;
-  fill_fields(problem);
-  fill_sums(problem);
-  return true;
+  const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, pressure_);
+  point_.max_pressure = peak.pressure;
+  max_pressure_bar_ = peak.bar;
+  const PatchSize patch = measure();
+  point_.contact_length = patch.length;
+  point_.contact_width = patch.width;
+  point_.contact_area = patch.area;
 }
 
 }  // namespace rollfem::capi

@@ -3,6 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>
@@ -67,9 +68,14 @@ const track::WheelRailContact& contact_of(const contact::Scene& scene,
   return found->contact;
 }
 
+struct CheckedPatch {
+  contact::PointResult point;
+  double max_pressure_bar = 0.0;  ///< MPa
+};
+
 /// The first load point by the model halfspace on one grid, without the coarser ones that error
 /// bars need. Throws contact::SolveError and contact::InputError as the model does.
-contact::PointResult solve_patch(const contact::Scene& scene, int across) {
+CheckedPatch solve_patch(const contact::Scene& scene, int across) {
   const halfspace::PatchSearch search(scene);
   const halfspace::PatchExtent extent = search.extent();
   contact::LevelResult level = halfspace::solve_level(scene, search, extent.length / across,
@@ -79,10 +85,16 @@ contact::PointResult solve_patch(const contact::Scene& scene, int across) {
   result.grid = level.grid;
   result.points = std::move(level.points);
   contact::check_validity(scene, result);
-  return std::move(result.points.front());
+  CheckedPatch patch{std::move(result.points.front()), 0.0};
+  const PeakPressure::Peak peak =
+      PeakPressure(scene.material.contact_modulus)
+          .of(halfspace::halfspace_geometry(scene), result.grid, patch.point.fields.traction.n);
+  patch.point.max_pressure = peak.pressure;
+  patch.max_pressure_bar = peak.bar;
+  return patch;
 }
 
-PatchForces forces_of(const contact::PointResult& point) {
+PatchForces forces_of(const contact::PointResult& point, double max_pressure_bar) {
   PatchForces found;
   found.creepage = point.creepage;
   found.normal_force = point.normal_force;
@@ -95,11 +107,13 @@ PatchForces forces_of(const contact::PointResult& point) {
   found.area = point.contact_area;
   found.adhesion_area = point.adhesion_area;
   found.max_pressure = point.max_pressure;
+  found.max_pressure_bar = max_pressure_bar;
   return found;
 }
 
-SolvedPatch patch_of(const contact::PointResult& point, const track::WheelRailContact& contact) {
-  SolvedPatch patch{forces_of(point),
+SolvedPatch patch_of(const contact::PointResult& point, double max_pressure_bar,
+                     const track::WheelRailContact& contact) {
+  SolvedPatch patch{forces_of(point, max_pressure_bar),
                     contact.origin,
                     contact.place.contact_angle,
                     contact.place.rolling_radius,
@@ -125,7 +139,10 @@ void add_to_sums(const SolvedPatch& patch, const track::WheelRailContact& contac
 }
 
 /// mm beyond the overlap of the bodies: more than a grid on the patch needs.
-constexpr double around_overlap = 15.0;
+constexpr double around_overlap = 10.0;
+
+/// Separation, mm, up to which a near miss is described: none are.
+constexpr double none = -contact::infinity;
 
 track::SearchOptions search_options() {
   track::SearchOptions options;
@@ -147,10 +164,10 @@ class WheelRailPair::Borrowed {
       }
     }
     if (workspace_) return;
-    workspace_.reset(new Workspace{pair_.input_, {}});
+    workspace_.reset(new Workspace{pair_.input_, {}, {}, {}});
     for (const auto& tables : pair_.tables_)
-      workspace_->patches.push_back(
-          std::make_unique<QuickPatch>(*tables, tables->n() - 2 * QuickPatch::margin));
+      workspace_->wheels.push_back(
+          std::make_unique<QuickWheel>(*tables, tables == pair_.tables_.back(), pair_.material_));
   }
   ~Borrowed() {
     const std::lock_guard<std::mutex> lock(pair_.mutex_);
@@ -172,11 +189,10 @@ WheelRailPair::WheelRailPair(Case input)
       material_(contact::combine(input_.wheel.material, input_.rail.material)),
       friction_(contact::coulomb(input_.friction_coefficient)) {
   const int across = input_.contact_grid.elements_across;
-  if (material_.couples() || across > QuickPatch::most_across) return;
-  for (const int elements : {across, QuickPatch::most_across})
-    if (tables_.empty() || elements > across)
-      tables_.push_back(std::make_unique<halfspace::InfluenceTables>(
-          elements + 2 * QuickPatch::margin, material_.uncoupled()));
+  if (material_.couples() || across > QuickWheel::most_across) return;
+  for (const int elements : {across, QuickWheel::across_any_patch})
+    tables_.push_back(std::make_unique<halfspace::InfluenceTables>(
+        across + 2 * QuickPatch::margin, elements + 2 * QuickPatch::margin, material_.uncoupled()));
 }
 
 SolvedWheel WheelRailPair::solve(const WheelState& state) const {
@@ -206,35 +222,62 @@ bool WheelRailPair::solve_curved(Case input, SolvedWheel& wheel) const {
   return true;
 }
 
-/// A single patch; false where there are several, or this one is none for QuickPatch.
+/// False where QuickWheel does not hold the contacts.
 bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) const {
+  contact::SurfaceForm& form = workspace.input.halfspace.surface;
+  for (const auto tried : {contact::SurfaceForm::automatic, contact::SurfaceForm::curved}) {
+    form = tried;
+    const QuickOutcome outcome = solve_quickly_on(workspace, wheel);
+    form = contact::SurfaceForm::automatic;
+    if (outcome != QuickOutcome::conformal) return outcome == QuickOutcome::solved;
+  }
+  return false;
+}
+
+QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, SolvedWheel& wheel) const {
   const Case& input = workspace.input;
-  track::WheelRailContact* only = nullptr;
   track::SearchOptions options = search_options();
   options.around_overlap = around_overlap;
-  std::vector<track::WheelRailContact> contacts = track::find_contacts(input, search_, 1, options);
-  for (track::WheelRailContact& contact : contacts) {
+  options.near_miss = none;
+  workspace.found = track::find_contacts(input, search_, 1, options);
+  const track::Motion motion = track::motion_of(input, input.wheelset.rotation_change.front());
+  std::vector<QuickContact>& contacts = workspace.contacts;
+  contacts.clear();
+  for (track::WheelRailContact& contact : workspace.found) {
     if (!(contact.place.patch > 0 || contact.reserve)) continue;
-    if (only != nullptr) return false;
-    only = &contact;
+    QuickContact one;
+    one.contact = &contact;
+    one.creepage = track::creepage_of(contact, motion);
+    one.geometry.surface = contact::ContactSurface::of(
+        std::make_shared<const contact::PatchGeometry>(std::move(contact.geometry)));
+    if (input.halfspace.surface == contact::SurfaceForm::automatic)
+      one.geometry.surface.follows = track::follows_surface(contact.spread_of_normals);
+    contacts.push_back(std::move(one));
   }
-  if (only == nullptr) return false;
-  const contact::Creepage creepage =
-      track::creepage_of(*only, track::motion_of(input, input.wheelset.rotation_change.front()));
-  contact::Geometry geometry;
-  geometry.surface = contact::ContactSurface::of(
-      std::make_shared<const contact::PatchGeometry>(std::move(only->geometry)));
-  geometry.surface.follows = track::follows_surface(only->spread_of_normals);
-  const contact::PointResult* point = nullptr;
-  for (const auto& patch : workspace.patches)
-    if (point == nullptr)
-      point = patch->solve({*only, geometry, creepage, track::upwards(only->place),
-                            *input.load.vertical_force, friction_, geometry.surface.follows});
-  if (point == nullptr) return false;
-  wheel.count = 1;
-  wheel.patches[0] = patch_of(*point, *only);
-  add_to_sums(wheel.patches[0], *only, wheel);
-  return true;
+  const QuickLoad load{*input.load.vertical_force, friction_};
+  QuickOutcome outcome = QuickOutcome::unfit;
+  for (const auto& quick : workspace.wheels) {
+    outcome = quick->solve(contacts, load);
+    if (outcome == QuickOutcome::unfit) continue;
+    if (outcome == QuickOutcome::solved) take(*quick, wheel);
+    break;
+  }
+  return outcome;
+}
+
+void WheelRailPair::take(const QuickWheel& quick, SolvedWheel& wheel) {
+  std::array<const QuickPatch*, QuickWheel::most_patches> order{};
+  wheel.count = quick.patches().size();
+  const auto end = std::copy(quick.patches().begin(), quick.patches().end(), order.begin());
+  for (auto at = order.begin(); at != end; ++at)
+    std::iter_swap(at, std::max_element(at, end, [](const QuickPatch* a, const QuickPatch* b) {
+                     return a->point().normal_force < b->point().normal_force;
+                   }));
+  for (std::size_t k = 0; k < wheel.count; ++k) {
+    wheel.patches[k] =
+        patch_of(order[k]->point(), order[k]->max_pressure_bar(), order[k]->contact());
+    add_to_sums(wheel.patches[k], order[k]->contact(), wheel);
+  }
 }
 
 void WheelRailPair::solve_with_care(const Case& input, SolvedWheel& wheel) const {
@@ -242,7 +285,8 @@ void WheelRailPair::solve_with_care(const Case& input, SolvedWheel& wheel) const
       track::make_scenes(input, search_, search_options());
   std::vector<SolvedPatch> patches;
   const auto add = [&](const contact::Scene& scene, const track::WheelRailContact& contact) {
-    patches.push_back(patch_of(solve_patch(scene, input.contact_grid.elements_across), contact));
+    const CheckedPatch patch = solve_patch(scene, input.contact_grid.elements_across);
+    patches.push_back(patch_of(patch.point, patch.max_pressure_bar, contact));
     add_to_sums(patches.back(), contact, wheel);
   };
   if (placed.size() == 1)

@@ -2,7 +2,7 @@
 // rollfem.h. mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
 #pragma once
 
-#include "capi/quick_patch.hpp"
+#include "capi/quick_wheel.hpp"
 #include "contact/case/case.hpp"
 #include "track/motion/placed_scenes.hpp"
 
@@ -34,7 +34,7 @@ struct PatchForces {
   double spin_moment = 0.0;                                                  ///< N mm
   double length = 0.0, width = 0.0;                                          ///< mm
   double area = 0.0, adhesion_area = 0.0;                                    ///< mm^2
-  double max_pressure = 0.0;                                                 ///< MPa
+  double max_pressure = 0.0, max_pressure_bar = 0.0;                         ///< MPa
 };
 
 struct SolvedPatch {
@@ -68,11 +68,15 @@ class WheelRailPair {
   /// What a call works in: kept for the next one, of whatever thread.
   struct Workspace {
     contact::Case input;
-    std::vector<std::unique_ptr<QuickPatch>> patches;  ///< tried in this order
+    std::vector<std::unique_ptr<QuickWheel>> wheels;  ///< tried in this order
+    std::vector<track::WheelRailContact> found;
+    std::vector<QuickContact> contacts;
   };
   class Borrowed;
 
   bool solve_quickly(Workspace& workspace, SolvedWheel& wheel) const;
+  QuickOutcome solve_quickly_on(Workspace& workspace, SolvedWheel& wheel) const;
+  static void take(const QuickWheel& quick, SolvedWheel& wheel);
   void solve_with_care(const contact::Case& input, SolvedWheel& wheel) const;
   bool solve_curved(contact::Case input, SolvedWheel& wheel) const;
 

@@ -73,6 +73,7 @@ typedef struct {
   double force[3];                                                     /* track frame */
   double length, width, area; /* of the patch */
   double max_pressure;
+  double max_pressure_bar; /* estimated error; large where a profile changes its radius: a peak narrower than elements */
   double adhesion_area;
 } rollfem_patch;
 

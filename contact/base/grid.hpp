@@ -72,10 +72,16 @@ struct ContactGrid {
   /// `function(x, y)` at every element centre.
   template <class Function>
   Field sample(Function&& function) const {
-    Field values(size());
+    Field values;
+    sample_into(values, function);
+    return values;
+  }
+  /// The same into a field that is kept.
+  template <class Function>
+  void sample_into(Field& values, Function&& function) const {
+    values.resize(size());
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) values[index(i, j)] = function(x(i), y(j));
-    return values;
   }
 };
 

@@ -116,9 +116,17 @@ double leading_weight(double beyond_border) {
 }
 
 Field upwind_weights(const ContactGrid& grid, const Field& pressure) {
-  Field weights = Field::Constant(grid.size(), usual_weight);
-  std::vector<Run> runs;
-  std::vector<std::size_t> ends{0};
+  Field weights;
+  set_upwind_weights(grid, pressure, weights);
+  return weights;
+}
+
+void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& weights) {
+  weights.setConstant(grid.size(), usual_weight);
+  thread_local std::vector<Run> runs;
+  thread_local std::vector<std::size_t> ends;
+  runs.clear();
+  ends.assign(1, 0);
   runs.reserve(2 * static_cast<std::size_t>(grid.ny));
   ends.reserve(static_cast<std::size_t>(grid.ny) + 1);
   for (int j = 0; j < grid.ny; ++j) {
@@ -140,7 +148,6 @@ Field upwind_weights(const ContactGrid& grid, const Field& pressure) {
       weights[grid.index(run.last, j)] = leading_weight(edge);
     }
   }
-  return weights;
 }
 
 TangentialField fitted_difference(const ContactGrid& grid, const TangentialField& displacement,

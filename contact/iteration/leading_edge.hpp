@@ -15,6 +15,8 @@ namespace rollfem::contact {
 /// is 1/2, the usual second order, but for the leading element of every run of contact elements
 /// (pressure > 0, on any scale) of a row that falls to an edge as sqrt(d).
 Field upwind_weights(const ContactGrid& grid, const Field& pressure);
+/// The same into a field that is kept.
+void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& weights);
 
 /// The weight of a leading element whose edge lies `beyond_border` elements ahead of the element's
 /// leading border, -0.75 to 0.75 (clamped): with it the discrete solution of a half-plane's

@@ -184,7 +184,7 @@ Extent extent_of(int count, int length, Lists& lists, Value&& value) {
 }  // namespace
 
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
-  Lists lists;
+  thread_local Lists lists;
   for (Line* list :
        {&lists.line, &lists.squares, &lists.backwards, &lists.last, &lists.minus_first})
     list->reserve(static_cast<std::size_t>(std::max(grid.nx, grid.ny)));

@@ -136,9 +136,8 @@ bool ChartedGeometry::is_this_contact(double y) const {
   return !geometry_.has_profiles() || geometry_.surface.profiles->within_limits(y);
 }
 
-Field ChartedGeometry::averaging(const ContactGrid& grid) const {
-  Field change = Field::Zero(grid.size());
-  if (!geometry_.has_profiles()) return change;
+void ChartedGeometry::add_averaging(const ContactGrid& grid, Field& distance) const {
+  if (!geometry_.has_profiles()) return;
   const PatchGeometry& profiles = *geometry_.surface.profiles;
   const Vector3& axle = profiles.axle().direction;
   for (int j = 0; j < grid.ny; ++j) {
@@ -147,36 +146,47 @@ Field ChartedGeometry::averaging(const ContactGrid& grid) const {
     const double y = lateral_place(grid.y(j));
     const double rail = profiles.rail().averaging(y, width);
     const double y_wheel = y - profiles.sinking().way[0];
+    double change = 0.0;
     for (int i = 0; i < grid.nx; ++i) {
       // A wheel under yaw has at x what its section at x = 0 has at another y.
-      const bool as_before = i > 0 && axle[0] == 0.0;
-      change[grid.index(i, j)] =
-          as_before ? change[grid.index(i - 1, j)]
-                    : (profiles.wheel().averaging(y_wheel + grid.x(i) * axle[0] / axle[1], width) -
-                       rail) /
-                          stretch;
+      if (i == 0 || axle[0] != 0.0)
+        change =
+            (profiles.wheel().averaging(y_wheel + grid.x(i) * axle[0] / axle[1], width) - rail) /
+            stretch;
+      distance[grid.index(i, j)] += change;
     }
   }
-  return change;
 }
 
 Field ChartedGeometry::undeformed_distance(const ContactGrid& grid) const {
-  if (geometry_.distance_values)
-    return sample_lattice(*geometry_.distance_values, 0, grid, "undeformed_distance.file");
-  if (curved() && geometry_.has_surfaces())
-    return averaging(grid) + grid.sample([&](double x, double y) {
+  Field distance;
+  undeformed_distance(grid, distance);
+  return distance;
+}
+
+void ChartedGeometry::undeformed_distance(const ContactGrid& grid, Field& distance) const {
+  if (geometry_.distance_values) {
+    distance = sample_lattice(*geometry_.distance_values, 0, grid, "undeformed_distance.file");
+    return;
+  }
+  if (curved() && geometry_.has_surfaces()) {
+    grid.sample_into(distance, [&](double x, double y) {
       const double at = lateral_place(y);
       if (!is_this_contact(at)) return beyond_the_wheel;
       return std::min(contact::undeformed_distance(geometry_.surface, x, at), beyond_the_wheel);
     });
-  if (geometry_.has_profiles())
-    return averaging(grid) + grid.sample([&](double x, double y) {
+    return add_averaging(grid, distance);
+  }
+  if (geometry_.has_profiles()) {
+    grid.sample_into(distance, [&](double x, double y) {
       if (!is_this_contact(y)) return beyond_the_wheel;
       return std::min(geometry_.surface.profiles->distance(x, y), beyond_the_wheel);
     });
+    return add_averaging(grid, distance);
+  }
   const Curvatures curvatures = relative_curvatures(geometry_);
-  return grid.sample(
-      [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
+  grid.sample_into(
+      distance, [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
 }
 
 TangentialField ChartedGeometry::rigid_slip(const Creepage& creepage,

@@ -75,6 +75,8 @@ class ChartedGeometry {
   /// elements across (HeightCurve::averaging). Throws InputError when the grid reaches beyond the
   /// points of a file.
   Field undeformed_distance(const ContactGrid& grid) const;
+  /// The same into a field that is kept.
+  void undeformed_distance(const ContactGrid& grid, Field& distance) const;
 
   /// Rigid slip of the wheel over the rail, V = 1, along x and the lateral tangent, from the
   /// velocities of two rigid bodies: the wheel turns with omega = (1 - xi)/rho(0) about its axle e,
@@ -91,8 +93,8 @@ class ChartedGeometry {
 
  private:
   bool is_this_contact(double y) const;
-  /// What the means of profiles over the elements change their distance by, mm.
-  Field averaging(const ContactGrid& grid) const;
+  /// Adds what the means of profiles over the elements change their distance by, mm.
+  void add_averaging(const ContactGrid& grid, Field& distance) const;
 
   Geometry geometry_;
   Chart chart_;

@@ -49,16 +49,17 @@ CurveValue HeightCurve::at(double y) const {
   }
   const std::size_t k = piece_of(y);
   const double h = y_[k + 1] - y_[k];
-  const double t = (y - y_[k]) / h;
+  const double by_h = 1.0 / h;
+  const double t = (y - y_[k]) * by_h;
   // Newton's form of the cubic: chord, then what the slopes at both ends say beyond it.
-  const double chord = (z_[k + 1] - z_[k]) / h;
+  const double chord = (z_[k + 1] - z_[k]) * by_h;
   const double left = slope_[k] - chord;
   const double right = slope_[k + 1] - chord;
   const double sum = left + right;
   CurveValue result;
   result.value = z_[k] + h * t * (chord + (1.0 - t) * (left - t * sum));
   result.slope = chord + left * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t);
-  result.second = (-2.0 * left - sum * (2.0 - 6.0 * t)) / h;
+  result.second = (-2.0 * left - sum * (2.0 - 6.0 * t)) * by_h;
   return result;
 }
 

@@ -6,28 +6,12 @@ namespace rollfem::halfspace {
 
 using contact::Field;
 
-void FewElementsNormal::apply(const Field& q, Field& displacement) const {
-  const int n = table.n;
-  displacement.setZero(q.size());
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const Eigen::Index k = j * n + i;
-      if (q[k] == 0.0) continue;
-      const double p = q[k] / carried[k];
-      for (int l = 0; l < n; ++l) {
-        const double* influence = table.row(table.nn, std::abs(l - j)) - i;
-        double* at = displacement.data() + static_cast<std::ptrdiff_t>(l) * n;
-        for (int m = 0; m < n; ++m) at[m] += p * influence[m];
-      }
-    }
-  displacement = dx * displacement.cwiseQuotient(carried);
-}
-
-FewElementsRolling::FewElementsRolling(int n, int most_elements)
-    : n_(n),
+FewElementsRolling::FewElementsRolling(int nx, int ny, int most_elements)
+    : nx_(nx),
+      ny_(ny),
       most_(most_elements),
       matrix_(2 * most_elements, 2 * most_elements),
-      rows_(static_cast<std::size_t>(n)) {
+      rows_(static_cast<std::size_t>(ny)) {
   places_.reserve(static_cast<std::size_t>(most_elements));
 }
 
@@ -43,12 +27,12 @@ bool FewElementsRolling::gather(const Field& pressure) {
   places_.clear();
   rows_in_use_ = 0;
   count_ = 0;
-  for (int j = 0; j < n_; ++j) {
+  for (int j = 0; j < ny_; ++j) {
     const Index first = count_;
-    for (int i = 0; i < n_; ++i) {
-      if (!(pressure[j * n_ + i] > 0.0)) continue;
+    for (int i = 0; i < nx_; ++i) {
+      if (!(pressure[j * nx_ + i] > 0.0)) continue;
       if (count_++ == most_) return false;
-      places_.push_back(j * n_ + i);
+      places_.push_back(j * nx_ + i);
     }
     if (count_ == first) continue;
     if (count_ - first > most_in_row) return false;
@@ -62,20 +46,20 @@ bool FewElementsRolling::gather(const Field& pressure) {
 /// D u at an element is (1 + w) d - w d', d' that of the next element upstream.
 void FewElementsRolling::fill_matrix(const InfluenceTable& table, const Field& weights) {
   for (Index a = 0; a < count_; ++a) {
-    const Index place = places_[static_cast<std::size_t>(a)], i = place % n_;
+    const Index place = places_[static_cast<std::size_t>(a)], i = place % nx_;
     const double here = 1.0 + weights[place], ahead = -weights[place];
     double* along = &matrix_(a, 0);
     double* across = &matrix_(count_ + a, 0);
     for (std::size_t k = 0; k < rows_in_use_; ++k) {
       const Row& row = rows_[k];
       const auto rows =
-          static_cast<int>(place / n_ - places_[static_cast<std::size_t>(row.first)] / n_);
+          static_cast<int>(place / nx_ - places_[static_cast<std::size_t>(row.first)] / nx_);
       const double sign = rows < 0 ? -1.0 : 1.0;
       const double* xx = table.row(table.xx, std::abs(rows)) + i;
       const double* yy = table.row(table.yy, std::abs(rows)) + i;
       const double* xy = table.row(table.xy, std::abs(rows)) + i;
       for (Index b = row.first; b < row.first + row.length; ++b) {
-        const Index at = -(places_[static_cast<std::size_t>(b)] % n_);
+        const Index at = -(places_[static_cast<std::size_t>(b)] % nx_);
         along[b] = here * xx[at] + ahead * xx[at + 1];
         across[count_ + b] = here * yy[at] + ahead * yy[at + 1];
         along[count_ + b] = across[b] = sign * (here * xy[at] + ahead * xy[at + 1]);
@@ -85,7 +69,8 @@ void FewElementsRolling::fill_matrix(const InfluenceTable& table, const Field& w
 }
 
 void FewElementsRolling::apply(const Given& p, Vector result) {
-  result.noalias() = matrix_.topLeftCorner(2 * count_, 2 * count_) * p;
+  element_sums().multiply(matrix_.data(), matrix_.cols(), 2 * count_, 2 * count_, p.data(),
+                          result.data());
 }
 
 /// The Jacobian of a row of elements by itself.

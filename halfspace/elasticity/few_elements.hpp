@@ -1,6 +1,6 @@
-// The half-space on few elements, for which sums over the elements are quicker than transforms:
-// normal and rolling blocks that the contact solvers apply without taking memory, from influence
-// coefficients that are computed once (influence_tables.hpp).
+// The half-space on few elements, for which sums over the elements are quicker than transforms: the
+// rolling block that the contact solvers apply without taking memory, from influence coefficients
+// that are computed once (influence_tables.hpp).
 #pragma once
 
 #include "contact/iteration/linearisation.hpp"
@@ -12,24 +12,12 @@
 
 namespace rollfem::halfspace {
 
-/// The normal block for contact::BoundConstrainedCg, in terms of q = carried p.
-struct FewElementsNormal {
-  const InfluenceTable& table;
-  double dx;                      ///< mm
-  const contact::Field& carried;  ///< per element: part of the pressure along the load
-
-  void apply(const contact::Field& q, contact::Field& displacement) const;
-  /// So few elements need none.
-  void precondition(const contact::Field& residual, contact::Field& result) const {
-    result = residual;
-  }
-};
-
 /// T = D A_tt between the elements in contact as a matrix, preconditioned by the exact inverse of
 /// the Jacobian of each row of elements along rolling.
 class FewElementsRolling : public contact::ElementOperator {
  public:
-  FewElementsRolling(int n, int most_elements);
+  /// On grids of nx by ny elements.
+  FewElementsRolling(int nx, int ny, int most_elements);
 
   /// Takes in the elements under pressure. `weights`: contact::upwind_weights. False when there are
   /// none, more than `most_elements` or too many in a row.
@@ -61,7 +49,7 @@ class FewElementsRolling : public contact::ElementOperator {
   void fill_matrix(const InfluenceTable& table, const contact::Field& weights);
   void fill_block(const Row& row, const contact::Linearisation& at, double r, double drag);
 
-  int n_;
+  int nx_, ny_;
   Index most_;
   Index count_ = 0;
   double diagonal_ = 1.0;

@@ -159,28 +159,38 @@ Field neighbour_displacement(const std::vector<NeighbourLoad>& loads,
       [&](double x, double y) { return neighbour_displacement(loads, material, x, y); });
 }
 
+std::array<double, 2> neighbour_slip(const std::vector<NeighbourLoad>& loads,
+                                     const CombinedMaterial& material, double x_at, double y_at) {
+  const double nu = material.poisson_ratio;
+  std::array<double, 2> slip{};
+  for (const NeighbourLoad& load : loads) {
+    const double x = x_at - load.x, y = y_at - load.y;
+    const double square = x * x + y * y;
+    const double cube = square * std::sqrt(square);
+    const double xx = x * x / square, yy = y * y / square;
+    // Derivatives by x of ((1 - nu) + nu x^2/r^2)/r, nu x y/r^3 and ((1 - nu) + nu y^2/r^2)/r.
+    const double along = x / cube * (nu * (2.0 - 3.0 * xx) - (1.0 - nu));
+    const double mixed = nu * y / cube * (1.0 - 3.0 * xx);
+    const double across = -x / cube * ((1.0 - nu) + 3.0 * nu * yy);
+    slip[0] -= along * load.longitudinal + mixed * load.lateral;
+    slip[1] -= mixed * load.longitudinal + across * load.lateral;
+  }
+  const double factor = 1.0 / (contact::pi * material.shear_modulus);
+  return {factor * slip[0], factor * slip[1]};
+}
+
 TangentialField neighbour_slip(const std::vector<NeighbourLoad>& loads,
                                const CombinedMaterial& material, const ContactGrid& grid) {
   if (loads.empty()) return {};
-  const double nu = material.poisson_ratio;
-  TangentialField slip{Field::Zero(grid.size()), Field::Zero(grid.size())};
+  TangentialField slip{Field(grid.size()), Field(grid.size())};
   for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      for (const NeighbourLoad& load : loads) {
-        const double x = grid.x(i) - load.x, y = grid.y(j) - load.y;
-        const double square = x * x + y * y;
-        const double cube = square * std::sqrt(square);
-        const double xx = x * x / square, yy = y * y / square;
-        // Derivatives by x of ((1 - nu) + nu x^2/r^2)/r, nu x y/r^3 and ((1 - nu) + nu y^2/r^2)/r.
-        const double along = x / cube * (nu * (2.0 - 3.0 * xx) - (1.0 - nu));
-        const double mixed = nu * y / cube * (1.0 - 3.0 * xx);
-        const double across = -x / cube * ((1.0 - nu) + 3.0 * nu * yy);
-        const int k = grid.index(i, j);
-        slip.x[k] -= along * load.longitudinal + mixed * load.lateral;
-        slip.y[k] -= mixed * load.longitudinal + across * load.lateral;
-      }
-  const double factor = 1.0 / (contact::pi * material.shear_modulus);
-  return {factor * slip.x, factor * slip.y};
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      const auto [x, y] = neighbour_slip(loads, material, grid.x(i), grid.y(j));
+      slip.x[k] = x;
+      slip.y[k] = y;
+    }
+  return slip;
 }
 
 }  // namespace rollfem::halfspace

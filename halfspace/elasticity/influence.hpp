@@ -7,6 +7,8 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
 
+#include <array>
+
 namespace rollfem::halfspace {
 
 /// Displacement difference (wheel minus rail, mm) per unit traction on the wheel (MPa): first index
@@ -52,7 +54,11 @@ contact::Field neighbour_displacement(const std::vector<contact::NeighbourLoad>&
                                       const contact::CombinedMaterial& material,
                                       const contact::ContactGrid& grid);
 
-/// Slip of steady rolling by the tangential loads: -du/dx at the element centres; empty as well.
+/// Slip of steady rolling by the tangential loads, along x and y: -du/dx at (x, y).
+std::array<double, 2> neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
+                                     const contact::CombinedMaterial& material, double x, double y);
+
+/// The same at the element centres; empty as well.
 contact::TangentialField neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
                                         const contact::CombinedMaterial& material,
                                         const contact::ContactGrid& grid);

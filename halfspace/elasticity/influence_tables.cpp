@@ -11,38 +11,42 @@ namespace {
 constexpr int steps_of_two = 4;  ///< tables from one ratio to its double
 constexpr int octaves = 6;       ///< from 1 either way
 
-InfluenceTable table_of(int n, double ratio, const contact::CombinedMaterial& material) {
+InfluenceTable table_of(int nx, int ny, double ratio, const contact::CombinedMaterial& material) {
   InfluenceTable table;
   table.ratio = ratio;
-  table.n = n;
-  std::vector<Influence> ahead(static_cast<std::size_t>(n) + 2);
+  table.nx = nx;
+  table.ny = ny;
+  std::vector<Influence> ahead(static_cast<std::size_t>(nx) + 2);
   const auto of = [&](int i) {
     Influence found = ahead[static_cast<std::size_t>(std::abs(i))];
     if (i < 0) found.xy = -found.xy;
     return found;
   };
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i <= n + 1; ++i)
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i <= nx + 1; ++i)
       ahead[static_cast<std::size_t>(i)] = rectangle_influence(i, j * ratio, 1.0, ratio, material);
     if (j == 0)
       table.diagonal =
           0.25 * (3.0 * (of(0).xx + of(0).yy) - 4.0 * (of(1).xx + of(1).yy) + of(2).xx + of(2).yy);
-    for (int i = -n; i <= n; ++i) {
+    for (int i = -nx; i <= nx; ++i) {
       table.nn.push_back(of(i).nn);
       table.xx.push_back(of(i).xx - of(i + 1).xx);
       table.yy.push_back(of(i).yy - of(i + 1).yy);
       table.xy.push_back(of(i).xy - of(i + 1).xy);
     }
   }
+  for (auto* list : {&table.nn, &table.xx, &table.yy, &table.xy})
+    list->resize(list->size() + read_beyond);
   return table;
 }
 
 }  // namespace
 
-InfluenceTables::InfluenceTables(int n, const contact::CombinedMaterial& material) : n_(n) {
+InfluenceTables::InfluenceTables(int nx, int ny, const contact::CombinedMaterial& material)
+    : nx_(nx), ny_(ny) {
   constexpr int most = steps_of_two * octaves;
   for (int k = -most; k <= most; ++k)
-    tables_.push_back(table_of(n, std::exp2(static_cast<double>(k) / steps_of_two), material));
+    tables_.push_back(table_of(nx, ny, std::exp2(static_cast<double>(k) / steps_of_two), material));
 }
 
 const InfluenceTable* InfluenceTables::nearest(double ratio) const {

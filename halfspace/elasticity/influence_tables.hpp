@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/base/material.hpp"
+#include "halfspace/elasticity/element_sums.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -10,32 +11,37 @@
 namespace rollfem::halfspace {
 
 /// Of elements of 1 by `ratio`; an element's effect `i` columns and `j` rows farther is at
-/// row(j)[i], |i| <= n, 0 <= j < n. The normal one times dx is that of elements of dx; the
+/// row(j)[i], |i| <= nx, 0 <= j < ny. The normal one times dx is that of elements of dx; the
 /// tangential ones are those of the difference (u_i - u_{i+1}) / dx, which has no size. All are
 /// even in j but xy, which is odd.
 struct InfluenceTable {
   double ratio = 1.0;     ///< dy / dx
   double diagonal = 0.0;  ///< mean of the second-order difference under the element itself
-  int n = 0;
+  int nx = 0, ny = 0;
   std::vector<double> nn, xx, yy, xy;
 
+  InfluenceRows rows(const std::vector<double>& list) const {
+    return {list.data() + nx, 2 * nx + 1};
+  }
   /// Middle of a row of a list.
   const double* row(const std::vector<double>& list, int j) const {
-    return list.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(2 * n + 1) + n;
+    const InfluenceRows of = rows(list);
+    return of.middle + of.to_next * j;
   }
 };
 
 class InfluenceTables {
  public:
-  /// For grids of n by n elements.
-  InfluenceTables(int n, const contact::CombinedMaterial& material);
+  /// For grids of up to nx by ny elements.
+  InfluenceTables(int nx, int ny, const contact::CombinedMaterial& material);
 
-  int n() const { return n_; }
+  int nx() const { return nx_; }
+  int ny() const { return ny_; }
   /// The one nearest on a logarithmic scale, within a tenth; null beyond 1:64 and 64:1.
   const InfluenceTable* nearest(double ratio) const;
 
  private:
-  int n_;
+  int nx_, ny_;
   std::vector<InfluenceTable> tables_;
 };
 

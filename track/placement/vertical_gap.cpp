@@ -64,14 +64,21 @@ void VerticalGap::lower_wheel(double way) {
 }
 
 CurveValue VerticalGap::at(double y) const {
+  return with_surface(y).gap;
+}
+
+VerticalGap::WithSurface VerticalGap::with_surface(double y) const {
   const CurveValue rail = rail_.at(y);
   const CurveValue wheel = wheel_.curve().at(y);
-  return {rail.value - wheel.value - lowered_, rail.slope - wheel.slope,
-          rail.second - wheel.second};
+  const CurveValue gap{rail.value - wheel.value - lowered_, rail.slope - wheel.slope,
+                       rail.second - wheel.second};
+  return {gap, rail.slope - 0.5 * gap.slope};
 }
 
 std::vector<GapMinimum> VerticalGap::minima() const {
   std::vector<GapMinimum> result;
+  constexpr std::size_t usual = 8;
+  result.reserve(usual);
   for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
     if (!(values_[k].slope < 0.0 && values_[k + 1].slope >= 0.0)) continue;
     GapMinimum minimum;

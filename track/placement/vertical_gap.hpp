@@ -34,6 +34,12 @@ class VerticalGap {
 
   /// Rail z less wheel z, with derivatives by y; positive where the wheel is above the rail.
   contact::CurveValue at(double y) const;
+  /// The same, and dz/dy of the common surface, the mean of both.
+  struct WithSurface {
+    contact::CurveValue gap;
+    double slope = 0.0;
+  };
+  WithSurface with_surface(double y) const;
   double first() const { return first_; }  ///< mm, y from which both are known
   double last() const { return last_; }    ///< mm, y to which both are known
 

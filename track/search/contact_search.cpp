@@ -144,6 +144,7 @@ class WheelSearch {
           return sinking_under_load(input_, gap_, stretches);
         });
     std::vector<WheelRailContact> found;
+    found.reserve(groups.size());
     int loaded = 0;
     for (std::size_t k = 0; k < groups.size(); ++k) {
       WheelRailContact contact =
@@ -201,7 +202,7 @@ class WheelSearch {
     auto [y, slope, spread] = reference_of(gap_, group.stretch, sinking);
     if (const double offset = options.reference_offset; offset != 0.0) {
       y += offset;
-      slope = gap_.rail().at(y).slope - 0.5 * gap_.at(y).slope;
+      slope = gap_.with_surface(y).slope;
     }
     const contact::CurveValue rail = gap_.rail().at(y);
     const double angle = -std::atan(slope);
@@ -265,7 +266,7 @@ class WheelSearch {
     double way = 0.0;
     for (int k = 0; k < pieces; ++k) {
       const double at = start + (k + 0.5) * dy;
-      const double slope = gap_.rail().at(at).slope - 0.5 * gap_.at(at).slope;
+      const double slope = gap_.with_surface(at).slope;
       way += dy * std::sqrt(1.0 + slope * slope);
     }
     return way;

@@ -15,6 +15,9 @@ constexpr double least_valley = 2e-3;
 constexpr double beyond_estimate = 1.5;
 constexpr double beyond_estimate_at_least = 0.01;  // mm
 
+/// Of a wheel and a rail: room for so many costs no more than for one.
+constexpr std::size_t usual_groups = 8;
+
 void join(PatchGroup& group, const PatchGroup& next) {
   if (next.stretch.deepest.gap < group.stretch.deepest.gap) {
     group.stretch.deepest = next.stretch.deepest;
@@ -27,6 +30,7 @@ void join(PatchGroup& group, const PatchGroup& next) {
 
 std::vector<Stretch> stretches_of(const std::vector<PatchGroup>& groups) {
   std::vector<Stretch> stretches;
+  stretches.reserve(groups.size());
   for (const PatchGroup& group : groups) stretches.push_back(group.stretch);
   return stretches;
 }
@@ -83,6 +87,7 @@ bool within_reach_of_load(const GapMinimum& minimum, double least_gap, double si
 
 std::vector<PatchGroup> separate_groups(const VerticalGap& gap) {
   std::vector<PatchGroup> groups;
+  groups.reserve(usual_groups);
   for (const GapMinimum& minimum : gap.minima()) {
     PatchGroup group;
     group.stretch.deepest = minimum;
@@ -114,6 +119,7 @@ Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingO
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<PatchGroup> groups;
+    groups.reserve(all.size());
     for (const PatchGroup& group : all)
       if (within_reach_of_load(group.stretch.deepest, least, contacts.sinking))
         groups.push_back(group);
@@ -143,13 +149,12 @@ Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double si
   double weights = 0.0, places = 0.0, slopes = 0.0, angles = 0.0, squares = 0.0;
   for (int k = 0; k < cells; ++k) {
     const double y = reach[0] + (k + 0.5) * dy;
-    const contact::CurveValue here = gap.at(y);
+    const auto [here, slope] = gap.with_surface(y);
     const double depth = sinking - here.value;
     if (!(depth > 0.0)) continue;
     const double weight = depth * depth * std::sqrt(depth);
     weights += weight;
     places += weight * y;
-    const double slope = gap.rail().at(y).slope - 0.5 * here.slope;
     slopes += weight * slope;
     angles += weight * std::atan(slope);
     squares += weight * std::pow(std::atan(slope), 2);

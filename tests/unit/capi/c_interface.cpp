@@ -155,6 +155,46 @@ TEST(CInterface, APatchOfTwoRegionsIsAsCloseOnItsFinerGrid) {
   EXPECT_LT(difference(quick, fine_case(5.0, 0.004), 0.2), 0.01);
 }
 
+TEST(CInterface, ContactsInPlanesOfTheirOwnShareTheLoadAsInTheModelHalfspace) {
+  const double shift = 5.9, yaw = 0.03, roll = -2.5e-5 * shift * shift;
+  rollfem_state state = state_at(shift, yaw);
+  state.roll = roll;
+  const rollfem_result quick = solve(make(defaults(ROLLFEM_RIGHT)), state);
+  rollfem::contact::Case input = fine_case(shift, yaw);
+  input.wheelset.roll = {roll};
+  const auto scenes = rollfem::track::balance(input).scenes;
+  ASSERT_EQ(scenes.size(), 2u);
+  ASSERT_EQ(quick.patches, 2);
+  const double all = quick.patch[0].normal_force + quick.patch[1].normal_force;
+  for (int k = 0; k < 2; ++k) {
+    const auto fine =
+        rollfem::halfspace::run_halfspace(scenes[static_cast<std::size_t>(k)], {}).points.front();
+    const rollfem_patch& patch = quick.patch[k];
+    EXPECT_NEAR(patch.normal_force, fine.normal_force, 0.01 * all);
+    EXPECT_NEAR(patch.longitudinal_force, fine.longitudinal_force, 0.01 * 0.3 * all);
+    EXPECT_NEAR(patch.lateral_force, fine.lateral_force, 0.01 * 0.3 * all);
+    EXPECT_NEAR(patch.max_pressure, fine.max_pressure, patch.max_pressure_bar);
+  }
+  EXPECT_NEAR(quick.force[2], -50e3, 1e-3);
+}
+
+TEST(CInterface, TheLargestPressureIsWithinItsBar) {
+  // Where arcs of S1002 join, where the patch falls into two regions, and where it is smooth.
+  const Pair pair = make(defaults(ROLLFEM_RIGHT));
+  for (const double shift : {-2.0, -0.2, 0.0, 0.4, 0.8, 3.0, 4.8, 5.0}) {
+    rollfem::contact::Case input = fine_case(shift, 0.0);
+    input.contact_grid.elements_across = 64;
+    const auto scenes = rollfem::track::balance(input).scenes;
+    const auto fine = rollfem::halfspace::run_halfspace(scenes.front(), {}).points.front();
+    const rollfem_patch patch = solve(pair, state_at(shift, 0.0)).patch[0];
+    EXPECT_NEAR(patch.max_pressure, fine.max_pressure, patch.max_pressure_bar) << shift;
+    EXPECT_LT(patch.max_pressure_bar, 0.2 * patch.max_pressure) << shift;
+    if (shift == -2.0 || shift == 3.0) {
+      EXPECT_LT(patch.max_pressure_bar, 0.02 * patch.max_pressure) << shift;
+    }
+  }
+}
+
 TEST(CInterface, ContactsThatMeetAreOneOnACurvedSurface) {
   rollfem::contact::Case input = fine_case(6.6, 0.005);
   input.halfspace.surface = rollfem::contact::SurfaceForm::curved;

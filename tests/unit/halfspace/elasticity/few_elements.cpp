@@ -8,6 +8,8 @@
 #include "contact/iteration/normal.hpp"
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/few_elements_normal.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +27,7 @@ using halfspace::InfluenceTables;
 constexpr int n = 20;
 
 const InfluenceTables& tables() {
-  static const InfluenceTables made(n, contact::combine({}, {}));
+  static const InfluenceTables made(n, n, contact::combine({}, {}));
   return made;
 }
 
@@ -50,10 +52,11 @@ Field pressure_of(const Case& of) {
   contact::BoundConstrainedCg quick;
   contact::NormalOptions options;
   options.tolerance = 1e-10;
-  const Field carried = Field::Ones(n * n);
-  quick.solve_sum(halfspace::FewElementsNormal{of.table, of.grid.dx, carried}, of.distance,
-                  of.force / of.grid.element_area(), options, {});
-  return quick.pressure();
+  const std::vector<double> carried(n, 1.0);
+  halfspace::FewElementsNormal normal(contact::combine({}, {}).contact_modulus);
+  normal.set({{&of.table, of.grid, carried.data()}});
+  quick.solve_sum(normal, of.distance, of.force, options, {});
+  return quick.pressure() / of.grid.element_area();
 }
 
 double largest_difference(const Field& a, const Field& b) {
@@ -74,7 +77,7 @@ TEST(FewElements, PressureIsThatOfTheHalfSpace) {
 
 TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
   const double friction = 0.3;
-  halfspace::FewElementsRolling elements(n, 15 * 15);
+  halfspace::FewElementsRolling elements(n, n, 15 * 15);
   contact::FrictionNewton quick;
   const contact::Friction law = contact::coulomb(friction);
   for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.1, 30.0, 3.0), Case(2.1, 6.0, 13.0)}) {
@@ -115,10 +118,46 @@ TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
   }
 }
 
+/// Of elements of `patch` under the point loads of elements that `force` puts on `loaded`, between
+/// surfaces whose pressures carry `carried` of themselves along the load.
+Field displacement_by(const Case& patch, const Case& loaded, const Field& force, double carried,
+                      double y_place) {
+  std::vector<contact::NeighbourLoad> loads;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      contact::NeighbourLoad load;
+      load.x = loaded.grid.x(i);
+      load.y = loaded.grid.y(j) + y_place;
+      load.normal = force[loaded.grid.index(i, j)] / carried;
+      loads.push_back(load);
+    }
+  return halfspace::neighbour_displacement(loads, contact::combine({}, {}), patch.grid) / carried;
+}
+
+TEST(FewElements, PatchesDisplaceEachOtherAsPointLoadsDo) {
+  const Case tread(1.0, 12.0, 12.0), flange(0.1, 30.0, 3.0);
+  const double carried = 0.8, between = 22.0;
+  const std::vector<double> parts(n, carried);
+  halfspace::FewElementsNormal normal(contact::combine({}, {}).contact_modulus);
+  normal.set({{&tread.table, tread.grid, parts.data()},
+              {&flange.table, flange.grid, parts.data(), 0.0, between}});
+  const Field pressed = pressure_of(tread);
+  Field forces = Field::Zero(2 * n * n), gap;
+  forces.tail(n * n) = pressure_of(flange) * flange.grid.element_area();
+  normal.apply(forces, gap);
+  const Field exact = displacement_by(tread, flange, forces.tail(n * n), carried, between);
+  EXPECT_LT(largest_difference(gap.head(n * n), exact), 0.01 * exact.maxCoeff());
+  // What one does to the other under a load, the other does to the one.
+  Field others = Field::Zero(2 * n * n), back;
+  others.head(n * n) = pressed * tread.grid.element_area();
+  normal.apply(others, back);
+  EXPECT_NEAR(others.dot(gap) / forces.dot(back), 1.0, 1e-12);
+}
+
 TEST(FewElements, SayWhenTheyCannot) {
   const Case of(1.0, 10.0, 10.0);
   const Field pressure = pressure_of(of), weights = contact::upwind_weights(of.grid, pressure);
-  halfspace::FewElementsRolling small(n, 20);
+  halfspace::FewElementsRolling small(n, n, 20);
   EXPECT_FALSE(small.set(of.table, pressure, weights));
   EXPECT_EQ(tables().nearest(1e3), nullptr);
   EXPECT_EQ(tables().nearest(1e-3), nullptr);

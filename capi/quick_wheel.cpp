@@ -1,0 +1,255 @@
+#include "capi/quick_wheel.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
+#include "contact/result/validity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::capi {
+
+using contact::PatchSize;
+
+namespace {
+
+/// Of the approach, for the extents of the patches and for their pressure.
+constexpr double search_tolerance = 1e-3;
+constexpr double pressure_tolerance = 1e-5;
+/// Of the load: pressure and friction carry it together to this, then both are scaled to it.
+constexpr double shared_to = 2e-5;
+constexpr int most_turns = 12;
+/// Several patches rub each other, with the tractions of the turn before.
+constexpr int fewest_turns_of_several = 3;
+/// From this turn on the weights at the leading edge stay, which jump where an element comes into
+/// contact: a share between the two sides is met by neither.
+constexpr int turns_until_kept = 5;
+constexpr int most_rounds = 8;
+
+}  // namespace
+
+QuickWheel::QuickWheel(const halfspace::InfluenceTables& tables, bool any,
+                       const contact::CombinedMaterial& material)
+    : any_(any), material_(material), normal_(material.contact_modulus) {
+  for (std::size_t k = 0; k < most_patches; ++k)
+    all_.push_back(std::make_unique<QuickPatch>(tables, material));
+}
+
+QuickOutcome QuickWheel::solve(const std::vector<QuickContact>& contacts, const QuickLoad& load) {
+  try {
+    return solve_or_throw(contacts, load);
+  } catch (const contact::SolveError&) {
+    return QuickOutcome::unfit;
+  }
+}
+
+QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contacts,
+                                        const QuickLoad& load) {
+  if (contacts.empty() || contacts.size() > most_patches) return QuickOutcome::unfit;
+  loaded_.clear();
+  reserve_.clear();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    all_[k]->begin(contacts[k]);
+    (contacts[k].contact->reserve ? reserve_ : loaded_).push_back(all_[k].get());
+  }
+  boxes_.clear();
+  for (const QuickPatch* patch : loaded_) boxes_.push_back(patch->overlap());
+  double pressed = load.force;
+  constexpr int most_grids = 4;
+  for (int grids = 0; grids < most_grids; ++grids) {
+    const double found_for = pressed;
+    if (!find_patches(pressed)) return QuickOutcome::unfit;
+    if (!every([](const QuickPatch& patch) { return patch.is_within_limits(0.0); }))
+      return QuickOutcome::conformal;
+    for (QuickPatch* patch : loaded_) {
+      if (!any_ && !(patch->is_one_region() && patch->turn() < most_turn))
+        return QuickOutcome::unfit;
+      if (!patch->lay_on_patch()) return QuickOutcome::unfit;
+    }
+    set_problem();
+    const Sharing sharing = share_load(load, pressed);
+    if (sharing == Sharing::outgrows) {
+      grow_boxes(std::cbrt(pressed / found_for));
+      continue;
+    }
+    if (sharing == Sharing::fails) return QuickOutcome::unfit;
+    if (!every([](const QuickPatch& patch) { return patch.is_within_profiles(1.0); }))
+      return QuickOutcome::unfit;
+    if (!every([](const QuickPatch& patch) { return patch.is_within_limits(1.0); }))
+      return QuickOutcome::conformal;
+    check(load);
+    return QuickOutcome::solved;
+  }
+  return QuickOutcome::unfit;
+}
+
+/// The patches without friction, each by few elements over the overlap of the bodies.
+bool QuickWheel::find_patches(double force) {
+  for (int round = 0; round < most_rounds; ++round) {
+    for (std::size_t k = 0; k < loaded_.size(); ++k)
+      if (!loaded_[k]->lay_over(boxes_[k])) return false;
+    set_problem();
+    press(force, search_tolerance, true);
+    drop_unloaded();
+    if (loaded_.empty()) return false;
+    const bool fits = !adjust_boxes();
+    if (!take_reached() && fits) return true;
+  }
+  return false;
+}
+
+template <class Good>
+bool QuickWheel::every(Good&& good) const {
+  return std::all_of(loaded_.begin(), loaded_.end(),
+                     [&](const QuickPatch* patch) { return good(*patch); });
+}
+
+/// Contacts grow with the cube root of their load.
+void QuickWheel::grow_boxes(double factor) {
+  for (GridBox& box : boxes_) {
+    const double more = 0.5 * (factor - 1.0) * (box.y[1] - box.y[0]);
+    box.length *= factor;
+    box.y = {box.y[0] - more, box.y[1] + more};
+  }
+}
+
+/// Patches that the grids hold badly get others; false where there are none.
+bool QuickWheel::adjust_boxes() {
+  constexpr double larger = 0.15;
+  constexpr int fewest_elements = 6;
+  bool any = false;
+  for (std::size_t k = 0; k < loaded_.size(); ++k) {
+    GridBox& box = boxes_[k];
+    const double width = box.y[1] - box.y[0];
+    const PatchSize size = loaded_[k]->measure();
+    if (loaded_[k]->touches_border()) {
+      box.length *= 1.0 + 2.0 * larger;
+      box.y = {box.y[0] - larger * width, box.y[1] + larger * width};
+      any = true;
+    } else if (size.length < fewest_elements * loaded_[k]->grid().dx ||
+               size.width < fewest_elements * loaded_[k]->grid().dy) {
+      constexpr double room = 0.3;
+      box = {(1.0 + 2.0 * room) * size.length,
+             {size.y_lower - room * size.width, size.y_upper + room * size.width},
+             0.5 * (size.x_lower + size.x_upper)};
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// Contacts that the wheel has reached as it sank; false where there are none.
+bool QuickWheel::take_reached() {
+  const double sinking = joint_->solver.approach();
+  bool any = false;
+  for (QuickPatch*& patch : reserve_) {
+    if (!(sinking > patch->first_sinking())) continue;
+    loaded_.push_back(patch);
+    boxes_.push_back(patch->overlap_at(sinking));
+    patch = nullptr;
+    any = true;
+  }
+  reserve_.erase(std::remove(reserve_.begin(), reserve_.end(), nullptr), reserve_.end());
+  return any;
+}
+
+void QuickWheel::drop_unloaded() {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < loaded_.size(); ++k) {
+    if (!loaded_[k]->has_pressure()) continue;
+    loaded_[kept] = loaded_[k];
+    boxes_[kept++] = boxes_[k];
+  }
+  loaded_.resize(kept);
+  boxes_.resize(kept);
+}
+
+void QuickWheel::set_problem() {
+  joint_ = &joints_[loaded_.size() - 1];
+  blocks_.clear();
+  Eigen::Index size = 0;
+  for (const QuickPatch* patch : loaded_) {
+    blocks_.push_back(patch->block());
+    size += patch->distance().size();
+  }
+  normal_.set(blocks_);
+  joint_->distance.resize(size);
+  size = 0;
+  for (const QuickPatch* patch : loaded_) {
+    joint_->distance.segment(size, patch->distance().size()) = patch->distance();
+    size += patch->distance().size();
+  }
+}
+
+/// Sets the pressures that carry `force` together, from what they are or, with `anew`, from none.
+void QuickWheel::press(double force, double tolerance, bool anew) {
+  static const contact::Field none;
+  contact::NormalOptions options;
+  options.tolerance = tolerance;
+  contact::BoundConstrainedCg& solver = joint_->solver;
+  solver.solve_sum(normal_, joint_->distance, force, options, anew ? none : solver.pressure());
+  Eigen::Index first = 0;
+  for (QuickPatch* patch : loaded_) {
+    patch->press(solver.pressure().data() + first);
+    first += patch->distance().size();
+  }
+}
+
+bool QuickWheel::rub(const QuickLoad& load, int turn) {
+  if (loaded_.size() > 1 && turn > 0 && load.friction)
+    for (QuickPatch* patch : loaded_) {
+      patch->forget_neighbours();
+      for (const QuickPatch* other : loaded_)
+        if (other != patch) patch->add_slip_of(*other, material_);
+    }
+  return std::all_of(loaded_.begin(), loaded_.end(), [&](QuickPatch* patch) {
+    return patch->rub(load.friction, turn == 0, turn >= turns_until_kept);
+  });
+}
+
+/// Pressure and friction in turn until they carry the load together. `share`: what the pressure is
+/// expected to carry of it, then what it does carry as far as that is known.
+QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share) {
+  const double expected = share;
+  contact::PositiveFixedPoint sharing;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    press(share, pressure_tolerance, turn == 0);
+    if (!every([](const QuickPatch& patch) {
+          return patch.has_pressure() && !patch.touches_border();
+        }))
+      return Sharing::outgrows;
+    if (!rub(load, turn)) return Sharing::fails;
+    double of_friction = 0.0;
+    for (const QuickPatch* patch : loaded_) of_friction += patch->load_of_friction();
+    const double image = load.force - of_friction;
+    const bool settled = loaded_.size() == 1 || turn + 1 >= fewest_turns_of_several;
+    if (settled && std::abs(image - share) <= shared_to * load.force) {
+      for (QuickPatch* patch : loaded_) patch->scale(load.force / (share + of_friction));
+      return Sharing::done;
+    }
+    // Friction that slides all over grows with the pressure.
+    const double in_proportion = load.force * share / (share + of_friction);
+    share = turn == 0 && in_proportion > 0.0 ? in_proportion : sharing.next(share, image);
+    constexpr double within_grid = 1.25;
+    if (share > within_grid * expected) return Sharing::outgrows;
+  }
+  return Sharing::fails;
+}
+
+void QuickWheel::check(const QuickLoad& load) {
+  const contact::BoundConstrainedCg& solver = joint_->solver;
+  Eigen::Index first = 0;
+  for (QuickPatch* patch : loaded_) {
+    patch->finish(load.friction, solver.gap().data() + first, solver.displacement().data() + first,
+                  solver.approach());
+    first += patch->distance().size();
+    contact::NormalLoad own;
+    if (loaded_.size() == 1) {
+      own.force = load.force;
+      own.direction = patch->direction();
+    }
+    contact::check_point({patch->grid(), patch->point(), own});
+  }
+}
+
+}  // namespace rollfem::capi

@@ -1,0 +1,55 @@
+// The normal blocks of one or several patches of few elements that carry a load together.
+#pragma once
+
+#include "contact/base/grid.hpp"
+#include "halfspace/elasticity/influence_tables.hpp"
+
+#include <vector>
+
+namespace rollfem::halfspace {
+
+/// One of the patches of FewElementsNormal.
+struct NormalBlock {
+  const InfluenceTable* table = nullptr;
+  contact::ContactGrid grid;
+  /// Per row of the grid: the part of a pressure along the load.
+  const double* carried = nullptr;
+  /// Where x = y = 0 of the grid is on the common surface rolled out, mm.
+  double x_place = 0.0, y_place = 0.0;
+  double y_direction = 1.0;  ///< of the grid's y on that surface, 1 or -1
+};
+
+/// For contact::BoundConstrainedCg: displacements along the load, mm, under the forces along it
+/// that the elements carry, N. Fields hold one patch after the other. Patches displace each other
+/// as point loads on the half-space (neighbour_displacement) from points at every other element,
+/// between which forces and displacements are linear.
+class FewElementsNormal {
+ public:
+  /// `modulus`: contact modulus, MPa.
+  explicit FewElementsNormal(double modulus) : modulus_(modulus) {}
+
+  /// What the blocks point to must outlive the use.
+  void set(const std::vector<NormalBlock>& blocks);
+
+  void apply(const contact::Field& forces, contact::Field& displacement) const;
+  /// By what an element displaces itself: those of several patches differ in size.
+  void precondition(const contact::Field& residual, contact::Field& result) const;
+
+ private:
+  void set_influence(std::size_t to, std::size_t from);
+  void add_own(const NormalBlock& block, const double* forces, double* displacement) const;
+  static void gather(const NormalBlock& block, const double* forces, std::vector<double>& loads);
+  static void spread(const NormalBlock& block, const std::vector<double>& at_points,
+                     double* displacement);
+  std::size_t pair_of(std::size_t to, std::size_t from) const { return to * blocks_.size() + from; }
+
+  double modulus_;
+  std::vector<NormalBlock> blocks_;
+  std::vector<std::vector<double>> influences_;  ///< per pair of blocks, mm/N between their points
+  // Memory of apply().
+  mutable std::vector<Source> sources_;
+  mutable std::vector<std::vector<double>> loads_;  ///< per block, N at its points
+  mutable std::vector<double> at_points_, added_;
+};
+
+}  // namespace rollfem::halfspace
