@@ -60,9 +60,10 @@ constexpr double room = 1.05;
 constexpr double below_beside = 1.5;
 constexpr double below_depth = 3.0;
 
-/// Bodies whose factors take more than this, bytes, are solved by multigrid: those under long
-/// patches. A residual of 1e-8 is 1e-4 of what a body has beyond its twin, a hundredth of it.
-constexpr double largest_factor = 2e9;
+/// Bodies whose factors take more than this, bytes (there are four at a time), are solved by
+/// multigrid, which takes longer for 45 loads: those under very long patches. A residual of 1e-8 is
+/// 1e-4 of what a body has beyond its twin, a hundredth of it.
+constexpr double largest_factor = 3e9;
 
 std::unique_ptr<LinearSolver> make_solver(const Body& body) {
   if (predicted_factor_bytes(static_cast<double>(body.unknowns())) < largest_factor ||
