@@ -1,8 +1,8 @@
 #include "fem/trace/rolling_inertia.hpp"
 
 #include "contact/scene/geometry.hpp"
-#include "fem/trace/prescribed.hpp"
 #include "fem/trace/compliance.hpp"
+#include "fem/trace/prescribed.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

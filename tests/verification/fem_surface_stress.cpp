@@ -1,8 +1,8 @@
 // Stress at the surface of a finite-element body from the tractions and the strain within the
 // surface: against Hertz's closed forms inside and outside of a circle, and better than the
 // recovered stress alone.
-#include "fem/trace/prescribed.hpp"
 #include "fem/stress/surface_stress.hpp"
+#include "fem/trace/prescribed.hpp"
 
 #include "support/fem_fields.hpp"
 #include "support/fem_loaded_rail.hpp"

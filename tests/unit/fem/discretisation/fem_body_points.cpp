@@ -3,9 +3,9 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "fem/discretisation/body_points.hpp"
-#include "fem/trace/prescribed.hpp"
 #include "fem/stress/stress_output.hpp"
 #include "fem/stress/stress_recovery.hpp"
+#include "fem/trace/prescribed.hpp"
 
 #include "support/fem_test_support.hpp"
 #include "support/temporary_folder.hpp"

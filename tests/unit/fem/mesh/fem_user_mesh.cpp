@@ -2,10 +2,10 @@
 // no lattice; and the given meshes that are refused.
 #include "contact/base/errors.hpp"
 #include "fem/linear/factorisation.hpp"
-#include "fem/trace/prescribed.hpp"
 #include "fem/mesh/chart_face.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
 #include "fem/trace/compliance.hpp"
+#include "fem/trace/prescribed.hpp"
 
 #include "support/fem_test_support.hpp"
 #include "support/mesh_examples.hpp"
