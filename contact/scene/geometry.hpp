@@ -70,10 +70,11 @@ class ChartedGeometry {
   /// Empty in the plane.
   PatchShape shape(const ContactGrid& grid) const;
 
-  /// Distance from rail to wheel, mm, at touching: along z in the plane, else along the normal of
-  /// the common surface; as given where the case gives it. Profiles count with their means over the
-  /// elements across (HeightCurve::averaging). Throws InputError when the grid reaches beyond the
-  /// points of a file.
+  /// Distance from rail to wheel, mm, counted from touching (of profiles that hold several patches
+  /// at the height under load, PatchGeometry::under_load): along z in the plane, else along the
+  /// normal of the common surface; as given where the case gives it. Profiles count with their
+  /// means over the elements across (HeightCurve::averaging). Throws InputError when the grid
+  /// reaches beyond the points of a file.
   Field undeformed_distance(const ContactGrid& grid) const;
   /// The same into a field that is kept.
   void undeformed_distance(const ContactGrid& grid, Field& distance) const;

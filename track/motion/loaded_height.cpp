@@ -12,8 +12,8 @@ namespace rollfem::track {
 
 namespace {
 
-/// mm, of the way sideways: separations are known to a third of that or better.
-constexpr double way_tolerance = 1e-5;
+/// Approaches that change by less, relatively, change the next ones by next to nothing.
+constexpr double near_enough = 0.1;
 constexpr int most_rounds = 4;
 
 /// Approaches of the contacts along their normals, mm; 0 where one does not touch.
@@ -49,20 +49,20 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
         return std::isfinite(placed.contact.next_hump) && !placed.scene.given_pressure;
       }))
     return;
-  std::vector<double> stands(wheel.size(), 0.0);
+  std::vector<double> stands(wheel.size(), 0.0), found;
+  for (const PlacedScene& placed : wheel) found.push_back(placed.contact.approach);
   try {
+    // From the estimates on: one search, of half a per cent, is enough where these are near.
     for (int round = 0; round < most_rounds; ++round) {
-      const std::vector<double> found = approaches(input, wheel);
       double change = 0.0;
       for (std::size_t i = 0; i < wheel.size(); ++i) {
-        const WheelRailContact& contact = wheel[i].contact;
-        if (found[i] > contact.next_hump)
-          change = std::max(change, std::abs(found[i] - stands[i]) *
-                                        std::tan(std::abs(contact.place.contact_angle)));
+        const double wanted = found[i] > wheel[i].contact.next_hump ? found[i] : 0.0;
+        if (wanted == stands[i]) continue;
+        change = std::max(change, std::abs(wanted - stands[i]) / std::max(wanted, stands[i]));
+        stand_at(stands[i] = wanted, wheel[i]);
       }
-      if (change <= way_tolerance) return;
-      for (std::size_t i = 0; i < wheel.size(); ++i)
-        if (found[i] > wheel[i].contact.next_hump) stand_at(stands[i] = found[i], wheel[i]);
+      if (round > 0 && change <= near_enough) return;
+      found = approaches(input, wheel);
     }
   } catch (const std::runtime_error&) {
     // What is wrong with the contact is said where it is solved.

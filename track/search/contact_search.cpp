@@ -211,9 +211,7 @@ class WheelSearch {
     WheelRailContact contact;
     contact.pose = pose_;
     contact.spread_of_normals = spread;
-    for (const GapMinimum& hump : group.humps)
-      if (hump.y != first.y)
-        contact.next_hump = std::min(contact.next_hump, (hump.gap - first.gap) * axes.cosine);
+    contact.next_hump = (group.next_gap - first.gap) * axes.cosine;
     contact.approach = std::max(0.0, approach_of(group.stretch, sinking));
     contact.normal_force = estimate_force(gap_, group.stretch, contact.approach, modulus_);
     fill_place(contact.place, group.stretch, axes, touch);

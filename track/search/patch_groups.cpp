@@ -19,13 +19,14 @@ constexpr double beyond_estimate_at_least = 0.01;  // mm
 constexpr std::size_t usual_groups = 8;
 
 void join(PatchGroup& group, const PatchGroup& next) {
+  group.next_gap = std::min({group.next_gap, next.next_gap,
+                             std::max(group.stretch.deepest.gap, next.stretch.deepest.gap)});
   if (next.stretch.deepest.gap < group.stretch.deepest.gap) {
     group.stretch.deepest = next.stretch.deepest;
     group.stretch.rolling_radius = next.stretch.rolling_radius;
   }
   group.stretch.limits[1] = next.stretch.limits[1];
   group.minima.insert(group.minima.end(), next.minima.begin(), next.minima.end());
-  group.humps.insert(group.humps.end(), next.humps.begin(), next.humps.end());
 }
 
 std::vector<Stretch> stretches_of(const std::vector<PatchGroup>& groups) {
@@ -105,7 +106,7 @@ std::vector<PatchGroup> separate_groups(const VerticalGap& gap) {
     }
     groups.push_back(std::move(group));
   }
-  for (PatchGroup& group : groups) group.humps = {group.stretch.deepest};
+  for (PatchGroup& group : groups) group.next_gap = std::numeric_limits<double>::infinity();
   return groups;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace rollfem::track {
@@ -13,7 +14,8 @@ namespace rollfem::track {
 struct PatchGroup {
   Stretch stretch;
   std::vector<GapMinimum> minima;
-  std::vector<GapMinimum> humps;  ///< lowest points of what has valleys between
+  /// Of the second lowest of what has valleys between, mm; infinite where there is none.
+  double next_gap = std::numeric_limits<double>::infinity();
 };
 
 /// Sinking under the load when these stretches carry it, measured from gap 0, mm.
