@@ -107,9 +107,9 @@ TEST(Laws, WholeSectionsAndCoupledProblemsTakeLonger) {
   // and 19 s (8 cells across), of the hybrid's correction 46 and 16 s.
   EXPECT_NEAR(fem_forecast(size).levels.front().seconds / boxes, 2.2, 0.7);
   EXPECT_NEAR(hybrid_forecast(size).once / corrected, 2.8, 0.8);
-  // 320 across, unlike materials (spence) 155 s and a curved surface (worn_hollow) 41 s: 13 and 18
+  // 320 across, unlike materials (spence) 155 s and a curved surface (worn_hollow) 41 s: 19 and 27
   // times what is expected of a plain half-space.
-  EXPECT_NEAR(halfspace_forecast(size, 0.01).levels.back().seconds / plain, 15.0, 5.0);
+  EXPECT_NEAR(halfspace_forecast(size, 0.01).levels.back().seconds / plain, 23.0, 5.0);
 }
 
 TEST(Laws, NoModelErrorIsMoreThanTheLargest) {
